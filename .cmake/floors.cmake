@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The floors of src/ from the ground up, written once: CMakeLists.txt makes the link graph of it and
+# tests/lint/layers.cmake checks every #include against it. A floor may include what it stands on, and theirs.
+#
+#   RIGOR_FLOORS               all floors, lowest first
+#   RIGOR_<floor>_ON           the floors directly beneath it
+#   RIGOR_<floor>_BELOW        all floors beneath it
+#   RIGOR_<floor>_LIBRARIES    what is seen of other projects by it and by the floors above it
+#   RIGOR_<floor>_PRIVATE      what only its own sources see
+#   RIGOR_ONLY_<folder>        the floors that may include <folder/...> of another project
+set(RIGOR_FLOORS "")
+
+macro(rigor_floor name)
+  cmake_parse_arguments(RIGOR_${name} "" "" "ON;LIBRARIES;PRIVATE" ${ARGN})
+  set(RIGOR_${name}_BELOW "")
+  foreach(_floor IN LISTS RIGOR_${name}_ON)
+    if(NOT _floor IN_LIST RIGOR_FLOORS)
+      message(FATAL_ERROR "floor `${name}` stands on `${_floor}`, which is not below it")
+    endif()
+    list(APPEND RIGOR_${name}_BELOW ${_floor} ${RIGOR_${_floor}_BELOW})
+  endforeach()
+  list(REMOVE_DUPLICATES RIGOR_${name}_BELOW)
+  list(APPEND RIGOR_FLOORS ${name})
+endmacro()
+
+rigor_floor(base LIBRARIES fmt::fmt tl::expected rigor::utf8cpp)
+rigor_floor(source ON base)
+rigor_floor(latex ON source)
+rigor_floor(expr ON source)
+rigor_floor(elaborate ON latex expr)
+rigor_floor(algebra ON expr PRIVATE rigor::ginac)
+rigor_floor(check ON elaborate algebra)
+rigor_floor(report ON check PRIVATE nlohmann_json::nlohmann_json)
+rigor_floor(app ON report PRIVATE nlohmann_json::nlohmann_json CLI11::CLI11)
+
+set(RIGOR_ONLY_ginac algebra)
+set(RIGOR_ONLY_cln algebra)
+set(RIGOR_ONLY_Eigen numeric)
+set(RIGOR_ONLY_nlohmann report app)
+set(RIGOR_ONLY_CLI app)
+set(RIGOR_ONLY_version.h report app)

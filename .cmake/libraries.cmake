@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The libraries of others. `.ci/setup` installs them on Debian; the versions are the oldest that were tried.
+find_package(fmt 9 REQUIRED)
+find_package(tl-expected 1.0 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+
+# utfcpp is headers only, and its CMake target is named differently from version to version.
+find_path(UTF8CPP_INCLUDE_DIR utf8/checked.h PATH_SUFFIXES utf8cpp REQUIRED)
+mark_as_advanced(UTF8CPP_INCLUDE_DIR)
+add_library(rigor::utf8cpp INTERFACE IMPORTED)
+target_include_directories(rigor::utf8cpp INTERFACE ${UTF8CPP_INCLUDE_DIR})
+
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(GINAC REQUIRED IMPORTED_TARGET ginac>=1.8 cln>=1.3)
+add_library(rigor::ginac ALIAS PkgConfig::GINAC)

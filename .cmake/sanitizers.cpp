@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Settings of the sanitizers, linked into every program of the `dev` preset: they hold however it is started.
+
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_options();
+extern "C" const char* __ubsan_default_options();
+
+// CLN allocates a few bytes once, when it is loaded, and never frees them.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libcln\n"; }
+
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+
+extern "C" const char* __ubsan_default_options() { return "print_stacktrace=1"; }
