@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "source/diagnostic.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/check.h"
+
+namespace rigor {
+namespace {
+
+using enum DiagnosticKind;
+constexpr auto error = Severity::error;
+constexpr auto not_understood = Severity::not_understood;
+constexpr auto warning = Severity::warning;
+
+constexpr auto table = std::to_array<DiagnosticInfo>({
+    {unreadable_file, "unreadable-file", error, "a file is missing or cannot be read"},
+    {invalid_utf8, "invalid-utf8", error, "the text is not UTF-8"},
+    {nul_byte, "nul-byte", error, "the text has a NUL byte"},
+    {no_equations, "no-equations", warning, "the file has no displayed equation"},
+    {no_relation, "no-relation", warning,
+     "a displayed expression relates nothing, so there is nothing to decide"},
+
+    {unbalanced, "unbalanced", error,
+     "a brace, a bracket, an environment or a display is not closed or not opened"},
+    {macro_recursion, "macro-recursion", error, "a macro expands for ever, or to more than is allowed"},
+    {bad_macro, "bad-macro", error, "a macro definition or call cannot be read"},
+    {missing_input, "missing-input", error, "a file named by \\input is missing or cannot be read"},
+    {input_outside, "input-outside", error, "a file named by \\input is outside the notes' folder"},
+    {display_too_long, "display-too-long", not_understood, "a display is longer than is allowed"},
+    {nesting_too_deep, "nesting-too-deep", not_understood, "groups are nested deeper than is allowed"},
+    {bad_syntax, "bad-syntax", error,
+     "an expression breaks off or has a sign in a place where it cannot stand"},
+    {unsupported, "unsupported", not_understood, "a notation that is not read yet"},
+
+    {unknown_directive, "unknown-directive", error, "a directive starts with an unknown word"},
+    {bad_directive, "bad-directive", error, "a directive's text cannot be read"},
+    {unused_directive, "unused-directive", error, "nothing uses a directive"},
+    {unknown_anchor, "unknown-anchor", error, "a sidecar names a place that the notes do not have"},
+
+    {undeclared_symbol, "undeclared-symbol", not_understood, "a symbol whose kind is not known"},
+    {ambiguous_reading, "ambiguous-reading", not_understood, "the notation allows two readings"},
+    {free_index_mismatch, "free-index-mismatch", error, "the free indices of two sides or two terms differ"},
+    {index_repeats, "index-repeats", error, "an index occurs more than twice in one term"},
+    {index_clash, "index-clash", error, "an index is bound twice"},
+    {rank_mismatch, "rank-mismatch", error, "a scalar, a vector or a tensor stands where another is needed"},
+    {bold_index, "bold-index", warning, "a bold symbol carries an index; it is read as the component"},
+    {circular_definition, "circular-definition", error, "a definition uses what it defines"},
+    {redefinition, "redefinition", warning, "a symbol is defined a second time"},
+
+    {refuted, "refuted", Severity::refuted, "the sides differ on an exact sample"},
+    {undecided, "undecided", Severity::undecided, "neither a proof nor a counterexample was found"},
+    {zero_equals_zero, "zero-equals-zero", warning,
+     "both sides vanish identically, so the step says nothing"},
+    {no_sample, "no-sample", error, "no sample satisfies the assumptions"},
+    {unexpected_verdict, "unexpected-verdict", error, "a step has another verdict than a directive expects"},
+});
+
+constexpr bool follows_enum() {
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (static_cast<std::size_t>(table[i].kind) != i) return false;
+  return static_cast<std::size_t>(unexpected_verdict) + 1 == table.size();
+}
+static_assert(follows_enum(), "one entry for each kind, in the order of the enumeration");
+
+}  // namespace
+
+std::span<const DiagnosticInfo> diagnostic_table() { return table; }
+
+const DiagnosticInfo& info(DiagnosticKind kind) {
+  const auto index = static_cast<std::size_t>(kind);
+  RIGOR_CHECK(index < table.size(), index);
+  return table[index];
+}
+
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return "error";
+    case Severity::refuted:
+      return "refuted";
+    case Severity::undecided:
+      return "undecided";
+    case Severity::not_understood:
+      return "not understood";
+    case Severity::warning:
+      return "warning";
+  }
+  return "error";
+}
+
+}  // namespace rigor

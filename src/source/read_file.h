@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+#include "source/diagnostic.h"
+
+namespace rigor {
+
+/// The bytes of a regular file; a missing file, a directory, an unreadable or larger file (64 MiB) is an
+/// error.
+[[nodiscard]] Result<std::string> read_file(const std::string& path);
+
+/// Diagnostics for the first invalid UTF-8 byte and the first NUL byte of a text, each with how many there
+/// are; both are replaced by `?` so that reading can go on. A byte-order mark at the start becomes spaces.
+[[nodiscard]] Diagnostics mend_text(std::string& text, FileId file);
+
+}  // namespace rigor
