@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/blocks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace rigor {
+namespace {
+
+enum class Remark { connective, condition, quantifier, remark };
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool has_word(const std::string& text, std::string_view word) {
+  const auto letter = [&](std::size_t at) { return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0; };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    if ((at == 0 || !letter(at - 1)) && !letter(at + word.size())) return true;
+  }
+  return false;
+}
+
+/// What words beside an equation do to it: join the next, restrict it, quantify it, or nothing.
+Remark classify(const std::string& words) {
+  const std::string text = lowered(words);
+  static constexpr std::array conditions{"if",   "when", "where",  "whenever", "unless", "provided", "only",  "no sum", "not summed",
+                                         "with", "since", "given", "assuming", "limit",  "sum",      "summed", "let",   "suppose",
+                                         "except", "as",  "near", "until", "otherwise", "modulo", "mod", "not", "approximately", "cyclic", "permutations", "etc"};
+  static constexpr std::array quantifiers{"for all", "for any", "for every", "for each"};
+  static constexpr std::array connectives{"and", "or", "so", "thus", "hence", "therefore", "i.e", "that is", "also", "while", "but",
+                                          "so that", "giving", "gives", "similarly", "likewise"};
+  for (const char* word : quantifiers) {
+    if (has_word(text, word)) return Remark::quantifier;
+  }
+  for (const char* word : conditions) {
+    if (has_word(text, word)) return Remark::condition;
+  }
+  if (has_word(text, "for") || has_word(text, "at") || has_word(text, "about")) return Remark::condition;
+  for (const char* word : connectives) {
+    if (has_word(text, word)) return Remark::connective;
+  }
+  return Remark::remark;
+}
+
+struct Block {
+  Tokens tokens;
+  Span span() const { return span_of(trim(tokens)); }
+};
+
+/// A block in brackets that is an equation number: `(6)`, `(2.3a)`, `(A1')`.
+bool is_tag(TokenView block) {
+  block = trim(block);
+  if (block.size() < 3 || block.size() > 10 || !is_sign(block.front(), "(") || !is_sign(block.back(), ")")) return false;
+  bool digit = false;
+  for (const Token& token : block.subspan(1, block.size() - 2)) {
+    digit = digit || token.kind == TokenKind::digit;
+    const bool fits = token.kind == TokenKind::digit || is_sign(token, ".") || is_sign(token, "'") || is_sign(token, "-") ||
+                      is_sign(token, "*") || (token.kind == TokenKind::letter && token.text.size() == 1);
+    if (!fits) return false;
+  }
+  return digit;
+}
+
+/// `i, j = 1, 2, 3`: says only what every index does.
+bool is_index_range(TokenView block) {
+  std::string text;
+  for (const Token& token : block) {
+    if (!is_blank(token) && !is_spacing(token)) text += text_of({&token, 1});
+  }
+  if (!text.empty() && text.front() == '(' && text.back() == ')') text = text.substr(1, text.size() - 2);
+  const auto equal = text.find('=');
+  if (equal == std::string::npos || equal == 0) return false;
+  for (std::size_t i = 0; i < equal; ++i) {
+    if (i % 2 == 0 ? std::islower(static_cast<unsigned char>(text[i])) == 0 : text[i] != ',') return false;
+  }
+  const std::string range = text.substr(equal + 1);
+  return range == "1,2,3" || range == "1,2,3." || range == "1\\ldots3" || range == "1,\\ldots,3" || range == "1,\\dots,3" ||
+         range == "x,y,z" || range == "x,y,z.";
+}
+
+bool is_ornament(TokenView block) {
+  return std::all_of(block.begin(), block.end(), [](const Token& token) {
+    return is_blank(token) || is_spacing(token) || is_sign(token, ".") || is_sign(token, ",") || is_sign(token, ";") || is_sign(token, ":") ||
+           is_control(token, "checkmark") || is_control(token, "blacksquare") || is_control(token, "qed") ||
+           is_control(token, "Box") || is_control(token, "therefore") || is_control(token, "because");
+  });
+}
+
+class StatementSplitter {
+ public:
+  explicit StatementSplitter(TokenView tokens) : tokens_(tokens) {}
+
+  std::vector<WrittenChain> split() {
+    cut_into_blocks();
+    for (const Block& block : blocks_) add_block(block);
+    for (WrittenChain& chain : chains_) {
+      chain.tag = tag_;
+      if (condition_) {
+        chain.condition = condition_;
+        chain.condition_span = condition_span_;
+      }
+    }
+    return std::move(chains_);
+  }
+
+ private:
+  void set_condition(Span span, std::string message) {
+    if (condition_) return;
+    condition_ = Obstacle{DiagnosticKind::unsupported, std::move(message), {}};
+    condition_span_ = span;
+  }
+
+  /// Boundaries: wide space, words, implications; each only where an equation stands complete before it.
+  void cut_into_blocks() {
+    Nesting nesting(false);
+    Block block;
+    const auto cut = [&] {
+      if (!trim(block.tokens).empty()) blocks_.push_back(std::move(block));
+      block = Block{};
+    };
+    for (std::size_t at = 0; at < tokens_.size();) {
+      const Token& token = tokens_[at];
+      const int depth = nesting.enter(token);
+      if (depth == 0 && is_wide_space(token)) {
+        if (may_end(block.tokens, at + 1)) cut();
+        ++at;
+        continue;
+      }
+      if (depth == 0 && is_words(token) && !wants_operand(block.tokens)) {
+        const Argument words = argument_at(tokens_, at + 1);
+        note_words(cover(token.span, span_of(words.content)), text_of(words.content));
+        cut();
+        at = words.next;
+        continue;
+      }
+      if (depth == 0 && relation_kind(token) == RelationKind::implies) {
+        set_condition(token.span, fmt::format("`{}` between equations is not decided yet", text_of({&token, 1})));
+        cut();
+        ++at;
+        continue;
+      }
+      if (depth == 0 && (is_control(token, "therefore") || is_control(token, "forall"))) {
+        cut();
+        if (is_control(token, "forall")) return;  // what follows only names the symbols
+        ++at;
+        continue;
+      }
+      block.tokens.push_back(token);
+      ++at;
+    }
+    cut();
+  }
+
+  /// `\text{…}` where an operand is due is part of the expression: `\text{torque} = …`, `m = \text{const}`.
+  static bool wants_operand(TokenView block) {
+    return ends_open(block) && !trim(block).empty();
+  }
+
+  bool may_end(TokenView block, std::size_t next) const {
+    if (!has_relation(block) || ends_open(block)) return false;
+    const std::size_t at = first_significant(tokens_, next);
+    if (at >= tokens_.size()) return true;
+    const Token& token = tokens_[at];
+    return !relation_kind(token).has_value() && !is_sign(token, "+") && factor_joint(token) == Joint::none &&
+           !is_stacked_relation(tokens_, at);
+  }
+
+  void note_words(Span span, const std::string& words) {
+    switch (classify(words)) {
+      case Remark::condition:
+        set_condition(span, fmt::format("the words `{}` beside the equation change what it says and are not read", words));
+        return;
+      case Remark::quantifier:
+        return;
+      case Remark::connective:
+      case Remark::remark:
+        return;
+    }
+  }
+
+  void add_block(const Block& block) {
+    const TokenView tokens = trim(block.tokens);
+    if (tokens.empty() || is_ornament(tokens) || is_index_range(tokens)) return;
+    if (is_tag(tokens)) {
+      tag_ = text_of(tokens);
+      return;
+    }
+    if (!chains_.empty() && relates_index_letters(tokens)) {
+      set_condition(block.span(), fmt::format("the condition `{}` beside the equation is not read yet", text_of(tokens)));
+      return;
+    }
+    if (!has_relation(tokens) && !chains_.empty()) {
+      add_remark(tokens);
+      return;
+    }
+    add_equations(tokens);
+  }
+
+  /// `(\text{no sum})`, `(a, b constant)`: signs beside an equation that are no equation.
+  void add_remark(TokenView tokens) {
+    std::string words;
+    bool only_words = true;
+    for (std::size_t at = 0; at < tokens.size();) {
+      if (is_words(tokens[at]) || is_control(tokens[at], "mathrm")) {
+        const Argument argument = argument_at(tokens, at + 1);
+        words += text_of(argument.content) + " ";
+        at = argument.next;
+        continue;
+      }
+      only_words = only_words && (is_sign(tokens[at], "(") || is_sign(tokens[at], ")") || is_sign(tokens[at], "[") ||
+                                  is_sign(tokens[at], "]") || is_ornament(tokens.subspan(at, 1)));
+      ++at;
+    }
+    const Remark kind = classify(words);
+    if (only_words && kind != Remark::condition) return;
+    set_condition(span_of(tokens), fmt::format("`{}` beside the equation may change what it says and is not read", text_of(tokens)));
+  }
+
+  /// Commas separate equations where every piece is one; `a = b, i = 1, 2, 3` keeps its range out.
+  void add_equations(TokenView tokens) {
+    std::vector<TokenView> pieces;
+    Nesting nesting(false);
+    std::size_t begin = 0;
+    for (std::size_t at = 0; at < tokens.size(); ++at) {
+      if (nesting.enter(tokens[at]) != 0) continue;
+      if (!is_sign(tokens[at], ",") && !is_sign(tokens[at], ";")) continue;
+      const TokenView rest = tokens.subspan(at + 1);
+      const TokenView piece = trim(tokens.subspan(begin, at - begin));
+      if (!piece.empty() && has_relation(piece) && is_index_range(rest)) {
+        tokens = tokens.first(at);
+        break;
+      }
+      pieces.push_back(piece);
+      begin = at + 1;
+    }
+    pieces.push_back(trim(tokens.subspan(begin)));
+    std::erase_if(pieces, [](TokenView piece) { return is_ornament(piece); });
+    const bool separate = std::all_of(pieces.begin(), pieces.end(), has_relation);
+    if (!separate) pieces = {tokens};
+    for (const TokenView piece : pieces) {
+      if (!chains_.empty() && relates_index_letters(piece)) {
+        set_condition(span_of(piece), fmt::format("the condition `{}` beside the equation is not read yet", text_of(piece)));
+      } else {
+        chains_.push_back(chain_of(piece));
+      }
+    }
+  }
+
+  static WrittenChain chain_of(TokenView tokens);
+
+  TokenView tokens_;
+  std::vector<Block> blocks_;
+  std::vector<WrittenChain> chains_;
+  std::string tag_;
+  std::optional<Obstacle> condition_;
+  Span condition_span_;
+};
+
+TokenView without_punctuation(TokenView tokens) {
+  tokens = trim(tokens);
+  while (!tokens.empty() && (is_spacing(tokens.back()) || is_sign(tokens.back(), ".") || is_sign(tokens.back(), ",") ||
+                             is_sign(tokens.back(), ";") || is_sign(tokens.back(), ":"))) {
+    tokens = trim(tokens.first(tokens.size() - 1));
+  }
+  while (!tokens.empty() && is_spacing(tokens.front())) tokens = tokens.subspan(1);
+  return tokens;
+}
+
+/// The relation at `at`, and the place behind it.
+struct RelationAt {
+  WrittenRelation relation;
+  std::size_t next;
+};
+
+std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
+  const Token& token = tokens[at];
+  if (is_sign(token, ":") && at + 1 < tokens.size() && is_sign(tokens[at + 1], "=")) {
+    return RelationAt{{RelationKind::defines, cover(token.span, tokens[at + 1].span), ":="}, at + 2};
+  }
+  if (is_stacked_relation(tokens, at)) {
+    const Argument above = argument_at(tokens, at + 1);
+    const Argument below = argument_at(tokens, above.next);
+    const std::string mark = text_of(above.content);
+    RelationKind kind = relation_kind(trim(below.content).front()).value_or(RelationKind::equal);
+    if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
+    if (mark.find("def") != std::string::npos || mark.find("triangle") != std::string::npos) kind = RelationKind::defines;
+    return RelationAt{{kind, cover(token.span, span_of(below.content)), text_of(tokens.subspan(at, below.next - at))}, below.next};
+  }
+  if (is_control(token, "not") && at + 1 < tokens.size() && relation_kind(tokens[at + 1])) {
+    return RelationAt{{RelationKind::other, cover(token.span, tokens[at + 1].span), "\\not="}, at + 2};
+  }
+  if (const auto kind = relation_kind(token)) return RelationAt{{*kind, token.span, text_of({&token, 1})}, at + 1};
+  return std::nullopt;
+}
+
+WrittenChain StatementSplitter::chain_of(TokenView tokens) {
+  WrittenChain chain;
+  Nesting nesting(false);
+  std::size_t begin = 0;
+  const auto finish_side = [&](std::size_t end) {
+    const TokenView side = without_punctuation(tokens.subspan(begin, end - begin));
+    Span span = span_of(side);
+    if (side.empty() && !chain.relations.empty()) {
+      span = chain.relations.back().span;
+      span.begin = span.end;
+    }
+    chain.sides.push_back({Tokens(side.begin(), side.end()), span});
+  };
+  for (std::size_t at = 0; at < tokens.size();) {
+    const int depth = nesting.enter(tokens[at]);
+    const auto found = depth == 0 ? relation_at(tokens, at) : std::nullopt;
+    if (!found) {
+      ++at;
+      continue;
+    }
+    finish_side(at);
+    chain.relations.push_back(found->relation);
+    at = begin = found->next;
+  }
+  finish_side(tokens.size());
+  if (chain.sides.front().tokens.empty() && !chain.relations.empty()) {
+    chain.sides.front().span = chain.relations.front().span;
+    chain.sides.front().span.end = chain.sides.front().span.begin;
+  }
+  chain.span = cover(chain.sides.front().span, chain.sides.back().span);
+  for (const WrittenSide& side : chain.sides) chain.span = cover(chain.span, side.span);
+  return chain;
+}
+
+}  // namespace
+
+std::vector<WrittenChain> split_statement(TokenView tokens) {
+  return StatementSplitter(tokens).split();
+}
+
+std::size_t first_significant(TokenView tokens, std::size_t at) {
+  while (at < tokens.size() && (is_blank(tokens[at]) || is_spacing(tokens[at]))) ++at;
+  return at;
+}
+
+bool is_stacked_relation(TokenView tokens, std::size_t at) {
+  if (at >= tokens.size()) return false;
+  if (!is_control(tokens[at], "overset") && !is_control(tokens[at], "stackrel") && !is_control(tokens[at], "underset")) return false;
+  const Argument above = argument_at(tokens, at + 1);
+  const TokenView below = trim(argument_at(tokens, above.next).content);
+  return below.size() == 1 && relation_kind(below.front()).has_value() &&
+         text_of(above.content).find("leftrightarrow") == std::string::npos;
+}
+
+bool has_relation(TokenView tokens) {
+  Nesting nesting(false);
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    if (nesting.enter(tokens[at]) != 0) continue;
+    const auto kind = relation_kind(tokens[at]);
+    if ((kind && *kind != RelationKind::implies) || is_stacked_relation(tokens, at)) return true;
+  }
+  return false;
+}
+
+bool relates_index_letters(TokenView block) {
+  bool relation = false;
+  for (const Token& token : block) {
+    if (is_blank(token) || is_spacing(token) || is_sign(token, "(") || is_sign(token, ")") || is_sign(token, ",")) continue;
+    if (relation_kind(token).has_value()) {
+      relation = true;
+      continue;
+    }
+    if (token.kind != TokenKind::letter || token.text.size() != 1 || token.text[0] < 'i' || token.text[0] > 'n') return false;
+  }
+  return relation;
+}
+
+bool ends_open(TokenView tokens) {
+  tokens = trim(tokens);
+  while (!tokens.empty() && (is_spacing(tokens.back()) || is_wide_space(tokens.back()))) tokens = trim(tokens.first(tokens.size() - 1));
+  if (tokens.empty()) return false;
+  const Token& last = tokens.back();
+  return relation_kind(last).has_value() || is_sign(last, "+") || is_sign(last, "-") || factor_joint(last) != Joint::none;
+}
+
+}  // namespace rigor

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notes as a list of what matters to a checker, in the order in which it stands in the text: headings, displayed equations,
+// directive lines, macro definitions. Prose and inline mathematics (`$…$`, `\(…\)`) are passed over.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "source/diagnostic.h"
+#include "source/source_map.h"
+
+namespace rigor {
+
+struct Heading {
+  Span span;
+  int level = 1;      // 1 is the outermost: `#`, and in LaTeX the highest that the notes use
+  std::string title;  // as written, blanks trimmed, without braces around it
+};
+
+/// One line of a directive, without the comment mark and the word `rigor:`, blanks trimmed, e.g. `vector \mathbf{A}`; never
+/// empty. Those that stand inside a display come before it.
+struct DirectiveLine {
+  Span span;
+};
+
+/// A displayed equation. `body` is what stands between the delimiters; for `\begin{align}…\end{align}` the environment's
+/// name is kept (`align*` with its star), for `$$`, `\[` and a math fence it is empty. An argument of the environment, as in
+/// `alignat`, is not part of the body.
+struct Display {
+  Span span;
+  Span body;
+  std::string environment;
+  std::uint32_t quotes = 0;  // marks `>` before each line of the body, for `lex`
+};
+
+/// A definition such as `\newcommand{\v}[1]{\mathbf{#1}}` outside any display: to be run through `expand`.
+struct MacroText {
+  Span span;
+};
+
+using Item = std::variant<Heading, DirectiveLine, Display, MacroText>;
+
+struct Document {
+  FileId file = 0;
+  std::vector<Item> items;
+};
+
+enum class Format : std::uint8_t { markdown, latex };
+
+/// `.tex`, `.ltx`, `.latex`, `.sty` are LaTeX; everything else is Markdown.
+[[nodiscard]] Format format_of(std::string_view path);
+
+/// Reads a file that is already in `sources` (and mended). `\input{x}` and `\include{x}` (LaTeX) are followed inside the
+/// folder of the notes and below, at most 16 deep, each file once; a file outside is `input_outside`, a missing one
+/// `missing_input`. What is opened and not closed is `unbalanced`, and reading goes on after the next blank line.
+/// Cost: linear in the text.
+[[nodiscard]] Document read_document(SourceMap& sources, FileId file, Diagnostics& diagnostics);
+
+}  // namespace rigor

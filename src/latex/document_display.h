@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a display ends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "latex/document_text.h"
+#include "latex/environments.h"
+
+namespace rigor {
+
+enum class DisplayDelimiter : std::uint8_t {
+  dollars,         // $$ … $$
+  bracket,         // \[ … \]
+  double_bracket,  // \\[ … \\], in Markdown
+  environment,     // \begin{align} … \end{align}
+};
+
+struct DisplayEnd {
+  enum class Outcome : std::uint8_t {
+    closed,  // by [begin, end)
+    wrong,   // [begin, end) is the end of an environment that was not opened here
+    open,    // no end before `begin`, where something starts that cannot stand in a display
+  };
+  Outcome outcome = Outcome::open;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Looks for the end from `from` on, behind the opening. Without one, the search stops at the next display or heading, for
+/// `$$` (where opening and closing look the same) and in Markdown outside environments already at a blank line.
+/// Cost: linear in what it passes over.
+[[nodiscard]] DisplayEnd find_display_end(const NotesText& text, const EnvironmentAliases& aliases,
+                                          DisplayDelimiter delimiter, std::string_view environment,
+                                          std::size_t from);
+
+/// The level of a LaTeX heading (`section`): 0 for \part, 1 for \chapter and so on; negative for other controls.
+[[nodiscard]] int heading_rank(std::string_view control);
+/// Markdown: the level of `## Title` that starts the line; 0 for other lines.
+[[nodiscard]] int atx_level(const NotesText& text, std::size_t line);
+
+}  // namespace rigor

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/document_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "source/read_file.h"
+
+namespace rigor {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t deepest = 16;
+
+/// Empty where the file system cannot say.
+fs::path real_path(const fs::path& path) {
+  std::error_code error;
+  fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
+  return error ? fs::path() : result;
+}
+
+}  // namespace
+
+InputFiles::InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics)
+    : sources_(sources), diagnostics_(diagnostics), folder_(fs::path(sources.path(top)).parent_path()) {
+  root_ = real_path(folder_.empty() ? fs::path(".") : folder_);
+  stack_.push_back(real_path(sources.path(top)));
+  read_.insert(stack_.back());
+}
+
+std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
+  fs::path asked{name};
+  if (!asked.has_extension()) asked += ".tex";
+  const std::string shown = asked.string();
+  if (stack_.size() > deepest) {
+    return report(DiagnosticKind::missing_input, place,
+                  fmt::format("`{}` is read more than {} files deep, and left out", shown, deepest));
+  }
+  const fs::path path = find(asked);
+  const fs::path real = real_path(path);
+  if (real.empty()) return report(DiagnosticKind::missing_input, place, fmt::format("`{}` is no path", shown));
+  if (!is_inside(real)) {
+    return report(DiagnosticKind::input_outside, place,
+                  fmt::format("`{}` is outside the folder of the notes", shown));
+  }
+  if (std::find(stack_.begin(), stack_.end(), real) != stack_.end()) {
+    return report(DiagnosticKind::missing_input, place, fmt::format("`{}` reads itself", shown));
+  }
+  if (!read_.insert(real).second) return std::nullopt;
+  auto text = read_file(path.string());
+  if (!text) {
+    return report(DiagnosticKind::missing_input, place,
+                  fmt::format("`{}` cannot be read: {}", shown, text.error().reason));
+  }
+  Diagnostics mended = mend_text(*text, 0);
+  const FileId file = sources_.add(path.string(), std::move(*text));
+  for (Diagnostic& diagnostic : mended) {
+    diagnostic.span.file = file;
+    diagnostics_.push_back(std::move(diagnostic));
+  }
+  stack_.push_back(real);
+  return file;
+}
+
+std::optional<FileId> InputFiles::report(DiagnosticKind kind, Span place, std::string message) {
+  diagnostics_.push_back({kind, place, std::move(message)});
+  return std::nullopt;
+}
+
+/// LaTeX looks from the folder of the main file; \subfile and many editors from that of the file itself.
+fs::path InputFiles::find(const fs::path& name) const {
+  const fs::path here = (folder_ / name).lexically_normal();
+  std::error_code error;
+  if (fs::exists(here, error)) return here;
+  const fs::path beside = stack_.back().parent_path().lexically_relative(root_) / name;
+  const fs::path there = (folder_ / beside).lexically_normal();
+  return fs::exists(there, error) ? there : here;
+}
+
+bool InputFiles::is_inside(const fs::path& canonical) const {
+  const fs::path relative = canonical.lexically_relative(root_);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace rigor

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files that notes read with \input, \include and \subfile: those in the folder of the notes and below.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "source/diagnostic.h"
+#include "source/source_map.h"
+
+namespace rigor {
+
+class InputFiles {
+ public:
+  InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics);
+
+  /// Reads and mends the file `name`, as the file on top of the stack names it at `place`: relative to the notes' folder,
+  /// else to the folder of that file; `.tex` is added where it has no extension. Nothing for a file that was read before,
+  /// and, with a diagnostic, for one that is outside, missing, inside itself or nested too deep.
+  /// A file that is returned is on the stack until `close`.
+  std::optional<FileId> open(std::string_view name, Span place);
+  void close() { stack_.pop_back(); }
+
+ private:
+  std::optional<FileId> report(DiagnosticKind kind, Span place, std::string message);
+  [[nodiscard]] std::filesystem::path find(const std::filesystem::path& name) const;
+  [[nodiscard]] bool is_inside(const std::filesystem::path& canonical) const;
+
+  SourceMap& sources_;
+  Diagnostics& diagnostics_;
+  std::filesystem::path folder_;                 // of the notes, as their path says
+  std::filesystem::path root_;                   // the same, canonical
+  std::vector<std::filesystem::path> stack_;     // canonical, the notes first
+  std::set<std::filesystem::path> read_;         // canonical
+};
+
+}  // namespace rigor

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/document_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "latex/ascii.h"
+
+namespace rigor {
+namespace {
+
+using Outcome = DisplayEnd::Outcome;
+
+constexpr std::size_t most_reports = 1000;    // of what is unbalanced
+constexpr std::size_t longest_options = 500;  // of an environment
+
+std::string closing_of(DisplayDelimiter delimiter, std::string_view environment) {
+  switch (delimiter) {
+    case DisplayDelimiter::dollars: return "$$";
+    case DisplayDelimiter::bracket: return "\\]";
+    case DisplayDelimiter::double_bracket: return "\\\\]";
+    case DisplayDelimiter::environment: return fmt::format("\\end{{{}}}", environment);
+  }
+  return {};
+}
+
+}  // namespace
+
+void NotesReader::read_display(const Opening& opening) {
+  const DisplayEnd end = read_closed_display(opening);
+  if (end.outcome == Outcome::open) report_open(opening, end);
+  if (end.outcome == Outcome::wrong) report_wrong(opening, end);
+}
+
+DisplayEnd NotesReader::read_closed_display(const Opening& opening) {
+  Display display{{}, {}, opening.environment, opening.quotes};
+  const std::size_t body = skip_environment_arguments(display, opening.behind);
+  const DisplayEnd end =
+      find_display_end(text_, reading_.aliases, opening.delimiter, opening.environment, body);
+  if (end.outcome != Outcome::closed) return end;
+  display.span = text_.span(opening.begin, end.end);
+  display.body = text_.span(body, end.begin);
+  add_directives(body, end.begin);
+  add(std::move(display));
+  at_ = end.end;
+  return end;
+}
+
+std::size_t NotesReader::skip_environment_arguments(Display& display, std::size_t at) const {
+  if (takes_options(display.environment) && text_[at] == '[') {
+    const auto length = text_.between(at, std::min(at + longest_options, text_.size())).find(']');
+    if (length != std::string_view::npos) at += length + 1;
+  }
+  if (!takes_argument(display.environment)) return at;
+  const auto argument = text_.environment_mark(at);
+  if (!argument) return at;
+  if (is_display_environment(argument->name)) display.environment = argument->name;  // empheq
+  return argument->end;
+}
+
+void NotesReader::report_open(const Opening& opening, const DisplayEnd& end) {
+  const std::string closing = closing_of(opening.delimiter, opening.environment);
+  const bool at_blank_line = text_.is_blank_line(end.begin);
+  std::vector<Label> labels;
+  if (!at_blank_line) {
+    const std::size_t word = std::max<std::size_t>(text_.control_word(end.begin).size(), 1) + 1;
+    labels.push_back({text_.span(end.begin, std::min(end.begin + word, text_.size())), "not closed before this"});
+  }
+  const bool blank_line_ends = at_blank_line && end.begin < text_.size();
+  report(opening.begin, opening.behind,
+         fmt::format("`{}` is not closed", text_.between(opening.begin, opening.behind)),
+         fmt::format("close it with `{}`{}", closing, blank_line_ends ? " before the blank line" : ""),
+         std::move(labels));
+  at_ = text_.after_blank_line(opening.begin);
+}
+
+/// After the end of another display that display is over; any other environment goes on around this one.
+void NotesReader::report_wrong(const Opening& opening, const DisplayEnd& end) {
+  const std::string_view written = text_.between(end.begin, end.end);
+  report(opening.begin, opening.behind,
+         fmt::format("`{}` is not closed before `{}`", text_.between(opening.begin, opening.behind), written),
+         fmt::format("close it with `{}`", closing_of(opening.delimiter, opening.environment)),
+         {{text_.span(end.begin, end.end), "this closes something else"}});
+  const auto brace = written.find('{');
+  const auto mark =
+      brace == std::string_view::npos ? std::nullopt : text_.environment_mark(end.begin + brace);
+  at_ = !mark || is_display_environment(mark->name) ? end.end
+                                                    : std::min(end.begin, text_.after_blank_line(opening.begin));
+}
+
+bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes) {
+  const std::size_t begin = at_;
+  std::size_t behind = at_ + 1 + word.size();
+  std::string name;
+  bool opens = word == "begin";
+  if (opens || word == "end") {
+    const auto mark = text_.environment_mark(behind);
+    if (!mark) return false;
+    name = mark->name;
+    behind = mark->end;
+  } else if (const auto alias = reading_.aliases.begins.find(word); alias != reading_.aliases.begins.end()) {
+    name = alias->second;
+    opens = true;
+  } else if (const auto closing = reading_.aliases.ends.find(word); closing != reading_.aliases.ends.end()) {
+    name = closing->second;
+  }
+  if (!is_display_environment(name)) return false;
+  if (opens) {
+    read_display({DisplayDelimiter::environment, begin, behind, name, quotes});
+  } else {
+    report(begin, behind, fmt::format("`{}` closes nothing", text_.between(begin, behind)),
+           fmt::format("`\\begin{{{}}}` is missing before it", name));
+    at_ = behind;
+  }
+  return true;
+}
+
+bool NotesReader::read_definition(std::string_view word) {
+  const std::size_t begin = at_;
+  const std::size_t behind = at_ + 1 + word.size();
+  const auto form = definition_form(word);
+  if (!form && word != "newenvironment" && word != "renewenvironment") return false;
+  const auto extent =
+      form ? definition_extent(text_, *form, behind) : environment_definition_extent(text_, behind);
+  if (extent.open) {
+    report(begin, behind, "a definition is not closed", "close its braces and brackets",
+           {{text_.span(*extent.open, *extent.open + 1), "opened here"}});
+    at_ = text_.after_blank_line(begin);
+    return true;
+  }
+  at_ = extent.end;
+  if (form && !extent.name.empty()) {
+    add(MacroText{text_.span(begin, extent.end)});
+    reading_.aliases.define(extent.name, extent.body);
+  }
+  return true;
+}
+
+void NotesReader::add_directive(std::size_t percent) {
+  std::size_t at = percent;
+  while (text_[at] == '%' || is_blank(text_[at])) ++at;
+  constexpr std::string_view word = "rigor:";
+  if (!text_.has(word, at)) return;
+  const Span line = text_.trimmed(at + word.size(), text_.line_end(at));
+  if (!line.empty()) add(DirectiveLine{line});
+}
+
+void NotesReader::add_directives(std::size_t begin, std::size_t end) {
+  for (std::size_t at = begin; at < end; ++at) {
+    if (text_[at] == '\\') {
+      ++at;
+    } else if (text_[at] == '%') {
+      add_directive(at);
+      at = text_.line_end(at);
+    }
+  }
+}
+
+void NotesReader::report(std::size_t begin, std::size_t end, std::string message, std::string help,
+                         std::vector<Label> labels) {
+  if (++reading_.unbalanced > most_reports) return;
+  std::vector<std::string> helps{std::move(help)};
+  if (reading_.unbalanced == most_reports) helps.emplace_back("what else is unbalanced is not listed");
+  reading_.diagnostics.push_back({DiagnosticKind::unbalanced, text_.span(begin, end), std::move(message),
+                                  std::move(labels), std::move(helps)});
+}
+
+}  // namespace rigor

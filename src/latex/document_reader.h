@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the readers of LaTeX and of Markdown have in common: the place where one stands, displays, macro definitions and
+// what is said about what does not close.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "latex/document_definition.h"
+#include "latex/document_display.h"
+#include "latex/document_input.h"
+
+namespace rigor {
+
+/// What one run of read_document collects, over all files.
+struct Reading {
+  SourceMap& sources;
+  Diagnostics& diagnostics;
+  Document document = {};
+  EnvironmentAliases aliases = {};
+  std::size_t unbalanced = 0;  // reported so far
+};
+
+class NotesReader {
+ protected:
+  NotesReader(Reading& reading, FileId file, Format format)
+      : reading_(reading), text_(reading.sources, file, format) {}
+
+  struct Opening {
+    DisplayDelimiter delimiter;
+    std::size_t begin;
+    std::size_t behind;  // the delimiter
+    std::string environment = {};
+    std::uint32_t quotes = 0;
+  };
+  /// Adds the display and stands behind it, or says that it is not closed and stands where reading goes on.
+  void read_display(const Opening& opening);
+  /// Adds the display and stands behind it if it is closed; else changes nothing.
+  DisplayEnd read_closed_display(const Opening& opening);
+
+  /// At `\begin` or `\end` or an alias of one, a display begins or an end is stray. False: it is about something else.
+  bool read_environment(std::string_view word, std::uint32_t quotes);
+  /// At a control that defines a macro or an environment. False: it does neither.
+  bool read_definition(std::string_view word);
+
+  /// `% rigor: …` at the `%`.
+  void add_directive(std::size_t percent);
+  void add_directives(std::size_t begin, std::size_t end);
+
+  void report(std::size_t begin, std::size_t end, std::string message, std::string help,
+              std::vector<Label> labels = {});
+  template <class T>
+  void add(T item) {
+    reading_.document.items.emplace_back(std::move(item));
+  }
+
+  Reading& reading_;
+  NotesText text_;
+  std::size_t at_ = 0;
+
+ private:
+  void report_open(const Opening& opening, const DisplayEnd& end);
+  void report_wrong(const Opening& opening, const DisplayEnd& end);
+  /// Behind `[…]` and `{…}` that belong to the environment and not to what it displays.
+  std::size_t skip_environment_arguments(Display& display, std::size_t at) const;
+};
+
+/// Read one file into `reading`.
+void read_latex(Reading& reading, FileId file, InputFiles& inputs);
+void read_markdown(Reading& reading, FileId file);
+
+}  // namespace rigor

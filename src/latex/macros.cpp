@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/macros.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "latex/macro_definition.h"
+#include "latex/macro_output.h"
+#include "latex/macro_stream.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t deepest = 200;
+constexpr std::size_t most_expansions = 20'000;
+constexpr std::size_t most_tokens = 200'000;
+
+class Expander {
+ public:
+  Expander(TokenView tokens, MacroTable& macros, Diagnostics& diagnostics)
+      : stream_(tokens), macros_(macros), diagnostics_(diagnostics) {}
+
+  std::optional<Tokens> all() {
+    while (const auto token = stream_.take()) {
+      if (!expand_token(*token)) return std::nullopt;
+    }
+    return output_.take();
+  }
+
+ private:
+  bool expand_token(const Token& token) {
+    if (token.kind != TokenKind::control) {
+      output_.add(token);
+      return true;
+    }
+    const auto macro = macros_.find(token.text);
+    if (macro == macros_.end()) return pass(token);
+    switch (macro->second.use) {
+      case MacroUse::expands:
+      case MacroUse::delimiters: return call(token, macro->second);
+      case MacroUse::stands_for: {
+        const Token& meaning = macro->second.body.front();
+        return pass({meaning.kind, meaning.text, token.span});
+      }
+      case MacroUse::unreadable: return fail(token, "has a definition that is not read");
+    }
+    return false;
+  }
+
+  /// A control that is no macro defines one, or goes to the output.
+  bool pass(const Token& token) {
+    if (token.kind == TokenKind::control) {
+      if (const auto form = definition_form(token.text)) {
+        return read_definition(token, *form, stream_, macros_, diagnostics_);
+      }
+    }
+    output_.add(token);
+    return true;
+  }
+
+  bool call(const Token& control, const Macro& macro) {
+    if (stream_.depth() >= deepest || ++expansions_ > most_expansions) return fail_endless(control);
+    std::vector<TakenArgument> arguments;
+    if (!take_arguments(control, macro, arguments)) return false;
+    Span written = control.span;
+    for (const TakenArgument& argument : arguments) {
+      if (argument.span.file == written.file && !argument.span.empty()) written = cover(written, argument.span);
+    }
+    auto body = substitute(macro.body, arguments, written);
+    if (!body) return fail_endless(control);
+    if (body->size() > 1 && output_.awaits_argument()) {
+      body->insert(body->begin(), {TokenKind::begin_group, "{", written});
+      body->push_back({TokenKind::end_group, "}", written});
+    }
+    stream_.push(std::move(*body));
+    return true;
+  }
+
+  bool take_arguments(const Token& control, const Macro& macro, std::vector<TakenArgument>& arguments) {
+    if (macro.use == MacroUse::delimiters) {
+      stream_.skip_spaces();
+      stream_.take_sign("*");
+      if (next_is_bracket() && !stream_.take_optional()) return fail(control, "has an argument that is not closed");
+    }
+    if (macro.first_default) {
+      stream_.skip_spaces();
+      auto first = next_is_bracket() ? stream_.take_optional() : TakenArgument{*macro.first_default, {}};
+      if (!first) return fail(control, "has an argument that is not closed");
+      arguments.push_back(std::move(*first));
+    }
+    while (arguments.size() < macro.parameters) {
+      auto argument = stream_.take_argument();
+      if (!argument) {
+        return fail(control, fmt::format("takes {} argument{}, and has {} here", macro.parameters,
+                                         macro.parameters == 1 ? "" : "s", arguments.size()));
+      }
+      arguments.push_back(std::move(*argument));
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool next_is_bracket() {
+    const auto token = stream_.peek();
+    return token && is_sign(*token, "[");
+  }
+
+  /// The body with its arguments in place; nothing where it would be too long. `##` is the `#` of a definition inside.
+  std::optional<Tokens> substitute(TokenView body, const std::vector<TakenArgument>& arguments, Span written) {
+    Tokens result;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+      const bool doubled = body[i].kind == TokenKind::parameter && body[i].text.empty();
+      if (doubled && i + 1 < body.size() && body[i + 1].kind == TokenKind::parameter) ++i;
+      if (body[i].kind == TokenKind::parameter && !doubled) {
+        const TakenArgument& argument = arguments.at(static_cast<std::size_t>(body[i].text[0] - '1'));
+        if (produced_ + argument.tokens.size() > most_tokens) return std::nullopt;
+        produced_ += argument.tokens.size();
+        const std::size_t before = result.size();
+        result.insert(result.end(), argument.tokens.begin(), argument.tokens.end());
+        if (argument.span.empty()) place(result, before, written);
+      } else {
+        if (++produced_ > most_tokens) return std::nullopt;
+        result.push_back({body[i].kind, body[i].text, written});
+      }
+    }
+    return result;
+  }
+
+  /// A default value was written in the definition: to the reader it stands at the call.
+  static void place(Tokens& tokens, std::size_t from, Span written) {
+    for (std::size_t i = from; i < tokens.size(); ++i) tokens[i].span = written;
+  }
+
+  bool fail(const Token& control, std::string_view what) {
+    diagnostics_.push_back(
+        {DiagnosticKind::bad_macro, control.span, fmt::format("`\\{}` {}", control.text, what)});
+    return false;
+  }
+
+  bool fail_endless(const Token& control) {
+    diagnostics_.push_back({DiagnosticKind::macro_recursion,
+                            control.span,
+                            fmt::format("the macro `\\{}` expands for ever, or to more than is read", control.text),
+                            {},
+                            {"does its definition, or one that it uses, contain the macro itself?"}});
+    return false;
+  }
+
+  MacroStream stream_;
+  MacroTable& macros_;
+  Diagnostics& diagnostics_;
+  MacroOutput output_;
+  std::size_t expansions_ = 0;
+  std::size_t produced_ = 0;  // tokens out of bodies
+};
+
+}  // namespace
+
+std::optional<Tokens> expand(TokenView tokens, MacroTable& macros, Diagnostics& diagnostics) {
+  return Expander(tokens, macros, diagnostics).all();
+}
+
+}  // namespace rigor

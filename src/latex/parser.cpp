@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/parser.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "latex/parse.h"
+#include "latex/parse_indices.h"
+
+namespace rigor {
+namespace {
+
+std::optional<Joint> sign_joint(const Token& token) {
+  if (is_sign(token, "+")) return Joint::plus;
+  if (is_sign(token, "-") || (token.kind == TokenKind::letter && token.text == "−")) return Joint::minus;
+  return std::nullopt;
+}
+
+bool is_script(const Token& token) {
+  return token.kind == TokenKind::subscript || token.kind == TokenKind::superscript || is_sign(token, "'");
+}
+
+/// Behind an empty group: does a sum go on (then the group is 0), or a product (then it is 1)?
+bool cursor_wants_zero(Parser::Cursor cursor) {
+  cursor.skip_spacing();
+  return cursor.done() || sign_joint(cursor.token()).has_value();
+}
+
+}  // namespace
+
+void Parser::Cursor::skip_spacing() {
+  while (!done() && (is_blank(token()) || is_spacing(token()) || is_wide_space(token()))) ++at;
+}
+
+SyntaxId Parser::opaque(Span span, std::string message, DiagnosticKind kind, std::vector<std::string> help) {
+  return tree_.add_opaque(span, {kind, std::move(message), std::move(help)});
+}
+
+SyntaxId Parser::inner(TokenView tokens, Span place) {
+  if (depth_ >= max_nesting) {
+    return opaque(place, fmt::format("brackets nest deeper than {} levels", max_nesting), DiagnosticKind::nesting_too_deep);
+  }
+  return Parser(tree_, depth_ + 1).expression(tokens, place);
+}
+
+SyntaxId Parser::expression(TokenView tokens, Span place) {
+  Cursor cursor{tokens};
+  cursor.skip_spacing();
+  if (cursor.done()) return opaque(place, "an expression is missing here", DiagnosticKind::bad_syntax);
+  std::vector<SyntaxChild> terms;
+  Span span = cursor.token().span;
+  while (!cursor.done()) {
+    Joint joint = Joint::plus;
+    Span joint_span = cursor.token().span;
+    bool signed_term = false;
+    while (!cursor.done()) {
+      const auto sign = sign_joint(cursor.token());
+      if (!sign) break;
+      joint_span = cursor.token().span;
+      if (signed_term && *sign == Joint::minus) joint = joint == Joint::plus ? Joint::minus : Joint::plus;
+      if (!signed_term) joint = *sign;
+      signed_term = true;
+      ++cursor.at;
+      cursor.skip_spacing();
+    }
+    if (cursor.done()) {
+      terms.push_back({opaque(joint_span, "an operand is missing behind the sign", DiagnosticKind::bad_syntax), joint, joint_span});
+      break;
+    }
+    const SyntaxId node = term(cursor);
+    span = cover(span, tree_[node].span);
+    terms.push_back({node, joint, joint_span});
+    cursor.skip_spacing();
+  }
+  if (terms.size() == 1 && terms[0].joint == Joint::plus) return terms[0].id;
+  return tree_.add(SyntaxKind::sum, span, terms);
+}
+
+SyntaxId Parser::term(Cursor& cursor) {
+  std::vector<SyntaxChild> factors;
+  Joint joint = Joint::none;
+  Span joint_span = cursor.token().span;
+  while (true) {
+    cursor.skip_spacing();
+    const bool ends = cursor.done() || sign_joint(cursor.token()).has_value();
+    // A sign behind `\cdot` or `\times` belongs to the factor: `\mathbf{A}\times-\mathbf{B}`.
+    if (ends && (joint == Joint::none || joint == Joint::juxtaposed || cursor.done())) break;
+    if (const Joint sign = factor_joint(cursor.token()); sign != Joint::none) {
+      if (joint == Joint::dot || joint == Joint::cross || joint == Joint::slash || factors.empty()) {
+        factors.push_back({opaque(cursor.token().span, "an operand is missing before this sign", DiagnosticKind::bad_syntax), joint});
+      }
+      joint = sign;
+      joint_span = cursor.token().span;
+      ++cursor.at;
+      continue;
+    }
+    factors.push_back({factor(cursor), joint, joint_span});
+    joint = Joint::juxtaposed;
+    if (!cursor.done()) joint_span = cursor.token().span;
+  }
+  if (joint == Joint::dot || joint == Joint::cross || joint == Joint::slash || factors.empty()) {
+    factors.push_back({opaque(joint_span, "an operand is missing behind this sign", DiagnosticKind::bad_syntax), joint, joint_span});
+  }
+  if (factors.size() == 1) return factors[0].id;
+  Span span = tree_[factors.front().id].span;
+  for (const SyntaxChild& child : factors) span = cover(span, tree_[child.id].span);
+  return tree_.add(SyntaxKind::term, span, factors);
+}
+
+SyntaxId Parser::factor(Cursor& cursor) {
+  if (depth_ >= max_nesting) {
+    const Span place = cursor.token().span;
+    cursor.at = cursor.tokens.size();
+    return opaque(place, fmt::format("signs nest deeper than {} levels", max_nesting), DiagnosticKind::nesting_too_deep);
+  }
+  ++depth_;
+  const SyntaxId node = sign_joint(cursor.token()) ? signed_factor(cursor) : scripts(cursor, primary(cursor));
+  --depth_;
+  return node;
+}
+
+SyntaxId Parser::signed_factor(Cursor& cursor) {
+  const Span place = cursor.token().span;
+  const Joint sign = *sign_joint(cursor.token());
+  ++cursor.at;
+  cursor.skip_spacing();
+  if (cursor.done()) return opaque(place, "an operand is missing behind the sign", DiagnosticKind::bad_syntax);
+  const SyntaxChild child{factor(cursor), sign, place};
+  return tree_.add(SyntaxKind::sum, cover(place, tree_[child.id].span), {&child, 1});
+}
+
+SyntaxId Parser::primary(Cursor& cursor) {
+  const Token& token = cursor.token();
+  switch (token.kind) {
+    case TokenKind::digit:
+      return number(cursor);
+    case TokenKind::letter:
+      return letter(cursor);
+    case TokenKind::control:
+      return control(cursor);
+    case TokenKind::begin_group: {
+      const Argument group = argument_at(cursor.tokens, cursor.at);
+      cursor.at = group.next;
+      // `{}-A`: an empty group holds the place of an operand; before an operand it means nothing.
+      if (trim(group.content).empty()) return tree_.add_text(SyntaxKind::number, token.span, cursor_wants_zero(cursor) ? "0" : "1");
+      return inner(group.content, token.span);
+    }
+    default:
+      break;
+  }
+  if (is_sign(token, "(") || is_sign(token, "[")) return bracketed(cursor);
+  if (is_sign(token, "|")) return bars(cursor);
+  if (is_sign(token, ".") && cursor.at + 1 < cursor.tokens.size() && cursor.tokens[cursor.at + 1].kind == TokenKind::digit) {
+    return number(cursor);
+  }
+  ++cursor.at;
+  if (is_sign(token, ")") || is_sign(token, "]") || token.kind == TokenKind::end_group) {
+    return opaque(token.span, fmt::format("`{}` closes nothing", token.text), DiagnosticKind::unbalanced);
+  }
+  if (is_script(token)) {
+    if (!cursor.done()) cursor.at = argument_at(cursor.tokens, cursor.at).next;
+    return opaque(token.span, "a script stands without a symbol before it", DiagnosticKind::bad_syntax);
+  }
+  return opaque(token.span, fmt::format("the sign `{}` is not read here", text_of({&token, 1})));
+}
+
+SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
+  while (true) {
+    Cursor ahead = cursor;
+    while (!ahead.done() && (is_blank(ahead.token()) || is_control(ahead.token(), "limits"))) ++ahead.at;
+    if (ahead.done() || !is_script(ahead.token())) return base;
+    const Token script = ahead.token();
+    cursor.at = ahead.at + 1;
+    if (is_sign(script, "'")) {
+      base = add_primes(base, 1, script.span);
+      continue;
+    }
+    const Argument argument = argument_at(cursor.tokens, cursor.at);
+    const Span place = argument.content.empty() ? script.span : cover(script.span, span_of(argument.content));
+    cursor.at = argument.next;
+    base = script.kind == TokenKind::subscript ? add_indices(base, argument.content, place) : exponent(base, argument.content, place);
+  }
+}
+
+SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {
+  const Span span = cover(tree_[base].span, place);
+  if (tree_[base].kind != SyntaxKind::symbol) return opaque(span, "a prime behind this expression is not read");
+  WrittenSymbol symbol = tree_.symbol(base);
+  symbol.primes = static_cast<std::uint8_t>(symbol.primes + primes);
+  return tree_.add_symbol(span, std::move(symbol));
+}
+
+SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
+  const Span span = cover(tree_[base].span, place);
+  if (tree_[base].kind == SyntaxKind::opaque) return base;
+  IndexReading reading = read_indices(content);
+  if (reading.obstacle) return tree_.add_opaque(place, *reading.obstacle);
+  if (reading.indices.empty()) return opaque(place, "the subscript is empty", DiagnosticKind::bad_syntax);
+  if (tree_[base].kind == SyntaxKind::symbol) {
+    WrittenSymbol symbol = tree_.symbol(base);
+    symbol.lower.insert(symbol.lower.end(), reading.indices.begin(), reading.indices.end());
+    return tree_.add_symbol(span, std::move(symbol));
+  }
+  return tree_.add_component(span, base, std::move(reading.indices));
+}
+
+SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
+  content = trim(content);
+  const auto is_prime = [](const Token& token) { return is_control(token, "prime") || is_sign(token, "'"); };
+  if (!content.empty() && std::all_of(content.begin(), content.end(), is_prime)) {
+    return add_primes(base, static_cast<std::uint8_t>(content.size()), place);
+  }
+  const Span span = cover(tree_[base].span, place);
+  if (tree_[base].kind == SyntaxKind::opaque) return base;
+  if (content.size() == 1) {
+    for (const char* mark : {"*", "+"}) {
+      if (is_sign(content[0], mark)) return opaque(place, "a conjugate or adjoint is not read yet");
+    }
+    for (const char* mark : {"T", "dagger", "dag", "top", "intercal", "ast", "star"}) {
+      if (content[0].text == mark) return opaque(place, "a transpose or adjoint is not read yet");
+    }
+  }
+  const SyntaxChild children[] = {{base}, {inner(content, place)}};
+  return tree_.add(SyntaxKind::power, span, children);
+}
+
+}  // namespace rigor

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Brackets, bars and the environments that are one piece of an expression.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "latex/parser.h"
+
+namespace rigor {
+namespace {
+
+/// The place of the bracket that closes the one at `open`, or the size.
+std::size_t closing_bracket(TokenView tokens, std::size_t open) {
+  Nesting nesting(false);
+  for (std::size_t at = open; at < tokens.size(); ++at) {
+    const int depth = nesting.enter(tokens[at]);
+    if (at > open && depth == 0) return at;
+  }
+  return tokens.size();
+}
+
+bool is_bar(const Token& token) {
+  return is_sign(token, "|") || is_control(token, "vert");
+}
+bool is_double_bar(const Token& token) {
+  return is_control(token, "|") || is_control(token, "Vert");
+}
+
+/// Does an operand end with this token? Then a bar behind it closes.
+bool ends_operand(const Token& token) {
+  if (factor_joint(token) != Joint::none || relation_kind(token)) return false;
+  switch (token.kind) {
+    case TokenKind::letter:
+      return token.text != "−";
+    case TokenKind::digit:
+    case TokenKind::end_group:
+      return true;
+    case TokenKind::control:
+      return !letter_of(token).empty() || token.text == "rvert" || token.text == "rVert" || token.text == "}";
+    case TokenKind::other:
+      return token.text == ")" || token.text == "]" || token.text == "'";
+    default:
+      return false;
+  }
+}
+
+/// `|…|` has one sign for both ends: a bar behind an operand closes, any other opens.
+std::size_t closing_bar(TokenView tokens, std::size_t open) {
+  const bool twofold = is_double_bar(tokens[open]);
+  Nesting nesting(false);
+  int bars = 1;
+  bool operand = false;
+  for (std::size_t at = open + 1; at < tokens.size(); ++at) {
+    const Token& token = tokens[at];
+    if (is_blank(token) || is_spacing(token)) continue;
+    const int depth = nesting.enter(token);
+    if (depth == 0 && (twofold ? is_double_bar(token) : is_bar(token))) {
+      bars += operand ? -1 : 1;
+      if (bars == 0) return at;
+      continue;  // behind a closed bar an operand has ended, behind an opened one it has not
+    }
+    operand = ends_operand(token);
+  }
+  return tokens.size();
+}
+
+struct Cell {
+  TokenView tokens;
+  bool ends_row;
+};
+
+std::vector<Cell> cells_of(TokenView body) {
+  std::vector<Cell> cells;
+  Nesting nesting(true);
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at < body.size(); ++at) {
+    if (nesting.enter(body[at]) != 0) continue;
+    const bool row = is_control(body[at], "\\") || is_control(body[at], "cr");
+    if (!row && body[at].kind != TokenKind::align) continue;
+    cells.push_back({body.subspan(begin, at - begin), row});
+    begin = at + 1;
+    if (row) begin = std::max(begin, optional_argument_at(body, begin).next);
+  }
+  if (!trim(body.subspan(begin)).empty()) cells.push_back({body.subspan(begin), true});
+  if (!cells.empty()) cells.back().ends_row = true;
+  return cells;
+}
+
+}  // namespace
+
+SyntaxId Parser::bracketed(Cursor& cursor) {
+  const Token open = cursor.token();
+  const std::size_t close = closing_bracket(cursor.tokens, cursor.at);
+  if (close >= cursor.tokens.size()) {
+    cursor.at = cursor.tokens.size();
+    return opaque(open.span, fmt::format("`{}` is not closed", open.text), DiagnosticKind::unbalanced);
+  }
+  const TokenView content = cursor.tokens.subspan(cursor.at + 1, close - cursor.at - 1);
+  const Span span = cover(open.span, cursor.tokens[close].span);
+  cursor.at = close + 1;
+  return bracket_contents(content, span);
+}
+
+/// One expression in brackets, or several with commas between: the components of a vector.
+SyntaxId Parser::bracket_contents(TokenView content, Span span) {
+  std::vector<SyntaxChild> entries;
+  Nesting nesting(false);
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at <= content.size(); ++at) {
+    const bool end = at == content.size();
+    if (!end && (nesting.enter(content[at]) != 0 || !is_sign(content[at], ","))) continue;
+    entries.push_back({inner(content.subspan(begin, at - begin), span), Joint::comma, span});
+    begin = at + 1;
+  }
+  if (entries.size() == 1) entries[0].joint = Joint::none;
+  return tree_.add(entries.size() == 1 ? SyntaxKind::group : SyntaxKind::tuple, span, entries);
+}
+
+SyntaxId Parser::bars(Cursor& cursor) {
+  const Token open = cursor.token();
+  const bool sized = is_control(open, "lvert") || is_control(open, "lVert");
+  const bool norm = is_control(open, "lVert") || is_double_bar(open);
+  const std::size_t close = sized ? closing_bracket(cursor.tokens, cursor.at) : closing_bar(cursor.tokens, cursor.at);
+  if (close >= cursor.tokens.size()) {
+    cursor.at = cursor.tokens.size();
+    return opaque(open.span, "this bar is not closed", DiagnosticKind::unbalanced);
+  }
+  const TokenView content = cursor.tokens.subspan(cursor.at + 1, close - cursor.at - 1);
+  const Span span = cover(open.span, cursor.tokens[close].span);
+  cursor.at = close + 1;
+  const SyntaxChild child{inner(content, span)};
+  return tree_.add(norm ? SyntaxKind::norm : SyntaxKind::bars, span, {&child, 1});
+}
+
+SyntaxId Parser::environment(Cursor& cursor) {
+  const Token begin = cursor.token();
+  const Argument name_argument = argument_at(cursor.tokens, cursor.at + 1);
+  const std::string name = text_of(name_argument.content);
+  const std::size_t end = closing_bracket(cursor.tokens, cursor.at);
+  if (end >= cursor.tokens.size() || end < name_argument.next) {
+    cursor.at = cursor.tokens.size();
+    return opaque(begin.span, fmt::format("`\\begin{{{}}}` is not closed", name), DiagnosticKind::unbalanced);
+  }
+  TokenView body = cursor.tokens.subspan(name_argument.next, end - name_argument.next);
+  const Span span = cover(begin.span, cursor.tokens[end].span);
+  cursor.at = argument_at(cursor.tokens, end + 1).next;
+  if (name == "cases" || name == "dcases" || name == "rcases") return cases(body, span);
+  if (name == "array") body = body.subspan(argument_at(body, optional_argument_at(body, 0).next).next);
+  const bool brackets = name == "pmatrix" || name == "bmatrix" || name == "matrix" || name == "smallmatrix" || name == "array" ||
+                        name == "Bmatrix" || name == "psmallmatrix" || name == "bsmallmatrix";
+  if (brackets) return matrix(body, span, false);
+  if (name == "vmatrix") return matrix(body, span, true);
+  return opaque(span, fmt::format("the environment `{}` is not read inside an expression", name));
+}
+
+SyntaxId Parser::cases(TokenView body, Span span) {
+  std::vector<SyntaxChild> children;
+  bool value_next = true;
+  for (const Cell& cell : cells_of(body)) {
+    TokenView tokens = trim(cell.tokens);
+    if (value_next) {
+      if (tokens.empty() && cell.ends_row) continue;
+      while (!tokens.empty() && is_sign(tokens.back(), ",")) tokens = trim(tokens.first(tokens.size() - 1));
+      children.push_back({inner(tokens, span)});
+    } else {
+      children.push_back({tree_.add_text(SyntaxKind::text, tokens.empty() ? span : span_of(tokens), text_of(tokens))});
+    }
+    if (value_next && cell.ends_row) children.push_back({tree_.add_text(SyntaxKind::text, span, "otherwise")});
+    value_next = cell.ends_row;
+  }
+  return tree_.add(SyntaxKind::cases, span, children);
+}
+
+SyntaxId Parser::matrix(TokenView body, Span span, bool determinant) {
+  std::vector<SyntaxChild> entries;
+  std::uint32_t columns = 0;
+  std::uint32_t in_row = 0;
+  bool ragged = false;
+  for (const Cell& cell : cells_of(body)) {
+    entries.push_back({inner(cell.tokens, span), Joint::comma, span});
+    ++in_row;
+    if (!cell.ends_row) continue;
+    ragged = ragged || (columns != 0 && columns != in_row);
+    columns = in_row;
+    in_row = 0;
+  }
+  if (ragged || entries.empty()) return opaque(span, "the rows of this matrix have different lengths", DiagnosticKind::bad_syntax);
+  if (determinant) return tree_.add(SyntaxKind::determinant, span, entries, columns);
+  const bool vector = columns == 1 || columns == entries.size();
+  return tree_.add(vector ? SyntaxKind::tuple : SyntaxKind::matrix, span, entries, columns);
+}
+
+}  // namespace rigor

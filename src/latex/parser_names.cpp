@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Letters, words and numbers: the leaves of an expression.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "latex/parse.h"
+#include "latex/parser.h"
+
+namespace rigor {
+namespace {
+
+bool is_differential(TokenView tokens, std::size_t at) {
+  const auto plain_d = [&](std::size_t i) { return i < tokens.size() && tokens[i].kind == TokenKind::letter && tokens[i].text == "d"; };
+  if (!plain_d(at)) return false;
+  std::size_t slash = skip_blank(tokens, at + 1);
+  return slash < tokens.size() && is_sign(tokens[slash], "/") && plain_d(skip_blank(tokens, slash + 1));
+}
+
+bool all_plain_letters(TokenView tokens) {
+  return tokens.size() > 1 && std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
+    return token.kind == TokenKind::letter && token.text.size() == 1;
+  });
+}
+
+}  // namespace
+
+SyntaxId Parser::number(Cursor& cursor) {
+  std::string digits;
+  Span span = cursor.token().span;
+  bool point = false;
+  while (!cursor.done()) {
+    const Token& token = cursor.token();
+    const bool is_point = is_sign(token, ".") && !point && cursor.at + 1 < cursor.tokens.size() &&
+                          cursor.tokens[cursor.at + 1].kind == TokenKind::digit;
+    if (token.kind != TokenKind::digit && !is_point) break;
+    point = point || is_point;
+    digits += token.text;
+    span = cover(span, token.span);
+    ++cursor.at;
+  }
+  if (digits.front() == '.') digits.insert(0, "0");
+  return tree_.add_text(SyntaxKind::number, span, std::move(digits));
+}
+
+SyntaxId Parser::letter(Cursor& cursor) {
+  const Token token = cursor.token();
+  if (is_differential(cursor.tokens, cursor.at)) {
+    cursor.at = cursor.tokens.size();
+    return opaque(token.span, "time derivatives are not decided yet");
+  }
+  ++cursor.at;
+  std::string letter = letter_of(token);
+  if (letter.empty()) return opaque(token.span, fmt::format("the sign `{}` is not read", token.text));
+  WrittenSymbol symbol;
+  symbol.letter = std::move(letter);
+  symbol.letter_span = token.span;
+  return tree_.add_symbol(token.span, std::move(symbol));
+}
+
+SyntaxId Parser::styled(Cursor& cursor, Style style) {
+  const Token token = cursor.token();
+  std::size_t at = cursor.at + 1;
+  if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) ++at;  // \vb*{…}: italic bold
+  at = skip_blank(cursor.tokens, at);
+  if (at < cursor.tokens.size() && cursor.tokens[at].kind == TokenKind::control && style_of(cursor.tokens[at])) {
+    Cursor nested{cursor.tokens, at};  // \hat\mathbf n
+    if (++depth_ > max_nesting) {
+      cursor.at = cursor.tokens.size();
+      return opaque(token.span, "accents nest too deep", DiagnosticKind::nesting_too_deep);
+    }
+    const SyntaxId inside = styled(nested, *style_of(cursor.tokens[at]));
+    --depth_;
+    cursor.at = nested.at;
+    return restyle(inside, style, cover(token.span, tree_[inside].span));
+  }
+  const Argument argument = argument_at(cursor.tokens, at);
+  cursor.at = argument.next;
+  const TokenView content = trim(argument.content);
+  Span span = content.empty() ? token.span : cover(token.span, span_of(content));
+  if (argument.next > 0 && argument.next <= cursor.tokens.size()) span = cover(span, cursor.tokens[argument.next - 1].span);
+  if (content.empty()) return opaque(token.span, fmt::format("`\\{}` has no argument", token.text), DiagnosticKind::bad_syntax);
+  if (all_plain_letters(content) && (style.face != Face::plain || style.upright)) {
+    const std::string word = text_of(content);
+    if (style.upright) {
+      return opaque(span, fmt::format("`{}` is a word, not a quantity that is known", word));
+    }
+    WrittenSymbol symbol;
+    symbol.letter = word;
+    symbol.face = style.face;
+    symbol.letter_span = span;
+    return tree_.add_symbol(span, std::move(symbol));
+  }
+  return restyle(inner(content, span), style, span);
+}
+
+SyntaxId Parser::restyle(SyntaxId inside, Style style, Span span) {
+  const SyntaxKind kind = tree_[inside].kind;
+  if (kind == SyntaxKind::opaque) return inside;
+  if (kind == SyntaxKind::number) {
+    if (tree_.text(inside) == "0" || style.upright) return tree_.add_text(SyntaxKind::number, span, tree_.text(inside));
+    return opaque(span, "a number in bold (a unit tensor, say) is not read yet");
+  }
+  if (kind != SyntaxKind::symbol) return opaque(span, "a style or accent over a whole expression is not read");
+  WrittenSymbol symbol = tree_.symbol(inside);
+  if (style.face != Face::plain) symbol.face = style.face;
+  if (style.accent != Accent::none) {
+    if (symbol.accent != Accent::none) return opaque(span, "two accents on one letter are not read");
+    symbol.accent = style.accent;
+  }
+  if (style.upright) symbol.letter = fmt::format("\\mathrm{{{}}}", symbol.letter);
+  symbol.letter_span = span;
+  return tree_.add_symbol(span, std::move(symbol));
+}
+
+}  // namespace rigor

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "latex/vocabulary.h"
+
+namespace rigor {
+namespace {
+
+/// Controls that vanish together with their arguments, and how many they take.
+int vanishing_arguments(const Token& token) {
+  if (token.kind != TokenKind::control) return 0;
+  for (const char* one : {"phantom", "vphantom", "vspace", "color", "footnote", "hypertarget", "index", "setcounter", "footnotemark"}) {
+    if (token.text == one) return 1;
+  }
+  if (token.text == "textcolor") return 1;  // the colour; what is coloured stays
+  return 0;
+}
+
+/// `\\[2pt]`: only a length is an argument of the line break, `\\ [A, B]` is not.
+bool is_length(TokenView tokens) {
+  const std::string text = text_of(tokens);
+  if (text.find("skip") != std::string::npos || text.find("jot") != std::string::npos) return true;
+  const auto letters = text.find_first_not_of("-+.0123456789 ");
+  if (letters == std::string::npos || letters == 0) return false;
+  static constexpr std::string_view units[] = {"pt", "em", "ex", "mm", "cm", "in", "mu"};
+  return std::find(std::begin(units), std::end(units), std::string_view(text).substr(letters)) != std::end(units);
+}
+
+class RowReader {
+ public:
+  RowReader(TokenView tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}
+
+  std::vector<Row> read() {
+    while (at_ < tokens_.size()) step();
+    for (const Open& open : open_) {
+      diagnostics_.push_back({DiagnosticKind::unbalanced, open.span,
+                              fmt::format("`\\begin{{{}}}` is not closed in this display", open.name)});
+    }
+    finish_row();
+    if (rows_.empty()) rows_.emplace_back();
+    return std::move(rows_);
+  }
+
+ private:
+  struct Open {
+    std::string name;
+    bool transparent;
+    Span span;
+  };
+
+  Tokens& cell() { return row_.cells.back(); }
+
+  /// Nested in braces or in an environment that is one piece of an expression (a matrix, cases).
+  bool inside() const {
+    return braces_ > 0 || std::any_of(open_.begin(), open_.end(), [](const Open& open) { return !open.transparent; });
+  }
+
+  void finish_row() {
+    const bool empty = std::all_of(row_.cells.begin(), row_.cells.end(), [](const Tokens& tokens) { return trim(tokens).empty(); });
+    if (empty && !rows_.empty() && rows_.back().tag.empty()) rows_.back().tag = row_.tag;
+    if (empty && !rows_.empty() && rows_.back().label.empty()) rows_.back().label = row_.label;
+    const bool after_text = empty && row_.after_text;
+    if (!empty) rows_.push_back(std::move(row_));
+    row_ = Row{};
+    row_.after_text = after_text;
+  }
+
+  void step() {
+    const Token& token = tokens_[at_];
+    if (const int count = vanishing_arguments(token); count > 0) {
+      ++at_;
+      for (int i = 0; i < count; ++i) at_ = argument_at(tokens_, at_).next;
+      return;
+    }
+    if (token.kind == TokenKind::control && control(token)) return;
+    if (token.kind == TokenKind::align && !inside()) {
+      row_.cells.emplace_back();
+      ++at_;
+      return;
+    }
+    if (token.kind == TokenKind::begin_group) ++braces_;
+    if (token.kind == TokenKind::end_group) braces_ = std::max(0, braces_ - 1);
+    cell().push_back(token);
+    ++at_;
+  }
+
+  /// True if the control was dealt with here.
+  bool control(const Token& token) {
+    if (token.text == "label" || token.text == "tag") return tag_or_label(token.text == "tag");
+    if (token.text == "begin" || token.text == "end") return environment(token);
+    if (is_bracket_size(token)) return sized_bracket(token);
+    if (token.text == "intertext" || token.text == "shortintertext") {
+      at_ = argument_at(tokens_, at_ + 1).next;
+      finish_row();
+      row_.after_text = true;
+      return true;
+    }
+    if (token.text == "hspace" || token.text == "hphantom") {
+      at_ = argument_at(tokens_, skip_star(at_ + 1)).next;
+      Token space = token;
+      space.text = "quad";
+      cell().push_back(space);
+      return true;
+    }
+    if ((token.text == "\\" || token.text == "cr" || token.text == "newline") && !inside()) {
+      at_ = skip_star(at_ + 1);
+      const Argument length = optional_argument_at(tokens_, at_);
+      if (is_length(length.content)) at_ = length.next;
+      finish_row();
+      return true;
+    }
+    return false;
+  }
+
+  std::size_t skip_star(std::size_t at) const { return at < tokens_.size() && is_sign(tokens_[at], "*") ? at + 1 : at; }
+
+  bool tag_or_label(bool tag) {
+    std::size_t at = at_ + 1;
+    const bool starred = skip_star(at) != at;
+    at = skip_star(at);
+    const Argument argument = argument_at(tokens_, at);
+    const std::string text = text_of(argument.content);
+    if (tag) {
+      row_.tag = starred ? text : fmt::format("({})", text);
+    } else {
+      row_.label = text;
+    }
+    at_ = argument.next;
+    return true;
+  }
+
+  bool sized_bracket(const Token& token) {
+    const bool opens = token.text == "left" || token.text.back() == 'l';
+    const bool closes = token.text == "right" || token.text.back() == 'r';
+    std::size_t at = skip_blank(tokens_, at_ + 1);
+    if (at >= tokens_.size()) {
+      at_ = at;
+      return true;
+    }
+    Token bracket = tokens_[at];
+    bracket.span = cover(token.span, bracket.span);
+    const bool plain_bar = is_sign(bracket, "|") || is_control(bracket, "vert");
+    const bool double_bar = is_control(bracket, "|") || is_control(bracket, "Vert");
+    if ((plain_bar || double_bar) && (opens || closes)) {
+      bracket.kind = TokenKind::control;
+      bracket.text = plain_bar ? (opens ? "lvert" : "rvert") : (opens ? "lVert" : "rVert");
+    }
+    if (!is_sign(bracket, ".")) cell().push_back(bracket);
+    at_ = at + 1;
+    return true;
+  }
+
+  bool environment(const Token& token) {
+    const Argument argument = argument_at(tokens_, at_ + 1);
+    const std::string name = text_of(argument.content);
+    std::size_t next = argument.next;
+    if (token.text == "begin") {
+      const bool row_is_empty = row_.cells.size() == 1 && trim(row_.cells[0]).empty();
+      const bool system = (name == "cases" || name == "dcases") && row_is_empty && !inside() && is_whole_row(next, name);
+      const bool transparent = !inside() && (is_transparent_environment(name) || system);
+      open_.push_back({name, transparent, cover(token.span, span_of(argument.content))});
+      if (transparent) {
+        next = optional_argument_at(tokens_, next).next;
+        if (name.starts_with("alignat") || name == "alignedat") next = argument_at(tokens_, next).next;
+      }
+    } else if (!open_.empty() && open_.back().name == name) {
+      const bool transparent = open_.back().transparent;
+      open_.pop_back();
+      if (transparent) {
+        at_ = next;
+        return true;
+      }
+      copy_until(next);
+      return true;
+    } else {
+      diagnostics_.push_back({DiagnosticKind::unbalanced, token.span, fmt::format("`\\end{{{}}}` closes nothing here", name)});
+    }
+    if (!open_.empty() && token.text == "begin" && open_.back().transparent) {
+      at_ = next;
+    } else {
+      copy_until(next);
+    }
+    return true;
+  }
+
+  void copy_until(std::size_t next) {
+    cell().insert(cell().end(), tokens_.begin() + static_cast<std::ptrdiff_t>(at_),
+                  tokens_.begin() + static_cast<std::ptrdiff_t>(next));
+    at_ = next;
+  }
+
+  /// A `cases` with nothing but punctuation behind its end is a system of equations, not a value.
+  bool is_whole_row(std::size_t at, std::string_view name) const {
+    for (std::size_t i = at; i < tokens_.size(); ++i) {
+      if (!is_control(tokens_[i], "end")) continue;
+      const Argument argument = argument_at(tokens_, i + 1);
+      if (text_of(argument.content) != name) continue;
+      std::size_t behind = skip_blank(tokens_, argument.next);
+      while (behind < tokens_.size() && (is_sign(tokens_[behind], ".") || is_sign(tokens_[behind], ",") || is_blank(tokens_[behind]))) {
+        ++behind;
+      }
+      return behind >= tokens_.size() || is_control(tokens_[behind], "\\") || is_wide_space(tokens_[behind]) ||
+             is_control(tokens_[behind], "tag") || is_control(tokens_[behind], "label") || is_control(tokens_[behind], "end");
+    }
+    return false;
+  }
+
+  TokenView tokens_;
+  Diagnostics& diagnostics_;
+  std::size_t at_ = 0;
+  int braces_ = 0;
+  std::vector<Open> open_;
+  std::vector<Row> rows_;
+  Row row_;
+};
+
+}  // namespace
+
+std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics) {
+  return RowReader(tokens, diagnostics).read();
+}
+
+}  // namespace rigor

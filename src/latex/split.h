@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Second half of splitting a display: from rows to chains `a = b = c`, each with its tag and with what stands beside it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latex/rows.h"
+#include "latex/syntax.h"
+#include "latex/vocabulary.h"
+
+namespace rigor {
+
+struct WrittenRelation {
+  RelationKind kind = RelationKind::equal;
+  Span span;
+  std::string text;  // `=`, `\equiv`
+};
+
+struct WrittenSide {
+  Tokens tokens;
+  Span span;
+};
+
+/// `sides[k] relations[k] sides[k + 1]`; one side more than relations.
+struct WrittenChain {
+  std::vector<WrittenSide> sides;
+  std::vector<WrittenRelation> relations;
+  std::string tag;
+  std::string label;
+  /// Words or signs beside the equation that change what it says ("no sum", "if i ≠ j", an implication) and are not read.
+  std::optional<Obstacle> condition;
+  Span condition_span;
+  Span span;
+};
+
+/// A stretch without a relation that is neither a tag nor a remark makes a chain with one side and no relation.
+/// `environment` is the display's own (empty for `$$`): it says what `&` separates.
+[[nodiscard]] std::vector<WrittenChain> split_display(TokenView tokens, std::string_view environment, Diagnostics& diagnostics);
+
+}  // namespace rigor

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was WRITTEN: a syntax tree of one file's expressions. It knows signs, scripts and brackets, not what they mean:
+// whether `r_{\alpha i}` is a component of a particle's vector is decided one floor up.
+// Nodes lie in one vector, children before parents; every node has the span that its author typed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+#include "source/diagnostic.h"
+
+namespace rigor {
+
+enum class SyntaxId : std::uint32_t {};
+
+enum class SyntaxKind : std::uint8_t {
+  number,     // 2, 0.25
+  symbol,     // a decorated letter with its scripts
+  sum,        // a + b - c: children joined by plus or minus (the first one too)
+  term,       // a b · c × d / e: children joined by what stands before each
+  fraction,   // \frac{a}{b}
+  root,       // \sqrt{a}
+  power,      // base, exponent
+  component,  // (…)_{ij}: one child, lower indices
+  group,      // (…), […], {…} with visible brackets
+  bars,       // |…|
+  norm,       // ‖…‖
+  tuple,      // (a, b, c), a column or a row: the entries
+  matrix,     // entries row by row, `columns` of them in a row
+  determinant,
+  big_sum,  // \sum_{…}^{…} body
+  cases,    // value, condition, value, condition…
+  text,     // \text{…}: words
+  opaque,   // not read: `message` says why
+};
+
+/// How a child is joined to what stands before it.
+enum class Joint : std::uint8_t { none, plus, minus, juxtaposed, dot, cross, slash, comma };
+
+enum class Face : std::uint8_t { plain, vector, tensor };  // italic; bold or arrow; double arrow
+enum class Accent : std::uint8_t { none, hat, bar, tilde };
+
+enum class IndexForm : std::uint8_t { letter, greek, digit, word };
+
+struct WrittenIndex {
+  std::string text;  // `i`, `\alpha`, `2`, `rot`
+  IndexForm form = IndexForm::letter;
+  std::uint8_t primes = 0;
+  Span span;
+};
+
+struct WrittenSymbol {
+  std::string letter;  // `A`, `\omega` (`\varepsilon` is `\epsilon`), or a word such as `Re`
+  Face face = Face::plain;
+  Accent accent = Accent::none;
+  std::uint8_t primes = 0;
+  std::vector<WrittenIndex> lower = {};
+  Span letter_span = {};
+};
+
+struct WrittenSum {
+  std::vector<WrittenIndex> indices;
+  std::string from;  // `1` in \sum_{i=1}^{3}; empty: no bound was written
+  std::string to;    // `3`, `N`, `\infty`
+};
+
+struct SyntaxNode {
+  SyntaxKind kind;
+  Span span;
+  std::uint32_t first = 0;    // into the list of children
+  std::uint32_t count = 0;    // children
+  std::uint32_t payload = 0;  // into symbols, sums, index lists or texts; the number of columns of a matrix
+};
+
+struct SyntaxChild {
+  SyntaxId id;
+  Joint joint = Joint::none;
+  Span joint_span = {};
+};
+
+/// Why a part could not be read.
+struct Obstacle {
+  DiagnosticKind kind;
+  std::string message;
+  std::vector<std::string> help = {};
+};
+
+class SyntaxTree {
+ public:
+  SyntaxId add(SyntaxKind kind, Span span, std::span<const SyntaxChild> children = {}, std::uint32_t payload = 0);
+  SyntaxId add_symbol(Span span, WrittenSymbol symbol);
+  SyntaxId add_component(Span span, SyntaxId base, std::vector<WrittenIndex> indices);
+  SyntaxId add_big_sum(Span span, WrittenSum sum, SyntaxId body);
+  SyntaxId add_text(SyntaxKind kind, Span span, std::string text);  // number and text
+  SyntaxId add_opaque(Span span, Obstacle obstacle);
+
+  [[nodiscard]] const SyntaxNode& operator[](SyntaxId id) const { return nodes_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] std::span<const SyntaxChild> children(SyntaxId id) const;
+  [[nodiscard]] SyntaxId child(SyntaxId id, std::size_t which) const { return children(id)[which].id; }
+  [[nodiscard]] const WrittenSymbol& symbol(SyntaxId id) const;
+  [[nodiscard]] const std::vector<WrittenIndex>& indices(SyntaxId id) const;  // of a component
+  [[nodiscard]] const WrittenSum& big_sum(SyntaxId id) const;
+  [[nodiscard]] const std::string& text(SyntaxId id) const;
+  [[nodiscard]] const Obstacle& obstacle(SyntaxId id) const;
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+
+ private:
+  std::vector<SyntaxNode> nodes_;
+  std::vector<SyntaxChild> children_;
+  std::vector<WrittenSymbol> symbols_;
+  std::vector<std::vector<WrittenIndex>> index_lists_;
+  std::vector<WrittenSum> sums_;
+  std::vector<std::string> texts_;
+  std::vector<Obstacle> obstacles_;
+};
+
+}  // namespace rigor

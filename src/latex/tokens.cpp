@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/tokens.h"
+
+#include <algorithm>
+
+namespace rigor {
+
+bool is_control(const Token& token, std::string_view name) {
+  return token.kind == TokenKind::control && token.text == name;
+}
+
+bool is_sign(const Token& token, std::string_view text) {
+  return token.kind == TokenKind::other && token.text == text;
+}
+
+bool is_blank(const Token& token) {
+  return token.kind == TokenKind::space || token.kind == TokenKind::paragraph;
+}
+
+std::size_t skip_blank(TokenView tokens, std::size_t at) {
+  while (at < tokens.size() && is_blank(tokens[at])) ++at;
+  return at;
+}
+
+Argument argument_at(TokenView tokens, std::size_t at) {
+  at = skip_blank(tokens, at);
+  if (at >= tokens.size()) return {{}, tokens.size()};
+  if (tokens[at].kind != TokenKind::begin_group) return {tokens.subspan(at, 1), at + 1};
+  int depth = 0;
+  for (std::size_t i = at; i < tokens.size(); ++i) {
+    if (tokens[i].kind == TokenKind::begin_group) ++depth;
+    if (tokens[i].kind == TokenKind::end_group && --depth == 0) return {tokens.subspan(at + 1, i - at - 1), i + 1};
+  }
+  return {tokens.subspan(at + 1), tokens.size()};
+}
+
+Argument optional_argument_at(TokenView tokens, std::size_t at) {
+  const std::size_t open = skip_blank(tokens, at);
+  if (open >= tokens.size() || !is_sign(tokens[open], "[")) return {{}, at};
+  Nesting nesting(true);
+  for (std::size_t i = open + 1; i < tokens.size(); ++i) {
+    if (nesting.enter(tokens[i]) == 0 && is_sign(tokens[i], "]")) return {tokens.subspan(open + 1, i - open - 1), i + 1};
+  }
+  return {{}, at};
+}
+
+int Nesting::enter(const Token& token) {
+  const auto open = [this] { return depth_++; };
+  const auto close = [this] { return depth_ = std::max(0, depth_ - 1); };
+  switch (token.kind) {
+    case TokenKind::begin_group:
+      return open();
+    case TokenKind::end_group:
+      return close();
+    case TokenKind::control:
+      if (token.text == "begin") return open();
+      if (token.text == "end") return close();
+      if (braces_only_) return depth_;
+      if (token.text == "{" || token.text == "lvert" || token.text == "lVert") return open();
+      if (token.text == "}" || token.text == "rvert" || token.text == "rVert") return close();
+      return depth_;
+    case TokenKind::other:
+      if (braces_only_) return depth_;
+      if (token.text == "(" || token.text == "[") return open();
+      if (token.text == ")" || token.text == "]") return close();
+      return depth_;
+    default:
+      return depth_;
+  }
+}
+
+Span span_of(TokenView tokens) {
+  Span span = tokens.empty() ? Span{} : tokens.front().span;
+  for (const Token& token : tokens) span = cover(span, token.span);
+  return span;
+}
+
+TokenView trim(TokenView tokens) {
+  while (!tokens.empty() && is_blank(tokens.front())) tokens = tokens.subspan(1);
+  while (!tokens.empty() && is_blank(tokens.back())) tokens = tokens.first(tokens.size() - 1);
+  return tokens;
+}
+
+std::string text_of(TokenView tokens) {
+  std::string text;
+  bool after_word = false;  // a control word must not run into the letter behind it
+  for (const Token& token : trim(tokens)) {
+    if (is_blank(token)) {
+      if (!text.empty() && text.back() != ' ') text += ' ';
+      after_word = false;
+      continue;
+    }
+    if (after_word && token.kind == TokenKind::letter) text += ' ';
+    if (token.kind == TokenKind::control) text += '\\';
+    text += token.text;
+    after_word = token.kind == TokenKind::control && token.text.size() > 1;
+  }
+  return text;
+}
+
+}  // namespace rigor
