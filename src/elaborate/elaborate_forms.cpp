@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Powers, roots, bars, components, tuples and determinants.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "elaborate/elaborator.h"
+
+namespace rigor {
+namespace {
+
+constexpr int largest_exponent = 64;
+
+}  // namespace
+
+std::optional<int> Elaborator::integer(SyntaxId id) const {
+  const SyntaxNode& node = syntax_[id];
+  if (node.kind == SyntaxKind::group) return integer(syntax_.child(id, 0));
+  if (node.kind == SyntaxKind::number) {
+    const std::string& digits = syntax_.text(id);
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return error == std::errc{} && end == digits.data() + digits.size() ? std::optional(value) : std::nullopt;
+  }
+  if (node.kind == SyntaxKind::sum && node.count == 1 && syntax_.children(id)[0].joint == Joint::minus) {
+    const auto value = integer(syntax_.child(id, 0));
+    return value ? std::optional(-*value) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<int> Elaborator::half_integer(SyntaxId id) const {
+  if (const auto whole = integer(id)) return std::abs(*whole) <= largest_exponent ? std::optional(2 * *whole) : std::nullopt;
+  const SyntaxNode& node = syntax_[id];
+  if (node.kind == SyntaxKind::group) return half_integer(syntax_.child(id, 0));
+  if (node.kind == SyntaxKind::sum && node.count == 1 && syntax_.children(id)[0].joint == Joint::minus) {
+    const auto value = half_integer(syntax_.child(id, 0));
+    return value ? std::optional(-*value) : std::nullopt;
+  }
+  const bool fraction = node.kind == SyntaxKind::fraction;
+  const bool slash = node.kind == SyntaxKind::term && node.count == 2 && syntax_.children(id)[1].joint == Joint::slash;
+  if (!fraction && !slash) return std::nullopt;
+  const auto above = integer(syntax_.child(id, 0));
+  const auto below = integer(syntax_.child(id, 1));
+  if (!above || !below || *below != 2 || std::abs(*above) > largest_exponent) return std::nullopt;
+  return *above;
+}
+
+std::optional<Typed> Elaborator::power(SyntaxId id) {
+  const Span span = syntax_[id].span;
+  const Maybe base = expression(syntax_.child(id, 0));
+  if (!base) return std::nullopt;
+  const auto halves = half_integer(syntax_.child(id, 1));
+  if (!halves) {
+    return unsupported(syntax_[syntax_.child(id, 1)].span, fmt::format("only whole and half exponents up to {} are read", largest_exponent));
+  }
+  if (*halves == 2) return base;
+  if (!base->free.empty()) {
+    const std::string& letter = base->free[0].letter;
+    return fail(DiagnosticKind::ambiguous_reading, span,
+                fmt::format("a power of a component with the free index `{}` can be summed over `{}` or not", letter, letter),
+                {"write the factors out, or the sum"});
+  }
+  if (base->rank > 1) return unsupported(span, "a power of a tensor is not decided");
+  if (base->rank == 1) {
+    if (*halves == 4) return make(Op::dot, span, 0, {&*base, &*base});
+    if (*halves % 4 != 0) return fail(DiagnosticKind::rank_mismatch, span, "an odd power of a vector is not defined", {"a power of its length is written without bold"});
+    const Typed length = make(Op::length, span, 0, {&*base});
+    return make(Op::power, span, 0, {&length}, *halves / 2);
+  }
+  if (*halves % 2 == 0) return make(Op::power, span, 0, {&*base}, *halves / 2);
+  const Typed root = make(Op::root, span, 0, {&*base});
+  return *halves == 1 ? root : make(Op::power, span, 0, {&root}, *halves);
+}
+
+std::optional<Typed> Elaborator::square_root(SyntaxId id) {
+  const Maybe radicand = expression(syntax_.child(id, 0));
+  if (!radicand) return std::nullopt;
+  if (radicand->rank != 0) return fail(DiagnosticKind::rank_mismatch, syntax_[id].span, "the root of a vector or tensor is not defined");
+  if (!radicand->free.empty()) return unsupported(syntax_[id].span, "a root of a component with a free index is not decided");
+  return make(Op::root, syntax_[id].span, 0, {&*radicand});
+}
+
+std::optional<Typed> Elaborator::bars(SyntaxId id, bool norm) {
+  const Span span = syntax_[id].span;
+  const Maybe inside = expression(syntax_.child(id, 0));
+  if (!inside) return std::nullopt;
+  if (inside->rank == 1) return make(Op::length, span, 0, {&*inside});
+  if (inside->rank > 1) return unsupported(span, norm ? "the norm of a tensor is not decided" : "the determinant of a tensor is not decided yet");
+  if (norm) return fail(DiagnosticKind::rank_mismatch, span, "a norm of a scalar", {"`|…|` is the absolute value"});
+  if (inside->free.size() > 1) return unsupported(span, "the determinant of a matrix of components is not decided yet");
+  return make(Op::absolute, span, 0, {&*inside});
+}
+
+std::optional<Typed> Elaborator::component(SyntaxId id) {
+  const Span span = syntax_[id].span;
+  const Maybe base = expression(syntax_.child(id, 0));
+  if (!base) return std::nullopt;
+  const std::vector<WrittenIndex>& axes = syntax_.indices(id);
+  for (const WrittenIndex& axis : axes) {
+    if (axis.primes > 0) return unsupported(axis.span, "primed axes are not decided yet");
+    const bool letter = axis.form == IndexForm::letter && (letters_.is_index(axis.text) || axis_of_letter(axis.text) != 0);
+    if (axis.form != IndexForm::digit && !letter) {
+      return unsupported(axis.span, fmt::format("the label `{}` on a bracket is not read yet", axis.text));
+    }
+  }
+  if (static_cast<int>(axes.size()) != base->rank) {
+    const char* what = base->rank == 0 ? "a scalar has no components" : "the subscript has another number of indices than the bracket has axes";
+    return fail(DiagnosticKind::rank_mismatch, span, what);
+  }
+  std::vector<Slot> slots;
+  Typed subscript;
+  if (!read_slots(axes, slots, subscript.free)) return unsupported(span, "this subscript is not one of index letters or axes");
+  std::vector<Typed> parts{*base, std::move(subscript)};
+  std::vector<FreeIndex> to_sum;
+  Typed typed;
+  if (!sum_repeated(parts, to_sum, typed.free, typed.bound)) return std::nullopt;
+  typed.particles = base->particles;
+  typed.id = tree_.add({.op = Op::component, .span = span}, std::span(&base->id, 1), slots);
+  return sum_over(std::move(typed), to_sum);
+}
+
+std::optional<Typed> Elaborator::tuple(SyntaxId id) {
+  const Span span = syntax_[id].span;
+  if (syntax_[id].count != 3) return unsupported(span, "only tuples of three components are read");
+  std::vector<Typed> entries;
+  for (const SyntaxChild& child : syntax_.children(id)) {
+    Maybe entry = expression(child.id);
+    if (!entry) return std::nullopt;
+    entries.push_back(std::move(*entry));
+    if (entries.back().rank != 0) return fail(DiagnosticKind::rank_mismatch, syntax_[child.id].span, "a component of a tuple is not a scalar");
+    if (!entries.back().free.empty()) return unsupported(syntax_[child.id].span, "a free index inside a tuple is not decided");
+  }
+  return make(Op::tuple, span, 1, {&entries[0], &entries[1], &entries[2]});
+}
+
+std::optional<Typed> Elaborator::matrix(SyntaxId id) {
+  const Span span = syntax_[id].span;
+  if (syntax_[id].count != 9 || syntax_[id].payload != 3) return unsupported(span, "only matrices of three rows and three columns are read");
+  std::vector<Typed> rows;
+  for (std::size_t row = 0; row < 3; ++row) {
+    std::vector<Typed> entries;
+    for (std::size_t column = 0; column < 3; ++column) {
+      Maybe entry = expression(syntax_.child(id, 3 * row + column));
+      if (!entry) return std::nullopt;
+      if (entry->rank != 0 || !entry->free.empty()) return unsupported(span, "an entry of this matrix is not a plain scalar");
+      entries.push_back(std::move(*entry));
+    }
+    rows.push_back(make(Op::tuple, span, 1, {&entries[0], &entries[1], &entries[2]}));
+  }
+  return make(Op::tuple, span, 2, {&rows[0], &rows[1], &rows[2]});
+}
+
+std::optional<Typed> Elaborator::determinant(SyntaxId id) {
+  const Span span = syntax_[id].span;
+  if (syntax_[id].count != 9 || syntax_[id].payload != 3) return unsupported(span, "only determinants of three rows are read");
+  Typed typed;
+  std::vector<ExprId> children;
+  int rank = 0;
+  for (std::size_t k = 0; k < 9; ++k) {
+    const Maybe entry = expression(syntax_.child(id, k));
+    if (!entry) return std::nullopt;
+    if (!entry->free.empty() || !entry->bound.empty()) {
+      // Each entry occurs in several products, so a letter's place in them is not that of the summation convention.
+      for (const FreeIndex& free : entry->free) {
+        const bool known = std::any_of(typed.free.begin(), typed.free.end(), [&](const FreeIndex& old) { return old.letter == free.letter; });
+        if (!known) typed.free.push_back(free);
+      }
+    }
+    if (entry->rank > 1) return unsupported(span, "an entry of this determinant is a tensor");
+    if (entry->rank == 1 && k >= 3) return unsupported(span, "vectors are read in the first row of a determinant only");
+    if (k == 0) rank = entry->rank;
+    if (k < 3 && entry->rank != rank) return fail(DiagnosticKind::rank_mismatch, span, "the first row mixes scalars and vectors");
+    merge_free(typed.particles, entry->particles);
+    children.push_back(entry->id);
+  }
+  typed.rank = rank;
+  typed.id = tree_.add({.op = Op::determinant, .rank = static_cast<std::uint8_t>(rank), .span = span}, children);
+  return typed;
+}
+
+}  // namespace rigor

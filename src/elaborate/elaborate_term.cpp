@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Products. Among vectors `\times` binds tighter than `\cdot`, and `\cdot` tighter than juxtaposition; scalars stand anywhere.
+// Where that leaves two readings (A×B×C, a/bc) the answer is a diagnostic.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elaborate/elaborator.h"
+
+namespace rigor {
+namespace {
+
+/// A bracket that holds one bare symbol or number: `(t)`, `(x)`.
+bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
+  return syntax[id].kind == SyntaxKind::group && syntax[syntax.child(id, 0)].kind == SyntaxKind::symbol;
+}
+
+}  // namespace
+
+std::optional<Typed> Elaborator::term(SyntaxId id) {
+  const std::span<const SyntaxChild> factors = syntax_.children(id);
+  if (reads_as_application(factors)) return std::nullopt;
+  std::vector<Operand> operands;
+  bool failed = false;
+  bool slash = false;
+  for (const SyntaxChild& child : factors) {
+    Maybe typed = expression(child.id);
+    failed = failed || !typed;
+    slash = slash || child.joint == Joint::slash;
+    if (typed) operands.push_back({std::move(*typed), child.joint, child.joint_span});
+  }
+  if (failed) return std::nullopt;
+  return slash ? with_slashes(std::move(operands), syntax_[id].span) : product(std::move(operands), syntax_[id].span);
+}
+
+/// `f(x)` and `\omega(t)` can be a value of a function or a product; `dx` a differential or a product.
+bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
+  for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+    const SyntaxId id = factors[k].id;
+    const SyntaxId next = factors[k + 1].id;
+    if (syntax_[id].kind != SyntaxKind::symbol || factors[k + 1].joint != Joint::juxtaposed) continue;
+    const WrittenSymbol& symbol = syntax_.symbol(id);
+    if (is_kronecker(symbol) || is_levi_civita(symbol)) continue;
+    if (holds_one_symbol(syntax_, next) || (syntax_[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
+      const SyntaxId argument = syntax_.child(next, 0);
+      const bool declared = syntax_[argument].kind == SyntaxKind::symbol && syntax_[next].kind == SyntaxKind::group &&
+                            names_.is_declared({syntax_.symbol(argument).letter, 0, false});
+      if (declared) continue;
+      fail(DiagnosticKind::ambiguous_reading, cover(syntax_[id].span, syntax_[next].span),
+           "this can be a product or the value of a function",
+           {"a function's argument is not written in definitions and claims; `rigor: scalar …` for what is in the bracket makes it a product"});
+      return true;
+    }
+    const bool bare_d = symbol.letter == "d" && symbol.lower.empty() && symbol.face == Face::plain && symbol.primes == 0;
+    if (bare_d && syntax_[next].kind == SyntaxKind::symbol && !names_.is_declared({"d", 0, false})) {
+      fail(DiagnosticKind::ambiguous_reading, syntax_[id].span, "`d` can be a differential or a factor", {"`rigor: scalar d` makes it a factor"});
+      return true;
+    }
+  }
+  return false;
+}
+
+std::optional<Typed> Elaborator::divide(const Typed& dividend, const Typed& divisor, Span span) {
+  if (divisor.rank != 0) {
+    return fail(DiagnosticKind::rank_mismatch, tree_[divisor.id].span, "a vector or tensor stands in a denominator",
+                {"divide by its length or by a component"});
+  }
+  if (!divisor.free.empty()) {
+    return unsupported(divisor.free[0].span, fmt::format("the index `{}` in a denominator is not decided", divisor.free[0].letter));
+  }
+  return make(Op::divide, span, dividend.rank, {&dividend, &divisor});
+}
+
+/// `ab/c` divides all that stands before; `1/2 m` is one half of m; `a/b c` has two readings.
+std::optional<Typed> Elaborator::with_slashes(std::vector<Operand> operands, Span span) {
+  for (std::size_t k = 1; k < operands.size(); ++k) {
+    if (operands[k].joint != Joint::slash) continue;
+    const Typed divisor = operands[k].typed;
+    const bool numbers = is_number(operands[k - 1].typed) && is_number(divisor);
+    const bool last = k + 1 == operands.size();
+    if (!numbers && !last) {
+      return fail(DiagnosticKind::ambiguous_reading, operands[k].joint_span, "what stands behind the divisor can belong to it or not",
+                  {"write `\\frac{…}{…}` or a bracket"});
+    }
+    if (numbers) {
+      const Maybe quotient = divide(operands[k - 1].typed, divisor, cover(tree_[operands[k - 1].typed.id].span, tree_[divisor.id].span));
+      if (!quotient) return std::nullopt;
+      operands[k - 1].typed = *quotient;
+      operands.erase(operands.begin() + static_cast<std::ptrdiff_t>(k));
+      --k;
+      continue;
+    }
+    operands.resize(k);
+    const Maybe dividend = product(std::move(operands), span);
+    return dividend ? divide(*dividend, divisor, span) : std::nullopt;
+  }
+  return product(std::move(operands), span);
+}
+
+std::optional<Typed> Elaborator::product(std::vector<Operand> operands, Span span) {
+  if (operands.size() == 1) return operands[0].typed;
+  std::vector<Typed> factors;
+  for (const Operand& operand : operands) factors.push_back(operand.typed);
+  std::vector<FreeIndex> to_sum;
+  Typed total;
+  std::vector<FreeIndex> free;
+  std::vector<FreeIndex> bound;
+  if (!sum_repeated(factors, to_sum, free, bound)) return std::nullopt;
+  std::vector<Typed> scalars;
+  std::vector<Operand> vectors;
+  if (!separate_scalars(operands, scalars, vectors) || !cross_products(vectors) || !dot_products(vectors)) return std::nullopt;
+  Maybe result = outer_product(std::move(scalars), vectors, span);
+  if (!result) return std::nullopt;
+  result->free = std::move(free);
+  result->bound = std::move(bound);
+  return sum_over(std::move(*result), to_sum);
+}
+
+/// A scalar between a product sign and a vector belongs to the vector: `\mathbf R\times m\mathbf V`.
+bool Elaborator::separate_scalars(const std::vector<Operand>& operands, std::vector<Typed>& scalars, std::vector<Operand>& vectors) {
+  Joint carried = Joint::none;
+  const Operand* crossed = nullptr;  // a scalar that a `\times` leads to
+  const Operand* previous = nullptr;
+  for (const Operand& operand : operands) {
+    const bool after_scalar = previous != nullptr && previous->typed.rank == 0;
+    const bool by_number = is_number(operand.typed) || (after_scalar && is_number(previous->typed));
+    if (operand.typed.rank == 0) {
+      if (operand.joint == Joint::dot || operand.joint == Joint::cross) carried = operand.joint;
+      if (operand.joint == Joint::cross && !by_number) crossed = &operand;
+      scalars.push_back(operand.typed);
+    } else {
+      const bool from_scalar_only = vectors.empty() && operand.joint == Joint::cross && after_scalar && !by_number;
+      if (from_scalar_only) {
+        fail(DiagnosticKind::rank_mismatch, operand.joint_span, "a cross product of a scalar and a vector",
+             {"write the product without `\\times`, or declare the scalar as a vector"});
+        return false;
+      }
+      const bool joined = operand.joint == Joint::dot || operand.joint == Joint::cross;
+      Joint joint = joined ? operand.joint : (carried != Joint::none ? carried : Joint::juxtaposed);
+      if (vectors.empty()) joint = Joint::none;
+      vectors.push_back({operand.typed, joint, operand.joint_span});
+      carried = Joint::none;
+      crossed = nullptr;
+    }
+    previous = &operand;
+  }
+  if (crossed != nullptr) {
+    const bool any_vector = !vectors.empty();
+    fail(any_vector ? DiagnosticKind::rank_mismatch : DiagnosticKind::ambiguous_reading, crossed->joint_span,
+         any_vector ? "a cross product of a vector and a scalar" : "`\\times` between scalars can be a product, or a cross product of vectors",
+         {"bold or `\\vec` letters are vectors, and so is what `rigor: vector …` declares"});
+    return false;
+  }
+  return true;
+}
+
+bool Elaborator::cross_products(std::vector<Operand>& vectors) {
+  for (std::size_t k = 1; k < vectors.size();) {
+    if (vectors[k].joint != Joint::cross) {
+      ++k;
+      continue;
+    }
+    if (k + 1 < vectors.size() && vectors[k + 1].joint == Joint::cross) {
+      fail(DiagnosticKind::ambiguous_reading, vectors[k + 1].joint_span,
+           "a cross product is not associative, so `A × B × C` has two readings", {"put one of the two products in brackets"});
+      return false;
+    }
+    if (vectors[k - 1].typed.rank != 1 || vectors[k].typed.rank != 1) {
+      unsupported(vectors[k].joint_span, "a cross product with a tensor is not decided");
+      return false;
+    }
+    const Span span = cover(tree_[vectors[k - 1].typed.id].span, tree_[vectors[k].typed.id].span);
+    vectors[k - 1].typed = make(Op::cross, span, 1, {&vectors[k - 1].typed, &vectors[k].typed});
+    vectors.erase(vectors.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  return true;
+}
+
+bool Elaborator::dot_products(std::vector<Operand>& vectors) {
+  for (std::size_t k = 1; k < vectors.size();) {
+    if (vectors[k].joint != Joint::dot) {
+      ++k;
+      continue;
+    }
+    Typed& left = vectors[k - 1].typed;
+    if (left.rank == 0) {
+      fail(DiagnosticKind::ambiguous_reading, vectors[k].joint_span, "`A · B · C` has two readings", {"put one of the two products in brackets"});
+      return false;
+    }
+    const Typed& right = vectors[k].typed;
+    const Span span = cover(tree_[left.id].span, tree_[right.id].span);
+    left = make(Op::dot, span, left.rank + right.rank - 2, {&left, &right});
+    vectors.erase(vectors.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+  return true;
+}
+
+std::optional<Typed> Elaborator::outer_product(std::vector<Typed> scalars, const std::vector<Operand>& vectors, Span span) {
+  int rank = 0;
+  for (const Operand& vector : vectors) {
+    if (rank > 0 && vector.typed.rank > 0 && rank + vector.typed.rank > 2) {
+      return fail(DiagnosticKind::ambiguous_reading, tree_[vector.typed.id].span, "a tensor next to a vector can be their contraction or their outer product",
+                  {"write `\\cdot` for the contraction"});
+    }
+    rank += vector.typed.rank;
+    scalars.push_back(vector.typed);
+  }
+  if (scalars.size() == 1) return scalars[0];
+  Typed total;
+  total.rank = rank;
+  std::vector<ExprId> children;
+  for (const Typed& factor : scalars) {
+    children.push_back(factor.id);
+    merge_free(total.free, factor.free);
+    merge_free(total.particles, factor.particles);
+  }
+  total.id = tree_.add({.op = Op::multiply, .rank = static_cast<std::uint8_t>(rank), .span = span}, children);
+  return total;
+}
+
+/// The summation convention: a letter twice in a product is summed, once is free, more often is a mistake.
+bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum, std::vector<FreeIndex>& free,
+                              std::vector<FreeIndex>& bound) {
+  std::map<std::string, std::vector<FreeIndex>> places;
+  std::vector<std::string> order;
+  for (const Typed& factor : factors) {
+    for (const FreeIndex& entry : factor.free) {
+      if (places[entry.letter].empty()) order.push_back(entry.letter);
+      places[entry.letter].push_back(entry);
+    }
+    for (const FreeIndex& entry : factor.bound) bound.push_back(entry);
+  }
+  for (const std::string& letter : order) {
+    const std::vector<FreeIndex>& where = places[letter];
+    if (where.size() > 2) {
+      Diagnostic diagnostic{DiagnosticKind::index_repeats, where[2].span,
+                            fmt::format("index `{}` occurs {} times in one term", letter, where.size())};
+      diagnostic.labels = {{where[0].span, ""}, {where[1].span, ""}};
+      diagnostic.help = {"the summation convention allows a letter at most twice in a term; rename a pair, or write the sum out"};
+      diagnostics_.push_back(std::move(diagnostic));
+      return false;
+    }
+    const auto clash = std::find_if(bound.begin(), bound.end(), [&](const FreeIndex& entry) { return entry.letter == letter; });
+    if (clash != bound.end()) {
+      diagnostics_.push_back({DiagnosticKind::index_clash, where[0].span,
+                              fmt::format("index `{}` is summed inside a factor of the same term", letter),
+                              {{clash->span, "summed here"}},
+                              {"rename one of the two"}});
+      return false;
+    }
+    (where.size() == 2 ? to_sum : free).push_back(where[0]);
+  }
+  return true;
+}
+
+Typed Elaborator::sum_over(Typed body, const std::vector<FreeIndex>& letters) {
+  for (auto letter = letters.rbegin(); letter != letters.rend(); ++letter) {
+    const Span span = tree_[body.id].span;
+    body.id = tree_.add({.op = Op::index_sum, .rank = static_cast<std::uint8_t>(body.rank), .span = span, .index = letter->id},
+                        std::span(&body.id, 1));
+    body.bound.push_back(*letter);
+  }
+  return body;
+}
+
+}  // namespace rigor

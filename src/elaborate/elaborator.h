@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From what was written to what is meant, one statement at a time: names, kinds, index sums, vector products.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elaborate/letters.h"
+#include "elaborate/names.h"
+#include "expr/tree.h"
+#include "latex/syntax.h"
+#include "source/diagnostic.h"
+
+namespace rigor {
+
+/// An index letter that no sum has bound yet, and where it stands.
+struct FreeIndex {
+  std::string letter;
+  IndexId id{};
+  Span span;
+};
+
+struct FreeParticle {
+  std::string letter;
+  ParticleId id{};
+  Span span;
+};
+
+/// An expression with what its type says.
+struct Typed {
+  ExprId id{};
+  int rank = 0;
+  std::vector<FreeIndex> free;          // each letter once
+  std::vector<FreeParticle> particles;  // each letter once
+  std::vector<FreeIndex> bound;         // letters summed inside
+};
+
+/// Elaborates the sides of one statement (all sides share their free letters). A side with a mistake gives nothing and a diagnostic for
+/// each mistake found. Recursion is bounded by the parser's `max_nesting`.
+class Elaborator {
+ public:
+  Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters, Diagnostics& diagnostics);
+
+  std::optional<Typed> expression(SyntaxId id);
+
+  /// Where a mismatch between sides is shown, and who is told.
+  struct Mismatch {
+    Span relation;
+    Diagnostics& diagnostics;
+  };
+  /// The equation left = right, with rank and free indices compared; a literal 0 fits everything.
+  std::optional<Equation> equation(const Typed& left, const Typed& right, Mismatch mismatch);
+
+  /// Index letters of the left side, in order, for a definition by cases on the right.
+  void expect_slots(const std::vector<FreeIndex>& letters) { slot_letters_ = letters; }
+
+  /// Conventions that were needed to read the statement: "`A` is the length of `\mathbf{A}`".
+  [[nodiscard]] const std::vector<std::string>& conventions() const { return conventions_; }
+  /// A reading that nothing but the statement itself suggests: such a statement may be proved, never refuted.
+  [[nodiscard]] const std::optional<Obstacle>& guess() const { return guess_; }
+
+ private:
+  using Maybe = std::optional<Typed>;
+
+  Maybe fail(DiagnosticKind kind, Span span, std::string message, std::vector<std::string> help = {});
+  Maybe unsupported(Span span, std::string message, std::vector<std::string> help = {}) {
+    return fail(DiagnosticKind::unsupported, span, std::move(message), std::move(help));
+  }
+  void note(std::string convention);
+  ExprId zero_of(const Typed& written, int rank);
+
+  // elaborate_symbol.cpp
+  Maybe symbol(SyntaxId id);
+  Maybe special_symbol(const WrittenSymbol& written, Span span, bool& handled);
+  Maybe basis_vector(Span span, Slot slot, std::vector<FreeIndex> free);
+  Maybe vector_symbol(const WrittenSymbol& written, WrittenName name, Span span);
+  Maybe plain_symbol(const WrittenSymbol& written, WrittenName name, Span span);
+  Maybe length_or_scalar(const WrittenSymbol& written, const WrittenName& name, Span span);
+  Maybe make_symbol(const WrittenSymbol& written, const std::string& base, int rank, const WrittenName& name,
+                    const std::vector<WrittenIndex>& axes, Span span);
+  bool read_slots(const std::vector<WrittenIndex>& axes, std::vector<Slot>& slots, std::vector<FreeIndex>& free);
+  bool is_known(const std::string& base, int rank, bool per_particle) const;
+  Maybe contract(Typed typed);  // repeated letters on one symbol: `I_{ii}`
+
+  // elaborate_term.cpp
+  Maybe term(SyntaxId id);
+  struct Operand {
+    Typed typed;
+    Joint joint;
+    Span joint_span;
+  };
+  bool reads_as_application(std::span<const SyntaxChild> factors);
+  Maybe divide(const Typed& dividend, const Typed& divisor, Span span);
+  Maybe with_slashes(std::vector<Operand> operands, Span span);
+  Maybe product(std::vector<Operand> operands, Span span);
+  bool separate_scalars(const std::vector<Operand>& operands, std::vector<Typed>& scalars, std::vector<Operand>& vectors);
+  bool cross_products(std::vector<Operand>& vectors);
+  bool dot_products(std::vector<Operand>& vectors);
+  Maybe outer_product(std::vector<Typed> scalars, const std::vector<Operand>& vectors, Span span);
+  bool is_number(const Typed& typed) const { return tree_[typed.id].op == Op::number; }
+  bool sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum, std::vector<FreeIndex>& free,
+                    std::vector<FreeIndex>& bound);
+  Typed sum_over(Typed body, const std::vector<FreeIndex>& letters);
+
+  // elaborate_sum.cpp
+  Maybe sum(SyntaxId id);
+  Maybe big_sum(SyntaxId id);
+  bool same_type(const Typed& first, const Typed& other, const char* what, Mismatch mismatch) const;
+
+  // elaborate_forms.cpp
+  Maybe power(SyntaxId id);
+  Maybe bars(SyntaxId id, bool norm);
+  Maybe component(SyntaxId id);
+  Maybe tuple(SyntaxId id);
+  Maybe matrix(SyntaxId id);
+  Maybe determinant(SyntaxId id);
+  Maybe square_root(SyntaxId id);
+  Maybe cases(SyntaxId id);
+  std::optional<int> integer(SyntaxId id) const;
+  std::optional<int> half_integer(SyntaxId id) const;  // twice the exponent
+  Typed make(Op op, Span span, int rank, std::initializer_list<const Typed*> parts, int exponent = 0);
+
+  IndexId index(const std::string& letter);
+  ParticleId particle(const std::string& letter);
+  bool is_bound_letter(const std::string& letter) const { return bound_indices_.contains(letter); }
+
+  const SyntaxTree& syntax_;
+  ExprTree& tree_;
+  Names& names_;
+  Letters letters_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, IndexId> free_indices_;
+  std::map<std::string, std::vector<IndexId>> bound_indices_;      // innermost explicit sum last
+  std::map<std::string, std::vector<ParticleId>> bound_particles_;
+  std::map<std::string, ParticleId> free_particles_;
+  std::vector<FreeIndex> slot_letters_;
+  std::vector<std::string> conventions_;
+  std::optional<Obstacle> guess_;
+};
+
+/// The union of both lists by letter.
+void merge_free(std::vector<FreeIndex>& into, const std::vector<FreeIndex>& from);
+void merge_free(std::vector<FreeParticle>& into, const std::vector<FreeParticle>& from);
+[[nodiscard]] bool is_literal_zero(const ExprTree& tree, const Typed& typed);
+
+}  // namespace rigor

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/letters.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+namespace rigor {
+namespace {
+
+bool is_strong(const std::string& letter) {
+  return letter.size() == 1 && letter[0] >= 'i' && letter[0] <= 'n';
+}
+
+bool is_small_latin(const WrittenIndex& index) {
+  return index.form == IndexForm::letter && index.text.size() == 1 && index.text[0] >= 'a' && index.text[0] <= 'z';
+}
+
+/// Every node below the roots, parents first.
+void for_each_node(const SyntaxTree& syntax, const std::vector<SyntaxId>& roots, const std::function<void(SyntaxId)>& visit) {
+  std::vector<SyntaxId> stack(roots.rbegin(), roots.rend());
+  while (!stack.empty()) {
+    const SyntaxId id = stack.back();
+    stack.pop_back();
+    visit(id);
+    for (const SyntaxChild& child : syntax.children(id)) stack.push_back(child.id);
+  }
+}
+
+std::vector<std::string> latin_letters(const std::vector<WrittenIndex>& indices) {
+  std::vector<std::string> letters;
+  for (const WrittenIndex& index : indices) {
+    if (is_small_latin(index) && axis_of_letter(index.text) == 0) letters.push_back(index.text);
+  }
+  return letters;
+}
+
+std::string bare_base(const WrittenSymbol& symbol) {
+  std::string base = symbol.letter;
+  if (symbol.accent == Accent::hat) base = "\\hat{" + base + "}";
+  if (symbol.accent == Accent::bar) base = "\\bar{" + base + "}";
+  if (symbol.accent == Accent::tilde) base = "\\tilde{" + base + "}";
+  return base + std::string(symbol.primes, '\'');
+}
+
+/// Letters that an index notation of this statement settles: on δ and ε, on brackets, under explicit sums.
+void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
+  const SyntaxKind kind = syntax[id].kind;
+  std::vector<std::string> found;
+  if (kind == SyntaxKind::symbol) {
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol)) found = latin_letters(symbol.lower);
+  } else if (kind == SyntaxKind::component) {
+    found = latin_letters(syntax.indices(id));
+  } else if (kind == SyntaxKind::big_sum) {
+    found = latin_letters(syntax.big_sum(id).indices);
+  }
+  letters.evidence = letters.evidence || !found.empty();
+  letters.indices.insert(found.begin(), found.end());
+}
+
+/// Letters on a symbol that is known to be a vector, and all letters of a subscript that has one index letter for sure.
+void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, Letters& letters) {
+  if (syntax[id].kind != SyntaxKind::symbol) return;
+  const WrittenSymbol& symbol = syntax.symbol(id);
+  const std::vector<std::string> own = latin_letters(symbol.lower);
+  if (own.empty() || (symbol.face == Face::vector && !is_basis_family(symbol))) return;
+  const std::string base = bare_base(symbol);
+  const bool known_vector = own.size() == 1 && (names.sightings.bold.contains({base, false}) || names.sightings.bold.contains({base, true}) ||
+                                                names.is_declared({base, 1, false}) || names.is_declared({base, 1, true}));
+  const bool company = own.size() > 1 && std::any_of(own.begin(), own.end(), [&](const std::string& letter) { return letters.is_index(letter); });
+  const bool tensor = names.is_declared({base, static_cast<int>(own.size()), false});
+  if (!known_vector && !company && !tensor) return;
+  letters.evidence = true;
+  letters.indices.insert(own.begin(), own.end());
+}
+
+void read_repetition(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
+  if (syntax[id].kind != SyntaxKind::term) return;
+  std::map<std::string, int> count;
+  for (const SyntaxChild& child : syntax.children(id)) {
+    if (syntax[child.id].kind != SyntaxKind::symbol) continue;
+    for (const std::string& letter : latin_letters(syntax.symbol(child.id).lower)) {
+      if (is_strong(letter) && ++count[letter] > 1) letters.evidence = true;
+    }
+  }
+}
+
+/// `v_i` beside `v_f`, `E_n` beside a bare `n`: labels.
+void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Letters& letters) {
+  std::map<std::string, std::set<std::string>> on_base;
+  std::set<std::string> bare;
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    if (symbol.lower.empty() && symbol.face == Face::plain) bare.insert(symbol.letter);
+    const std::vector<std::string> own = latin_letters(symbol.lower);
+    if (own.size() == 1) on_base[bare_base(symbol)].insert(own[0]);
+  });
+  for (const auto& [base, own] : on_base) {
+    if (own.contains("i") && own.contains("f") && !letters.indices.contains("i")) letters.labels.insert("i");
+    for (const std::string& letter : own) {
+      if (bare.contains(letter) && !letters.indices.contains(letter)) letters.labels.insert(letter);
+    }
+  }
+}
+
+}  // namespace
+
+bool Letters::is_index(const std::string& letter) const {
+  if (labels.contains(letter)) return false;
+  return is_strong(letter) || indices.contains(letter);
+}
+
+Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names) {
+  Letters letters;
+  for_each_node(syntax, sides, [&](SyntaxId id) { read_definite(syntax, id, letters); });
+  for_each_node(syntax, sides, [&](SyntaxId id) { read_by_company(syntax, id, names, letters); });
+  for_each_node(syntax, sides, [&](SyntaxId id) { read_repetition(syntax, id, letters); });
+  read_labels(syntax, sides, letters);
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
+    if (own.size() == 1 && letters.is_index(own[0])) letters.indexed_vectors.insert(bare_base(syntax.symbol(id)));
+  });
+  return letters;
+}
+
+void sight_sums(const SyntaxTree& syntax, SyntaxId root, Sightings& sightings) {
+  for_each_node(syntax, {root}, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::big_sum) return;
+    for (const WrittenIndex& index : syntax.big_sum(id).indices) {
+      if (index.form == IndexForm::greek) sightings.summed_greek.insert(index.text);
+    }
+  });
+}
+
+void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names) {
+  for_each_node(syntax, {root}, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const bool hat = symbol.accent == Accent::hat;
+    if (hat && (symbol.letter == "i" || symbol.letter == "j" || symbol.letter == "\\imath" || symbol.letter == "\\jmath")) {
+      names.sightings.hatted_ij = true;
+    }
+    if (symbol.face != Face::vector && !hat) return;
+    const WrittenName name = take_apart(symbol, Letters{}, names);
+    if (name.axes.empty()) {
+      names.sightings.bold.insert({name.base, name.per_particle()});
+    } else if (std::all_of(name.axes.begin(), name.axes.end(), [](const WrittenIndex& index) { return index.form == IndexForm::digit; })) {
+      names.sightings.bold.insert({with_labels(name.base, name.axes), name.per_particle()});
+    } else {
+      names.sightings.bold_indexed.insert(name.base);
+    }
+  });
+}
+
+void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Names& names) {
+  const Letters letters = read_letters(syntax, sides, names);
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const WrittenName name = take_apart(symbol, letters, names);
+    const bool any_letter = std::any_of(name.axes.begin(), name.axes.end(), [](const WrittenIndex& index) {
+      return index.form == IndexForm::letter && axis_of_letter(index.text) == 0;
+    });
+    if (any_letter) names.sightings.indexed.insert({name.base, static_cast<int>(name.axes.size()), name.per_particle()});
+  });
+}
+
+WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Names& names) {
+  WrittenName name;
+  std::vector<WrittenIndex> labels;
+  for (const WrittenIndex& index : symbol.lower) {
+    const bool particle = names.is_particle_letter(index.text) && index.form != IndexForm::word;
+    const bool axis_digit = index.form == IndexForm::digit && index.text >= "1" && index.text <= "3";
+    const bool axis_letter = is_small_latin(index) && (letters.is_index(index.text) || axis_of_letter(index.text) != 0);
+    if (particle) {
+      name.particles.push_back(index);
+    } else if (axis_digit || axis_letter) {
+      name.axes.push_back(index);
+    } else {
+      labels.push_back(index);
+    }
+  }
+  name.base = with_labels(bare_base(symbol), labels);
+  return name;
+}
+
+std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels) {
+  if (labels.empty()) return base;
+  std::string text = base + "_{";
+  for (const WrittenIndex& label : labels) {
+    text += label.form == IndexForm::word ? "\\text{" + label.text + "}" : label.text;
+    text += std::string(label.primes, '\'');
+  }
+  return text + "}";
+}
+
+bool is_kronecker(const WrittenSymbol& symbol) {
+  return symbol.letter == "\\delta" && symbol.face == Face::plain && symbol.accent == Accent::none && symbol.lower.size() == 2;
+}
+
+bool is_levi_civita(const WrittenSymbol& symbol) {
+  return symbol.letter == "\\epsilon" && symbol.face == Face::plain && symbol.accent == Accent::none && symbol.lower.size() == 3;
+}
+
+bool is_basis_family(const WrittenSymbol& symbol) {
+  const bool vector = symbol.face == Face::vector || symbol.accent == Accent::hat;
+  return symbol.letter == "e" && vector && symbol.primes == 0 && symbol.lower.size() == 1;
+}
+
+std::uint8_t axis_of_letter(const std::string& letter) {
+  if (letter == "x") return 1;
+  if (letter == "y") return 2;
+  return letter == "z" ? 3 : 0;
+}
+
+}  // namespace rigor

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of a statement's subscript letters are indices and which are labels. `v_i` next to `v_f` is an initial velocity;
+// `\epsilon_{abc}` makes a, b, c indices; i … n are indices unless the statement says otherwise.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "elaborate/names.h"
+#include "latex/syntax.h"
+
+namespace rigor {
+
+struct Letters {
+  std::set<std::string> indices;          // letters other than i … n that are indices in this statement
+  std::set<std::string> labels;           // letters of i … n that are labels in this statement
+  std::set<std::string> indexed_vectors;  // bases that occur with one index letter in this statement
+  bool evidence = false;                  // something shows that index notation is meant: δ, ε, a component of a vector, a repetition
+
+  [[nodiscard]] bool is_index(const std::string& letter) const;
+};
+
+/// Looks at all sides of one statement.
+[[nodiscard]] Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names);
+
+/// Notes how every symbol of a statement is written. Passes in this order over the whole file: sums, then faces, then indices.
+void sight_sums(const SyntaxTree& syntax, SyntaxId root, Sightings& sightings);
+void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names);
+void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Names& names);
+
+/// A written symbol taken apart: its base (letter, accent, primes, labels), and the subscripts that may be indices.
+struct WrittenName {
+  std::string base;                     // `r`, `T_{rot}`, `\hat{n}`, `r'`: the same for every face
+  std::vector<WrittenIndex> axes;       // digits, index letters and x, y, z, in order
+  std::vector<WrittenIndex> particles;  // particle labels
+  [[nodiscard]] bool per_particle() const { return !particles.empty(); }
+};
+[[nodiscard]] WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Names& names);
+/// The base when the axes are labels after all: `m_1`, `v_{x}`.
+[[nodiscard]] std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels);
+
+[[nodiscard]] bool is_kronecker(const WrittenSymbol& symbol);
+[[nodiscard]] bool is_levi_civita(const WrittenSymbol& symbol);
+/// `\mathbf{e}_i`, `\hat{e}_x`: a vector of the basis.
+[[nodiscard]] bool is_basis_family(const WrittenSymbol& symbol);
+/// `x` is 1, `y` 2, `z` 3; other texts are 0.
+[[nodiscard]] std::uint8_t axis_of_letter(const std::string& letter);
+
+}  // namespace rigor

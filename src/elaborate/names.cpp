@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/names.h"
+
+#include <algorithm>
+
+namespace rigor {
+
+SymbolId Names::resolve(ExprTree& tree, const NameKey& key, const std::string& name, Span span) {
+  const auto found = entries_.find(key);
+  if (found != entries_.end()) {
+    if (found->second.directive) mark_used(*found->second.directive);
+    return found->second.symbol;
+  }
+  Symbol symbol;
+  symbol.name = name;
+  symbol.rank = key.rank;
+  symbol.per_particle = key.per_particle;
+  symbol.first_seen = span;
+  const SymbolId id = tree.symbols.add(std::move(symbol));
+  entries_[key] = Entry{id, std::nullopt, 0};
+  return id;
+}
+
+std::optional<SymbolId> Names::find(const NameKey& key) const {
+  const auto found = entries_.find(key);
+  return found == entries_.end() ? std::nullopt : std::optional(found->second.symbol);
+}
+
+bool Names::is_declared(const NameKey& key) const {
+  const auto found = entries_.find(key);
+  return found != entries_.end() && found->second.directive.has_value();
+}
+
+SymbolId Names::declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::size_t directive) {
+  symbol.rank = key.rank;
+  symbol.per_particle = key.per_particle;
+  symbol.declared = true;
+  const SymbolId id = tree.symbols.add(std::move(symbol));
+  entries_[key] = Entry{id, directive, depth_};
+  return id;
+}
+
+void Names::declare_particles(const std::string& letter, std::size_t directive) {
+  particle_letters_[letter] = ParticleLetter{directive, depth_};
+}
+
+bool Names::is_particle_letter(const std::string& letter) {
+  const auto found = particle_letters_.find(letter);
+  if (found == particle_letters_.end()) return sightings.summed_greek.contains(letter);
+  mark_used(found->second.directive);
+  return true;
+}
+
+void Names::define(NamedDefinition definition) {
+  definition.depth = definition.origin.directive ? depth_ : 0;
+  std::erase_if(definitions_, [&](const NamedDefinition& old) { return old.definition.symbol == definition.definition.symbol; });
+  definitions_.push_back(std::move(definition));
+}
+
+void Names::assume(NamedAssumption assumption) {
+  assumption.depth = depth_;
+  assumptions_.push_back(std::move(assumption));
+}
+
+const NamedDefinition* Names::definition_of(SymbolId symbol) const {
+  const auto found = std::find_if(definitions_.begin(), definitions_.end(),
+                                  [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
+  return found == definitions_.end() ? nullptr : &*found;
+}
+
+void Names::forget_definition(SymbolId symbol) {
+  std::erase_if(definitions_, [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
+}
+
+void Names::open_section(int level) {
+  const auto closed = [&](const auto& entry) { return entry.depth >= level; };
+  std::erase_if(entries_, [&](const auto& entry) { return entry.second.directive && closed(entry.second); });
+  std::erase_if(particle_letters_, [&](const auto& entry) { return closed(entry.second); });
+  std::erase_if(definitions_, [&](const NamedDefinition& entry) { return entry.origin.directive && closed(entry); });
+  std::erase_if(assumptions_, closed);
+  depth_ = level;
+}
+
+void Names::mark_used(std::size_t directive) {
+  used_.insert(directive);
+}
+
+std::vector<std::string> Names::known_names(const ExprTree& tree) const {
+  std::vector<std::string> names;
+  for (const auto& [key, entry] : entries_) {
+    const bool known = entry.directive.has_value() || definition_of(entry.symbol) != nullptr || seen_in_equation(entry.symbol);
+    if (known) names.push_back(tree.symbols[entry.symbol].name);
+  }
+  return names;
+}
+
+}  // namespace rigor

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the letters of one file stand for: which symbols were seen, declared, defined and assumed, and where each holds.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "expr/statement.h"
+#include "latex/syntax.h"
+
+namespace rigor {
+
+/// A symbol's name apart from indices: `r`, `T_{\text{rot}}`, `\hat{n}`. `A_i` and `\mathbf{A}` share one key, `I` and `I_{ij}` do not.
+struct NameKey {
+  std::string base;
+  int rank = 0;
+  bool per_particle = false;
+  friend auto operator<=>(const NameKey&, const NameKey&) = default;
+};
+
+/// How a symbol was written somewhere in the file.
+struct Sightings {
+  std::set<std::pair<std::string, bool>> bold;          // base, per particle: `\mathbf{A}` without a letter index
+  std::set<std::string> bold_indexed;                   // `\boldsymbol\omega_i`
+  std::set<NameKey> indexed;                            // rank = number of letter indices: `I_{ij}`
+  std::set<std::string> summed_greek;                   // `\alpha` of some \sum_\alpha
+  bool hatted_ij = false;                               // \hat\imath or \hat\jmath: then \hat k is an axis as well
+};
+
+/// A directive or an equation that brought something into scope.
+struct Origin {
+  std::string text;                        // as it is named in a verdict's `uses`: `definition (8)`
+  std::string section;                     // of an equation
+  std::optional<std::size_t> directive{};  // number of the directive, to mark it as used
+};
+
+struct NamedDefinition {
+  Definition definition;
+  Origin origin;
+  int depth = 0;
+};
+
+struct NamedAssumption {
+  Equation equation;
+  Origin origin;
+  int depth = 0;
+};
+
+class Names {
+ public:
+  Sightings sightings;
+
+  /// The symbol of this key, made at first sight. Marks the directive that declared it as used.
+  SymbolId resolve(ExprTree& tree, const NameKey& key, const std::string& name, Span span);
+  /// The symbol if it exists.
+  [[nodiscard]] std::optional<SymbolId> find(const NameKey& key) const;
+  [[nodiscard]] bool is_declared(const NameKey& key) const;
+
+  /// Declares kind and properties from here to the end of the section; an earlier symbol of this key is forgotten.
+  SymbolId declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::size_t directive);
+  void declare_particles(const std::string& letter, std::size_t directive);
+  [[nodiscard]] bool is_particle_letter(const std::string& letter);
+  [[nodiscard]] bool is_declared_particle(const std::string& letter) const { return particle_letters_.contains(letter); }
+
+  void define(NamedDefinition definition);
+  void assume(NamedAssumption assumption);
+  [[nodiscard]] const std::vector<NamedDefinition>& definitions() const { return definitions_; }
+  [[nodiscard]] const std::vector<NamedAssumption>& assumptions() const { return assumptions_; }
+  [[nodiscard]] const NamedDefinition* definition_of(SymbolId symbol) const;
+  void forget_definition(SymbolId symbol);
+
+  /// A heading of this level closes all sections of its level and below, with what their directives declared.
+  void open_section(int level);
+
+  /// Was the symbol part of an equation before? (A declaration alone is not.)
+  [[nodiscard]] bool seen_in_equation(SymbolId symbol) const { return seen_.contains(symbol); }
+  void mark_seen(SymbolId symbol) { seen_.insert(symbol); }
+
+  void mark_used(std::size_t directive);
+  [[nodiscard]] bool is_used(std::size_t directive) const { return used_.contains(directive); }
+  /// The names in scope, for suggestions.
+  [[nodiscard]] std::vector<std::string> known_names(const ExprTree& tree) const;
+
+ private:
+  struct Entry {
+    SymbolId symbol{};
+    std::optional<std::size_t> directive;
+    int depth = 0;
+  };
+  struct ParticleLetter {
+    std::size_t directive;
+    int depth;
+  };
+  std::map<NameKey, Entry> entries_;
+  std::map<std::string, ParticleLetter> particle_letters_;
+  std::vector<NamedDefinition> definitions_;
+  std::vector<NamedAssumption> assumptions_;
+  std::set<SymbolId> seen_;
+  std::set<std::size_t> used_;
+  int depth_ = 0;
+};
+
+}  // namespace rigor
