@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/constraints.h"
+
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/components.h"
+
+namespace rigor {
+namespace {
+
+using GiNaC::ex;
+
+constexpr std::size_t largest_instances = 64;  // choices of the claim's particles for an assumption
+
+[[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
+
+/// The solution of an equation that is linear in x with a numeric coefficient.
+[[nodiscard]] ex solved_for(const ex& equation, const ex& x) {
+  return (-equation.coeff(x, 0) / equation.coeff(x, 1)).expand();
+}
+
+}  // namespace
+
+void Constraints::assume(std::span<const std::size_t> positions) {
+  const std::vector<Equation>& assumptions = scope_.question().assumptions;
+  for (const std::size_t position : positions) {
+    if (assumptions[position].particles.size() == 1) solve_for_each_particle(assumptions[position]);
+  }
+  for (const std::size_t position : positions) collect(assumptions[position]);
+  eliminate();
+}
+
+/// Component after component, each with the earlier ones in force.
+void Constraints::solve_for_each_particle(const Equation& assumption) {
+  std::size_t solved = 0;
+  for (bool again = true; again;) {
+    again = false;
+    std::size_t seen = 0;
+    evaluator_.forget();
+    evaluator_.bind(assumption.particles[0], template_frame);
+    for_each_component(evaluator_, scope_.tree(), assumption,
+                       [&](const auto&, const Fraction& left, const Fraction& right) {
+                         if (seen++ < solved) return true;
+                         ++solved;
+                         again = replace_own_number(domain_.difference(left, right));
+                         return !again;
+                       });
+  }
+  evaluator_.forget();
+}
+
+bool Constraints::replace_own_number(const ex& equation) {
+  const Indeterminates& indeterminates = domain_.indeterminates();
+  const std::vector<ex>& all = indeterminates.all();
+  const bool plain = std::none_of(all.begin(), all.end(), [&](const ex& x) {
+    const Indeterminates::Origin& origin = indeterminates.origin(x);
+    return origin.kind != Indeterminates::Kind::coordinate && origin.frames != 0 && equation.has(x);
+  });
+  if (!plain) return false;  // a root or a moment that is this particle's
+  for (const ex& x : all) {
+    const Indeterminates::Origin origin = indeterminates.origin(x);
+    if (origin.kind != Indeterminates::Kind::coordinate || origin.frame != template_frame) continue;
+    if (scope_.tree().symbols[origin.symbol].unit && !scope_.is_defined(origin.symbol)) continue;
+    if (equation.degree(x) != 1 || !is_number(equation.coeff(x, 1))) continue;
+    domain_.replace(origin.symbol, origin.component, solved_for(equation, x));
+    return true;
+  }
+  return false;
+}
+
+/// An assumption for each particle holds for those that the claim names.
+void Constraints::collect(const Equation& assumption) {
+  const std::size_t free_particles = scope_.question().claim.particles.size();
+  const std::size_t count = assumption.particles.size();
+  if (count > 0 && free_particles == 0) return;
+  const double instances = std::pow(static_cast<double>(free_particles), static_cast<double>(count));
+  if (count > 0 && instances > static_cast<double>(largest_instances)) return;
+  const auto last = first_free_frame + static_cast<Frame>(free_particles) - 1;
+  std::vector<std::uint32_t> frames(count, first_free_frame);
+  do {
+    for (std::size_t i = 0; i < count; ++i) evaluator_.bind(assumption.particles[i], frames[i]);
+    for_each_component(evaluator_, scope_.tree(), assumption,
+                       [&](const auto&, const Fraction& left, const Fraction& right) {
+                         equations_.push_back(domain_.difference(left, right));
+                         return true;
+                       });
+  } while (next_tuple(frames, first_free_frame, last));
+}
+
+/// In the order of creation, so that the choice is the same in every run.
+ex Constraints::linear_indeterminate(const ex& equation) const {
+  const Indeterminates& indeterminates = domain_.indeterminates();
+  for (const ex& x : indeterminates.all()) {
+    if (indeterminates.origin(x).kind == Indeterminates::Kind::radical) continue;
+    if (equation.degree(x) == 1 && is_number(equation.coeff(x, 1))) return x;
+  }
+  return 0;
+}
+
+ex Constraints::monic_indeterminate(const ex& equation) const {
+  const Indeterminates& indeterminates = domain_.indeterminates();
+  for (const ex& x : indeterminates.all()) {
+    if (indeterminates.origin(x).kind == Indeterminates::Kind::radical) continue;
+    const int degree = equation.degree(x);
+    if (degree >= 2 && is_number(equation.coeff(x, degree))) return x;
+  }
+  return 0;
+}
+
+ex Constraints::substituted(const ex& value, const Solution& by) {
+  const int degree = value.degree(by.indeterminate);
+  if (degree == 0) return value;
+  const double growth = std::pow(static_cast<double>(std::max<std::size_t>(term_count(by.worth), 1)), degree);
+  return domain_.reduced(value.subs(by.indeterminate == by.worth, GiNaC::subs_options::no_pattern),
+                         static_cast<double>(term_count(value)) * growth);
+}
+
+void Constraints::eliminate() {
+  std::vector<ex> open = equations_;
+  for (bool again = true; again;) {
+    again = false;
+    std::erase_if(open, [](const ex& equation) { return equation.is_zero(); });
+    for (std::size_t i = 0; i < open.size() && !again; ++i) {
+      if (is_number(open[i])) throw Undecidable("the assumptions contradict each other");
+      const ex x = linear_indeterminate(open[i]);
+      if (x.is_zero()) continue;
+      const Solution solution{x, solved_for(open[i], x)};
+      open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
+      for (ex& other : open) other = substituted(other, solution);
+      for (Solution& earlier : solutions_) earlier.worth = substituted(earlier.worth, solution);
+      solutions_.push_back(solution);
+      again = true;
+    }
+  }
+  for (const ex& equation : open) remaining_.push_back({equation, monic_indeterminate(equation)});
+}
+
+ex Constraints::reduced(const ex& value) {
+  ex rest = value;
+  for (const Solution& solution : solutions_) {
+    if (rest.is_zero()) return rest;
+    rest = substituted(rest, solution);
+  }
+  for (const Remaining& each : remaining_) {
+    if (rest.is_zero()) return rest;
+    if (!each.monic_in.is_zero() && rest.degree(each.monic_in) >= each.equation.degree(each.monic_in)) {
+      rest = GiNaC::rem(rest, each.equation, each.monic_in).expand();
+    }
+  }
+  ex quotient;
+  for (const Remaining& each : remaining_) {
+    if (!rest.is_zero() && GiNaC::divide(rest, each.equation, quotient)) rest = 0;
+  }
+  return rest;
+}
+
+}  // namespace rigor

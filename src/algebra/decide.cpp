@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order of the attempts: a quick look at samples, then proofs (definitions opaque before unfolded, no
+// assumptions before all of them), then the search for a sample in earnest.
+#include "algebra/decide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "algebra/prove.h"
+#include "algebra/refute.h"
+#include "base/check.h"
+
+namespace rigor {
+namespace {
+
+[[nodiscard]] Decision undecided(std::string reason) {
+  Decision decision;
+  decision.reason = std::move(reason);
+  return decision;
+}
+
+/// Why an equation is not even tried, if so.
+[[nodiscard]] std::optional<std::string> too_large(const Scope& scope, const Equation& equation) {
+  const Reach reached = reach(scope, equation);
+  if (reached.too_large) return reached.too_large;
+  const std::size_t axes = equation.indices.size() + scope.tree()[equation.left].rank;
+  if (axes <= largest_free_indices) return std::nullopt;
+  return fmt::format("{} free axes are more than the {} that are evaluated", axes, largest_free_indices);
+}
+
+/// The proof that was found, and under what.
+struct Found {
+  Proof proof;
+  bool unfolded = false;
+  std::vector<std::size_t> assumptions = {};
+};
+
+/// One decision: what is known so far, and the steps.
+class Decider {
+ public:
+  Decider(const Question& question, const Limits& limits)
+      : limits_(limits),
+        unfolded_(question, Scope::Definitions::unfolded),
+        opaque_(question, Scope::Definitions::opaque),
+        refuter_(unfolded_, limits) {}
+
+  [[nodiscard]] Decision decide();
+
+ private:
+  [[nodiscard]] std::optional<std::string> why_not_tried() const;
+  template <class Search>
+  [[nodiscard]] std::optional<Refuter::Counterexample> look(const Search& search);
+  [[nodiscard]] std::optional<Found> try_all_proofs();
+  [[nodiscard]] std::optional<Found> try_proof(bool unfolded, std::span<const std::size_t> assumptions);
+  void drop_needless_assumptions(Found& found);
+  [[nodiscard]] Decision proved(const Found& found) const;
+  [[nodiscard]] Decision proved_by_value();
+  [[nodiscard]] Decision refuted(const Refuter::Counterexample& counterexample);
+  [[nodiscard]] std::string why_open() const;
+
+  Limits limits_;
+  Scope unfolded_;
+  Scope opaque_;
+  Refuter refuter_;
+  std::string gave_up_;  // the reason why the last proof was broken off
+  Proof last_proof_;     // the last one that was finished and does not hold
+};
+
+std::optional<std::string> Decider::why_not_tried() const {
+  const Question& question = unfolded_.question();
+  if (auto reason = too_large(unfolded_, question.claim)) return reason;
+  for (const std::size_t position : refuter_.assumptions()) {
+    if (auto reason = too_large(unfolded_, question.assumptions[position])) return reason;
+  }
+  return std::nullopt;
+}
+
+std::optional<Found> Decider::try_proof(bool unfolded, std::span<const std::size_t> assumptions) {
+  try {
+    const Proof proof = prove(unfolded ? unfolded_ : opaque_, assumptions, limits_);
+    if (proof.holds) return Found{proof, unfolded, {assumptions.begin(), assumptions.end()}};
+    last_proof_ = proof;
+  } catch (const Undecidable& reason) {
+    gave_up_ = reason.what();
+  }
+  return std::nullopt;
+}
+
+std::optional<Found> Decider::try_all_proofs() {
+  const bool has_definitions = !refuter_.reach().unfolded.empty();
+  for (const bool with_assumptions : {false, true}) {
+    if (with_assumptions && refuter_.assumptions().empty()) continue;
+    const auto& assumptions = with_assumptions ? refuter_.assumptions() : std::vector<std::size_t>{};
+    for (const bool unfolded : {false, true}) {
+      if (unfolded && !has_definitions) continue;
+      if (auto found = try_proof(unfolded, assumptions)) return found;
+    }
+  }
+  return std::nullopt;
+}
+
+void Decider::drop_needless_assumptions(Found& found) {
+  if (found.assumptions.size() < 2) return;  // without any it was tried already
+  for (std::size_t i = 0; i < found.assumptions.size();) {
+    std::vector<std::size_t> fewer = found.assumptions;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (auto still = try_proof(found.unfolded, fewer)) {
+      found = *std::move(still);
+    } else {
+      ++i;
+    }
+  }
+}
+
+Decision Decider::proved(const Found& found) const {
+  Decision decision;
+  decision.outcome = Outcome::proved;
+  decision.vanishes = found.proof.vanishes;
+  decision.route = "component normal form";
+  if (found.proof.moments) decision.route += ", moments of any number of particles";
+  if (found.proof.unit_vectors) decision.route += ", unit vectors at the generic point";
+  if (found.proof.radicals) decision.route += ", radicals";
+  if (found.unfolded) decision.unfolded = reach_of_sample(unfolded_, found.assumptions).unfolded;
+  decision.assumptions = found.assumptions;
+  return decision;
+}
+
+/// A claim without symbols holds if its numbers are equal.
+Decision Decider::proved_by_value() {
+  Decision decision;
+  decision.outcome = Outcome::proved;
+  decision.vanishes = refuter_.left_vanishes();
+  decision.route = "component normal form";
+  decision.unfolded = refuter_.reach().unfolded;
+  return decision;
+}
+
+Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
+  Decision decision;
+  decision.outcome = Outcome::refuted;
+  decision.route = "exact sample";
+  decision.unfolded = refuter_.reach().unfolded;
+  decision.assumptions = refuter_.assumptions();
+  decision.sample = refuter_.simplest(counterexample);
+  return decision;
+}
+
+std::string Decider::why_open() const {
+  if (!gave_up_.empty()) return gave_up_;
+  const std::string points =
+      fmt::format("{} of {} exact samples tried", refuter_.points_compared(), refuter_.points_tried());
+  if (refuter_.points_compared() == 0 && !refuter_.assumptions().empty()) {
+    return fmt::format("no proof, and no sample that satisfies the assumptions among {}",
+                       refuter_.points_tried());
+  }
+  if (last_proof_.unsolved_assumptions) {
+    return fmt::format(
+        "no proof, since the assumptions cannot be solved for one symbol each; they hold on {}, and so does "
+        "it",
+        points);
+  }
+  if (last_proof_.radicals) {
+    return fmt::format("no proof, since its roots may depend on each other; it holds on {}", points);
+  }
+  return fmt::format("no proof; it holds on {}", points);
+}
+
+/// Samples that are too much work are not the end: a proof may be less.
+template <class Search>
+std::optional<Refuter::Counterexample> Decider::look(const Search& search) {
+  try {
+    return search();
+  } catch (const Undecidable& reason) {
+    if (gave_up_.empty()) gave_up_ = reason.what();
+    return std::nullopt;
+  }
+}
+
+Decision Decider::decide() {
+  if (auto reason = why_not_tried()) return undecided(*std::move(reason));
+  if (const auto found = look([this] { return refuter_.quick_look(); })) return refuted(*found);
+  if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
+  if (auto found = try_all_proofs()) {
+    drop_needless_assumptions(*found);
+    return proved(*found);
+  }
+  if (const auto counterexample = look([this] { return refuter_.search(); })) return refuted(*counterexample);
+  return undecided(why_open());
+}
+
+}  // namespace
+
+Decision decide(const Question& question, const Limits& limits) { return Decider(question, limits).decide(); }
+
+}  // namespace rigor

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact side: is a statement true for all values of its symbols?
+#pragma once
+
+#include "expr/statement.h"
+
+namespace rigor {
+
+struct Limits {
+  std::uint32_t expanded_terms = 100'000;  // an estimate above it is `undecided`, with the figure
+  std::uint32_t quick_points = 3;
+  std::uint32_t sample_attempts = 400;
+};
+
+/// Proved: every component of left − right has the normal form zero at the generic point. Refuted: an exact
+/// rational sample that satisfies the assumptions makes a component differ. Complete for polynomial and
+/// rational identities in components, sums over any number of particles included; otherwise sound.
+/// Deterministic. Never throws for any tree that `ExprTree::add` accepts.
+[[nodiscard]] Decision decide(const Question& question, const Limits& limits = {});
+
+/// Both sides of the claim on a sample, at the sample's axes: `{left, right}`, as exact numbers; empty if the
+/// sample does not satisfy the assumptions, or a side has no rational value there.
+struct SideValues {
+  std::string left;
+  std::string right;
+};
+[[nodiscard]] std::optional<SideValues> replay(const Question& question, const Sample& sample);
+
+/// Are the assumptions satisfied by any sample at all? Nothing found is `false`; the reason is in the
+/// diagnostic of the caller.
+[[nodiscard]] bool satisfiable(const Question& question, const Limits& limits = {});
+
+}  // namespace rigor

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A rational function of indeterminates as one numerator over a product of denominators, never cancelled: the
+// function is zero exactly if the expanded numerator is, and no greatest common divisor is ever computed.
+#pragma once
+
+#include <ginac/ex.h>
+
+#include <vector>
+
+#include "algebra/decide.h"
+#include "algebra/exact_number.h"
+
+namespace rigor {
+
+/// One factor of a denominator: an expanded primitive polynomial (or a single indeterminate), not 0.
+struct Divisor {
+  GiNaC::ex base;
+  int exponent = 1;  // positive
+};
+
+struct Fraction {
+  GiNaC::ex numerator = 0;
+  std::vector<Divisor> divisors = {};  // their bases differ from each other
+  double terms = 0;                    // at most so many has the expanded numerator
+  double bits = 0;                     // log₂ of the sum of its coefficients' sizes, about
+};
+
+[[nodiscard]] Fraction to_fraction(const Rational& value);
+/// A polynomial that is expanded already.
+[[nodiscard]] Fraction polynomial(const GiNaC::ex& expanded);
+[[nodiscard]] std::size_t term_count(const GiNaC::ex& expanded);
+
+/// Arithmetic of fractions within a budget. The number of terms is estimated before anything is expanded;
+/// above the limit (for one polynomial, and for all work together) it throws Undecidable with the figure.
+class FractionArithmetic {
+ public:
+  explicit FractionArithmetic(const Limits& limits) : limits_(limits) {}
+
+  void add(Fraction& total, const Fraction& summand);
+  void negate(Fraction& value);
+  [[nodiscard]] Fraction multiply(const Fraction& a, const Fraction& b);
+  [[nodiscard]] Fraction power(const Fraction& base, int exponent);
+  /// 1 / value; throws Undecidable if it is zero for all values of the indeterminates.
+  [[nodiscard]] Fraction reciprocal(const Fraction& value);
+  /// Expands the numerator and makes the estimates exact.
+  void expand(Fraction& value);
+  [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& value, double estimated_terms);
+
+  /// Counts a step of evaluation.
+  void step();
+
+ private:
+  void check(const Fraction& value) const;
+  void divide_by(Fraction& value, const GiNaC::ex& base, int exponent) const;
+  void divide_by_polynomial(Fraction& value, const GiNaC::ex& expanded, int exponent) const;
+
+  Limits limits_;
+  double terms_spent_ = 0;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace rigor

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Expressions at the generic point: every symbol's components are indeterminates, so that a difference which
+// is zero here is zero everywhere. A unit vector is (2p, 2q, 1 − p² − q²) / (1 + p² + q²), which misses one
+// point of the sphere and therefore no identity; a symmetric tensor is six indeterminates.
+#pragma once
+
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "algebra/evaluator.h"
+#include "algebra/moments.h"
+
+namespace rigor {
+
+/// Rational functions (with roots, and moments of particle sums), as a Domain of `Evaluator`. Particles are
+/// frames.
+class GenericDomain {
+ public:
+  using Number = Fraction;
+
+  GenericDomain(const Scope& scope, const Limits& limits)
+      : scope_(&scope),
+        arithmetic_(limits),
+        radicals_(indeterminates_, arithmetic_),
+        moments_(indeterminates_, arithmetic_, radicals_,
+                 first_free_frame + static_cast<Frame>(scope.question().claim.particles.size())) {}
+  GenericDomain(const GenericDomain&) = delete;
+  GenericDomain& operator=(const GenericDomain&) = delete;
+
+  [[nodiscard]] Fraction number(const std::string& digits);
+  [[nodiscard]] Fraction integer(int value) { return to_fraction(value); }
+  [[nodiscard]] bool is_zero(const Fraction& value) const { return value.numerator.is_zero(); }
+  void add(Fraction& total, const Fraction& summand) { arithmetic_.add(total, summand); }
+  void negate(Fraction& value) { arithmetic_.negate(value); }
+  [[nodiscard]] Fraction multiply(const Fraction& a, const Fraction& b) { return arithmetic_.multiply(a, b); }
+  [[nodiscard]] Fraction divide(const Fraction& a, const Fraction& b);
+  [[nodiscard]] Fraction power(const Fraction& base, int exponent);
+  [[nodiscard]] Fraction root(const Fraction& square) { return radicals_.root(square); }
+  [[nodiscard]] Fraction value(SymbolId symbol, std::uint32_t frame, std::size_t component);
+  template <class Body>
+  [[nodiscard]] std::vector<Fraction> particle_sum(std::size_t count, const Body& body) {
+    std::vector<Fraction> total = body(moments_.open());
+    for (std::size_t i = 0; i < count; ++i) total[i] = moments_.sum(std::move(total[i]));
+    moments_.close();
+    return total;
+  }
+  void settle(Fraction& value) { arithmetic_.expand(value); }
+  void step() { arithmetic_.step(); }
+
+  /// The numerator of left − right, expanded and reduced by the relations of radicals.
+  [[nodiscard]] GiNaC::ex difference(const Fraction& left, const Fraction& right);
+  /// A polynomial expanded and reduced; `terms` is an estimate of how many that may give.
+  [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& value, double terms);
+
+  /// From now on a particle's component is worth this, written in the template frame.
+  void replace(SymbolId symbol, std::uint32_t component, const GiNaC::ex& worth);
+
+  [[nodiscard]] Indeterminates& indeterminates() { return indeterminates_; }
+  [[nodiscard]] Radicals& radicals() { return radicals_; }
+  [[nodiscard]] bool used_moments() const { return moments_.any(); }
+  [[nodiscard]] bool used_radicals() const { return radicals_.any(); }
+  [[nodiscard]] bool used_unit_vectors() const { return used_unit_vectors_; }
+
+ private:
+  [[nodiscard]] Fraction unit_vector(SymbolId symbol, Frame frame, std::size_t component);
+
+  const Scope* scope_;
+  Indeterminates indeterminates_;
+  FractionArithmetic arithmetic_;
+  Radicals radicals_;
+  Moments moments_;
+  std::map<std::pair<SymbolId, std::uint32_t>, GiNaC::ex> replaced_;
+  bool used_unit_vectors_ = false;
+};
+
+}  // namespace rigor

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/indeterminates.h"
+
+#include <fmt/format.h>
+#include <ginac/ginac.h>
+
+#include <algorithm>
+
+#include "algebra/exact_number.h"
+#include "base/check.h"
+
+namespace rigor {
+
+using GiNaC::ex;
+
+ex Indeterminates::add(Origin origin) {
+  origin.position = all_.size();
+  const ex created = GiNaC::symbol();
+  origins_.emplace(created, origin);
+  all_.push_back(created);
+  return created;
+}
+
+ex Indeterminates::coordinate(SymbolId symbol, std::uint32_t component, Frame frame) {
+  const std::uint64_t key = (static_cast<std::uint64_t>(symbol) << 32) | (component << 8) | frame;
+  const auto known = coordinates_.find(key);
+  if (known != coordinates_.end()) return known->second;
+  const ex created = add({.kind = Kind::coordinate,
+                          .frames = only(frame),
+                          .symbol = symbol,
+                          .component = component,
+                          .frame = frame});
+  coordinates_.emplace(key, created);
+  return created;
+}
+
+ex Indeterminates::fresh(Kind kind, FrameSet frames) { return add({.kind = kind, .frames = frames}); }
+
+const Indeterminates::Origin& Indeterminates::origin(const ex& indeterminate) const {
+  const auto found = origins_.find(indeterminate);
+  RIGOR_CHECK(found != origins_.end(), origins_.size());
+  return found->second;
+}
+
+FrameSet Indeterminates::frames_of(const ex& value) const {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) return origin(value).frames;
+  if (GiNaC::is_a<GiNaC::numeric>(value)) return 0;
+  FrameSet frames = 0;
+  for (std::size_t i = 0; i < value.nops(); ++i) frames |= frames_of(value.op(i));
+  return frames;
+}
+
+std::string Indeterminates::fingerprint(const ex& value) const {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) return fmt::format("x{}", origin(value).position);
+  if (GiNaC::is_a<GiNaC::numeric>(value)) {
+    return to_text(cln::the<Rational>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()));
+  }
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < value.nops(); ++i) parts.push_back(fingerprint(value.op(i)));
+  const char* sign = GiNaC::is_a<GiNaC::power>(value) ? "^" : GiNaC::is_a<GiNaC::mul>(value) ? "*" : "+";
+  if (!GiNaC::is_a<GiNaC::power>(value)) std::sort(parts.begin(), parts.end());
+  return fmt::format("({})", fmt::join(parts, sign));
+}
+
+GiNaC::exmap Indeterminates::twins(Frame from, Frame to) {
+  GiNaC::exmap map;
+  const std::vector<ex> present = all_;
+  for (const ex& each : present) {
+    const Origin whose = origin(each);
+    if (whose.kind == Kind::coordinate && whose.frame == from) {
+      map.emplace(each, coordinate(whose.symbol, whose.component, to));
+    }
+  }
+  return map;
+}
+
+}  // namespace rigor

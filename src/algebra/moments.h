@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sums over any number of particles. Method: inside Σ_α the body is expanded; what depends on α's own
+// quantities in each term (its *key*) becomes one indeterminate, a moment, and the rest moves out: Σ_α m_α
+// r_αi r_αj = M[m r_i r_j]. The key 1 gives the number of particles. Moments of distinct monomials are
+// algebraically independent as functions of all bodies (generalised power sums: with enough particles their
+// Jacobian is a generalised Vandermonde matrix of full rank), so what vanishes identically for every number
+// of particles vanishes as a polynomial in moments: complete. Bodies that are rational in the particle's own
+// quantities have keys (denominator, monomial); these may depend on each other: sound only. The cost knows no
+// number of particles.
+#pragma once
+
+#include <map>
+
+#include "algebra/radicals.h"
+
+namespace rigor {
+
+class Moments {
+ public:
+  Moments(Indeterminates& indeterminates, FractionArithmetic& arithmetic, Radicals& radicals, Frame outermost)
+      : indeterminates_(indeterminates),
+        arithmetic_(arithmetic),
+        radicals_(radicals),
+        outermost_(outermost) {}
+
+  /// Opens a sum over particles: its frame, until `close`.
+  [[nodiscard]] Frame open();
+  void close() { --depth_; }
+  /// The sum of a body over all particles of the innermost open sum.
+  [[nodiscard]] Fraction sum(Fraction body);
+
+  [[nodiscard]] bool any() const { return !moments_.empty(); }
+
+ private:
+  struct Term {
+    GiNaC::ex coefficient = 1;
+    GiNaC::ex key = 1;
+  };
+  [[nodiscard]] Frame innermost() const { return outermost_ + depth_ - 1; }
+  [[nodiscard]] Term split(const GiNaC::ex& term, const GiNaC::ex& divisor) const;
+  [[nodiscard]] GiNaC::ex moment(const GiNaC::ex& key);
+  /// The part of the divisors that is the particle's own, taken out of `body`; common factors of it and the
+  /// numerator cancel.
+  [[nodiscard]] GiNaC::ex take_own_divisor(Fraction& body) const;
+
+  Indeterminates& indeterminates_;
+  FractionArithmetic& arithmetic_;
+  Radicals& radicals_;
+  Frame outermost_;
+  std::uint32_t depth_ = 0;
+  std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> moments_;  // by key in the outermost frame
+};
+
+}  // namespace rigor

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/prove.h"
+
+#include <fmt/format.h>
+
+#include "algebra/components.h"
+#include "algebra/constraints.h"
+#include "base/check.h"
+
+namespace rigor {
+namespace {
+
+[[nodiscard]] Proof prove_components(const Scope& scope, std::span<const std::size_t> assumptions,
+                                     const Limits& limits) {
+  const Equation& claim = scope.question().claim;
+  GenericDomain domain(scope, limits);
+  Evaluator<GenericDomain> evaluator(scope, domain);
+  Constraints constraints(scope, domain, evaluator);
+  constraints.assume(assumptions);
+  for (std::size_t i = 0; i < claim.particles.size(); ++i) {
+    evaluator.bind(claim.particles[i], first_free_frame + static_cast<Frame>(i));
+  }
+  const auto is_zero = [&](const Fraction& left, const Fraction& right) {
+    return constraints.reduced(domain.difference(left, right)).is_zero();
+  };
+  Proof proof;
+  proof.holds = for_each_component(
+      evaluator, scope.tree(), claim,
+      [&](const auto&, const Fraction& left, const Fraction& right) { return is_zero(left, right); });
+  proof.vanishes = proof.holds && for_each_component(evaluator, scope.tree(), claim,
+                                                     [&](const auto&, const Fraction& left, const Fraction&) {
+                                                       return is_zero(left, Fraction{});
+                                                     });
+  proof.moments = domain.used_moments();
+  proof.unit_vectors = domain.used_unit_vectors();
+  proof.radicals = domain.used_radicals();
+  proof.unsolved_assumptions = !proof.holds && constraints.incomplete();
+  return proof;
+}
+
+}  // namespace
+
+Proof prove(const Scope& scope, std::span<const std::size_t> assumptions, const Limits& limits) {
+  try {
+    return prove_components(scope, assumptions, limits);
+  } catch (const Undecidable&) {
+    throw;
+  } catch (const InternalError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Undecidable(fmt::format("the computer algebra library gave up: {}", error.what()));
+  }
+}
+
+}  // namespace rigor

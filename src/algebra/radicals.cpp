@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/radicals.h"
+
+#include <cln/integer.h>
+#include <ginac/ginac.h>
+
+#include <algorithm>
+
+#include "algebra/undecidable.h"
+
+namespace rigor {
+namespace {
+
+using GiNaC::ex;
+
+constexpr long largest_trial_divisor = 1000;
+
+[[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
+
+[[nodiscard]] Rational to_rational(const ex& value) {
+  return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
+}
+
+/// n = square² · rest, with the square factors of small primes, or of all of n, taken out.
+struct SquareSplit {
+  cln::cl_I square = 1;
+  cln::cl_I rest;
+};
+
+[[nodiscard]] SquareSplit split_squares(cln::cl_I n) {
+  SquareSplit split;
+  for (long p = 2; p <= largest_trial_divisor; ++p) {
+    const cln::cl_I square = cln::cl_I(p) * p;
+    if (square > n) break;
+    while (cln::zerop(cln::mod(n, square))) {
+      n = cln::exquo(n, square);
+      split.square = split.square * p;
+    }
+  }
+  cln::cl_I whole;
+  if (cln::sqrtp(n, &whole)) {
+    split.square = split.square * whole;
+    n = 1;
+  }
+  split.rest = n;
+  return split;
+}
+
+/// The factors of a product as GiNaC holds it, unexpanded.
+[[nodiscard]] std::vector<ex> factors_of(const ex& value) {
+  if (!GiNaC::is_a<GiNaC::mul>(value)) return {value};
+  return {value.begin(), value.end()};
+}
+
+/// base and exponent of a factor; 1 where it is no integer power.
+[[nodiscard]] std::pair<ex, int> split_power(const ex& factor) {
+  if (!GiNaC::is_a<GiNaC::power>(factor)) return {factor, 1};
+  return {factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int()};
+}
+
+}  // namespace
+
+bool Radicals::is_radical(const ex& indeterminate) const {
+  return GiNaC::is_a<GiNaC::symbol>(indeterminate) &&
+         indeterminates_.origin(indeterminate).kind == Indeterminates::Kind::radical;
+}
+
+bool Radicals::is_even_power(const ex& factor) const {
+  if (is_number(factor)) return GiNaC::ex_to<GiNaC::numeric>(factor).is_positive();
+  const auto [base, exponent] = split_power(factor);
+  return exponent % 2 == 0 || is_radical(base);
+}
+
+/// Each term is a positive number times even powers, and powers of radicals.
+bool Radicals::never_negative(const ex& expanded) const {
+  const auto term_is_not = [this](const ex& term) {
+    const std::vector<ex> parts = factors_of(term);
+    return std::all_of(parts.begin(), parts.end(),
+                       [this](const ex& factor) { return is_even_power(factor); });
+  };
+  if (!GiNaC::is_a<GiNaC::add>(expanded)) return term_is_not(expanded);
+  return std::all_of(expanded.begin(), expanded.end(), term_is_not);
+}
+
+std::vector<Radicals::Factor> Radicals::factors(const Fraction& value) {
+  std::vector<Factor> found;
+  const auto note = [&](const ex& base, int exponent) {
+    const auto same =
+        std::find_if(found.begin(), found.end(), [&](const Factor& f) { return f.base.is_equal(base); });
+    if (same == found.end()) {
+      found.push_back({base, exponent});
+    } else {
+      same->exponent += exponent;
+    }
+  };
+  for (const ex& factor : factors_of(value.numerator)) {
+    const auto [base, exponent] = split_power(factor);
+    for (const ex& part : factors_of(reduced(arithmetic_.expanded(base, value.terms)))) {
+      const auto [inner, inner_exponent] = split_power(part);
+      note(inner, inner_exponent * exponent);
+    }
+  }
+  for (const Divisor& each : value.divisors) note(each.base, -each.exponent);
+  return found;
+}
+
+Fraction Radicals::root(const Fraction& square) {
+  if (square.numerator.is_zero()) return {};
+  Fraction result = to_fraction(1);
+  Rational number = 1;
+  ex rest = 1;  // what has to stay under one root
+  const auto times = [&](const Fraction& factor) { result = arithmetic_.multiply(result, factor); };
+  for (const Factor& factor : factors(square)) {
+    if (is_number(factor.base)) {
+      number = number * power_of(to_rational(factor.base), factor.exponent);
+      continue;
+    }
+    const GiNaC::numeric content = factor.base.integer_content();
+    number = number * power_of(to_rational(content), factor.exponent);
+    const ex base = (factor.base / content).expand();
+    const bool odd = factor.exponent % 2 != 0;
+    const int half = (factor.exponent - (odd ? 1 : 0)) / 2;
+    const bool positive = never_negative(base);
+    if (half != 0)
+      times(arithmetic_.power(positive || half % 2 == 0 ? polynomial(base) : absolute(base), half));
+    if (odd && positive) times(radical(base));
+    if (odd && !positive) rest *= base;
+  }
+  if (rest.is_equal(1)) {
+    times(root_of_number(number));
+  } else {
+    if (cln::minusp(number)) rest = -rest;
+    times(root_of_number(cln::abs(number)));
+    times(radical(reduced(arithmetic_.expanded(rest, square.terms))));
+  }
+  return result;
+}
+
+Fraction Radicals::root_of_number(const Rational& value) {
+  if (cln::minusp(value)) throw Undecidable("a root of a negative number");
+  const cln::cl_I denominator = cln::denominator(value);
+  const SquareSplit split = split_squares(cln::numerator(value) * denominator);
+  Fraction result = to_fraction(Rational(split.square) / denominator);
+  if (split.rest == 1) return result;
+  return arithmetic_.multiply(result, radical(GiNaC::numeric(split.rest)));
+}
+
+Fraction Radicals::absolute(const ex& value) {
+  return radical(reduced(
+      arithmetic_.expanded(value * value, static_cast<double>(term_count(value) * term_count(value)))));
+}
+
+Fraction Radicals::radical(const ex& square) {
+  for (const Radical& known : radicals_) {
+    if (known.square.is_equal(square)) return polynomial(known.symbol);
+  }
+  const ex symbol = indeterminates_.fresh(Indeterminates::Kind::radical, indeterminates_.frames_of(square));
+  radicals_.push_back({symbol, square});
+  return polynomial(symbol);
+}
+
+ex Radicals::reduced(const ex& expanded) {
+  ex value = expanded;
+  for (std::size_t i = radicals_.size(); i-- > 0;) {
+    const Radical each = radicals_[i];
+    const int degree = value.degree(each.symbol);
+    if (degree < 2) continue;
+    double terms = 0;
+    GiNaC::exvector summands;
+    for (int k = value.ldegree(each.symbol); k <= degree; ++k) {
+      const ex coefficient = value.coeff(each.symbol, k);
+      if (coefficient.is_zero()) continue;
+      const Fraction factor = arithmetic_.power(polynomial(each.square), k / 2);
+      terms += factor.terms * static_cast<double>(term_count(coefficient));
+      summands.push_back(coefficient * factor.numerator * GiNaC::pow(each.symbol, k % 2));
+    }
+    value = arithmetic_.expanded(GiNaC::add(summands), terms);
+  }
+  return value;
+}
+
+void Radicals::rationalize(Fraction& value) {
+  for (std::size_t i = 0; i < value.divisors.size(); ++i) {
+    const Divisor divisor = value.divisors[i];
+    if (!is_radical(divisor.base)) continue;
+    value.divisors.erase(value.divisors.begin() + static_cast<std::ptrdiff_t>(i--));
+    const auto known = std::find_if(radicals_.begin(), radicals_.end(),
+                                    [&](const Radical& r) { return r.symbol.is_equal(divisor.base); });
+    Fraction inverse =
+        arithmetic_.power(arithmetic_.reciprocal(polynomial(known->square)), (divisor.exponent + 1) / 2);
+    if (divisor.exponent % 2 != 0) inverse = arithmetic_.multiply(inverse, polynomial(divisor.base));
+    value = arithmetic_.multiply(value, inverse);
+  }
+}
+
+ex Radicals::moved(const ex& value, Frame from, Frame to) {
+  if (from == to) return value;
+  GiNaC::exmap map = indeterminates_.twins(from, to);
+  const std::size_t present = radicals_.size();
+  for (std::size_t i = 0; i < present; ++i) {
+    const Radical each = radicals_[i];
+    if ((indeterminates_.frames_of(each.square) & only(from)) == 0) continue;
+    map.emplace(each.symbol, radical(each.square.subs(map, GiNaC::subs_options::no_pattern)).numerator);
+  }
+  return value.subs(map, GiNaC::subs_options::no_pattern);
+}
+
+}  // namespace rigor

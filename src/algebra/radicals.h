@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Square roots at the generic point. Each distinct radicand R has one indeterminate s ≥ 0 with s² = R.
+// Method: √ of a product is split as far as that holds for all real values: √(f² g) = |f| √g; √(f g) = √f √g
+// if f is a sum of even powers with positive coefficients, hence never negative; numbers give up their square
+// factors. What vanishes modulo the relations s² = R vanishes for either sign of each root: sound. Complete
+// only where the radicals are independent: radicands are compared after expansion but not factored.
+#pragma once
+
+#include <vector>
+
+#include "algebra/fraction.h"
+#include "algebra/indeterminates.h"
+
+namespace rigor {
+
+class Radicals {
+ public:
+  Radicals(Indeterminates& indeterminates, FractionArithmetic& arithmetic)
+      : indeterminates_(indeterminates), arithmetic_(arithmetic) {}
+
+  /// The non-negative root of a value; throws Undecidable if the value is a negative number.
+  [[nodiscard]] Fraction root(const Fraction& square);
+
+  /// An expanded polynomial with s² replaced by R as often as it occurs, expanded again.
+  [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& expanded);
+
+  /// 1/s as s/R: one form for |r|^-3 and |r|/r⁴.
+  void rationalize(Fraction& value);
+
+  /// The same expression of another particle.
+  [[nodiscard]] GiNaC::ex moved(const GiNaC::ex& value, Frame from, Frame to);
+
+  [[nodiscard]] bool any() const { return !radicals_.empty(); }
+  [[nodiscard]] bool is_radical(const GiNaC::ex& indeterminate) const;
+
+ private:
+  struct Radical {
+    GiNaC::ex symbol;
+    GiNaC::ex square;  // expanded; has only earlier radicals in it
+  };
+  struct Factor {
+    GiNaC::ex base;  // expanded
+    int exponent = 1;
+  };
+
+  [[nodiscard]] Fraction radical(const GiNaC::ex& square);
+  [[nodiscard]] Fraction root_of_number(const Rational& value);
+  [[nodiscard]] Fraction absolute(const GiNaC::ex& value);
+  [[nodiscard]] std::vector<Factor> factors(const Fraction& value);
+  [[nodiscard]] bool never_negative(const GiNaC::ex& expanded) const;
+  [[nodiscard]] bool is_even_power(const GiNaC::ex& factor) const;
+
+  Indeterminates& indeterminates_;
+  FractionArithmetic& arithmetic_;
+  std::vector<Radical> radicals_;
+};
+
+}  // namespace rigor

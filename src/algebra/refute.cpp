@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/refute.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::uint32_t quick_attempts = 24;
+
+}  // namespace
+
+Reach reach_of_sample(const Scope& scope, const std::vector<std::size_t>& assumptions) {
+  std::vector<ExprId> roots{scope.question().claim.left, scope.question().claim.right};
+  for (const std::size_t position : assumptions) {
+    roots.push_back(scope.question().assumptions[position].left);
+    roots.push_back(scope.question().assumptions[position].right);
+  }
+  return reach(scope, roots);
+}
+
+Refuter::Refuter(const Scope& scope, const Limits& limits)
+    : scope_(&scope),
+      limits_(limits),
+      solver_(scope, relevant_assumptions(scope)),
+      reach_(reach_of_sample(scope, solver_.assumptions())),
+      evaluator_(scope),
+      sequence_(scope.tree(), reach_) {}
+
+std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& drawn, std::uint32_t attempt) {
+  point_ = drawn;
+  SamplePoint& point = *point_;
+  try {
+    if (!solver_.none() && !solver_.solve(evaluator_, point, attempt)) return std::nullopt;
+    evaluator_.look_at(point);
+    std::optional<Difference> difference = evaluator_.difference(scope_->question().claim);
+    ++points_compared_;
+    if (!difference) return std::nullopt;
+    return Counterexample{drawn, point, attempt, *std::move(difference)};
+  } catch (const PointRejected&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Refuter::Counterexample> Refuter::attempt_next() {
+  const std::uint32_t attempt = sequence_.drawn();
+  return fails_on(sequence_.next(), attempt);
+}
+
+std::optional<Refuter::Counterexample> Refuter::quick_look() {
+  const std::uint32_t wanted = is_constant() ? 1 : limits_.quick_points;
+  while (points_compared_ < wanted && sequence_.drawn() < quick_attempts) {
+    if (auto found = attempt_next()) return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<Refuter::Counterexample> Refuter::search() {
+  while (sequence_.drawn() < limits_.sample_attempts) {
+    if (auto found = attempt_next()) return found;
+  }
+  return std::nullopt;
+}
+
+Sample Refuter::to_sample(const Counterexample& found) const {
+  Sample sample;
+  sample.particles = found.point.particles();
+  for (const SymbolId symbol : reach_.symbols) {
+    const bool per_particle = scope_->tree().symbols[symbol].per_particle;
+    for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
+      SampleValue value{.symbol = symbol, .particle = p, .components = {}};
+      for (const Rational& component : found.point.values(symbol, p)) {
+        value.components.push_back(to_text(component));
+      }
+      sample.values.push_back(std::move(value));
+    }
+  }
+  sample.axes = found.difference.place.axes;
+  sample.free_particles = found.difference.place.particles;
+  sample.left = to_text(found.difference.left);
+  sample.right = to_text(found.difference.right);
+  return sample;
+}
+
+}  // namespace rigor

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search for an exact sample on which a claim fails, and for the simplest such sample.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algebra/decide.h"
+#include "algebra/sample_assumptions.h"
+
+namespace rigor {
+
+/// Method: points are drawn from a fixed sequence, solved for the assumptions, and the sides are compared
+/// there as exact numbers. A difference is a refutation; no difference at any number of points is not a
+/// proof, but for a claim without symbols.
+class Refuter {
+ public:
+  /// The scope's definitions are unfolded. Only assumptions that bear on the claim are met.
+  Refuter(const Scope& scope, const Limits& limits);
+  Refuter(const Refuter&) = delete;
+  Refuter& operator=(const Refuter&) = delete;
+
+  struct Counterexample {
+    SamplePoint drawn;  // before the assumptions were solved for
+    SamplePoint point;  // on which the claim fails
+    std::uint32_t attempt = 0;
+    Difference difference;
+  };
+
+  /// A few generic points: fast, and nearly every false claim fails there.
+  [[nodiscard]] std::optional<Counterexample> quick_look();
+  /// All attempts that the limits allow, with up to 5 particles.
+  [[nodiscard]] std::optional<Counterexample> search();
+  /// The simplest counterexample found from a given one: tiny points first, then one number after the other
+  /// made smaller.
+  [[nodiscard]] Sample simplest(const Counterexample& found);
+
+  [[nodiscard]] const Reach& reach() const { return reach_; }
+  [[nodiscard]] const std::vector<std::size_t>& assumptions() const { return solver_.assumptions(); }
+  /// How many points met the assumptions and gave both sides a rational value.
+  [[nodiscard]] std::uint32_t points_compared() const { return points_compared_; }
+  [[nodiscard]] std::uint32_t points_tried() const { return sequence_.drawn(); }
+  /// Is the left side zero by itself, on the last point that was compared?
+  [[nodiscard]] bool left_vanishes() { return evaluator_.left_vanishes(scope_->question().claim); }
+  /// Without symbols and particles, each side is one number: a comparison at one point is a proof.
+  [[nodiscard]] bool is_constant() const { return reach_.symbols.empty() && !reach_.particles; }
+
+ private:
+  [[nodiscard]] std::optional<Counterexample> attempt_next();
+  [[nodiscard]] std::optional<Counterexample> fails_on(const SamplePoint& drawn, std::uint32_t attempt);
+  void consider(std::optional<Counterexample>& best, const SamplePoint& drawn, std::uint32_t attempt);
+  void look_among_tiny_points(std::optional<Counterexample>& best);
+  void drop_particles(std::optional<Counterexample>& best);
+  [[nodiscard]] bool make_smaller(std::optional<Counterexample>& best);
+  [[nodiscard]] Sample to_sample(const Counterexample& found) const;
+
+  const Scope* scope_;
+  Limits limits_;
+  AssumptionSolver solver_;
+  Reach reach_;  // of the claim, then of the assumptions
+  SampleEvaluator evaluator_;
+  std::optional<SamplePoint> point_;  // the one that is being looked at
+  SampleSequence sequence_;
+  std::uint32_t points_compared_ = 0;
+};
+
+/// The claim and the assumptions that bear on it: what a sample has to give values for.
+[[nodiscard]] Reach reach_of_sample(const Scope& scope, const std::vector<std::size_t>& assumptions);
+
+}  // namespace rigor

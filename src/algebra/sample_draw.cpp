@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "algebra/evaluator.h"
+#include "algebra/sample_point.h"
+
+namespace rigor {
+namespace {
+
+using Triple = std::array<int, 3>;
+
+// Vectors of rational length; sums and differences of the first nine often have one too.
+constexpr std::array<Triple, 16> rational_lengths{{{3, 0, 0},
+                                                   {0, 4, 0},
+                                                   {3, 4, 0},
+                                                   {0, 0, 12},
+                                                   {1, 0, 0},
+                                                   {0, 1, 0},
+                                                   {0, 0, 1},
+                                                   {-3, 0, 0},
+                                                   {0, -4, 0},
+                                                   {1, 2, 2},
+                                                   {2, -1, 2},
+                                                   {2, 3, 6},
+                                                   {6, -2, 3},
+                                                   {-1, 4, 8},
+                                                   {4, 4, 7},
+                                                   {2, 6, -9}}};
+
+constexpr std::array squares_and_legs{1, 4, 9, 3, 12, 5, -1, -3, -4, 16, 2, 0};
+constexpr std::array generic_numbers{1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8, -8, 9, -9, 0};
+
+[[nodiscard]] Rational draw_number(Draw from, int rank, SplitMix& random) {
+  switch (from) {
+    case Draw::zero_or_one:
+      return rank == 0 ? static_cast<int>(random.below(3)) + 1 : static_cast<int>(random.below(2));
+    case Draw::tiny:
+      return rank == 0 ? static_cast<int>(random.below(3)) + 1 : static_cast<int>(random.below(4)) - 1;
+    case Draw::generic:
+      return random.pick<int>(generic_numbers);
+    case Draw::along_axes:
+    case Draw::with_lengths:
+      return random.pick<int>(squares_and_legs);
+    case Draw::directions:
+      return random.below(2) == 0 ? 1 : -1;
+  }
+  return 0;
+}
+
+[[nodiscard]] Draw draw_for(std::uint32_t attempt, bool roots) {
+  if (attempt % 8 == 7) return Draw::tiny;
+  if (attempt % 8 == 3) return roots ? Draw::along_axes : Draw::directions;
+  if (attempt % 16 == 5) return Draw::directions;
+  return roots ? Draw::with_lengths : Draw::generic;
+}
+
+[[nodiscard]] std::uint32_t particles_for(std::uint32_t attempt) {
+  constexpr std::array<std::uint32_t, 8> counts{2, 3, 2, 1, 4, 3, 5, 2};
+  return counts[attempt % counts.size()];
+}
+
+[[nodiscard]] std::array<Rational, 3> axis_direction(SplitMix& random, bool negative_too) {
+  std::array<Rational, 3> unit{0, 0, 0};
+  unit[random.below(3)] = negative_too && random.below(2) == 0 ? -1 : 1;
+  return unit;
+}
+
+/// (2p, 2q, 1 − p² − q²) / (1 + p² + q²): every rational direction but one, by stereographic projection.
+[[nodiscard]] std::array<Rational, 3> draw_direction(Draw from, SplitMix& random) {
+  if (from == Draw::zero_or_one || from == Draw::tiny) return axis_direction(random, from == Draw::tiny);
+  if (random.below(4) == 0) return axis_direction(random, true);
+  const Rational p =
+      Rational(static_cast<int>(random.below(9)) - 4) / (static_cast<int>(random.below(3)) + 1);
+  const Rational q =
+      Rational(static_cast<int>(random.below(9)) - 4) / (static_cast<int>(random.below(3)) + 1);
+  const Rational square = p * p + q * q;
+  return {2 * p / (1 + square), 2 * q / (1 + square), (1 - square) / (1 + square)};
+}
+
+/// A vector of rational length: one of the list, its axes permuted, times a small factor.
+[[nodiscard]] std::array<Rational, 3> draw_with_length(SplitMix& random) {
+  const Triple& from = random.pick<Triple>(rational_lengths);
+  const std::size_t turn = random.below(2) == 0 ? 0 : random.below(3);
+  const int factor = random.below(3) == 0 ? -2 : 1;
+  std::array<Rational, 3> vector;
+  for (std::size_t i = 0; i < 3; ++i) vector[i] = factor * from[(i + turn) % 3];
+  return vector;
+}
+
+[[nodiscard]] std::array<Rational, 3> draw_along_axis(SplitMix& random) {
+  constexpr std::array lengths{1, -1, 2, 3, -3, 4};
+  std::array<Rational, 3> vector{0, 0, 0};
+  vector[random.below(3)] = random.pick<int>(lengths);
+  return vector;
+}
+
+[[nodiscard]] bool draws_whole_vectors(Draw from) {
+  return from == Draw::along_axes || from == Draw::directions || from == Draw::with_lengths;
+}
+
+[[nodiscard]] std::array<Rational, 3> draw_vector(Draw from, SplitMix& random) {
+  if (from == Draw::along_axes) return draw_along_axis(random);
+  return from == Draw::directions ? draw_direction(from, random) : draw_with_length(random);
+}
+
+}  // namespace
+
+void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random) {
+  for (const Coordinate& at : point.coordinates()) {
+    const Symbol& symbol = tree.symbols[at.symbol];
+    if (symbol.unit) {
+      point.set_all(at.symbol, at.particle, draw_direction(from, random));
+      continue;
+    }
+    if (symbol.rank != 1 || !draws_whole_vectors(from)) {
+      point.set(at, draw_number(from, symbol.rank, random));
+    } else if (at.component == 0) {
+      point.set_all(at.symbol, at.particle, draw_vector(from, random));
+    }
+  }
+}
+
+SamplePoint SampleSequence::next() {
+  const std::uint32_t attempt = drawn_++;
+  SamplePoint point(*tree_, reach_->symbols, reach_->particles ? particles_for(attempt) : 0);
+  draw(point, *tree_, draw_for(attempt, reach_->roots), random_);
+  return point;
+}
+
+}  // namespace rigor

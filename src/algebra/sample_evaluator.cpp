@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/sample_evaluator.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <utility>
+
+namespace rigor {
+namespace {
+
+constexpr std::uint64_t largest_steps = 2'000'000;  // about a quarter of a second
+
+}  // namespace
+
+void SampleDomain::step() {
+  if (++steps_ > largest_steps)
+    throw Undecidable(fmt::format("more than {} steps of evaluation", largest_steps));
+}
+
+Rational SampleDomain::number(const std::string& digits) {
+  const auto [known, is_new] = numbers_.try_emplace(digits);
+  if (is_new) known->second = from_digits(digits);
+  return known->second;
+}
+
+Rational SampleDomain::divide(const Rational& a, const Rational& b) {
+  if (cln::zerop(b)) throw PointRejected("division by zero");
+  return a / b;
+}
+
+Rational SampleDomain::power(const Rational& base, int exponent) {
+  if (exponent < 0 && cln::zerop(base)) throw PointRejected("division by zero");
+  if (bit_size(base) * std::abs(exponent) > largest_bits) throw PointRejected("a number has too many digits");
+  return power_of(base, exponent);
+}
+
+Rational SampleDomain::root(const Rational& square) {
+  std::optional<Rational> root = exact_root(square);
+  if (!root) throw PointRejected("a root is not rational");
+  return *std::move(root);
+}
+
+void SampleEvaluator::look_at(const SamplePoint& point) {
+  domain_.look_at(point);
+  evaluator_.forget();
+}
+
+template <class Visit>
+void SampleEvaluator::for_each_place(const Equation& equation, const Visit& visit) {
+  std::vector<std::uint32_t> particles(equation.particles.size(), 1);
+  do {
+    for (std::size_t i = 0; i < particles.size(); ++i) evaluator_.bind(equation.particles[i], particles[i]);
+    const auto visit_axes = [&](std::vector<std::uint8_t> axes, const Rational& left, const Rational& right) {
+      return visit(Place{std::move(axes), particles}, left, right);
+    };
+    if (!for_each_component(evaluator_, scope_->tree(), equation, visit_axes)) return;
+  } while (next_tuple(particles, 1u, domain_.point().particles()));
+}
+
+std::optional<Difference> SampleEvaluator::difference(const Equation& equation) {
+  std::optional<Difference> found;
+  for_each_place(equation, [&](const Place& place, const Rational& left, const Rational& right) {
+    if (left != right) found = Difference{place, left, right};
+    return !found;
+  });
+  return found;
+}
+
+bool SampleEvaluator::left_vanishes(const Equation& equation) {
+  bool vanishes = true;
+  for_each_place(equation, [&](const Place&, const Rational& left, const Rational&) {
+    return vanishes = cln::zerop(left);
+  });
+  return vanishes;
+}
+
+Difference SampleEvaluator::at(const Equation& equation, const Place& place) {
+  for (std::size_t i = 0; i < equation.particles.size(); ++i) {
+    evaluator_.bind(equation.particles[i], place.particles[i]);
+  }
+  std::size_t component = 0;
+  for (std::size_t i = 0; i < place.axes.size(); ++i) {
+    if (i < equation.indices.size()) {
+      evaluator_.bind(equation.indices[i], place.axes[i]);
+    } else {
+      component = 3 * component + (place.axes[i] - 1u);
+    }
+  }
+  return {place, evaluator_.array(equation.left)[component], evaluator_.array(equation.right)[component]};
+}
+
+std::vector<Place> SampleEvaluator::places(const Equation& equation) const {
+  const std::size_t rank = scope_->tree()[equation.left].rank;
+  std::vector<Place> all;
+  Place place{.axes = std::vector<std::uint8_t>(equation.indices.size() + rank, 1),
+              .particles = std::vector<std::uint32_t>(equation.particles.size(), 1)};
+  do {
+    do {
+      all.push_back(place);
+    } while (next_tuple<std::uint8_t>(place.axes, 1, 3));
+  } while (next_tuple(place.particles, 1u, domain_.point().particles()));
+  return all;
+}
+
+}  // namespace rigor

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Expressions and equations on an exact sample.
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "algebra/components.h"
+#include "algebra/evaluator.h"
+#include "algebra/sample_point.h"
+
+namespace rigor {
+
+/// The rational numbers of one sample, as a Domain of `Evaluator`. Throws PointRejected where a value is not
+/// rational or not defined, Undecidable where the work is too much.
+class SampleDomain {
+ public:
+  using Number = Rational;
+
+  void look_at(const SamplePoint& point) { point_ = &point; }
+  [[nodiscard]] const SamplePoint& point() const { return *point_; }
+
+  [[nodiscard]] Rational number(const std::string& digits);
+  [[nodiscard]] Rational integer(int value) { return value; }
+  [[nodiscard]] bool is_zero(const Rational& value) { return cln::zerop(value); }
+  void add(Rational& total, const Rational& summand) { total = total + summand; }
+  void negate(Rational& value) { value = -value; }
+  [[nodiscard]] Rational multiply(const Rational& a, const Rational& b) { return a * b; }
+  [[nodiscard]] Rational divide(const Rational& a, const Rational& b);
+  [[nodiscard]] Rational power(const Rational& base, int exponent);
+  [[nodiscard]] Rational root(const Rational& square);
+  [[nodiscard]] const Rational& value(SymbolId symbol, std::uint32_t particle, std::size_t component) {
+    return point_->value(symbol, particle, component);
+  }
+  template <class Body>
+  [[nodiscard]] std::vector<Rational> particle_sum(std::size_t count, const Body& body) {
+    std::vector<Rational> total(count);
+    for (std::uint32_t particle = 1; particle <= point_->particles(); ++particle) {
+      const std::vector<Rational> term = body(particle);
+      for (std::size_t i = 0; i < count; ++i) total[i] = total[i] + term[i];
+    }
+    return total;
+  }
+  void settle(Rational&) {}
+  void step();
+
+ private:
+  const SamplePoint* point_ = nullptr;
+  std::unordered_map<std::string, Rational> numbers_;
+  std::uint64_t steps_ = 0;
+};
+
+/// One component of an equation, for one choice of particles.
+struct Place {
+  std::vector<std::uint8_t> axes;  // the free indices' values, then the axes of a vector or tensor equation
+  std::vector<std::uint32_t> particles;  // of the free particle variables, from 1
+};
+
+struct Difference {
+  Place place;
+  Rational left;
+  Rational right;
+};
+
+class SampleEvaluator {
+ public:
+  explicit SampleEvaluator(const Scope& scope) : scope_(&scope), evaluator_(scope, domain_) {}
+
+  /// The sample to evaluate on; to be called again when it has changed.
+  void look_at(const SamplePoint& point);
+
+  /// The first place where the sides differ; none: the equation holds on the sample.
+  [[nodiscard]] std::optional<Difference> difference(const Equation& equation);
+  [[nodiscard]] bool holds(const Equation& equation) { return !difference(equation); }
+  /// Is the left side zero by itself, everywhere?
+  [[nodiscard]] bool left_vanishes(const Equation& equation);
+  [[nodiscard]] Difference at(const Equation& equation, const Place& place);
+  [[nodiscard]] std::vector<Place> places(const Equation& equation) const;
+
+ private:
+  /// Calls visit(place, left, right) for all components and particles until it returns false.
+  template <class Visit>
+  void for_each_place(const Equation& equation, const Visit& visit);
+
+  const Scope* scope_;
+  SampleDomain domain_;
+  Evaluator<SampleDomain> evaluator_;
+};
+
+}  // namespace rigor

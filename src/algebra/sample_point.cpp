@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/sample_point.h"
+
+#include <algorithm>
+
+#include "algebra/evaluator.h"
+#include "base/check.h"
+
+namespace rigor {
+
+SamplePoint::SamplePoint(const ExprTree& tree, std::span<const SymbolId> symbols, std::uint32_t particles)
+    : tree_(&tree),
+      symbols_(symbols.begin(), symbols.end()),
+      particles_(particles),
+      offset_(tree.symbols.size(), absent) {
+  std::size_t size = 0;
+  for (const SymbolId symbol : symbols_) {
+    offset_[static_cast<std::size_t>(symbol)] = static_cast<std::uint32_t>(size);
+    const std::size_t copies = tree.symbols[symbol].per_particle ? particles : 1;
+    size += copies * component_count(tree.symbols[symbol].rank);
+  }
+  values_.resize(size);
+}
+
+std::size_t SamplePoint::position(SymbolId symbol, std::uint32_t particle) const {
+  const Symbol& named = tree_->symbols[symbol];
+  const std::uint32_t offset = offset_[static_cast<std::size_t>(symbol)];
+  RIGOR_CHECK(offset != absent, named.name);
+  RIGOR_CHECK(particle <= particles_ && (particle > 0) == named.per_particle, named.name, particle,
+              particles_);
+  return offset + (named.per_particle ? particle - 1 : 0) * component_count(named.rank);
+}
+
+std::span<const Rational> SamplePoint::values(SymbolId symbol, std::uint32_t particle) const {
+  return std::span(values_).subspan(position(symbol, particle), component_count(tree_->symbols[symbol].rank));
+}
+
+std::uint32_t SamplePoint::first_particle(SymbolId symbol) const {
+  return tree_->symbols[symbol].per_particle ? 1 : 0;
+}
+
+std::uint32_t SamplePoint::last_particle(SymbolId symbol) const {
+  return tree_->symbols[symbol].per_particle ? particles_ : 0;
+}
+
+std::vector<Coordinate> SamplePoint::coordinates() const {
+  std::vector<Coordinate> all;
+  for (const SymbolId symbol : symbols_) {
+    const Symbol& named = tree_->symbols[symbol];
+    const auto count = static_cast<std::uint32_t>(named.unit ? 1 : component_count(named.rank));
+    for (std::uint32_t particle = first_particle(symbol); particle <= last_particle(symbol); ++particle) {
+      for (std::uint32_t component = 0; component < count; ++component) {
+        if (named.symmetric && component / 3 > component % 3) continue;
+        all.push_back({symbol, particle, component});
+      }
+    }
+  }
+  return all;
+}
+
+void SamplePoint::set(const Coordinate& at, const Rational& value) {
+  const std::size_t first = position(at.symbol, at.particle);
+  values_[first + at.component] = value;
+  if (tree_->symbols[at.symbol].symmetric) values_[first + 3 * (at.component % 3) + at.component / 3] = value;
+}
+
+void SamplePoint::set_all(SymbolId symbol, std::uint32_t particle, std::span<const Rational> components) {
+  std::copy(components.begin(), components.end(),
+            values_.begin() + static_cast<std::ptrdiff_t>(position(symbol, particle)));
+}
+
+SamplePoint SamplePoint::without_particle(std::uint32_t particle) const {
+  SamplePoint smaller(*tree_, symbols_, particles_ - 1);
+  for (const SymbolId symbol : symbols_) {
+    for (std::uint32_t p = first_particle(symbol); p <= last_particle(symbol); ++p) {
+      if (p == 0 || p != particle) smaller.set_all(symbol, p > particle ? p - 1 : p, values(symbol, p));
+    }
+  }
+  return smaller;
+}
+
+Complexity complexity(const SamplePoint& point) {
+  Complexity result{.particles = point.particles()};
+  for (const Coordinate& at : point.coordinates()) {
+    const std::uint32_t count = point.is_direction(at) ? 3 : 1;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Rational& value = point.value(at.symbol, at.particle, at.component + i);
+      if (cln::zerop(value)) continue;
+      ++result.nonzero;
+      result.size += cln::double_approx(cln::abs(cln::numerator(value))) +
+                     3 * (cln::double_approx(cln::denominator(value)) - 1) + (cln::minusp(value) ? 0.5 : 0.0);
+    }
+  }
+  return result;
+}
+
+}  // namespace rigor

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An exact sample: a rational value for every free symbol, and for each of N particles.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algebra/exact_number.h"
+#include "algebra/scope.h"
+#include "algebra/splitmix.h"
+
+namespace rigor {
+
+/// One number of a point that can be chosen freely. A symmetric tensor has six; a unit vector has a single
+/// one, its direction (component 0), which is set as a whole.
+struct Coordinate {
+  SymbolId symbol{};
+  std::uint32_t particle = 0;  // from 1; 0 where the symbol has no particle label
+  std::uint32_t component = 0;
+  friend bool operator==(const Coordinate&, const Coordinate&) = default;
+};
+
+class SamplePoint {
+ public:
+  SamplePoint(const ExprTree& tree, std::span<const SymbolId> symbols, std::uint32_t particles);
+
+  [[nodiscard]] std::uint32_t particles() const { return particles_; }
+  [[nodiscard]] std::span<const SymbolId> symbols() const { return symbols_; }
+  [[nodiscard]] const Rational& value(SymbolId symbol, std::uint32_t particle, std::size_t component) const {
+    return values_[position(symbol, particle) + component];
+  }
+  [[nodiscard]] std::span<const Rational> values(SymbolId symbol, std::uint32_t particle) const;
+  [[nodiscard]] std::vector<Coordinate> coordinates() const;
+
+  [[nodiscard]] bool has(SymbolId symbol) const {
+    return offset_[static_cast<std::size_t>(symbol)] != absent;
+  }
+  [[nodiscard]] bool is_direction(const Coordinate& at) const { return (*tree_).symbols[at.symbol].unit; }
+  [[nodiscard]] const Rational& operator[](const Coordinate& at) const {
+    return value(at.symbol, at.particle, at.component);
+  }
+  /// Sets a number that is not a direction; a symmetric tensor stays symmetric.
+  void set(const Coordinate& at, const Rational& value);
+  /// Sets all components as they are.
+  void set_all(SymbolId symbol, std::uint32_t particle, std::span<const Rational> components);
+
+  /// The same values for one particle less.
+  [[nodiscard]] SamplePoint without_particle(std::uint32_t particle) const;
+
+ private:
+  static constexpr std::uint32_t absent = 0xffffffffu;
+  [[nodiscard]] std::size_t position(SymbolId symbol, std::uint32_t particle) const;
+  [[nodiscard]] std::uint32_t first_particle(SymbolId symbol) const;
+  [[nodiscard]] std::uint32_t last_particle(SymbolId symbol) const;
+
+  const ExprTree* tree_;
+  std::vector<SymbolId> symbols_;
+  std::uint32_t particles_;
+  std::vector<std::uint32_t> offset_;  // by symbol
+  std::vector<Rational> values_;
+};
+
+/// How large a point's simplicity is: the fewer particles, then numbers that are not 0, then digits, the
+/// simpler.
+struct Complexity {
+  std::uint32_t particles = 0;
+  std::uint32_t nonzero = 0;
+  double size = 0;  // Σ |numerator| + 3 (denominator − 1), and 1/2 for a minus sign
+  friend auto operator<=>(const Complexity&, const Complexity&) = default;
+};
+[[nodiscard]] Complexity complexity(const SamplePoint& point);
+
+/// From which numbers a point is drawn.
+enum class Draw : std::uint8_t {
+  zero_or_one,   // scalars 1..3, unit vectors along the axes
+  tiny,          // components −1..2
+  generic,       // components −9..9, seldom 0
+  along_axes,    // vectors with one component that is not 0
+  directions,    // vectors of length 1, scalars ±1
+  with_lengths,  // vectors of rational length, scalars that are squares: for statements with roots
+};
+
+void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random);
+
+/// The points that are tried for a statement, always the same ones: numbers of particles and kinds of numbers
+/// take turns.
+class SampleSequence {
+ public:
+  SampleSequence(const ExprTree& tree, const Reach& reached)
+      : tree_(&tree), reach_(&reached), random_(seed) {}
+
+  [[nodiscard]] SamplePoint next();
+  [[nodiscard]] std::uint32_t drawn() const { return drawn_; }
+
+ private:
+  static constexpr std::uint64_t seed = 0x5269676f72;
+
+  const ExprTree* tree_;
+  const Reach* reach_;
+  SplitMix random_;
+  std::uint32_t drawn_ = 0;
+};
+
+}  // namespace rigor

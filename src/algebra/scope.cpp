@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/scope.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "algebra/undecidable.h"
+#include "base/check.h"
+
+namespace rigor {
+namespace {
+
+void note_size(const ExprTree& tree, ExprId id, Reach& reached) {
+  if (reached.too_large) return;
+  const ExprNode& node = tree[id];
+  if (node.rank > largest_rank) {
+    reached.too_large =
+        fmt::format("a tensor of rank {} is beyond the {} that are evaluated", node.rank, largest_rank);
+  } else if (node.op == Op::power && std::abs(static_cast<long>(node.exponent)) > largest_exponent) {
+    reached.too_large = fmt::format("the exponent {} is beyond ±{}", node.exponent, largest_exponent);
+  } else if (node.op == Op::number && tree.digits(id).size() > largest_digits) {
+    reached.too_large =
+        fmt::format("a number has {} digits, more than {}", tree.digits(id).size(), largest_digits);
+  }
+}
+
+void note_operation(const ExprNode& node, Reach& reached) {
+  switch (node.op) {
+    case Op::root:
+    case Op::length:
+    case Op::absolute:
+      reached.roots = true;
+      break;
+    case Op::particle_sum:
+      reached.particles = true;
+      break;
+    default:
+      break;
+  }
+  if (node.op == Op::symbol && node.particle != no_particle) reached.particles = true;
+}
+
+[[nodiscard]] bool share(const std::vector<SymbolId>& some, const std::vector<SymbolId>& others) {
+  return std::any_of(some.begin(), some.end(), [&](SymbolId symbol) {
+    return std::find(others.begin(), others.end(), symbol) != others.end();
+  });
+}
+
+}  // namespace
+
+Scope::Scope(const Question& question, Definitions definitions)
+    : question_(&question),
+      definition_(question.tree->symbols.size(), nullptr),
+      defined_(question.tree->symbols.size(), false),
+      zeroed_(question.tree->symbols.size(), false) {
+  for (const SymbolId symbol : question.zeroed) zeroed_[static_cast<std::size_t>(symbol)] = true;
+  for (const Definition& definition : question.definitions) {
+    const Symbol& named = question.tree->symbols[definition.symbol];
+    const bool by_components = !definition.indices.empty();
+    RIGOR_CHECK(!by_components || static_cast<int>(definition.indices.size()) == named.rank, named.name,
+                named.rank);
+    RIGOR_CHECK((*question.tree)[definition.body].rank == (by_components ? 0 : named.rank), named.name,
+                named.rank);
+    RIGOR_CHECK(definition.particle == no_particle || named.per_particle, named.name);
+    const auto symbol = static_cast<std::size_t>(definition.symbol);
+    defined_[symbol] = true;
+    const bool unfold = definitions == Definitions::unfolded && !zeroed_[symbol];
+    if (unfold && definition_[symbol] == nullptr) definition_[symbol] = &definition;
+  }
+}
+
+Reach reach(const Scope& scope, std::span<const ExprId> roots) {
+  const ExprTree& tree = scope.tree();
+  Reach reached;
+  std::vector<bool> seen(tree.symbols.size(), false);
+  std::vector<ExprId> open(roots.rbegin(), roots.rend());
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    const ExprNode& node = tree[id];
+    note_size(tree, id, reached);
+    note_operation(node, reached);
+    const auto children = tree.children(id);
+    open.insert(open.end(), children.rbegin(), children.rend());
+    if (node.op != Op::symbol || seen[static_cast<std::size_t>(node.symbol)]) continue;
+    seen[static_cast<std::size_t>(node.symbol)] = true;
+    if (const Definition* definition = scope.definition_of(node.symbol)) {
+      reached.unfolded.push_back(node.symbol);
+      open.push_back(definition->body);
+    } else if (!scope.is_zeroed(node.symbol)) {
+      reached.symbols.push_back(node.symbol);
+    }
+  }
+  return reached;
+}
+
+Reach reach(const Scope& scope, const Equation& equation) {
+  return reach(scope, std::array{equation.left, equation.right});
+}
+
+std::vector<std::size_t> relevant_assumptions(const Scope& scope) {
+  const std::vector<Equation>& assumptions = scope.question().assumptions;
+  std::vector<std::vector<SymbolId>> concerns;
+  for (const Equation& each : assumptions) concerns.push_back(reach(scope, each).symbols);
+  std::vector<SymbolId> concerned = reach(scope, scope.question().claim).symbols;
+  std::vector<bool> taken(assumptions.size(), false);
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (std::size_t i = 0; i < assumptions.size(); ++i) {
+      if (taken[i] || (!concerns[i].empty() && !share(concerns[i], concerned))) continue;
+      taken[i] = grew = true;
+      concerned.insert(concerned.end(), concerns[i].begin(), concerns[i].end());
+    }
+  }
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (taken[i]) positions.push_back(i);
+  }
+  return positions;
+}
+
+}  // namespace rigor
