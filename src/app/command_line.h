@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line as a value.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/debug.h"
+#include "app/exit_code.h"
+
+namespace rigor {
+
+enum class ColorWhen : std::uint8_t { automatic, always, never };
+
+/// `rigor check`: at least one file; a sidecar only with exactly one.
+struct CheckCommand {
+  std::vector<std::string> files;
+  std::optional<std::string> sidecar;
+  bool json = false;
+  bool strict = false;
+  ColorWhen color = ColorWhen::automatic;
+  std::vector<DebugTopic> debug;
+};
+
+/// Either a command, or a text to print and the code to end with: `--help`, `--version`, or what is wrong.
+struct CommandLine {
+  std::optional<CheckCommand> check;
+  std::string text;
+  ExitCode code = ExitCode::ok;
+};
+
+[[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);
+
+}  // namespace rigor

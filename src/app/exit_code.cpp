@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/exit_code.h"
+
+#include <array>
+
+namespace rigor {
+namespace {
+
+constexpr auto table = std::to_array<ExitCodeInfo>({
+    {ExitCode::ok, "every claim is proved, or as expected"},
+    {ExitCode::wrong, "something is refuted or malformed"},
+    {ExitCode::open, "something is undecided or not understood, and nothing is refuted or malformed"},
+    {ExitCode::usage, "the command line is wrong"},
+    {ExitCode::no_input, "a file is missing or unreadable"},
+    {ExitCode::internal, "an error of rigor itself"},
+});
+
+}  // namespace
+
+std::span<const ExitCodeInfo> exit_code_table() { return table; }
+
+ExitCode exit_code(const Report& report, bool strict) {
+  const Tally found = tally(report, strict);
+  if (found.unreadable) return ExitCode::no_input;
+  if (found.wrong) return ExitCode::wrong;
+  return found.open ? ExitCode::open : ExitCode::ok;
+}
+
+}  // namespace rigor

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run.h"
+
+#include <chrono>
+#include <exception>
+
+#include "app/command_line.h"
+#include "app/progress.h"
+#include "app/screen.h"
+#include "base/check.h"
+#include "check/check.h"
+#include "report/json.h"
+#include "report/terminal.h"
+
+namespace rigor {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+/// Every file in its turn, with the counts of all.
+Report check_all(const CheckCommand& command, SourceMap& sources, std::ostream& err) {
+  const auto start = SteadyClock::now();
+  Progress progress(err, screen_of(err).is_terminal);
+  Report report;
+  for (const std::string& path : command.files) {
+    const auto show = [&](std::size_t done, std::size_t all) { progress.update(path, done, all); };
+    report.files.push_back(check_file(sources, path, CheckOptions{command.sidecar, show}));
+    const Counts& counts = report.files.back().counts;
+    for (std::size_t i = 0; i < verdict_count; ++i) report.counts[i] += counts[i];
+  }
+  report.milliseconds = std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
+  return report;
+}
+
+TerminalOptions terminal_options(const CheckCommand& command, const std::ostream& out) {
+  const Screen screen = screen_of(out);
+  TerminalOptions options;
+  options.color =
+      command.color == ColorWhen::always || (command.color == ColorWhen::automatic && screen.takes_color);
+  if (screen.width > 0) options.width = screen.width;
+  return options;
+}
+
+int check(const CheckCommand& command, std::ostream& out, std::ostream& err) {
+  SourceMap sources;
+  const Report report = check_all(command, sources, err);
+  for (const DebugTopic topic : command.debug)
+    for (const FileReport& file : report.files) err << print_debug(topic, file, sources);
+  out << (command.json ? to_json(report, sources)
+                       : print_report(report, sources, terminal_options(command, out)));
+  if (!out.flush()) {
+    err << "rigor: the report could not be written\n";
+    return number_of(ExitCode::internal);
+  }
+  return number_of(exit_code(report, command.strict));
+}
+
+}  // namespace
+
+int run_guarded(std::ostream& err, const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const InternalError& error) {
+    err << "rigor: internal error: " << error.what() << "\n";
+  } catch (const std::exception& error) {
+    err << "rigor: unexpected error: " << error.what() << "\n";
+  } catch (...) {
+    err << "rigor: unexpected error\n";
+  }
+  return number_of(ExitCode::internal);
+}
+
+int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  return run_guarded(err, [&] {
+    const CommandLine line = parse_command_line(argc, argv);
+    if (line.check) return check(*line.check, out, err);
+    (line.code == ExitCode::ok ? out : err) << line.text;
+    return number_of(line.code);
+  });
+}
+
+}  // namespace rigor

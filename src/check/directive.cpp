@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/directive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "latex/parse.h"
+#include "source/suggest.h"
+
+namespace rigor {
+namespace {
+
+struct DirectiveWord {
+  std::string_view word;
+  DirectiveKind kind;
+};
+
+constexpr std::array directive_words{
+    DirectiveWord{"vector", DirectiveKind::vector},       DirectiveWord{"scalar", DirectiveKind::scalar},
+    DirectiveWord{"tensor", DirectiveKind::tensor},       DirectiveWord{"particles", DirectiveKind::particles},
+    DirectiveWord{"constant", DirectiveKind::constant},   DirectiveWord{"let", DirectiveKind::let},
+    DirectiveWord{"given", DirectiveKind::given},         DirectiveWord{"claim", DirectiveKind::claim},
+    DirectiveWord{"expect", DirectiveKind::expect},       DirectiveWord{"skip", DirectiveKind::skip}};
+
+/// Directives that the design names and this version does not decide with.
+constexpr std::array later_words{"rotation", "basis", "frame", "small", "units"};
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// The line's leading words: `symmetric tensor`, `tensor (symmetric)`, `unit vector`.
+struct Opening {
+  std::vector<std::string> words;
+  Span rest;
+};
+
+std::string next_word(std::string_view text, std::size_t& at) {
+  while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
+  const std::size_t begin = at;
+  if (at < text.size() && text[at] == '(') ++at;
+  while (at < text.size() && is_letter(text[at])) ++at;
+  if (at > begin && text[begin] == '(' && at < text.size() && text[at] == ')') ++at;
+  std::string word(text.substr(begin, at - begin));
+  std::erase_if(word, [](char c) { return c == '(' || c == ')'; });
+  return word;
+}
+
+Opening read_opening(const SourceMap& sources, Span line) {
+  const std::string_view text = sources.text(line);
+  Opening opening;
+  std::size_t at = 0;
+  while (true) {
+    const std::size_t before = at;
+    const std::string word = next_word(text, at);
+    const bool adjective = word == "symmetric" || word == "unit";
+    if (!opening.words.empty() && !adjective && opening.words.back() != "symmetric" && opening.words.back() != "unit") {
+      at = before;
+      break;
+    }
+    if (word.empty()) break;
+    opening.words.push_back(word);
+  }
+  opening.rest = {line.file, line.begin + static_cast<std::uint32_t>(at), line.end};
+  return opening;
+}
+
+std::vector<TokenView> split_at_commas(TokenView tokens) {
+  std::vector<TokenView> parts;
+  Nesting nesting(false);
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    if (nesting.enter(tokens[at]) != 0 || !is_sign(tokens[at], ",")) continue;
+    parts.push_back(trim(tokens.subspan(begin, at - begin)));
+    begin = at + 1;
+  }
+  parts.push_back(trim(tokens.subspan(begin)));
+  std::erase_if(parts, [](TokenView part) { return part.empty(); });
+  return parts;
+}
+
+class DirectiveReader {
+ public:
+  DirectiveReader(const SourceMap& sources, MacroTable& macros, SyntaxTree& syntax, Diagnostics& diagnostics)
+      : sources_(sources), macros_(macros), syntax_(syntax), diagnostics_(diagnostics) {}
+
+  std::optional<Directive> read(Span line) {
+    const Opening opening = read_opening(sources_, line);
+    Directive directive;
+    directive.span = line;
+    directive.text = std::string(sources_.text(line));
+    const auto kind = kind_of(opening.words, line, directive);
+    if (!kind) return std::nullopt;
+    directive.kind = *kind;
+    if (directive.kind == DirectiveKind::skip) return directive;
+    if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
+    const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
+    if (!tokens) return std::nullopt;
+    const bool equations = directive.kind == DirectiveKind::let || directive.kind == DirectiveKind::given || directive.kind == DirectiveKind::claim;
+    return equations ? with_chains(*tokens, std::move(directive)) : with_symbols(*tokens, std::move(directive));
+  }
+
+ private:
+  std::optional<DirectiveKind> kind_of(const std::vector<std::string>& words, Span line, Directive& directive) {
+    std::string unknown = words.empty() ? std::string(sources_.text(line)) : words[0];
+    for (const std::string& word : words) {
+      if (word == "symmetric") directive.symmetric = true;
+      if (word == "unit") directive.unit = true;
+    }
+    for (const std::string& word : words) {
+      const auto known = std::find_if(directive_words.begin(), directive_words.end(), [&](const DirectiveWord& entry) { return entry.word == word; });
+      if (known != directive_words.end()) return known->kind;
+      if (word != "symmetric" && word != "unit") unknown = word;
+    }
+    const Span place{line.file, line.begin, std::min(line.end, line.begin + static_cast<std::uint32_t>(unknown.size()))};
+    if (std::find(later_words.begin(), later_words.end(), unknown) != later_words.end()) {
+      diagnostics_.push_back({DiagnosticKind::unsupported, place, fmt::format("the directive `{}` is not decided with yet", unknown)});
+      return std::nullopt;
+    }
+    Diagnostic diagnostic{DiagnosticKind::unknown_directive, place, fmt::format("`{}` is no directive", unknown)};
+    std::vector<std::string> known;
+    for (const DirectiveWord& entry : directive_words) known.emplace_back(entry.word);
+    if (const auto near = suggest(unknown, known)) {
+      diagnostic.help = {fmt::format("did you mean `{}`?", *near)};
+    } else {
+      diagnostic.help = {fmt::format("known are {}", fmt::join(known, ", "))};
+    }
+    diagnostics_.push_back(std::move(diagnostic));
+    return std::nullopt;
+  }
+
+  std::optional<Directive> bad(Span span, std::string message, std::string help) {
+    diagnostics_.push_back({DiagnosticKind::bad_directive, span, std::move(message), {}, {std::move(help)}});
+    return std::nullopt;
+  }
+
+  std::optional<Directive> expectation(Span rest, Directive directive) {
+    std::size_t at = 0;
+    const std::string word = next_word(sources_.text(rest), at);
+    if (word == "refuted") return directive;
+    return bad(directive.span, fmt::format("`expect {}` is not known", word), "`expect refuted` says that the next statement is false");
+  }
+
+  std::optional<Directive> with_symbols(TokenView tokens, Directive directive) {
+    for (const TokenView part : split_at_commas(tokens)) {
+      const SyntaxId symbol = parse_side(part, span_of(part), syntax_);
+      if (syntax_[symbol].kind != SyntaxKind::symbol) return bad(span_of(part), fmt::format("`{}` is not a symbol", text_of(part)), "symbols are separated by commas");
+      directive.symbols.push_back(symbol);
+    }
+    if (directive.symbols.empty()) return bad(directive.span, "the directive names no symbol", "symbols are separated by commas, e.g. `vector \\mathbf{A}, \\mathbf{B}`");
+    return directive;
+  }
+
+  std::optional<Directive> with_chains(TokenView tokens, Directive directive) {
+    directive.chains = parse_chains(tokens, "", syntax_, diagnostics_);
+    const bool relation = !directive.chains.empty() && std::all_of(directive.chains.begin(), directive.chains.end(), [](const ParsedChain& chain) {
+      return !chain.written.relations.empty();
+    });
+    if (!relation) return bad(directive.span, "the directive holds no equation", "e.g. `given \\sum_\\alpha m_\\alpha \\mathbf{r}_\\alpha = 0`");
+    return directive;
+  }
+
+  const SourceMap& sources_;
+  MacroTable& macros_;
+  SyntaxTree& syntax_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+Span without_comment(const SourceMap& sources, Span line) {
+  std::string_view text = sources.text(line);
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool begins = text[at] == '#' && (at == 0 || text[at - 1] == ' ' || text[at - 1] == '\t');
+    if (!begins) continue;
+    text = text.substr(0, at);
+    break;
+  }
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+  std::uint32_t begin = line.begin;
+  while (!text.empty() && blank(text.front())) {
+    text.remove_prefix(1);
+    ++begin;
+  }
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return {line.file, begin, begin + static_cast<std::uint32_t>(text.size())};
+}
+
+std::optional<Directive> read_directive(const SourceMap& sources, Span line, MacroTable& macros, SyntaxTree& syntax,
+                                        Diagnostics& diagnostics) {
+  const Span bare = without_comment(sources, line);
+  if (bare.empty()) return std::nullopt;
+  return DirectiveReader(sources, macros, syntax, diagnostics).read(bare);
+}
+
+std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment, SyntaxTree& syntax, Diagnostics& diagnostics) {
+  std::vector<ParsedChain> chains;
+  for (WrittenChain& written : split_display(tokens, environment, diagnostics)) {
+    ParsedChain chain;
+    for (const WrittenSide& side : written.sides) chain.sides.push_back(parse_side(side.tokens, side.span, syntax));
+    chain.written = std::move(written);
+    chains.push_back(std::move(chain));
+  }
+  return chains;
+}
+
+}  // namespace rigor

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/identity_reading.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "algebra/decide.h"
+
+namespace rigor {
+namespace {
+
+using Degrees = std::map<SymbolId, int>;
+
+Degrees without_zeros(Degrees degrees) {
+  std::erase_if(degrees, [](const auto& entry) { return entry.second == 0; });
+  return degrees;
+}
+
+void add_to(Degrees& into, const Degrees& from, int factor) {
+  for (const auto& [symbol, degree] : from) into[symbol] += factor * degree;
+}
+
+/// The degree of an expression in each symbol, if every term has the same. Definitions count as symbols of their own.
+std::optional<Degrees> degrees_of(const ExprTree& tree, ExprId id) {
+  const ExprNode& node = tree[id];
+  Degrees total;
+  if (node.op == Op::symbol) total[node.symbol] = 1;
+  bool first = true;
+  for (const ExprId child : tree.children(id)) {
+    const auto degrees = degrees_of(tree, child);
+    if (!degrees) return std::nullopt;
+    const bool alternatives = node.op == Op::add || node.op == Op::tuple || node.op == Op::table;
+    if (alternatives && !first && *degrees != total) return std::nullopt;
+    if (alternatives && first) total = *degrees;
+    if (!alternatives) add_to(total, *degrees, node.op == Op::power ? node.exponent : (node.op == Op::divide && !first ? -1 : 1));
+    first = false;
+  }
+  if (node.op == Op::root) {
+    for (auto& [symbol, degree] : total) {
+      if (degree % 2 != 0) return std::nullopt;
+      degree /= 2;
+    }
+  }
+  return without_zeros(total);
+}
+
+/// The terms of a sum, through signs and index sums.
+std::size_t term_count(const ExprTree& tree, ExprId id) {
+  while (tree[id].op == Op::negate || tree[id].op == Op::component || tree[id].op == Op::index_sum) id = tree.children(id)[0];
+  return tree[id].op == Op::add ? tree.children(id).size() : 1;
+}
+
+std::vector<SymbolId> undeclared(const ExprTree& tree, const std::set<SymbolId>& symbols) {
+  std::vector<SymbolId> open;
+  std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open), [&](SymbolId symbol) { return !tree.symbols[symbol].declared; });
+  return open;
+}
+
+std::set<SymbolId> as_set(const std::vector<SymbolId>& symbols) {
+  return {symbols.begin(), symbols.end()};
+}
+
+bool holds_without(const Question& question, const std::vector<SymbolId>& symbols) {
+  Question reduced = question;
+  reduced.zeroed = symbols;
+  const Decision decision = decide(reduced);
+  return decision.outcome == Outcome::proved && !decision.vanishes;
+}
+
+std::vector<SymbolId> law_against_zero(const Question& question, ExprId side, const std::vector<SymbolId>& open) {
+  const bool homogeneous = term_count(*question.tree, side) > 1 && degrees_of(*question.tree, side).has_value();
+  return homogeneous ? std::vector<SymbolId>{} : open;
+}
+
+}  // namespace
+
+std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
+  std::vector<SymbolId> primitive;
+  std::set<SymbolId> done;
+  std::vector<ExprId> pending{root};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(*question.tree, id)) {
+      if (!done.insert(symbol).second) continue;
+      const auto definition = std::find_if(question.definitions.begin(), question.definitions.end(),
+                                           [&](const Definition& entry) { return entry.symbol == symbol; });
+      if (definition == question.definitions.end()) {
+        primitive.push_back(symbol);
+      } else {
+        pending.push_back(definition->body);
+      }
+    }
+  }
+  return primitive;
+}
+
+std::vector<SymbolId> law_symbols(const Question& question) {
+  const ExprTree& tree = *question.tree;
+  const std::set<SymbolId> left = as_set(primitive_symbols(question, question.claim.left));
+  const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
+  std::set<SymbolId> all = left;
+  all.insert(right.begin(), right.end());
+  const std::vector<SymbolId> open = undeclared(tree, all);
+  if (open.empty()) return {};
+  if (tree.is_zero_literal(question.claim.right)) return law_against_zero(question, question.claim.left, open);
+  if (tree.is_zero_literal(question.claim.left)) return law_against_zero(question, question.claim.right, open);
+
+  std::set<SymbolId> only_left;
+  std::set<SymbolId> only_right;
+  std::set_difference(left.begin(), left.end(), right.begin(), right.end(), std::inserter(only_left, only_left.end()));
+  std::set_difference(right.begin(), right.end(), left.begin(), left.end(), std::inserter(only_right, only_right.end()));
+  std::set<SymbolId> own = only_left;
+  own.insert(only_right.begin(), only_right.end());
+  const std::vector<SymbolId> open_own = undeclared(tree, own);
+  if (!open_own.empty()) {
+    const bool one_sided = only_left.empty() || only_right.empty();
+    const bool term_too_many = one_sided && open_own.size() == own.size() && holds_without(question, open_own);
+    return term_too_many ? std::vector<SymbolId>{} : open_own;
+  }
+  if (all.size() == 1) {
+    const auto left_degrees = degrees_of(tree, question.claim.left);
+    const auto right_degrees = degrees_of(tree, question.claim.right);
+    const Degrees once{{*all.begin(), 1}};
+    if (left_degrees == once && right_degrees == once) return open;
+    if (tree.symbols[*all.begin()].rank == 0 && !holds_without(question, open)) return open;  // an equation to be solved
+  }
+  return {};
+}
+
+}  // namespace rigor

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One elaborated equation to one verdict: asks the exact side, then says what was used, where it fails and what stands in the way.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/report.h"
+#include "elaborate/elaborator.h"
+#include "elaborate/names.h"
+
+namespace rigor {
+
+struct Judgement {
+  Verdict verdict = Verdict::not_understood;
+  std::string route;
+  std::vector<std::string> uses;
+  std::optional<Counterexample> counterexample;
+  Diagnostics diagnostics;
+};
+
+/// What is judged, and where it stands.
+struct Claim {
+  Equation equation;
+  Span relation;
+  Span left;
+  Span right;
+  const Elaborator* reading = nullptr;  // for its conventions and guesses
+};
+
+[[nodiscard]] Judgement judge(const ExprTree& tree, Names& names, const Claim& claim);
+
+/// Can the assumptions in scope be met at all, together?
+[[nodiscard]] bool assumptions_have_a_sample(const ExprTree& tree, const Names& names);
+
+}  // namespace rigor

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/notes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "source/suggest.h"
+
+namespace rigor {
+namespace {
+
+class NotesReader {
+ public:
+  NotesReader(SourceMap& sources, FileId file, Diagnostics& diagnostics) : sources_(sources), diagnostics_(diagnostics) {
+    notes_.file = file;
+  }
+
+  Notes read(const FileId* sidecar) {
+    const Document document = read_document(sources_, notes_.file, diagnostics_);
+    for (const Item& item : document.items) {
+      std::visit([this](const auto& each) { add(each); }, item);
+    }
+    if (sidecar != nullptr) insert_sidecar(*sidecar);
+    return std::move(notes_);
+  }
+
+ private:
+  void add(const Heading& heading) { notes_.events.emplace_back(heading); }
+
+  void add(const MacroText& text) { static_cast<void>(expand(lex(sources_, text.span), macros_, diagnostics_)); }
+
+  void add(const DirectiveLine& line) {
+    if (auto directive = read(line.span)) notes_.events.emplace_back(PlacedDirective{std::move(*directive), line.span});
+  }
+
+  void add(const Display& display) {
+    ParsedDisplay parsed;
+    parsed.span = display.span;
+    const std::uint32_t size = display.body.end - display.body.begin;
+    if (size > max_display_bytes) {
+      parsed.unread = true;
+      parsed.diagnostics.push_back({DiagnosticKind::display_too_long, {display.span.file, display.span.begin, display.span.begin + 1},
+                                    fmt::format("a display of {} bytes is not read; the limit is {}", size, max_display_bytes)});
+    } else if (const auto tokens = expand(lex(sources_, display.body), macros_, parsed.diagnostics)) {
+      parsed.chains = parse_chains(*tokens, display.environment, notes_.syntax, parsed.diagnostics);
+    } else {
+      parsed.unread = true;
+    }
+    notes_.events.emplace_back(std::move(parsed));
+  }
+
+  std::optional<Directive> read(Span line) {
+    auto directive = read_directive(sources_, line, macros_, notes_.syntax, diagnostics_);
+    if (directive) directive->number = notes_.directive_count++;
+    return directive;
+  }
+
+  /// Each line goes before the event that its anchor names; lines of one anchor keep their order.
+  void insert_sidecar(FileId sidecar) {
+    std::map<std::size_t, std::vector<PlacedDirective>> before;
+    for (const SidecarLine& line : read_sidecar(sources_, sidecar, diagnostics_)) {
+      const auto event = place_of(line.anchor);
+      if (!event) continue;
+      auto directive = read(line.directive);
+      if (!directive) continue;
+      const bool at_end = *event >= notes_.events.size();
+      const Span place = at_end ? Span{notes_.file, 0, 0} : rigor::span_of(notes_.events[*event]);
+      before[*event].push_back({std::move(*directive), reported_at(line.anchor, place)});
+    }
+    std::vector<Event> events;
+    for (std::size_t k = 0; k <= notes_.events.size(); ++k) {
+      for (PlacedDirective& placed : before[k]) events.emplace_back(std::move(placed));
+      if (k < notes_.events.size()) events.push_back(std::move(notes_.events[k]));
+    }
+    notes_.events = std::move(events);
+  }
+
+  /// `at line 57` reports at line 57, whatever stands there; what holds from the start, at the start.
+  Span reported_at(const Anchor& anchor, Span place) const {
+    if (anchor.kind == AnchorKind::start) return {notes_.file, 0, 0};
+    if (anchor.kind != AnchorKind::line) return place;
+    const std::uint32_t begin = sources_.line_start(notes_.file, anchor.line);
+    return {notes_.file, begin, begin + static_cast<std::uint32_t>(sources_.line_text(notes_.file, anchor.line).size())};
+  }
+
+  bool matches(const Event& event, const Anchor& anchor) const {
+    if (const auto* heading = std::get_if<Heading>(&event)) return anchor.kind == AnchorKind::section && heading->title == anchor.text;
+    const auto* display = std::get_if<ParsedDisplay>(&event);
+    if (display == nullptr || (anchor.kind != AnchorKind::tag && anchor.kind != AnchorKind::label)) return false;
+    return std::any_of(display->chains.begin(), display->chains.end(), [&](const ParsedChain& chain) {
+      return (anchor.kind == AnchorKind::tag ? chain.written.tag : chain.written.label) == anchor.text;
+    });
+  }
+
+  std::optional<std::size_t> place_of(const Anchor& anchor) {
+    if (anchor.kind == AnchorKind::start) return 0;
+    if (anchor.kind == AnchorKind::line) {
+      if (anchor.line > sources_.line_count(notes_.file)) return unknown(anchor, {});
+      for (std::size_t k = 0; k < notes_.events.size(); ++k) {
+        const Span span = rigor::span_of(notes_.events[k]);
+        if (span.file == notes_.file && sources_.line_column(span.file, span.begin).line >= anchor.line) return k;
+      }
+      return notes_.events.size();
+    }
+    std::vector<std::string> known;
+    for (std::size_t k = 0; k < notes_.events.size(); ++k) {
+      if (matches(notes_.events[k], anchor)) return anchor.kind == AnchorKind::section ? k + 1 : k;
+      note_names(notes_.events[k], anchor.kind, known);
+    }
+    return unknown(anchor, known);
+  }
+
+  static void note_names(const Event& event, AnchorKind kind, std::vector<std::string>& names) {
+    if (const auto* heading = std::get_if<Heading>(&event); heading != nullptr && kind == AnchorKind::section) names.push_back(heading->title);
+    const auto* display = std::get_if<ParsedDisplay>(&event);
+    if (display == nullptr || kind == AnchorKind::section) return;
+    for (const ParsedChain& chain : display->chains) names.push_back(kind == AnchorKind::tag ? chain.written.tag : chain.written.label);
+  }
+
+  std::optional<std::size_t> unknown(const Anchor& anchor, const std::vector<std::string>& known) {
+    if (!reported_.insert(anchor.span.begin).second) return std::nullopt;
+    Diagnostic diagnostic{DiagnosticKind::unknown_anchor, anchor.span, fmt::format("`{}` is nowhere in the notes", sources_.text(anchor.span))};
+    if (const auto near = suggest(anchor.text, known)) diagnostic.help = {fmt::format("did you mean `{}`?", *near)};
+    diagnostics_.push_back(std::move(diagnostic));
+    return std::nullopt;
+  }
+
+  SourceMap& sources_;
+  Diagnostics& diagnostics_;
+  Notes notes_;
+  MacroTable macros_;
+  std::set<std::uint32_t> reported_;
+};
+
+}  // namespace
+
+Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar, Diagnostics& diagnostics) {
+  return NotesReader(sources, file, diagnostics).read(sidecar);
+}
+
+Span span_of(const Event& event) {
+  if (const auto* heading = std::get_if<Heading>(&event)) return heading->span;
+  if (const auto* placed = std::get_if<PlacedDirective>(&event)) return placed->place;
+  return std::get<ParsedDisplay>(event).span;
+}
+
+}  // namespace rigor

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notes read as far as syntax goes: what happens in them, in order, with the sidecar's directives at their places.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "check/directive.h"
+#include "check/sidecar.h"
+#include "latex/document.h"
+
+namespace rigor {
+
+struct ParsedDisplay {
+  Span span;
+  std::vector<ParsedChain> chains;
+  Diagnostics diagnostics;  // of the display as a whole
+  bool unread = false;      // too long, or its macros never end: no chain was read
+};
+
+/// A directive at its place; `place` is where its statements are reported (for a sidecar: its anchor in the notes).
+struct PlacedDirective {
+  Directive directive;
+  Span place;
+};
+
+using Event = std::variant<Heading, PlacedDirective, ParsedDisplay>;
+
+struct Notes {
+  FileId file = 0;
+  SyntaxTree syntax;
+  std::vector<Event> events;
+  std::size_t directive_count = 0;
+};
+
+/// A display of more bytes than this is not read.
+inline constexpr std::uint32_t max_display_bytes = 64 * 1024;
+
+/// `file` is in `sources` and mended. `sidecar`, if given, as well.
+[[nodiscard]] Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar, Diagnostics& diagnostics);
+
+[[nodiscard]] Span span_of(const Event& event);
+
+}  // namespace rigor

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The answer for a set of files: what every reporter prints.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "source/diagnostic.h"
+
+namespace rigor {
+
+enum class Verdict : std::uint8_t { proved, refuted, given, definition, undecided, not_understood, skipped };
+inline constexpr std::size_t verdict_count = 7;
+
+/// `not-understood` and so on: as in the JSON.
+[[nodiscard]] std::string_view name_of(Verdict verdict);
+
+/// An exact sample on which a step's sides differ, in the notes' own symbols.
+struct Counterexample {
+  struct Value {
+    std::string symbol;              // LaTeX: `\mathbf{r}_{\alpha}`
+    std::uint32_t particle = 0;      // from 1; 0: no particle label
+    int rank = 0;
+    std::vector<std::string> components;  // exact, row by row
+  };
+  struct Axis {
+    std::string index;  // `i`; empty for an axis of a vector equation
+    int value = 0;      // 1..3
+  };
+  std::uint32_t particles = 0;
+  std::vector<Value> values;
+  std::vector<Axis> component;
+  std::string left;
+  std::string right;
+};
+
+/// One relation of one chain.
+struct Step {
+  Span span;  // the relation and both its sides
+  Span relation_span;
+  std::string tag;
+  std::string label;
+  std::string section;
+  std::string source;  // the step as written, blanks folded
+  std::string left;
+  std::string relation;
+  std::string right;
+  Verdict verdict = Verdict::not_understood;
+  bool expected_refuted = false;  // a directive says that the step is false
+  std::string route;
+  std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`
+  std::optional<Counterexample> counterexample;
+  Diagnostics diagnostics;
+  double milliseconds = 0.0;
+};
+
+using Counts = std::array<std::uint32_t, verdict_count>;
+
+struct FileReport {
+  std::string path;
+  FileId file = 0;
+  bool unreadable = false;
+  std::vector<Step> steps;
+  Diagnostics diagnostics;  // those of no single step
+  Counts counts{};
+};
+
+struct Report {
+  std::vector<FileReport> files;
+  Counts counts{};
+  double milliseconds = 0.0;
+};
+
+/// What the whole run amounts to, worst first.
+struct Tally {
+  bool unreadable = false;
+  bool wrong = false;  // refuted (unless expected), proved where a refutation was expected, or malformed
+  bool open = false;   // undecided or not understood
+};
+[[nodiscard]] Tally tally(const Report& report, bool strict);
+
+}  // namespace rigor

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The walk through one file's notes: what holds where, and a verdict for every step.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "check/judge.h"
+#include "check/notes.h"
+#include "check/report.h"
+
+namespace rigor {
+
+class Session {
+ public:
+  Session(const SourceMap& sources, const Notes& notes, FileReport& report);
+
+  /// `progress` is called after each event with the numbers done and in all; may be empty.
+  void run(const std::function<void(std::size_t, std::size_t)>& progress);
+
+ private:
+  /// How a chain's statements enter: as claims of the notes, or by a directive.
+  enum class Role : std::uint8_t { display, claim, given, let };
+  struct Context {
+    Role role = Role::display;
+    std::optional<Span> place = {};  // where steps are reported, if not where they stand
+    std::size_t directive = 0;
+  };
+
+  void sight_all();
+  void follow(const Heading& heading);
+  void follow(const PlacedDirective& placed);
+  void follow(const ParsedDisplay& display);
+  void declare(const Directive& directive);
+  void declare_symbol(const Directive& directive, SyntaxId id);
+  void report_unused();
+  void expect_met(Span place);
+
+  void chain(const ParsedChain& parsed, const Context& context);
+  struct Side {
+    std::optional<Typed> typed;
+    Diagnostics diagnostics;
+  };
+  std::vector<Side> elaborate_sides(const ParsedChain& parsed, Elaborator& elaborator, Diagnostics& own);
+  void step(const ParsedChain& parsed, std::size_t which, std::vector<Side>& sides, Elaborator& elaborator, const Context& context);
+  void decide_step(const ParsedChain& parsed, std::size_t which, const std::vector<Side>& sides, Elaborator& elaborator,
+                   const Context& context, Step& step);
+  bool defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context, Step& step);
+  bool redefines(const ParsedChain& parsed, const Typed& left, const Typed& right, Step& step);
+  void add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed, const Context& context, Step& step);
+  void add_assumption(const Equation& equation, const ParsedChain& parsed, const Context& context, Step& step);
+  std::optional<Definition> as_definition(const Typed& left, const Typed& right) const;
+  void mark_seen(const std::vector<Side>& sides);
+  Step new_step(const ParsedChain& parsed, std::size_t which, const Context& context) const;
+  void add(Step step);
+  [[nodiscard]] std::string written(Span span) const;  // blanks folded
+  [[nodiscard]] std::string place_name(const ParsedChain& parsed) const;
+
+  const SourceMap& sources_;
+  const Notes& notes_;
+  FileReport& report_;
+  ExprTree tree_;
+  Names names_;
+  std::string section_;
+  std::vector<const Directive*> directives_;
+  std::vector<std::pair<std::size_t, SymbolId>> constants_;  // directive, symbol
+  const Directive* expectation_ = nullptr;
+  const Directive* skip_ = nullptr;
+};
+
+}  // namespace rigor

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/diagnostics_of.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rigor {
+
+std::vector<PlacedDiagnostic> diagnostics_of(const FileReport& file) {
+  std::vector<PlacedDiagnostic> all;
+  for (const Step& step : file.steps)
+    for (const Diagnostic& diagnostic : step.diagnostics) all.push_back({&diagnostic, &step});
+  for (const Diagnostic& diagnostic : file.diagnostics) all.push_back({&diagnostic, nullptr});
+  const auto place = [](const PlacedDiagnostic& placed) {
+    const Span& span = placed.diagnostic->span;
+    return std::tuple(span.file, span.begin);
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const PlacedDiagnostic& a, const PlacedDiagnostic& b) { return place(a) < place(b); });
+  return all;
+}
+
+}  // namespace rigor

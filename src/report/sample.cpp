@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/sample.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <span>
+
+#include "base/paint.h"
+#include "base/utf8.h"
+
+namespace rigor {
+namespace {
+
+/// `(a, b, c)` around `rank` levels of brackets; components that do not fill them are listed in one level.
+std::string print_components(std::span<const std::string> components, int rank) {
+  std::size_t filled = 1;
+  for (int level = 0; level < rank && filled <= components.size(); ++level) filled *= 3;
+  if (rank <= 0 && components.size() == 1) return components.front();
+  if (rank <= 1 || filled != components.size()) return fmt::format("({})", fmt::join(components, ", "));
+  const std::size_t part = filled / 3;
+  std::string rows;
+  for (std::size_t row = 0; row < 3; ++row)
+    rows += (row == 0 ? "" : ", ") + print_components(components.subspan(row * part, part), rank - 1);
+  return fmt::format("({})", rows);
+}
+
+/// The values of one particle (0: of no particle), joined by commas.
+std::string print_values(const Counterexample& sample, std::uint32_t particle) {
+  std::string list;
+  for (const Counterexample::Value& value : sample.values) {
+    if (value.particle != particle) continue;
+    list += list.empty() ? "" : ", ";
+    list += fmt::format("{} = {}", printable(value.symbol), print_components(value.components, value.rank));
+  }
+  return list;
+}
+
+std::string print_sides(const Counterexample& sample) {
+  std::string text;
+  for (const Counterexample::Axis& axis : sample.component) {
+    text += text.empty() ? "component " : ", ";
+    text += axis.index.empty() ? fmt::format("{}", axis.value)
+                               : fmt::format("{} = {}", printable(axis.index), axis.value);
+  }
+  if (!text.empty()) text += ": ";
+  return text + fmt::format("left {}, right {}", sample.left, sample.right);
+}
+
+}  // namespace
+
+std::string print_sample(const Counterexample& sample, bool color) {
+  const std::string head = paint("sample:", Paint::strong, color);
+  std::string common = print_values(sample, 0);
+  if (sample.particles == 0) {
+    if (!common.empty()) common += "; ";
+    return fmt::format("{} {}{}\n", head, common, print_sides(sample));
+  }
+  std::string text =
+      fmt::format("{} {} particle{}", head, sample.particles, sample.particles == 1 ? "" : "s");
+  text += common.empty() ? "\n" : fmt::format(", {}\n", common);
+  for (std::uint32_t particle = 1; particle <= sample.particles; ++particle) {
+    const std::string values = print_values(sample, particle);
+    if (!values.empty()) text += fmt::format("  particle {}: {}\n", particle, values);
+  }
+  return text + fmt::format("  {}\n", print_sides(sample));
+}
+
+}  // namespace rigor
