@@ -5,13 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "algebra/prove.h"
 #include "algebra/refute.h"
-#include "base/check.h"
 
 namespace rigor {
 namespace {
@@ -31,11 +28,16 @@ namespace {
   return fmt::format("{} free axes are more than the {} that are evaluated", axes, largest_free_indices);
 }
 
-/// The proof that was found, and under what.
-struct Found {
-  Proof proof;
+/// Under what a proof is tried.
+struct Attempt {
+  Effort effort = Effort::plain;
   bool unfolded = false;
   std::vector<std::size_t> assumptions = {};
+};
+
+struct Found {
+  Proof proof;
+  Attempt under;
 };
 
 /// One decision: what is known so far, and the steps.
@@ -53,8 +55,8 @@ class Decider {
   [[nodiscard]] std::optional<std::string> why_not_tried() const;
   template <class Search>
   [[nodiscard]] std::optional<Refuter::Counterexample> look(const Search& search);
-  [[nodiscard]] std::optional<Found> try_all_proofs();
-  [[nodiscard]] std::optional<Found> try_proof(bool unfolded, std::span<const std::size_t> assumptions);
+  [[nodiscard]] std::optional<Found> try_all_proofs(Effort effort);
+  [[nodiscard]] std::optional<Found> try_proof(const Attempt& attempt);
   void drop_needless_assumptions(Found& found);
   [[nodiscard]] Decision proved(const Found& found) const;
   [[nodiscard]] Decision proved_by_value();
@@ -78,10 +80,11 @@ std::optional<std::string> Decider::why_not_tried() const {
   return std::nullopt;
 }
 
-std::optional<Found> Decider::try_proof(bool unfolded, std::span<const std::size_t> assumptions) {
+std::optional<Found> Decider::try_proof(const Attempt& attempt) {
   try {
-    const Proof proof = prove(unfolded ? unfolded_ : opaque_, assumptions, limits_);
-    if (proof.holds) return Found{proof, unfolded, {assumptions.begin(), assumptions.end()}};
+    const Scope& scope = attempt.unfolded ? unfolded_ : opaque_;
+    const Proof proof = prove(scope, attempt.assumptions, limits_, attempt.effort);
+    if (proof.holds) return Found{proof, attempt};
     last_proof_ = proof;
   } catch (const Undecidable& reason) {
     gave_up_ = reason.what();
@@ -89,25 +92,26 @@ std::optional<Found> Decider::try_proof(bool unfolded, std::span<const std::size
   return std::nullopt;
 }
 
-std::optional<Found> Decider::try_all_proofs() {
+std::optional<Found> Decider::try_all_proofs(Effort effort) {
   const bool has_definitions = !refuter_.reach().unfolded.empty();
   for (const bool with_assumptions : {false, true}) {
     if (with_assumptions && refuter_.assumptions().empty()) continue;
     const auto& assumptions = with_assumptions ? refuter_.assumptions() : std::vector<std::size_t>{};
     for (const bool unfolded : {false, true}) {
       if (unfolded && !has_definitions) continue;
-      if (auto found = try_proof(unfolded, assumptions)) return found;
+      if (auto found = try_proof({.effort = effort, .unfolded = unfolded, .assumptions = assumptions}))
+        return found;
     }
   }
   return std::nullopt;
 }
 
 void Decider::drop_needless_assumptions(Found& found) {
-  if (found.assumptions.size() < 2) return;  // without any it was tried already
-  for (std::size_t i = 0; i < found.assumptions.size();) {
-    std::vector<std::size_t> fewer = found.assumptions;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    if (auto still = try_proof(found.unfolded, fewer)) {
+  if (found.under.assumptions.size() < 2) return;  // without any it was tried already
+  for (std::size_t i = 0; i < found.under.assumptions.size();) {
+    Attempt fewer = found.under;
+    fewer.assumptions.erase(fewer.assumptions.begin() + static_cast<std::ptrdiff_t>(i));
+    if (auto still = try_proof(fewer)) {
       found = *std::move(still);
     } else {
       ++i;
@@ -123,8 +127,8 @@ Decision Decider::proved(const Found& found) const {
   if (found.proof.moments) decision.route += ", moments of any number of particles";
   if (found.proof.unit_vectors) decision.route += ", unit vectors at the generic point";
   if (found.proof.radicals) decision.route += ", radicals";
-  if (found.unfolded) decision.unfolded = reach_of_sample(unfolded_, found.assumptions).unfolded;
-  decision.assumptions = found.assumptions;
+  if (found.under.unfolded) decision.unfolded = reach_of_sample(unfolded_, found.under.assumptions).unfolded;
+  decision.assumptions = found.under.assumptions;
   return decision;
 }
 
@@ -181,13 +185,15 @@ std::optional<Refuter::Counterexample> Decider::look(const Search& search) {
 
 Decision Decider::decide() {
   if (auto reason = why_not_tried()) return undecided(*std::move(reason));
-  if (const auto found = look([this] { return refuter_.quick_look(); })) return refuted(*found);
+  if (const auto differs = look([this] { return refuter_.quick_look(); })) return refuted(*differs);
   if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
-  if (auto found = try_all_proofs()) {
+  auto found = try_all_proofs(Effort::plain);
+  if (!found && last_proof_.radicals) found = try_all_proofs(Effort::factored);
+  if (found) {
     drop_needless_assumptions(*found);
     return proved(*found);
   }
-  if (const auto counterexample = look([this] { return refuter_.search(); })) return refuted(*counterexample);
+  if (const auto differs = look([this] { return refuter_.search(); })) return refuted(*differs);
   return undecided(why_open());
 }
 

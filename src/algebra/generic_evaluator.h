@@ -20,10 +20,10 @@ class GenericDomain {
  public:
   using Number = Fraction;
 
-  GenericDomain(const Scope& scope, const Limits& limits)
+  GenericDomain(const Scope& scope, const Limits& limits, Effort effort)
       : scope_(&scope),
         arithmetic_(limits),
-        radicals_(indeterminates_, arithmetic_),
+        radicals_(indeterminates_, arithmetic_, effort),
         moments_(indeterminates_, arithmetic_, radicals_,
                  first_free_frame + static_cast<Frame>(scope.question().claim.particles.size())) {}
   GenericDomain(const GenericDomain&) = delete;

@@ -11,9 +11,9 @@ namespace rigor {
 namespace {
 
 [[nodiscard]] Proof prove_components(const Scope& scope, std::span<const std::size_t> assumptions,
-                                     const Limits& limits) {
+                                     const Limits& limits, Effort effort) {
   const Equation& claim = scope.question().claim;
-  GenericDomain domain(scope, limits);
+  GenericDomain domain(scope, limits, effort);
   Evaluator<GenericDomain> evaluator(scope, domain);
   Constraints constraints(scope, domain, evaluator);
   constraints.assume(assumptions);
@@ -40,9 +40,10 @@ namespace {
 
 }  // namespace
 
-Proof prove(const Scope& scope, std::span<const std::size_t> assumptions, const Limits& limits) {
+Proof prove(const Scope& scope, std::span<const std::size_t> assumptions, const Limits& limits,
+            Effort effort) {
   try {
-    return prove_components(scope, assumptions, limits);
+    return prove_components(scope, assumptions, limits, effort);
   } catch (const Undecidable&) {
     throw;
   } catch (const InternalError&) {

@@ -9,6 +9,9 @@
 
 namespace rigor {
 
+/// How hard to look for factors of what stands under a root (`radicals.h`).
+enum class Effort : std::uint8_t { plain, factored };
+
 struct Proof {
   bool holds = false;     // every component of left − right vanishes
   bool vanishes = false;  // and every component of the left side alone
@@ -19,6 +22,7 @@ struct Proof {
 };
 
 /// Throws Undecidable (also for exceptions of the computer algebra library).
-[[nodiscard]] Proof prove(const Scope& scope, std::span<const std::size_t> assumptions, const Limits& limits);
+[[nodiscard]] Proof prove(const Scope& scope, std::span<const std::size_t> assumptions, const Limits& limits,
+                          Effort effort = Effort::plain);
 
 }  // namespace rigor

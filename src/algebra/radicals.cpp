@@ -14,6 +14,7 @@ namespace {
 using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
+constexpr std::size_t largest_factored = 32;  // terms; takes up to 30 ms
 
 [[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
 
@@ -82,25 +83,51 @@ bool Radicals::never_negative(const ex& expanded) const {
   return std::all_of(expanded.begin(), expanded.end(), term_is_not);
 }
 
+void Radicals::note(std::vector<Factor>& found, const ex& base, int exponent) {
+  for (Factor& each : found) {
+    if (!each.base.is_equal(base)) continue;
+    each.exponent += exponent;
+    return;
+  }
+  found.push_back({base, exponent});
+}
+
+/// Splits an expanded polynomial: off go common indeterminates, divisors that are known, and, if asked for,
+/// repeated factors.
+void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
+                            const std::vector<Divisor>& known) {
+  if (GiNaC::is_a<GiNaC::add>(value)) {
+    ex common = 1;
+    for (const ex& factor : factors_of(value.op(0))) {
+      const ex base = split_power(factor).first;
+      if (!is_number(base)) common *= GiNaC::pow(base, value.ldegree(base));
+    }
+    if (!common.is_equal(1)) {
+      note_factors(found, common, exponent, known);
+      value = (value / common).expand();
+    }
+    ex quotient;
+    for (const Divisor& each : known) {
+      while (!GiNaC::is_a<GiNaC::symbol>(each.base) && GiNaC::divide(value, each.base, quotient)) {
+        note(found, each.base, exponent);
+        value = quotient;
+      }
+    }
+    if (effort_ == Effort::factored && term_count(value) <= largest_factored) value = GiNaC::sqrfree(value);
+  }
+  for (const ex& factor : factors_of(value)) {
+    const auto [base, power] = split_power(factor);
+    note(found, base.expand(), power * exponent);
+  }
+}
+
 std::vector<Radicals::Factor> Radicals::factors(const Fraction& value) {
   std::vector<Factor> found;
-  const auto note = [&](const ex& base, int exponent) {
-    const auto same =
-        std::find_if(found.begin(), found.end(), [&](const Factor& f) { return f.base.is_equal(base); });
-    if (same == found.end()) {
-      found.push_back({base, exponent});
-    } else {
-      same->exponent += exponent;
-    }
-  };
   for (const ex& factor : factors_of(value.numerator)) {
     const auto [base, exponent] = split_power(factor);
-    for (const ex& part : factors_of(reduced(arithmetic_.expanded(base, value.terms)))) {
-      const auto [inner, inner_exponent] = split_power(part);
-      note(inner, inner_exponent * exponent);
-    }
+    note_factors(found, reduced(arithmetic_.expanded(base, value.terms)), exponent, value.divisors);
   }
-  for (const Divisor& each : value.divisors) note(each.base, -each.exponent);
+  for (const Divisor& each : value.divisors) note(found, each.base, -each.exponent);
   return found;
 }
 
@@ -115,6 +142,7 @@ Fraction Radicals::root(const Fraction& square) {
       number = number * power_of(to_rational(factor.base), factor.exponent);
       continue;
     }
+    if (factor.exponent == 0) continue;
     const GiNaC::numeric content = factor.base.integer_content();
     number = number * power_of(to_rational(content), factor.exponent);
     const ex base = (factor.base / content).expand();
@@ -133,6 +161,7 @@ Fraction Radicals::root(const Fraction& square) {
     times(root_of_number(cln::abs(number)));
     times(radical(reduced(arithmetic_.expanded(rest, square.terms))));
   }
+  rationalize(result);
   return result;
 }
 

@@ -10,13 +10,16 @@
 
 #include "algebra/fraction.h"
 #include "algebra/indeterminates.h"
+#include "algebra/prove.h"
 
 namespace rigor {
 
+/// Effort::plain: a radicand is split only as it is written; factored: repeated factors of an expanded one
+/// are found too.
 class Radicals {
  public:
-  Radicals(Indeterminates& indeterminates, FractionArithmetic& arithmetic)
-      : indeterminates_(indeterminates), arithmetic_(arithmetic) {}
+  Radicals(Indeterminates& indeterminates, FractionArithmetic& arithmetic, Effort effort)
+      : indeterminates_(indeterminates), arithmetic_(arithmetic), effort_(effort) {}
 
   /// The non-negative root of a value; throws Undecidable if the value is a negative number.
   [[nodiscard]] Fraction root(const Fraction& square);
@@ -47,11 +50,15 @@ class Radicals {
   [[nodiscard]] Fraction root_of_number(const Rational& value);
   [[nodiscard]] Fraction absolute(const GiNaC::ex& value);
   [[nodiscard]] std::vector<Factor> factors(const Fraction& value);
+  void note_factors(std::vector<Factor>& found, GiNaC::ex value, int exponent,
+                    const std::vector<Divisor>& known);
+  static void note(std::vector<Factor>& found, const GiNaC::ex& base, int exponent);
   [[nodiscard]] bool never_negative(const GiNaC::ex& expanded) const;
   [[nodiscard]] bool is_even_power(const GiNaC::ex& factor) const;
 
   Indeterminates& indeterminates_;
   FractionArithmetic& arithmetic_;
+  Effort effort_;
   std::vector<Radical> radicals_;
 };
 

@@ -89,23 +89,55 @@ std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symb
   return text;
 }
 
+/// A symbol's name without face and braces: `\\boldsymbol{\\omega}` is `\\omega`.
+std::string bare_name(std::string name) {
+  for (const char* mark : {"\\mathbf", "\\boldsymbol", "\\text", "\\hat", "\\mathrm", "{", "}", "'"}) {
+    for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark)) name.erase(at, std::string(mark).size());
+  }
+  return name;
+}
+
+/// A known name that differs in face, primes or one letter of a long name.
+std::optional<std::string> likely_meant(const std::string& name, const std::vector<std::string>& known) {
+  const std::string bare = bare_name(name);
+  for (const std::string& other : known) {
+    if (other == name) continue;
+    const std::string candidate = bare_name(other);
+    const bool long_enough = bare.size() > 4 && candidate.size() > 4;
+    if (candidate == bare || (long_enough && edit_distance(candidate, bare, 1) == 1)) return other;
+  }
+  return std::nullopt;
+}
+
 Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim, const std::vector<SymbolId>& symbols) {
   Diagnostic diagnostic{DiagnosticKind::undeclared_symbol, claim.relation,
                         fmt::format("{} {} neither declared nor defined, so this reads as a law or a condition, not as an identity",
                                     quoted_names(tree, symbols), symbols.size() == 1 ? "is" : "are")};
-  std::vector<std::string> known = names.known_names(tree);
+  const std::vector<std::string> known = names.known_names(tree);
   for (const SymbolId symbol : symbols) {
     const std::string& name = tree.symbols[symbol].name;
-    std::erase(known, name);
-    if (const auto near = suggest(name, known)) diagnostic.help.push_back(fmt::format("is `{}` meant for `{}`?", *near, name));
+    if (const auto near = likely_meant(name, known)) diagnostic.help.push_back(fmt::format("is `{}` meant for `{}`?", *near, name));
   }
   diagnostic.help.push_back("`rigor: given` makes it an assumption, `rigor: let` a definition; declared symbols are meant for all values");
   return diagnostic;
 }
 
+/// `-3/2` as an expression.
+ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
+  const bool negative = value.starts_with('-');
+  const std::string digits = negative ? value.substr(1) : value;
+  const auto slash = digits.find('/');
+  ExprId number = tree.add_number(span, digits.substr(0, slash));
+  if (slash != std::string::npos) {
+    const ExprId parts[] = {number, tree.add_number(span, digits.substr(slash + 1))};
+    number = tree.add({.op = Op::divide, .span = span}, parts);
+  }
+  return negative ? tree.add({.op = Op::negate, .span = span}, std::span(&number, 1)) : number;
+}
+
 class Judging {
  public:
-  Judging(const ExprTree& tree, Names& names, const Claim& claim)
+  Judging(ExprTree& tree, Names& names, const Claim& claim)
       : tree_(tree), names_(names), claim_(claim), prepared_(prepare(tree, names, claim.equation)) {}
 
   Judgement judge() {
@@ -152,6 +184,18 @@ class Judging {
     add(DiagnosticKind::zero_equals_zero, "both sides are zero for all values, so the step says less than it seems to");
   }
 
+  /// `A·(A×B) = 1`: where neither side depends on anything, no law can make it true.
+  bool both_constant(const Sample& sample) {
+    if (!sample.axes.empty() || !sample.free_particles.empty()) return false;
+    const auto is_constant = [&](ExprId side, const std::string& value) {
+      Question question = prepared_.question;
+      question.claim.left = side;
+      question.claim.right = add_rational(tree_, claim_.relation, value);
+      return decide(question).outcome == Outcome::proved;
+    };
+    return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
+  }
+
   void refuted(const Decision& decision) {
     for (const NamedAssumption* assumption : prepared_.assumptions) mark_used(names_, assumption->origin);
     if (claim_.reading->guess()) {
@@ -161,7 +205,7 @@ class Judging {
       return;
     }
     const std::vector<SymbolId> law = law_symbols(prepared_.question);
-    if (!law.empty()) {
+    if (!law.empty() && !both_constant(*decision.sample)) {
       judgement_.verdict = Verdict::not_understood;
       judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law));
       return;
@@ -173,7 +217,7 @@ class Judging {
                                       {{claim_.left, ""}, {claim_.right, ""}}});
   }
 
-  const ExprTree& tree_;
+  ExprTree& tree_;
   Names& names_;
   const Claim& claim_;
   Prepared prepared_;
@@ -182,7 +226,7 @@ class Judging {
 
 }  // namespace
 
-Judgement judge(const ExprTree& tree, Names& names, const Claim& claim) {
+Judgement judge(ExprTree& tree, Names& names, const Claim& claim) {
   return Judging(tree, names, claim).judge();
 }
 

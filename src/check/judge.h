@@ -29,7 +29,7 @@ struct Claim {
   const Elaborator* reading = nullptr;  // for its conventions and guesses
 };
 
-[[nodiscard]] Judgement judge(const ExprTree& tree, Names& names, const Claim& claim);
+[[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim);
 
 /// Can the assumptions in scope be met at all, together?
 [[nodiscard]] bool assumptions_have_a_sample(const ExprTree& tree, const Names& names);

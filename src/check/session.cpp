@@ -227,6 +227,13 @@ Step Session::new_step(const ParsedChain& parsed, std::size_t which, const Conte
 }
 
 void Session::add(Step step) {
+  const auto same = [](const Diagnostic& a, const Diagnostic& b) { return a.kind == b.kind && a.span == b.span && a.message == b.message; };
+  Diagnostics once;
+  for (Diagnostic& diagnostic : step.diagnostics) {
+    const bool known = std::any_of(once.begin(), once.end(), [&](const Diagnostic& old) { return same(old, diagnostic); });
+    if (!known) once.push_back(std::move(diagnostic));
+  }
+  step.diagnostics = std::move(once);
   ++report_.counts[static_cast<std::size_t>(step.verdict)];
   report_.steps.push_back(std::move(step));
 }

@@ -106,6 +106,7 @@ std::optional<Typed> Elaborator::vector_symbol(const WrittenSymbol& written, Wri
     const bool declared_vector = names_.is_declared({name.base, 1, particle});
     const bool declared_tensor = names_.is_declared({name.base, 2, particle});
     if (!tensor && !declared_vector && !declared_tensor && names_.sightings.indexed.contains({name.base, 2, particle}) &&
+        !names_.sightings.crossed.contains(name.base) &&
         !names_.sightings.indexed.contains({name.base, 1, particle})) {
       return fail(DiagnosticKind::ambiguous_reading, span,
                   fmt::format("`{}` can be a vector, or the tensor with components `{}_{{ij}}`", bold(name.base), name.base),
@@ -150,6 +151,7 @@ std::optional<Typed> Elaborator::plain_symbol(const WrittenSymbol& written, Writ
   }
   const bool mixed = !all_of_form(name.axes, IndexForm::digit) &&
                      !std::all_of(name.axes.begin(), name.axes.end(), is_axis_letter);
+  if (known && !labelled_known && rank == 1) guess_vector(name);
   if ((known && !labelled_known) || mixed) return make_symbol(written, name.base, rank, name, name.axes, span);
   name.base = labelled;
   name.axes.clear();
@@ -167,6 +169,7 @@ std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, 
       Maybe vector = make_symbol(written, name.base, 1, name, {}, span);
       if (!vector) return vector;
       note(fmt::format("`{}` is the length of `{}`", name.base, bold(name.base)));
+      if (bold_seen) guess_vector(name);
       if (by_company) {
         guess_ = Obstacle{DiagnosticKind::ambiguous_reading,
                           fmt::format("`{}` can be the length of the vector with components `{}_i`, or a symbol of its own", name.base, name.base),
@@ -219,6 +222,18 @@ bool Elaborator::read_slots(const std::vector<WrittenIndex>& axes, std::vector<S
     if (!is_bound_letter(axis.text)) free.push_back({axis.text, id, axis.span});
   }
   return true;
+}
+
+/// Bold somewhere else in the notes makes a letter a vector; nothing in the statement says so, and `R_1` may be a resistance.
+void Elaborator::guess_vector(const WrittenName& name) {
+  const NameKey key{name.base, 1, name.per_particle()};
+  const auto symbol = names_.find(key);
+  const bool settled = names_.is_declared(key) || letters_.bold_vectors.contains(name.base) || letters_.indexed_vectors.contains(name.base) ||
+                       (symbol && names_.definition_of(*symbol) != nullptr);
+  if (settled) return;
+  guess_ = Obstacle{DiagnosticKind::ambiguous_reading,
+                    fmt::format("`{}` can belong to the vector `{}`, or be a symbol of its own", name.base, bold(name.base)),
+                    {fmt::format("`rigor: vector {}` or `rigor: scalar …` settles it", bold(name.base))}};
 }
 
 bool Elaborator::is_known(const std::string& base, int rank, bool per_particle) const {

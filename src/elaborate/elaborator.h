@@ -81,6 +81,7 @@ class Elaborator {
   Maybe make_symbol(const WrittenSymbol& written, const std::string& base, int rank, const WrittenName& name,
                     const std::vector<WrittenIndex>& axes, Span span);
   bool read_slots(const std::vector<WrittenIndex>& axes, std::vector<Slot>& slots, std::vector<FreeIndex>& free);
+  void guess_vector(const WrittenName& name);
   bool is_known(const std::string& base, int rank, bool per_particle) const;
   Maybe contract(Typed typed);  // repeated letters on one symbol: `I_{ii}`
 

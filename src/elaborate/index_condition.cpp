@@ -137,7 +137,11 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words, 
   if (has(text, "not") || has(text, "anti") || has(text, "#")) return std::nullopt;
   const std::size_t split = std::min(text.find('='), text.find("is"));
   if (split == std::string::npos) return std::nullopt;
-  const std::vector<std::size_t> order = order_of(text.substr(0, split), letters);
+  const std::string head = text.substr(0, split);
+  std::vector<std::size_t> order = order_of(head, letters);
+  if (order.empty() && permutation && (head == "it" || head.empty())) {  // "if it is an odd permutation"
+    for (std::size_t k = 0; k < count; ++k) order.push_back(k);
+  }
   if (order.empty()) return std::nullopt;
   std::vector<Axes> tuples = tuples_in(text.substr(split), count);
   const bool even = has(text, "even");

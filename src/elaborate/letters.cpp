@@ -64,7 +64,8 @@ void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, 
   if (syntax[id].kind != SyntaxKind::symbol) return;
   const WrittenSymbol& symbol = syntax.symbol(id);
   const std::vector<std::string> own = latin_letters(symbol.lower);
-  if (own.empty() || (symbol.face == Face::vector && !is_basis_family(symbol))) return;
+  const bool labelled = std::any_of(own.begin(), own.end(), [&](const std::string& letter) { return letters.labels.contains(letter); });
+  if (own.empty() || labelled || (symbol.face == Face::vector && !is_basis_family(symbol))) return;
   const std::string base = bare_base(symbol);
   const bool known_vector = own.size() == 1 && (names.sightings.bold.contains({base, false}) || names.sightings.bold.contains({base, true}) ||
                                                 names.is_declared({base, 1, false}) || names.is_declared({base, 1, true}));
@@ -98,9 +99,19 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
     if (own.size() == 1) on_base[bare_base(symbol)].insert(own[0]);
   });
   for (const auto& [base, own] : on_base) {
-    if (own.contains("i") && own.contains("f") && !letters.indices.contains("i")) letters.labels.insert("i");
+    if (own.contains("i") && own.contains("f") && !letters.indices.contains("i")) letters.labels.insert({"i", "f"});
     for (const std::string& letter : own) {
       if (bare.contains(letter) && !letters.indices.contains(letter)) letters.labels.insert(letter);
+    }
+  }
+}
+
+void sight_crossed(const SyntaxTree& syntax, SyntaxId term, Sightings& sightings) {
+  const std::span<const SyntaxChild> factors = syntax.children(term);
+  for (std::size_t k = 1; k < factors.size(); ++k) {
+    if (factors[k].joint != Joint::cross) continue;
+    for (const SyntaxId id : {factors[k - 1].id, factors[k].id}) {
+      if (syntax[id].kind == SyntaxKind::symbol) sightings.crossed.insert(bare_base(syntax.symbol(id)));
     }
   }
 }
@@ -115,12 +126,13 @@ bool Letters::is_index(const std::string& letter) const {
 Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names) {
   Letters letters;
   for_each_node(syntax, sides, [&](SyntaxId id) { read_definite(syntax, id, letters); });
+  read_labels(syntax, sides, letters);
   for_each_node(syntax, sides, [&](SyntaxId id) { read_by_company(syntax, id, names, letters); });
   for_each_node(syntax, sides, [&](SyntaxId id) { read_repetition(syntax, id, letters); });
-  read_labels(syntax, sides, letters);
   for_each_node(syntax, sides, [&](SyntaxId id) {
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
+    if (syntax.symbol(id).face == Face::vector) letters.bold_vectors.insert(bare_base(syntax.symbol(id)));
     if (own.size() == 1 && letters.is_index(own[0])) letters.indexed_vectors.insert(bare_base(syntax.symbol(id)));
   });
   return letters;
@@ -137,6 +149,7 @@ void sight_sums(const SyntaxTree& syntax, SyntaxId root, Sightings& sightings) {
 
 void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names) {
   for_each_node(syntax, {root}, [&](SyntaxId id) {
+    if (syntax[id].kind == SyntaxKind::term) sight_crossed(syntax, id, names.sightings);
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const WrittenSymbol& symbol = syntax.symbol(id);
     const bool hat = symbol.accent == Accent::hat;
@@ -191,7 +204,7 @@ std::string with_labels(const std::string& base, const std::vector<WrittenIndex>
   if (labels.empty()) return base;
   std::string text = base + "_{";
   for (const WrittenIndex& label : labels) {
-    text += label.form == IndexForm::word ? "\\text{" + label.text + "}" : label.text;
+    text += label.form == IndexForm::word && !label.text.starts_with('\\') ? "\\text{" + label.text + "}" : label.text;
     text += std::string(label.primes, '\'');
   }
   return text + "}";

@@ -78,6 +78,7 @@ void Names::open_section(int level) {
   std::erase_if(particle_letters_, [&](const auto& entry) { return closed(entry.second); });
   std::erase_if(definitions_, [&](const NamedDefinition& entry) { return entry.origin.directive && closed(entry); });
   std::erase_if(assumptions_, closed);
+  std::erase_if(seen_, [&](const auto& entry) { return entry.second >= level; });
   depth_ = level;
 }
 

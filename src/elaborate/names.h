@@ -29,6 +29,7 @@ struct Sightings {
   std::set<std::string> bold_indexed;                   // `\boldsymbol\omega_i`
   std::set<NameKey> indexed;                            // rank = number of letter indices: `I_{ij}`
   std::set<std::string> summed_greek;                   // `\alpha` of some \sum_\alpha
+  std::set<std::string> crossed;                        // bases of bold factors of a cross product
   bool hatted_ij = false;                               // \hat\imath or \hat\jmath: then \hat k is an axis as well
 };
 
@@ -77,9 +78,9 @@ class Names {
   /// A heading of this level closes all sections of its level and below, with what their directives declared.
   void open_section(int level);
 
-  /// Was the symbol part of an equation before? (A declaration alone is not.)
+  /// Was the symbol part of an equation before, in this section or one around it? (A declaration alone is not.)
   [[nodiscard]] bool seen_in_equation(SymbolId symbol) const { return seen_.contains(symbol); }
-  void mark_seen(SymbolId symbol) { seen_.insert(symbol); }
+  void mark_seen(SymbolId symbol) { seen_.emplace(symbol, depth_); }
 
   void mark_used(std::size_t directive);
   [[nodiscard]] bool is_used(std::size_t directive) const { return used_.contains(directive); }
@@ -100,7 +101,7 @@ class Names {
   std::map<std::string, ParticleLetter> particle_letters_;
   std::vector<NamedDefinition> definitions_;
   std::vector<NamedAssumption> assumptions_;
-  std::set<SymbolId> seen_;
+  std::map<SymbolId, int> seen_;  // the depth of the section that saw it first
   std::set<std::size_t> used_;
   int depth_ = 0;
 };

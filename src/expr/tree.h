@@ -54,7 +54,7 @@ inline constexpr ParticleId no_particle{0xffffffffu};
 struct ExprNode {
   Op op;
   std::uint8_t rank = 0;
-  Span span;
+  Span span = {};
   std::uint32_t first = 0;  // into the list of children
   std::uint32_t count = 0;
   std::uint32_t first_slot = 0;

@@ -313,7 +313,7 @@ WrittenChain StatementSplitter::chain_of(TokenView tokens) {
   };
   for (std::size_t at = 0; at < tokens.size();) {
     const int depth = nesting.enter(tokens[at]);
-    const auto found = depth == 0 ? relation_at(tokens, at) : std::nullopt;
+    const auto found = depth == 0 && !is_script_argument(tokens, at) ? relation_at(tokens, at) : std::nullopt;
     if (!found) {
       ++at;
       continue;
@@ -355,7 +355,7 @@ bool is_stacked_relation(TokenView tokens, std::size_t at) {
 bool has_relation(TokenView tokens) {
   Nesting nesting(false);
   for (std::size_t at = 0; at < tokens.size(); ++at) {
-    if (nesting.enter(tokens[at]) != 0) continue;
+    if (nesting.enter(tokens[at]) != 0 || is_script_argument(tokens, at)) continue;
     const auto kind = relation_kind(tokens[at]);
     if ((kind && *kind != RelationKind::implies) || is_stacked_relation(tokens, at)) return true;
   }
@@ -379,6 +379,7 @@ bool ends_open(TokenView tokens) {
   tokens = trim(tokens);
   while (!tokens.empty() && (is_spacing(tokens.back()) || is_wide_space(tokens.back()))) tokens = trim(tokens.first(tokens.size() - 1));
   if (tokens.empty()) return false;
+  if (is_script_argument(tokens, tokens.size() - 1)) return false;
   const Token& last = tokens.back();
   return relation_kind(last).has_value() || is_sign(last, "+") || is_sign(last, "-") || factor_joint(last) != Joint::none;
 }

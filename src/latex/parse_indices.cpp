@@ -30,6 +30,13 @@ TokenView letter_run(TokenView tokens, std::size_t at) {
   return tokens.subspan(at, end - at);
 }
 
+/// `A_\perp`, `n_+`, `M_\odot`: signs that name a quantity.
+bool is_label_sign(const Token& token) {
+  static constexpr std::string_view controls[] = {"perp", "parallel", "pm", "mp", "infty", "odot", "oplus", "circ", "ast", "star"};
+  if (token.kind == TokenKind::control) return std::find(std::begin(controls), std::end(controls), token.text) != std::end(controls);
+  return is_sign(token, "+") || is_sign(token, "-") || is_sign(token, "*");
+}
+
 class IndexReader {
  public:
   explicit IndexReader(TokenView tokens, int depth = 0) : tokens_(trim(tokens)), depth_(depth) {}
@@ -99,6 +106,11 @@ class IndexReader {
       return;
     }
     const std::string letter = letter_of(token);
+    if (letter.empty() && is_label_sign(token)) {
+      add(text_of({&token, 1}), IndexForm::word, token.span);
+      ++at_;
+      return;
+    }
     if (letter.empty()) {
       refuse(is_sign(token, ",") ? "a comma in a subscript can separate indices or be a derivative"
                                              : fmt::format("`{}` in a subscript is not read", text_of({&token, 1})));

@@ -112,7 +112,7 @@ SyntaxId Parser::factor(Cursor& cursor) {
   if (depth_ >= max_nesting) {
     const Span place = cursor.token().span;
     cursor.at = cursor.tokens.size();
-    return opaque(place, fmt::format("signs nest deeper than {} levels", max_nesting), DiagnosticKind::nesting_too_deep);
+    return opaque(place, fmt::format("this nests deeper than {} levels", max_nesting), DiagnosticKind::nesting_too_deep);
   }
   ++depth_;
   const SyntaxId node = sign_joint(cursor.token()) ? signed_factor(cursor) : scripts(cursor, primary(cursor));

@@ -59,7 +59,7 @@ std::size_t closing_bar(TokenView tokens, std::size_t open) {
       if (bars == 0) return at;
       continue;  // behind a closed bar an operand has ended, behind an opened one it has not
     }
-    operand = ends_operand(token);
+    operand = ends_operand(token) || is_script_argument(tokens, at);
   }
   return tokens.size();
 }

@@ -22,6 +22,11 @@ std::size_t skip_blank(TokenView tokens, std::size_t at) {
   return at;
 }
 
+bool is_script_argument(TokenView tokens, std::size_t at) {
+  while (at > 0 && is_blank(tokens[at - 1])) --at;
+  return at > 0 && (tokens[at - 1].kind == TokenKind::subscript || tokens[at - 1].kind == TokenKind::superscript);
+}
+
 Argument argument_at(TokenView tokens, std::size_t at) {
   at = skip_blank(tokens, at);
   if (at >= tokens.size()) return {{}, tokens.size()};

@@ -30,6 +30,9 @@ struct Argument {
 /// The contents of `[…]` if one stands there (blanks skipped), else nothing and next = at.
 [[nodiscard]] Argument optional_argument_at(TokenView tokens, std::size_t at);
 
+/// Is the token the argument of a `_` or `^` before it? `A_\perp` holds no relation.
+[[nodiscard]] bool is_script_argument(TokenView tokens, std::size_t at);
+
 /// Depth of braces, environments and (unless `braces_only`) brackets, fed token by token; 0 is the outside.
 class Nesting {
  public:
