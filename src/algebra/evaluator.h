@@ -68,7 +68,8 @@ class Evaluator {
   class Level {
    public:
     explicit Level(std::uint32_t& depth) : depth_(depth) {
-      if (++depth_ > largest_depth) throw Undecidable("the definitions nest too deeply, or in a circle");
+      if (++depth_ > largest_depth)
+        throw Undecidable("it nests too deeply, or its definitions go in a circle");
     }
     ~Level() { --depth_; }
     Level(const Level&) = delete;

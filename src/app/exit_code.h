@@ -29,8 +29,7 @@ struct ExitCodeInfo {
 
 [[nodiscard]] constexpr int number_of(ExitCode code) { return static_cast<int>(code); }
 
-/// An unreadable file comes before something wrong, and that before something open. `strict` counts warnings
-/// as wrong.
+/// An unreadable file comes before something wrong, that before something open. `strict`: warnings are wrong.
 [[nodiscard]] ExitCode exit_code(const Report& report, bool strict);
 
 }  // namespace rigor

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // RIGOR_CHECK(condition, values...): an invariant of our own. A failure is our bug, never the notes': it
-// throws InternalError with the condition, the place and the values, which `main` prints before it exits
-// with 70.
+// throws InternalError with the condition, the place and the values, printed before the exit with 70.
 #pragma once
 
 #include <fmt/format.h>

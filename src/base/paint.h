@@ -10,8 +10,7 @@ namespace rigor {
 
 enum class Paint : std::uint8_t { plain, strong, good, bad, open, faint, mark };
 
-/// The text between the escape sequences of a paint; the text alone where `color` is false or the paint is
-/// plain.
+/// The text between a paint's escape sequences; the text alone where `color` is false or the paint is plain.
 [[nodiscard]] std::string paint(std::string_view text, Paint style, bool color);
 
 }  // namespace rigor

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text as code points and as cells of a terminal. Nothing here fails: a byte that is not UTF-8 counts as one
-// `?`.
+// Text as code points and as cells of a terminal. Nothing here fails: a byte that is not UTF-8 is one `?`.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +17,7 @@ namespace rigor {
 /// Bytes that start a code point; for valid UTF-8, the number of code points. Cost: linear.
 [[nodiscard]] std::size_t count_code_points(std::string_view text);
 
-/// The code point at `offset`, which moves past it. A byte that is not UTF-8 gives `?`. Needs offset <
-/// text.size().
+/// The code point at `offset` (below text.size()), which moves past it. A byte that is not UTF-8 gives `?`.
 [[nodiscard]] char32_t next_code_point(std::string_view text, std::size_t& offset);
 
 /// Cells of a terminal: 0 for a combining mark, 2 for a wide (East Asian or emoji) character, else 1.

@@ -196,6 +196,28 @@ class Judging {
     return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
   }
 
+  /// `|m\mathbf v| = mv` fails for negative m, and a mass is none. Samples prefer positive scalars, so that a negative one was needed.
+  std::optional<std::string> undeclared_negative(const Sample& sample) const {
+    const auto has_root = [&](ExprId root) {
+      std::vector<ExprId> pending{root};
+      for (const NamedDefinition* definition : prepared_.definitions) pending.push_back(definition->definition.body);
+      while (!pending.empty()) {
+        const ExprId id = pending.back();
+        pending.pop_back();
+        const Op op = tree_[id].op;
+        if (op == Op::root || op == Op::length || op == Op::absolute) return true;
+        for (const ExprId child : tree_.children(id)) pending.push_back(child);
+      }
+      return false;
+    };
+    if (!has_root(claim_.equation.left) && !has_root(claim_.equation.right)) return std::nullopt;
+    for (const SampleValue& value : sample.values) {
+      const Symbol& symbol = tree_.symbols[value.symbol];
+      if (symbol.rank == 0 && !symbol.declared && value.components[0].starts_with('-')) return symbol.name;
+    }
+    return std::nullopt;
+  }
+
   void refuted(const Decision& decision) {
     for (const NamedAssumption* assumption : prepared_.assumptions) mark_used(names_, assumption->origin);
     if (claim_.reading->guess()) {
@@ -208,6 +230,12 @@ class Judging {
     if (!law.empty() && !both_constant(*decision.sample)) {
       judgement_.verdict = Verdict::not_understood;
       judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law));
+      return;
+    }
+    if (const auto negative = undeclared_negative(*decision.sample)) {
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided, fmt::format("it was found to fail only where `{}` is negative, and nothing says whether it can be", *negative),
+          {fmt::format("`rigor: scalar {}` means it for all values", *negative)});
       return;
     }
     judgement_.verdict = Verdict::refuted;

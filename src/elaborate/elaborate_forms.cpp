@@ -93,6 +93,18 @@ std::optional<Typed> Elaborator::bars(SyntaxId id, bool norm) {
   return make(Op::absolute, span, 0, {&*inside});
 }
 
+/// `(AB)_{ij}`, where `A_{ij}` occurs in the notes.
+bool Elaborator::is_matrix_product(SyntaxId id) const {
+  std::vector<SyntaxId> pending{id};
+  while (!pending.empty()) {
+    const SyntaxId each = pending.back();
+    pending.pop_back();
+    if (syntax_[each].kind == SyntaxKind::symbol && names_.sightings.indexed.contains({syntax_.symbol(each).letter, 2, false})) return true;
+    for (const SyntaxChild& child : syntax_.children(each)) pending.push_back(child.id);
+  }
+  return false;
+}
+
 std::optional<Typed> Elaborator::component(SyntaxId id) {
   const Span span = syntax_[id].span;
   const Maybe base = expression(syntax_.child(id, 0));
@@ -106,6 +118,9 @@ std::optional<Typed> Elaborator::component(SyntaxId id) {
     }
   }
   if (static_cast<int>(axes.size()) != base->rank) {
+    if (base->rank == 0 && is_matrix_product(syntax_.child(id, 0))) {
+      return fail(DiagnosticKind::ambiguous_reading, span, "letters that carry two indices elsewhere stand here without: a product of matrices is not read");
+    }
     const char* what = base->rank == 0 ? "a scalar has no components" : "the subscript has another number of indices than the bracket has axes";
     return fail(DiagnosticKind::rank_mismatch, span, what);
   }

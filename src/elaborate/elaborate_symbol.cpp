@@ -151,7 +151,7 @@ std::optional<Typed> Elaborator::plain_symbol(const WrittenSymbol& written, Writ
   }
   const bool mixed = !all_of_form(name.axes, IndexForm::digit) &&
                      !std::all_of(name.axes.begin(), name.axes.end(), is_axis_letter);
-  if (known && !labelled_known && rank == 1) guess_vector(name);
+  if (known && !labelled_known && rank == 1) guess_vector(name, false);
   if ((known && !labelled_known) || mixed) return make_symbol(written, name.base, rank, name, name.axes, span);
   name.base = labelled;
   name.axes.clear();
@@ -169,7 +169,7 @@ std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, 
       Maybe vector = make_symbol(written, name.base, 1, name, {}, span);
       if (!vector) return vector;
       note(fmt::format("`{}` is the length of `{}`", name.base, bold(name.base)));
-      if (bold_seen) guess_vector(name);
+      if (bold_seen) guess_vector(name, true);
       if (by_company) {
         guess_ = Obstacle{DiagnosticKind::ambiguous_reading,
                           fmt::format("`{}` can be the length of the vector with components `{}_i`, or a symbol of its own", name.base, name.base),
@@ -224,12 +224,14 @@ bool Elaborator::read_slots(const std::vector<WrittenIndex>& axes, std::vector<S
   return true;
 }
 
-/// Bold somewhere else in the notes makes a letter a vector; nothing in the statement says so, and `R_1` may be a resistance.
-void Elaborator::guess_vector(const WrittenName& name) {
+/// Bold somewhere else in the notes makes a letter a vector, yet nothing in the statement says so: `R_1` may be a resistance.
+/// A length is settled by the vector's use in this section.
+void Elaborator::guess_vector(const WrittenName& name, bool as_length) {
   const NameKey key{name.base, 1, name.per_particle()};
   const auto symbol = names_.find(key);
   const bool settled = names_.is_declared(key) || letters_.bold_vectors.contains(name.base) || letters_.indexed_vectors.contains(name.base) ||
-                       (symbol && names_.definition_of(*symbol) != nullptr);
+                       (symbol && names_.definition_of(*symbol) != nullptr) ||
+                       (symbol && as_length && names_.seen_in_equation(*symbol));
   if (settled) return;
   guess_ = Obstacle{DiagnosticKind::ambiguous_reading,
                     fmt::format("`{}` can belong to the vector `{}`, or be a symbol of its own", name.base, bold(name.base)),

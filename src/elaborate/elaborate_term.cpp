@@ -12,7 +12,9 @@ namespace {
 
 /// A bracket that holds one bare symbol or number: `(t)`, `(x)`.
 bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
-  return syntax[id].kind == SyntaxKind::group && syntax[syntax.child(id, 0)].kind == SyntaxKind::symbol;
+  if (syntax[id].kind != SyntaxKind::group) return false;
+  const SyntaxKind inside = syntax[syntax.child(id, 0)].kind;
+  return inside == SyntaxKind::symbol || inside == SyntaxKind::number;
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ class Elaborator {
   Maybe make_symbol(const WrittenSymbol& written, const std::string& base, int rank, const WrittenName& name,
                     const std::vector<WrittenIndex>& axes, Span span);
   bool read_slots(const std::vector<WrittenIndex>& axes, std::vector<Slot>& slots, std::vector<FreeIndex>& free);
-  void guess_vector(const WrittenName& name);
+  void guess_vector(const WrittenName& name, bool as_length);
   bool is_known(const std::string& base, int rank, bool per_particle) const;
   Maybe contract(Typed typed);  // repeated letters on one symbol: `I_{ii}`
 
@@ -114,6 +114,7 @@ class Elaborator {
   Maybe power(SyntaxId id);
   Maybe bars(SyntaxId id, bool norm);
   Maybe component(SyntaxId id);
+  bool is_matrix_product(SyntaxId id) const;
   Maybe tuple(SyntaxId id);
   Maybe matrix(SyntaxId id);
   Maybe determinant(SyntaxId id);

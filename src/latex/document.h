@@ -26,7 +26,7 @@ struct DirectiveLine {
   Span span;
 };
 
-/// A displayed equation. `body` is what stands between the delimiters; for `\begin{align}…\end{align}` the environment's
+/// A displayed equation, never empty. `body` is what stands between the delimiters; for `\begin{align}…\end{align}` the environment's
 /// name is kept (`align*` with its star), for `$$`, `\[` and a math fence it is empty. An argument of the environment, as in
 /// `alignat`, is not part of the body.
 struct Display {

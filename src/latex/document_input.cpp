@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t deepest = 16;
+constexpr std::size_t most_requests = 1000;
 
 /// Empty where the file system cannot say.
 fs::path real_path(const fs::path& path) {
@@ -33,6 +34,11 @@ InputFiles::InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics)
 }
 
 std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
+  if (++requests_ > most_requests) {
+    if (requests_ > most_requests + 1) return std::nullopt;
+    return report(DiagnosticKind::missing_input, place,
+                  fmt::format("no more than {} files are read; this and all later ones are left out", most_requests));
+  }
   fs::path asked{name};
   if (!asked.has_extension()) asked += ".tex";
   const std::string shown = asked.string();

@@ -2,6 +2,7 @@
 // The files that notes read with \input, \include and \subfile: those in the folder of the notes and below.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -20,7 +21,7 @@ class InputFiles {
 
   /// Reads and mends the file `name`, as the file on top of the stack names it at `place`: relative to the notes' folder,
   /// else to the folder of that file; `.tex` is added where it has no extension. Nothing for a file that was read before,
-  /// and, with a diagnostic, for one that is outside, missing, inside itself or nested too deep.
+  /// and, with a diagnostic, for one that is outside, missing, inside itself, nested too deep or past the 1000th.
   /// A file that is returned is on the stack until `close`.
   std::optional<FileId> open(std::string_view name, Span place);
   void close() { stack_.pop_back(); }
@@ -36,6 +37,7 @@ class InputFiles {
   std::filesystem::path root_;                   // the same, canonical
   std::vector<std::filesystem::path> stack_;     // canonical, the notes first
   std::set<std::filesystem::path> read_;         // canonical
+  std::size_t requests_ = 0;
 };
 
 }  // namespace rigor

@@ -17,7 +17,7 @@ class LatexReader : NotesReader {
       : NotesReader(reading, file, Format::latex), inputs_(inputs) {}
 
   void read() {
-    while (at_ < text_.size()) {
+    while (goes_on()) {
       switch (text_[at_]) {
         case '\\': read_control(); break;
         case '$': read_dollar(); break;

@@ -21,7 +21,7 @@ class MarkdownReader : NotesReader {
 
   void read() {
     at_ = front_matter_end(text_);
-    while (at_ < text_.size()) read_line();
+    while (goes_on()) read_line();
   }
 
  private:
@@ -59,7 +59,7 @@ class MarkdownReader : NotesReader {
         case '<': read_angle(); break;
         default: ++at_;
       }
-    } while (at_ < text_.size() && text_[at_ - 1] != '\n');
+    } while (goes_on() && text_[at_ - 1] != '\n');
   }
 
   /// A display in the text: no heading is made of its lines.
@@ -201,10 +201,13 @@ class MarkdownReader : NotesReader {
     constexpr std::string_view word = "rigor:";
     begin = text_.trimmed(begin, end).begin;
     if (!text_.has(word, begin)) return;
-    for (std::size_t line = begin + word.size(); line < end; line = text_.next_line(line)) {
-      const std::size_t from = line_.quotes > 0 && text_[line - 1] == '\n' ? line_start(text_, line).at : line;
-      const Span directive = text_.trimmed(std::min(from, end), std::min(text_.line_end(line), end));
+    for (std::size_t line = begin + word.size(); line < end;) {
+      const std::size_t line_end = line + std::min(text_.between(line, end).find('\n'), end - line);
+      const bool quoted = line_.quotes > 0 && text_[line - 1] == '\n';
+      const std::size_t from = quoted ? std::min(line_start(text_, line).at, line_end) : line;
+      const Span directive = text_.trimmed(from, line_end);
       if (!directive.empty()) add(DirectiveLine{directive});
+      line = line_end + 1;
     }
   }
 
@@ -222,7 +225,8 @@ class MarkdownReader : NotesReader {
     if (fence.math) {
       add_directives(first, *closing);
       const Span whole = text_.trimmed(fence.begin, text_.line_end(*closing));
-      add(Display{whole, text_.span(first, *closing), {}, line_.quotes});
+      const bool empty = text_.trimmed(first, *closing).empty();
+      if (!empty) add(Display{whole, text_.span(first, *closing), {}, line_.quotes});
     }
     at_ = text_.next_line(*closing);
   }

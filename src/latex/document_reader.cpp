@@ -43,7 +43,7 @@ DisplayEnd NotesReader::read_closed_display(const Opening& opening) {
   display.span = text_.span(opening.begin, end.end);
   display.body = text_.span(body, end.begin);
   add_directives(body, end.begin);
-  add(std::move(display));
+  if (!text_.trimmed(body, end.begin).empty()) add(std::move(display));
   at_ = end.end;
   return end;
 }
@@ -160,9 +160,9 @@ void NotesReader::add_directives(std::size_t begin, std::size_t end) {
 
 void NotesReader::report(std::size_t begin, std::size_t end, std::string message, std::string help,
                          std::vector<Label> labels) {
-  if (++reading_.unbalanced > most_reports) return;
   std::vector<std::string> helps{std::move(help)};
-  if (reading_.unbalanced == most_reports) helps.emplace_back("what else is unbalanced is not listed");
+  reading_.stopped = ++reading_.unbalanced == most_reports;
+  if (reading_.stopped) helps.emplace_back("the notes are not read any further, since so much in them is unbalanced");
   reading_.diagnostics.push_back({DiagnosticKind::unbalanced, text_.span(begin, end), std::move(message),
                                   std::move(labels), std::move(helps)});
 }

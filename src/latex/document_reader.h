@@ -21,6 +21,7 @@ struct Reading {
   Document document = {};
   EnvironmentAliases aliases = {};
   std::size_t unbalanced = 0;  // reported so far
+  bool stopped = false;        // so much is unbalanced that these are no notes
 };
 
 class NotesReader {
@@ -48,6 +49,8 @@ class NotesReader {
   /// `% rigor: …` at the `%`.
   void add_directive(std::size_t percent);
   void add_directives(std::size_t begin, std::size_t end);
+
+  [[nodiscard]] bool goes_on() const { return at_ < text_.size() && !reading_.stopped; }
 
   void report(std::size_t begin, std::size_t end, std::string message, std::string help,
               std::vector<Label> labels = {});

@@ -58,6 +58,9 @@ SyntaxId Parser::control(Cursor& cursor) {
     return opaque(cover(token.span, span_of(words.content)), fmt::format("the words `{}` stand for a quantity", text_of(words.content)));
   }
   ++cursor.at;
+  if (name == "rvert" || name == "rVert" || name == "}" || name == "rbrace") {
+    return opaque(token.span, "this bar or brace closes nothing; an evaluation bar is not read");
+  }
   const std::string_view reason = unread_reason(name);
   // The argument of an accent such as \dot goes with it; one obstacle is enough.
   if (name == "dot" || name == "ddot" || name == "dddot" || name.ends_with("cancel")) cursor.at = argument_at(cursor.tokens, cursor.at).next;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "latex/blocks.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
@@ -93,6 +94,13 @@ class RowReader {
     if (token.text == "label" || token.text == "tag") return tag_or_label(token.text == "tag");
     if (token.text == "begin" || token.text == "end") return environment(token);
     if (is_bracket_size(token)) return sized_bracket(token);
+    if (is_transparent(token)) {
+      const Argument argument = argument_at(tokens_, at_ + 1);
+      if (!has_relation(argument.content)) return false;
+      cell().insert(cell().end(), argument.content.begin(), argument.content.end());  // \\boxed{a = b}
+      at_ = argument.next;
+      return true;
+    }
     if (token.text == "intertext" || token.text == "shortintertext") {
       at_ = argument_at(tokens_, at_ + 1).next;
       finish_row();
@@ -145,6 +153,12 @@ class RowReader {
     bracket.span = cover(token.span, bracket.span);
     const bool plain_bar = is_sign(bracket, "|") || is_control(bracket, "vert");
     const bool double_bar = is_control(bracket, "|") || is_control(bracket, "Vert");
+    const bool brace = is_control(bracket, "{") || is_control(bracket, "lbrace");
+    const std::size_t behind = skip_blank(tokens_, at + 1);
+    if (opens && brace && behind < tokens_.size() && is_control(tokens_[behind], "begin")) {
+      at_ = behind;  // the brace of a system of equations, which `\\right.` ends
+      return true;
+    }
     if ((plain_bar || double_bar) && (opens || closes)) {
       bracket.kind = TokenKind::control;
       bracket.text = plain_bar ? (opens ? "lvert" : "rvert") : (opens ? "lVert" : "rVert");

@@ -8,8 +8,7 @@
 
 namespace rigor {
 
-/// The bytes of a regular file; a missing file, a directory, an unreadable or larger file (64 MiB) is an
-/// error.
+/// The bytes of a regular file of at most 64 MiB; a missing file, a directory, a device… is an error.
 [[nodiscard]] Result<std::string> read_file(const std::string& path);
 
 /// Diagnostics for the first invalid UTF-8 byte and the first NUL byte of a text, each with how many there

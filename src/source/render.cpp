@@ -65,8 +65,7 @@ std::vector<Glyph> read_glyphs(std::string_view line, std::size_t begin, std::si
   return glyphs;
 }
 
-/// At most `width` cells of a line around the byte `center`, the marks of what was cut included. Cost:
-/// O(width).
+/// At most `width` cells of a line around the byte `center`, each `…` included. Cost: O(width).
 Excerpt excerpt_around(std::string_view line, std::uint32_t line_start, std::size_t center,
                        std::size_t width) {
   const std::size_t reach = 4 * width;  // bytes that hold `width` code points
@@ -116,8 +115,7 @@ class Renderer {
                         paint(fmt::format("{}:", word), style, options_.color), message);
   }
 
-  /// The source line of `span`, and below it `^` at its start, `~` under the rest of it and under each label
-  /// on that line.
+  /// The source line of `span`, and below it `^` at its start, `~` under the rest of it and under each label.
   void add_snippet(Span span, const std::vector<Label>& labels) {
     if (sources_.text(span.file).empty()) return;
     const std::uint32_t line = sources_.line_column(span.file, span.begin).line;

@@ -19,8 +19,9 @@ struct RenderOptions {
   std::uint32_t width = 160;  // longer source lines are cut around the caret, with `…`
 };
 
-/// Ends with a line break. Labels on the caret's line are underlined with `~`; labels elsewhere get a line
-/// each.
+/// Ends with a line break. The rest of the diagnostic's own span and the labels on the caret's line are
+/// underlined with `~`; a label elsewhere, or with a text, gets a `note:` line. Tabs are printed as blanks,
+/// what could steer a terminal as `?`. Cost: O(width) for each place, whatever the length of its line.
 [[nodiscard]] std::string render(const Diagnostic& diagnostic, const SourceMap& sources,
                                  const RenderOptions& options = {});
 
