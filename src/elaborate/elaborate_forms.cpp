@@ -65,7 +65,7 @@ std::optional<Typed> Elaborator::power(SyntaxId id) {
   if (base->rank > 1) return unsupported(span, "a power of a tensor is not decided");
   if (base->rank == 1) {
     if (*halves == 4) return make(Op::dot, span, 0, {&*base, &*base});
-    if (*halves % 4 != 0) return fail(DiagnosticKind::rank_mismatch, span, "an odd power of a vector is not defined", {"a power of its length is written without bold"});
+    if (*halves % 4 != 0) return unsupported(span, "an odd power of a vector is not defined, and matrices in bold are not read", {"a power of its length is written without bold"});
     const Typed length = make(Op::length, span, 0, {&*base});
     return make(Op::power, span, 0, {&length}, *halves / 2);
   }

@@ -56,6 +56,10 @@ std::optional<Typed> Elaborator::sum(SyntaxId id) {
 bool Elaborator::same_type(const Typed& first, const Typed& other, const char* what, Mismatch mismatch) const {
   const Span first_span = tree_[first.id].span;
   const Span other_span = tree_[other.id].span;
+  if (first.rank != other.rank && dyad_) {
+    mismatch.diagnostics.push_back({DiagnosticKind::ambiguous_reading, *dyad_, guess_->message, {}, guess_->help});
+    return false;
+  }
   if (first.rank != other.rank) {
     mismatch.diagnostics.push_back({DiagnosticKind::rank_mismatch, mismatch.relation,
                             fmt::format("{} stands against {}", kind_of(other.rank), kind_of(first.rank)),

@@ -21,7 +21,7 @@ bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
 
 std::optional<Typed> Elaborator::term(SyntaxId id) {
   const std::span<const SyntaxChild> factors = syntax_.children(id);
-  if (reads_as_application(factors)) return std::nullopt;
+  if (reads_as_application(factors) || runs_numbers_together(factors)) return std::nullopt;
   std::vector<Operand> operands;
   bool failed = false;
   bool slash = false;
@@ -58,6 +58,23 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
       fail(DiagnosticKind::ambiguous_reading, syntax_[id].span, "`d` can be a differential or a factor", {"`rigor: scalar d` makes it a factor"});
       return true;
     }
+  }
+  return false;
+}
+
+/// `1\,000` and `2\frac{1}{2}` are one number each to most readers, and products to the letter.
+bool Elaborator::runs_numbers_together(std::span<const SyntaxChild> factors) {
+  const auto is_number_sign = [&](SyntaxId id) { return syntax_[id].kind == SyntaxKind::number; };
+  const auto is_numeric_fraction = [&](SyntaxId id) {
+    return syntax_[id].kind == SyntaxKind::fraction && is_number_sign(syntax_.child(id, 0)) && is_number_sign(syntax_.child(id, 1));
+  };
+  for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+    const SyntaxId next = factors[k + 1].id;
+    if (factors[k + 1].joint != Joint::juxtaposed || !is_number_sign(factors[k].id)) continue;
+    if (!is_number_sign(next) && !is_numeric_fraction(next)) continue;
+    fail(DiagnosticKind::ambiguous_reading, cover(syntax_[factors[k].id].span, syntax_[next].span),
+         "two numbers side by side can be one number or a product", {"write `\\cdot` for a product"});
+    return true;
   }
   return false;
 }
@@ -204,6 +221,7 @@ std::optional<Typed> Elaborator::outer_product(std::vector<Typed> scalars, const
       return fail(DiagnosticKind::ambiguous_reading, tree_[vector.typed.id].span, "a tensor next to a vector can be their contraction or their outer product",
                   {"write `\\cdot` for the contraction"});
     }
+    if (rank > 0 && vector.typed.rank > 0) guess_dyad(vectors, span);
     rank += vector.typed.rank;
     scalars.push_back(vector.typed);
   }
@@ -218,6 +236,19 @@ std::optional<Typed> Elaborator::outer_product(std::vector<Typed> scalars, const
   }
   total.id = tree_.add({.op = Op::multiply, .rank = static_cast<std::uint8_t>(rank), .span = span}, children);
   return total;
+}
+
+/// `\mathbf A\mathbf B` is a dyad of vectors; with bold letters for matrices it is their product.
+void Elaborator::guess_dyad(const std::vector<Operand>& vectors, Span span) {
+  const bool undeclared = std::any_of(vectors.begin(), vectors.end(), [&](const Operand& vector) {
+    const ExprNode& node = tree_[vector.typed.id];
+    return node.op == Op::symbol && !tree_.symbols[node.symbol].declared;
+  });
+  note("two vectors side by side are their dyad");
+  if (!undeclared) return;
+  dyad_ = span;
+  guess_ = Obstacle{DiagnosticKind::ambiguous_reading, "bold letters side by side can be a dyad of vectors or a product of matrices",
+                    {"`rigor: vector …` settles it"}};
 }
 
 /// The summation convention: a letter twice in a product is summed, once is free, more often is a mistake.

@@ -93,6 +93,8 @@ class Elaborator {
     Span joint_span;
   };
   bool reads_as_application(std::span<const SyntaxChild> factors);
+  bool runs_numbers_together(std::span<const SyntaxChild> factors);
+  void guess_dyad(const std::vector<Operand>& vectors, Span span);
   Maybe divide(const Typed& dividend, const Typed& divisor, Span span);
   Maybe with_slashes(std::vector<Operand> operands, Span span);
   Maybe product(std::vector<Operand> operands, Span span);
@@ -140,6 +142,7 @@ class Elaborator {
   std::vector<FreeIndex> slot_letters_;
   std::vector<std::string> conventions_;
   std::optional<Obstacle> guess_;
+  std::optional<Span> dyad_;  // bold letters side by side, which may be matrices
 };
 
 /// The union of both lists by letter.
