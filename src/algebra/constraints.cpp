@@ -13,9 +13,15 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::size_t largest_instances = 64;  // choices of the claim's particles for an assumption
+constexpr std::size_t largest_division = 100'000;  // terms times terms
+constexpr std::size_t largest_instances = 64;      // choices of the claim's particles for an assumption
 
 [[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
+
+/// Is a division worth its time?
+[[nodiscard]] bool is_divided(const ex& dividend, const ex& divisor) {
+  return term_count(dividend) * term_count(divisor) <= largest_division;
+}
 
 /// The solution of an equation that is linear in x with a numeric coefficient.
 [[nodiscard]] ex solved_for(const ex& equation, const ex& x) {
@@ -84,26 +90,29 @@ void Constraints::collect(const Equation& assumption) {
     for (std::size_t i = 0; i < count; ++i) evaluator_.bind(assumption.particles[i], frames[i]);
     for_each_component(evaluator_, scope_.tree(), assumption,
                        [&](const auto&, const Fraction& left, const Fraction& right) {
-                         equations_.push_back(domain_.difference(left, right));
+                         const ex equation = domain_.difference(left, right);
+                         equations_.push_back(equation);
+                         equations_.push_back(domain_.radicals().squared(equation));
                          return true;
                        });
   } while (next_tuple(frames, first_free_frame, last));
 }
 
-/// In the order of creation, so that the choice is the same in every run.
+/// The first in the order of creation, so that the choice is the same in every run; a radical only if there
+/// is no other.
 ex Constraints::linear_indeterminate(const ex& equation) const {
-  const Indeterminates& indeterminates = domain_.indeterminates();
-  for (const ex& x : indeterminates.all()) {
-    if (indeterminates.origin(x).kind == Indeterminates::Kind::radical) continue;
-    if (equation.degree(x) == 1 && is_number(equation.coeff(x, 1))) return x;
+  for (const bool radical : {false, true}) {
+    for (const ex& x : domain_.indeterminates().all()) {
+      if (domain_.radicals().is_radical(x) != radical) continue;
+      if (equation.degree(x) == 1 && is_number(equation.coeff(x, 1))) return x;
+    }
   }
   return 0;
 }
 
 ex Constraints::monic_indeterminate(const ex& equation) const {
-  const Indeterminates& indeterminates = domain_.indeterminates();
-  for (const ex& x : indeterminates.all()) {
-    if (indeterminates.origin(x).kind == Indeterminates::Kind::radical) continue;
+  for (const ex& x : domain_.indeterminates().all()) {
+    if (domain_.radicals().is_radical(x)) continue;
     const int degree = equation.degree(x);
     if (degree >= 2 && is_number(equation.coeff(x, degree))) return x;
   }
@@ -146,13 +155,15 @@ ex Constraints::reduced(const ex& value) {
   }
   for (const Remaining& each : remaining_) {
     if (rest.is_zero()) return rest;
-    if (!each.monic_in.is_zero() && rest.degree(each.monic_in) >= each.equation.degree(each.monic_in)) {
+    if (!each.monic_in.is_zero() && is_divided(rest, each.equation) &&
+        rest.degree(each.monic_in) >= each.equation.degree(each.monic_in)) {
       rest = GiNaC::rem(rest, each.equation, each.monic_in).expand();
     }
   }
   ex quotient;
   for (const Remaining& each : remaining_) {
-    if (!rest.is_zero() && GiNaC::divide(rest, each.equation, quotient)) rest = 0;
+    if (!rest.is_zero() && is_divided(rest, each.equation) && GiNaC::divide(rest, each.equation, quotient))
+      rest = 0;
   }
   return rest;
 }

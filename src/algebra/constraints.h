@@ -8,10 +8,11 @@
 //  solved for it;
 //  3. what is left: one that is monic in an indeterminate reduces its powers (n·n = 1); others must divide
 //  the residue.
-// Everything used is a consequence of the assumptions: sound. Steps 1 and 2 lose nothing (the solutions of
-// such an equation are the graph of a polynomial); step 3 is complete for one irreducible equation (a·x + b
-// with coprime a and b, say, as in A·B = 0), not for several. A moment is replaced where it stands as a
-// factor: Σ m r = 0 makes M[m r_i] zero, not M[m r_i v_j].
+// An equation with a single root in it is used squared, too. Everything used is a consequence of the
+// assumptions: sound. Steps 1 and 2 lose nothing (the solutions of such an equation are the graph of a
+// polynomial); step 3 is complete for one irreducible equation (a·x + b with coprime a and b, say, as in A·B
+// = 0), not for several. A moment is replaced where it stands as a factor: Σ m r = 0 makes M[m r_i] zero, not
+// M[m r_i v_j].
 #pragma once
 
 #include <span>

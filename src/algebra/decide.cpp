@@ -28,16 +28,11 @@ namespace {
   return fmt::format("{} free axes are more than the {} that are evaluated", axes, largest_free_indices);
 }
 
-/// Under what a proof is tried.
-struct Attempt {
-  Effort effort = Effort::plain;
-  bool unfolded = false;
-  std::vector<std::size_t> assumptions = {};
-};
-
+/// A proof, and under what it was found.
 struct Found {
   Proof proof;
   Attempt under;
+  bool unfolded = false;  // with definitions unfolded
 };
 
 /// One decision: what is known so far, and the steps.
@@ -56,7 +51,7 @@ class Decider {
   template <class Search>
   [[nodiscard]] std::optional<Refuter::Counterexample> look(const Search& search);
   [[nodiscard]] std::optional<Found> try_all_proofs(Effort effort);
-  [[nodiscard]] std::optional<Found> try_proof(const Attempt& attempt);
+  [[nodiscard]] std::optional<Found> try_proof(const Attempt& attempt, bool unfolded);
   void drop_needless_assumptions(Found& found);
   [[nodiscard]] Decision proved(const Found& found) const;
   [[nodiscard]] Decision proved_by_value();
@@ -67,6 +62,7 @@ class Decider {
   Scope unfolded_;
   Scope opaque_;
   Refuter refuter_;
+  Work work_;
   std::string gave_up_;  // the reason why the last proof was broken off
   Proof last_proof_;     // the last one that was finished and does not hold
 };
@@ -80,11 +76,10 @@ std::optional<std::string> Decider::why_not_tried() const {
   return std::nullopt;
 }
 
-std::optional<Found> Decider::try_proof(const Attempt& attempt) {
+std::optional<Found> Decider::try_proof(const Attempt& attempt, bool unfolded) {
   try {
-    const Scope& scope = attempt.unfolded ? unfolded_ : opaque_;
-    const Proof proof = prove(scope, attempt.assumptions, limits_, attempt.effort);
-    if (proof.holds) return Found{proof, attempt};
+    const Proof proof = prove(unfolded ? unfolded_ : opaque_, attempt, limits_, work_);
+    if (proof.holds) return Found{proof, attempt, unfolded};
     last_proof_ = proof;
   } catch (const Undecidable& reason) {
     gave_up_ = reason.what();
@@ -99,8 +94,7 @@ std::optional<Found> Decider::try_all_proofs(Effort effort) {
     const auto& assumptions = with_assumptions ? refuter_.assumptions() : std::vector<std::size_t>{};
     for (const bool unfolded : {false, true}) {
       if (unfolded && !has_definitions) continue;
-      if (auto found = try_proof({.effort = effort, .unfolded = unfolded, .assumptions = assumptions}))
-        return found;
+      if (auto found = try_proof({.effort = effort, .assumptions = assumptions}, unfolded)) return found;
     }
   }
   return std::nullopt;
@@ -111,7 +105,7 @@ void Decider::drop_needless_assumptions(Found& found) {
   for (std::size_t i = 0; i < found.under.assumptions.size();) {
     Attempt fewer = found.under;
     fewer.assumptions.erase(fewer.assumptions.begin() + static_cast<std::ptrdiff_t>(i));
-    if (auto still = try_proof(fewer)) {
+    if (auto still = try_proof(fewer, found.unfolded)) {
       found = *std::move(still);
     } else {
       ++i;
@@ -127,7 +121,7 @@ Decision Decider::proved(const Found& found) const {
   if (found.proof.moments) decision.route += ", moments of any number of particles";
   if (found.proof.unit_vectors) decision.route += ", unit vectors at the generic point";
   if (found.proof.radicals) decision.route += ", radicals";
-  if (found.under.unfolded) decision.unfolded = reach_of_sample(unfolded_, found.under.assumptions).unfolded;
+  if (found.unfolded) decision.unfolded = reach_of_sample(unfolded_, found.under.assumptions).unfolded;
   decision.assumptions = found.under.assumptions;
   return decision;
 }
@@ -154,22 +148,16 @@ Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
 
 std::string Decider::why_open() const {
   if (!gave_up_.empty()) return gave_up_;
-  const std::string points =
-      fmt::format("{} of {} exact samples tried", refuter_.points_compared(), refuter_.points_tried());
-  if (refuter_.points_compared() == 0 && !refuter_.assumptions().empty()) {
-    return fmt::format("no proof, and no sample that satisfies the assumptions among {}",
-                       refuter_.points_tried());
+  const std::uint32_t tried = refuter_.points_tried();
+  if (refuter_.points_compared() == 0) {
+    const bool free = refuter_.assumptions().empty();
+    return fmt::format("no proof, and none of {} exact samples {}", tried,
+                       free ? "gives both sides a rational value" : "is known to satisfy the assumptions");
   }
-  if (last_proof_.unsolved_assumptions) {
-    return fmt::format(
-        "no proof, since the assumptions cannot be solved for one symbol each; they hold on {}, and so does "
-        "it",
-        points);
-  }
-  if (last_proof_.radicals) {
-    return fmt::format("no proof, since its roots may depend on each other; it holds on {}", points);
-  }
-  return fmt::format("no proof; it holds on {}", points);
+  std::string reason = "no proof";
+  if (last_proof_.radicals) reason = "no proof, since its roots may depend on each other";
+  if (last_proof_.unsolved_assumptions) reason = "no proof, since its assumptions have no unique solution";
+  return fmt::format("{}; it holds on {} of {} exact samples", reason, refuter_.points_compared(), tried);
 }
 
 /// Samples that are too much work are not the end: a proof may be less.

@@ -7,7 +7,7 @@
 namespace rigor {
 
 struct Limits {
-  std::uint32_t expanded_terms = 100'000;  // an estimate above it is `undecided`, with the figure
+  std::uint32_t expanded_terms = 60'000;  // an estimate above it is `undecided`, with the figure
   std::uint32_t quick_points = 3;
   std::uint32_t sample_attempts = 400;
 };

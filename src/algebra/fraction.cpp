@@ -15,6 +15,7 @@ namespace {
 using GiNaC::ex;
 
 constexpr std::uint64_t largest_steps = 1'000'000;
+constexpr double attempts_share = 2;  // all attempts together may expand so many times the limit
 constexpr double expand_above =
     1000;  // products of more terms are expanded at once, so that the estimates stay near
 
@@ -23,6 +24,11 @@ constexpr double expand_above =
   double count = 1;
   for (int i = 1; i <= exponent; ++i) count *= (terms - 1 + i) / i;
   return std::ceil(count - 1e-6);
+}
+
+[[nodiscard]] Undecidable too_many_terms(double terms, const Limits& limits) {
+  return Undecidable(
+      fmt::format("expanding it takes up to {:.3g} terms, more than {}", terms, limits.expanded_terms));
 }
 
 [[nodiscard]] double log2_of_sum(double a, double b) {
@@ -78,26 +84,20 @@ Fraction polynomial(const ex& expanded) {
 }
 
 void FractionArithmetic::step() {
-  if (++steps_ > largest_steps)
+  if (++work_.steps > largest_steps)
     throw Undecidable(fmt::format("more than {} steps of evaluation", largest_steps));
 }
 
 void FractionArithmetic::check(const Fraction& value) const {
-  if (value.terms > limits_.expanded_terms) {
-    throw Undecidable(fmt::format("expanding it takes up to {:.3g} terms, more than {}", value.terms,
-                                  limits_.expanded_terms));
-  }
+  if (value.terms > limits_.expanded_terms) throw too_many_terms(value.terms, limits_);
   if (value.bits > largest_bits) {
     throw Undecidable(fmt::format("a coefficient may have more than {} digits", largest_digits));
   }
 }
 
 ex FractionArithmetic::expanded(const ex& value, double estimated_terms) {
-  terms_spent_ += estimated_terms;
-  if (terms_spent_ > limits_.expanded_terms) {
-    throw Undecidable(fmt::format("expanding it takes up to {:.3g} terms, more than {}", terms_spent_,
-                                  limits_.expanded_terms));
-  }
+  work_.terms += estimated_terms;
+  if (work_.terms > attempts_share * limits_.expanded_terms) throw too_many_terms(work_.terms, limits_);
   return value.expand();
 }
 

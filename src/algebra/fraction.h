@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "algebra/decide.h"
 #include "algebra/exact_number.h"
+#include "algebra/prove.h"
 
 namespace rigor {
 
@@ -31,10 +31,11 @@ struct Fraction {
 [[nodiscard]] std::size_t term_count(const GiNaC::ex& expanded);
 
 /// Arithmetic of fractions within a budget. The number of terms is estimated before anything is expanded;
-/// above the limit (for one polynomial, and for all work together) it throws Undecidable with the figure.
+/// above the limit for one polynomial, or twice the limit for all attempts, it throws Undecidable with the
+/// figure.
 class FractionArithmetic {
  public:
-  explicit FractionArithmetic(const Limits& limits) : limits_(limits) {}
+  FractionArithmetic(const Limits& limits, Work& work) : limits_(limits), work_(work) {}
 
   void add(Fraction& total, const Fraction& summand);
   void negate(Fraction& value);
@@ -55,8 +56,7 @@ class FractionArithmetic {
   void divide_by_polynomial(Fraction& value, const GiNaC::ex& expanded, int exponent) const;
 
   Limits limits_;
-  double terms_spent_ = 0;
-  std::uint64_t steps_ = 0;
+  Work& work_;
 };
 
 }  // namespace rigor

@@ -20,9 +20,9 @@ class GenericDomain {
  public:
   using Number = Fraction;
 
-  GenericDomain(const Scope& scope, const Limits& limits, Effort effort)
+  GenericDomain(const Scope& scope, const Limits& limits, Effort effort, Work& work)
       : scope_(&scope),
-        arithmetic_(limits),
+        arithmetic_(limits, work),
         radicals_(indeterminates_, arithmetic_, effort),
         moments_(indeterminates_, arithmetic_, radicals_,
                  first_free_frame + static_cast<Frame>(scope.question().claim.particles.size())) {}

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums over any number of particles. Method: inside Σ_α the body is expanded; what depends on α's own
-// quantities in each term (its *key*) becomes one indeterminate, a moment, and the rest moves out: Σ_α m_α
-// r_αi r_αj = M[m r_i r_j]. The key 1 gives the number of particles. Moments of distinct monomials are
-// algebraically independent as functions of all bodies (generalised power sums: with enough particles their
-// Jacobian is a generalised Vandermonde matrix of full rank), so what vanishes identically for every number
-// of particles vanishes as a polynomial in moments: complete. Bodies that are rational in the particle's own
-// quantities have keys (denominator, monomial); these may depend on each other: sound only. The cost knows no
-// number of particles.
+// quantities in each term (its *key*) becomes one indeterminate, a moment, and the rest moves out:
+// Σ_α m_α r_αi r_αj = M[m r_i r_j]. The key 1 gives the number of particles.
+//
+// Complete for polynomial bodies: moments M_k = Σ_α f_k(x_α) of distinct monomials f_k ≠ 1 are algebraically
+// independent once there are enough particles. Else their Jacobian would not have full rank, some
+// Σ_k c_k ∇f_k would vanish everywhere, and Σ_k c_k f_k would be constant. So a polynomial in moments that is
+// zero for every body, for every number of particles, is the zero polynomial. Only sound for bodies that are
+// rational in the particle's own quantities: their keys (denominator, monomial) may be linearly dependent.
+// The cost knows no number of particles.
 #pragma once
 
 #include <map>

@@ -10,13 +10,13 @@
 namespace rigor {
 namespace {
 
-[[nodiscard]] Proof prove_components(const Scope& scope, std::span<const std::size_t> assumptions,
-                                     const Limits& limits, Effort effort) {
+[[nodiscard]] Proof prove_components(const Scope& scope, const Attempt& attempt, const Limits& limits,
+                                     Work& work) {
   const Equation& claim = scope.question().claim;
-  GenericDomain domain(scope, limits, effort);
+  GenericDomain domain(scope, limits, attempt.effort, work);
   Evaluator<GenericDomain> evaluator(scope, domain);
   Constraints constraints(scope, domain, evaluator);
-  constraints.assume(assumptions);
+  constraints.assume(attempt.assumptions);
   for (std::size_t i = 0; i < claim.particles.size(); ++i) {
     evaluator.bind(claim.particles[i], first_free_frame + static_cast<Frame>(i));
   }
@@ -40,10 +40,9 @@ namespace {
 
 }  // namespace
 
-Proof prove(const Scope& scope, std::span<const std::size_t> assumptions, const Limits& limits,
-            Effort effort) {
+Proof prove(const Scope& scope, const Attempt& attempt, const Limits& limits, Work& work) {
   try {
-    return prove_components(scope, assumptions, limits, effort);
+    return prove_components(scope, attempt, limits, work);
   } catch (const Undecidable&) {
     throw;
   } catch (const InternalError&) {

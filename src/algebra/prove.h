@@ -2,7 +2,7 @@
 // The proof of a claim at the generic point: every component of left − right has the normal form zero.
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "algebra/decide.h"
 #include "algebra/scope.h"
@@ -11,6 +11,18 @@ namespace rigor {
 
 /// How hard to look for factors of what stands under a root (`radicals.h`).
 enum class Effort : std::uint8_t { plain, factored };
+
+/// Under what a proof is tried.
+struct Attempt {
+  Effort effort = Effort::plain;
+  std::vector<std::size_t> assumptions = {};  // those to be used, by position
+};
+
+/// What the attempts at one decision have cost together.
+struct Work {
+  double terms = 0;         // expanded, by the estimates
+  std::uint64_t steps = 0;  // of evaluation
+};
 
 struct Proof {
   bool holds = false;     // every component of left − right vanishes
@@ -22,7 +34,6 @@ struct Proof {
 };
 
 /// Throws Undecidable (also for exceptions of the computer algebra library).
-[[nodiscard]] Proof prove(const Scope& scope, std::span<const std::size_t> assumptions, const Limits& limits,
-                          Effort effort = Effort::plain);
+[[nodiscard]] Proof prove(const Scope& scope, const Attempt& attempt, const Limits& limits, Work& work);
 
 }  // namespace rigor

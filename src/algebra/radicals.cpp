@@ -5,6 +5,7 @@
 #include <ginac/ginac.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "algebra/undecidable.h"
 
@@ -220,6 +221,22 @@ void Radicals::rationalize(Fraction& value) {
     if (divisor.exponent % 2 != 0) inverse = arithmetic_.multiply(inverse, polynomial(divisor.base));
     value = arithmetic_.multiply(value, inverse);
   }
+}
+
+ex Radicals::squared(const ex& equation) {
+  const Radical* only = nullptr;
+  for (const Radical& each : radicals_) {
+    if (equation.degree(each.symbol) == 0) continue;
+    if (only != nullptr) return 0;
+    only = &each;
+  }
+  if (only == nullptr) return 0;
+  const ex a = equation.coeff(only->symbol, 1);
+  const ex b = equation.coeff(only->symbol, 0);
+  const double terms_of_a = std::pow(static_cast<double>(term_count(a)), 2);
+  const double terms_of_b = std::pow(static_cast<double>(term_count(b)), 2);
+  const double terms = terms_of_b + terms_of_a * static_cast<double>(term_count(only->square));
+  return reduced(arithmetic_.expanded(b * b - a * a * only->square, terms));
 }
 
 ex Radicals::moved(const ex& value, Frame from, Frame to) {

@@ -10,7 +10,6 @@
 
 #include "algebra/fraction.h"
 #include "algebra/indeterminates.h"
-#include "algebra/prove.h"
 
 namespace rigor {
 
@@ -29,6 +28,9 @@ class Radicals {
 
   /// 1/s as s/R: one form for |r|^-3 and |r|/r⁴.
   void rationalize(Fraction& value);
+
+  /// What follows from an equation a·s + b = 0 with a single radical s: b² − a² R, expanded. 0 for any other.
+  [[nodiscard]] GiNaC::ex squared(const GiNaC::ex& equation);
 
   /// The same expression of another particle.
   [[nodiscard]] GiNaC::ex moved(const GiNaC::ex& value, Frame from, Frame to);

@@ -48,10 +48,10 @@ class Refuter {
  private:
   [[nodiscard]] std::optional<Counterexample> attempt_next();
   [[nodiscard]] std::optional<Counterexample> fails_on(const SamplePoint& drawn, std::uint32_t attempt);
-  void consider(std::optional<Counterexample>& best, const SamplePoint& drawn, std::uint32_t attempt);
-  void look_among_tiny_points(std::optional<Counterexample>& best);
-  void drop_particles(std::optional<Counterexample>& best);
-  [[nodiscard]] bool make_smaller(std::optional<Counterexample>& best);
+  void consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt);
+  void look_among_tiny_points(Counterexample& best);
+  void drop_particles(Counterexample& best);
+  [[nodiscard]] bool make_smaller(Counterexample& best);
   [[nodiscard]] Sample to_sample(const Counterexample& found) const;
 
   const Scope* scope_;

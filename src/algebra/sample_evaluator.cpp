@@ -9,7 +9,7 @@
 namespace rigor {
 namespace {
 
-constexpr std::uint64_t largest_steps = 2'000'000;  // about a quarter of a second
+constexpr std::uint64_t largest_steps = 1'000'000;  // about a tenth of a second
 
 }  // namespace
 

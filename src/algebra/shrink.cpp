@@ -3,6 +3,7 @@
 // blackboard.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "algebra/refute.h"
 
@@ -17,16 +18,16 @@ constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
 
 }  // namespace
 
-void Refuter::consider(std::optional<Counterexample>& best, const SamplePoint& drawn, std::uint32_t attempt) {
+void Refuter::consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt) {
   std::optional<Counterexample> found = fails_on(drawn, attempt);
-  if (found && (!best || complexity(found->point) < complexity(best->point))) best = std::move(found);
+  if (found && complexity(found->point) < complexity(best.point)) best = *std::move(found);
 }
 
-void Refuter::look_among_tiny_points(std::optional<Counterexample>& best) {
+void Refuter::look_among_tiny_points(Counterexample& best) {
   SplitMix random(tiny_seed);
-  const std::uint32_t most = best->point.particles();
+  const std::uint32_t most = best.point.particles();
   for (std::uint32_t particles = std::min(most, 1u); particles <= std::min(most, 3u); ++particles) {
-    const Complexity before = complexity(best->point);
+    const Complexity before = complexity(best.point);
     for (const Draw from : {Draw::zero_or_one, Draw::tiny, Draw::along_axes, Draw::with_lengths}) {
       if ((from == Draw::along_axes || from == Draw::with_lengths) && !reach_.roots) continue;
       for (std::uint32_t attempt = 0; attempt < tiny_attempts; ++attempt) {
@@ -34,25 +35,25 @@ void Refuter::look_among_tiny_points(std::optional<Counterexample>& best) {
         draw(point, scope_->tree(), from, random);
         consider(best, point, attempt);
       }
-      if (complexity(best->point) < before) return;
+      if (complexity(best.point) < before) return;
     }
   }
 }
 
-void Refuter::drop_particles(std::optional<Counterexample>& best) {
-  for (std::uint32_t particle = best->drawn.particles(); particle > 0; --particle) {
-    if (best->drawn.particles() > 1) consider(best, best->drawn.without_particle(particle), best->attempt);
+void Refuter::drop_particles(Counterexample& best) {
+  for (std::uint32_t particle = best.drawn.particles(); particle > 0; --particle) {
+    if (best.drawn.particles() > 1) consider(best, best.drawn.without_particle(particle), best.attempt);
   }
 }
 
 /// One pass over the numbers of the point; true if one became smaller.
-bool Refuter::make_smaller(std::optional<Counterexample>& best) {
+bool Refuter::make_smaller(Counterexample& best) {
   bool any = false;
-  for (const Coordinate& at : best->drawn.coordinates()) {
-    const Complexity before = complexity(best->point);
-    const std::size_t choices = best->drawn.is_direction(at) ? 3 : small_numbers.size();
-    for (std::size_t choice = 0; choice < choices && !(complexity(best->point) < before); ++choice) {
-      SamplePoint changed = best->drawn;
+  for (const Coordinate& at : best.drawn.coordinates()) {
+    const Complexity before = complexity(best.point);
+    const std::size_t choices = best.drawn.is_direction(at) ? 3 : small_numbers.size();
+    for (std::size_t choice = 0; choice < choices && !(complexity(best.point) < before); ++choice) {
+      SamplePoint changed = best.drawn;
       if (changed.is_direction(at)) {
         std::array<Rational, 3> unit{0, 0, 0};
         unit[choice] = 1;
@@ -62,15 +63,15 @@ bool Refuter::make_smaller(std::optional<Counterexample>& best) {
       } else {
         changed.set(at, small_numbers[choice]);
       }
-      consider(best, changed, best->attempt);
+      consider(best, changed, best.attempt);
     }
-    any = any || complexity(best->point) < before;
+    any = any || complexity(best.point) < before;
   }
   return any;
 }
 
 Sample Refuter::simplest(const Counterexample& found) {
-  std::optional<Counterexample> best = found;
+  Counterexample best = found;
   try {
     look_among_tiny_points(best);
     drop_particles(best);
@@ -79,7 +80,7 @@ Sample Refuter::simplest(const Counterexample& found) {
   } catch (const Undecidable&) {
     // too much work: the best so far will do
   }
-  return to_sample(*best);
+  return to_sample(best);
 }
 
 }  // namespace rigor

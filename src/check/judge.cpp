@@ -220,8 +220,8 @@ class Judging {
 
   void refuted(const Decision& decision) {
     for (const NamedAssumption* assumption : prepared_.assumptions) mark_used(names_, assumption->origin);
-    if (claim_.reading->guess()) {
-      const Obstacle& guess = *claim_.reading->guess();
+    if (claim_.reading->guess() || claim_.doubt) {
+      const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
       judgement_.verdict = Verdict::not_understood;
       add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried", guess.help);
       return;

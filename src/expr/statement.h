@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the exact side is asked, and what it answers. No type of a computer algebra system appears here: exact values are
-// rational numbers as text, `-3/2`.
+// What the exact side is asked, and what it answers. No type of a computer algebra system appears here: exact
+// values are rational numbers as text, `-3/2`.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace rigor {
 
-/// `symbol` at the given slots (and particle) stands for `body`. Either `indices` has one variable for each axis of the symbol
-/// and the body has rank 0, or `indices` is empty and the body has the symbol's rank.
+/// `symbol` at the given slots (and particle) stands for `body`. Either `indices` has one variable for each
+/// axis of the symbol and the body has rank 0, or `indices` is empty and the body has the symbol's rank.
 struct Definition {
   SymbolId symbol{};
   std::vector<IndexId> indices = {};
@@ -26,16 +26,17 @@ struct Definition {
 struct Equation {
   ExprId left{};
   ExprId right{};
-  std::vector<IndexId> indices = {};        // free
-  std::vector<ParticleId> particles = {};   // free
+  std::vector<IndexId> indices = {};       // free
+  std::vector<ParticleId> particles = {};  // free
 };
 
 struct Question {
   const ExprTree* tree = nullptr;
   Equation claim;
-  std::vector<Definition> definitions = {};   // in scope; unfolded only where needed, recursively, never circular
-  std::vector<Equation> assumptions = {};     // in scope
-  std::vector<SymbolId> zeroed = {};          // symbols taken as 0 (all their components)
+  std::vector<Definition> definitions =
+      {};  // in scope; unfolded only where needed, recursively, never circular
+  std::vector<Equation> assumptions = {};  // in scope
+  std::vector<SymbolId> zeroed = {};       // symbols taken as 0 (all their components)
 };
 
 enum class Outcome : std::uint8_t { proved, refuted, undecided };
@@ -51,7 +52,7 @@ struct SampleValue {
 struct Sample {
   std::uint32_t particles = 0;  // how many; 0 where no statement needs any
   std::vector<SampleValue> values;
-  std::vector<std::uint8_t> axes;            // the free indices' values, then the axes of a vector or tensor claim
+  std::vector<std::uint8_t> axes;  // the free indices' values, then the axes of a vector or tensor claim
   std::vector<std::uint32_t> free_particles;  // which particle each free particle variable is, from 1
   std::string left;
   std::string right;
@@ -59,11 +60,11 @@ struct Sample {
 
 struct Decision {
   Outcome outcome = Outcome::undecided;
-  bool vanishes = false;    // proved, and each side is zero by itself
-  std::string route;        // `component normal form`, `moments`, `exact sample`…
-  std::string reason = {};  // undecided: why, and what was tried
-  std::vector<SymbolId> unfolded = {};          // definitions that were used
-  std::vector<std::size_t> assumptions = {};    // positions in Question::assumptions that were used
+  bool vanishes = false;                      // proved, and each side is zero by itself
+  std::string route;                          // `component normal form`, `moments`, `exact sample`…
+  std::string reason = {};                    // undecided: why, and what was tried
+  std::vector<SymbolId> unfolded = {};        // definitions that were used
+  std::vector<std::size_t> assumptions = {};  // positions in Question::assumptions that were used
   std::optional<Sample> sample = {};
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names that a file's statements are about. A symbol is what a letter with its face, accent, primes and labels stands for:
-// `\mathbf{r}_\alpha`, `r_{\alpha i}` and the length `r_\alpha` are one symbol (rank 1, one for each particle).
+// The names that a file's statements are about. A symbol is what a letter with its face, accent, primes and
+// labels stands for:
+// `\mathbf{r}_\alpha`, `r_{\alpha i}` and the length `r_\alpha` are one symbol (rank 1, one for each
+// particle).
 #pragma once
 
 #include <cstdint>

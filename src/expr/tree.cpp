@@ -239,7 +239,8 @@ const Table& ExprTree::table(ExprId id) const {
 bool ExprTree::is_zero_literal(ExprId id) const {
   while ((*this)[id].op == Op::tuple) {
     const std::span<const ExprId> entries = children(id);
-    if (entries[1] != entries[0] || entries[2] != entries[0]) return false;  // a written 0 given a rank has one entry thrice
+    if (entries[1] != entries[0] || entries[2] != entries[0])
+      return false;  // a written 0 given a rank has one entry thrice
     id = entries[0];
   }
   if ((*this)[id].op != Op::number) return false;

@@ -11,7 +11,9 @@ namespace rigor {
 [[nodiscard]] constexpr bool is_word_letter(char c) { return is_letter(c) || c == '@'; }
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// White space inside a line; a carriage return counts, so that it never shows at the end of one.
-[[nodiscard]] constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
+[[nodiscard]] constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
 [[nodiscard]] constexpr bool is_white(char c) { return is_blank(c) || c == '\n'; }
 
 [[nodiscard]] constexpr std::string_view without_blanks_around(std::string_view text) {

@@ -10,7 +10,7 @@
 namespace rigor {
 namespace {
 
-enum class Remark { connective, condition, quantifier, remark };
+enum class Remark { connective, condition, quantifier, remark, doubt };
 
 std::string lowered(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -23,6 +23,30 @@ bool has_word(const std::string& text, std::string_view word) {
     if ((at == 0 || !letter(at - 1)) && !letter(at + word.size())) return true;
   }
   return false;
+}
+
+/// Words that name an equation, its parts or its source, and restrict nothing. A capital begins a name: `Lagrange`.
+bool names_only(const std::string& words) {
+  static constexpr std::array harmless{"identity", "theorem", "rule",   "law",    "definition", "by",     "using",   "from",
+                                       "see",      "eq",      "eqs",    "equation", "proof",    "check",  "qed",     "the",
+                                       "a",        "of",      "this",   "is",     "we",         "have",   "get",     "find",
+                                       "recall",   "note",    "orbital", "spin",  "kinetic",    "energy", "total",   "mass",
+                                       "torque",   "momentum", "angular", "inertia", "tensor",  "moment", "scalar",  "vector",
+                                       "dot",      "cross",   "triple", "product", "expand",    "contract", "rename", "rearrange"};
+  std::string word;
+  const auto is_harmless = [&] {
+    if (word.empty() || std::isupper(static_cast<unsigned char>(word[0])) != 0) return true;
+    return std::find(harmless.begin(), harmless.end(), word) != harmless.end();
+  };
+  for (const char c : words + " ") {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += c;
+      continue;
+    }
+    if (!is_harmless()) return false;
+    word.clear();
+  }
+  return true;
 }
 
 /// What words beside an equation do to it: join the next, restrict it, quantify it, or nothing.
@@ -44,7 +68,7 @@ Remark classify(const std::string& words) {
   for (const char* word : connectives) {
     if (has_word(text, word)) return Remark::connective;
   }
-  return Remark::remark;
+  return names_only(words) ? Remark::remark : Remark::doubt;
 }
 
 struct Block {
@@ -100,6 +124,7 @@ class StatementSplitter {
     for (const Block& block : blocks_) add_block(block);
     for (WrittenChain& chain : chains_) {
       chain.tag = tag_;
+      chain.doubt = doubt_;
       if (condition_) {
         chain.condition = condition_;
         chain.condition_span = condition_span_;
@@ -113,6 +138,11 @@ class StatementSplitter {
     if (condition_) return;
     condition_ = Obstacle{DiagnosticKind::unsupported, std::move(message), {}};
     condition_span_ = span;
+  }
+
+  void set_doubt(const std::string& words) {
+    if (doubt_) return;
+    doubt_ = Obstacle{DiagnosticKind::unsupported, fmt::format("the words `{}` beside the equation may restrict it and are not read", words), {}};
   }
 
   /// Boundaries: wide space, words, implications; each only where an equation stands complete before it.
@@ -175,8 +205,10 @@ class StatementSplitter {
       case Remark::condition:
         set_condition(span, fmt::format("the words `{}` beside the equation change what it says and are not read", words));
         return;
-      case Remark::quantifier:
+      case Remark::doubt:
+        set_doubt(words);
         return;
+      case Remark::quantifier:
       case Remark::connective:
       case Remark::remark:
         return;
@@ -217,6 +249,7 @@ class StatementSplitter {
       ++at;
     }
     const Remark kind = classify(words);
+    if (only_words && kind == Remark::doubt) set_doubt(trim(tokens).empty() ? words : text_of(tokens));
     if (only_words && kind != Remark::condition) return;
     set_condition(span_of(tokens), fmt::format("`{}` beside the equation may change what it says and is not read", text_of(tokens)));
   }
@@ -258,6 +291,7 @@ class StatementSplitter {
   std::vector<WrittenChain> chains_;
   std::string tag_;
   std::optional<Obstacle> condition_;
+  std::optional<Obstacle> doubt_;
   Span condition_span_;
 };
 

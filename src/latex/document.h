@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notes as a list of what matters to a checker, in the order in which it stands in the text: headings, displayed equations,
-// directive lines, macro definitions. Prose and inline mathematics (`$…$`, `\(…\)`) are passed over.
+// Notes as a list of what matters to a checker, in the order in which it stands in the text: headings,
+// displayed equations, directive lines, macro definitions. Prose and inline mathematics (`$…$`, `\(…\)`) are
+// passed over.
 #pragma once
 
 #include <cstdint>
@@ -20,15 +21,15 @@ struct Heading {
   std::string title;  // as written, blanks trimmed, without braces around it
 };
 
-/// One line of a directive, without the comment mark and the word `rigor:`, blanks trimmed, e.g. `vector \mathbf{A}`; never
-/// empty. Those that stand inside a display come before it.
+/// One line of a directive, without the comment mark and the word `rigor:`, blanks trimmed, e.g. `vector
+/// \mathbf{A}`; never empty. Those that stand inside a display come before it.
 struct DirectiveLine {
   Span span;
 };
 
-/// A displayed equation, never empty. `body` is what stands between the delimiters; for `\begin{align}…\end{align}` the environment's
-/// name is kept (`align*` with its star), for `$$`, `\[` and a math fence it is empty. An argument of the environment, as in
-/// `alignat`, is not part of the body.
+/// A displayed equation, never empty. `body` is what stands between the delimiters; for
+/// `\begin{align}…\end{align}` the environment's name is kept (`align*` with its star), for `$$`, `\[` and a
+/// math fence it is empty. An argument of the environment, as in `alignat`, is not part of the body.
 struct Display {
   Span span;
   Span body;
@@ -53,10 +54,10 @@ enum class Format : std::uint8_t { markdown, latex };
 /// `.tex`, `.ltx`, `.latex`, `.sty` are LaTeX; everything else is Markdown.
 [[nodiscard]] Format format_of(std::string_view path);
 
-/// Reads a file that is already in `sources` (and mended). `\input{x}` and `\include{x}` (LaTeX) are followed inside the
-/// folder of the notes and below, at most 16 deep, each file once; a file outside is `input_outside`, a missing one
-/// `missing_input`. What is opened and not closed is `unbalanced`, and reading goes on after the next blank line.
-/// Cost: linear in the text.
+/// Reads a file that is already in `sources` (and mended). `\input{x}` and `\include{x}` (LaTeX) are followed
+/// inside the folder of the notes and below, at most 16 deep, each file once; a file outside is
+/// `input_outside`, a missing one `missing_input`. What is opened and not closed is `unbalanced`, and reading
+/// goes on after the next blank line. Cost: linear in the text.
 [[nodiscard]] Document read_document(SourceMap& sources, FileId file, Diagnostics& diagnostics);
 
 }  // namespace rigor

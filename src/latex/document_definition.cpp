@@ -114,15 +114,23 @@ DefinitionExtent definition_extent(NotesText& text, DefinitionForm form, std::si
   bool whole = false;
   switch (form) {
     case command:
-    case provided_command: whole = walk.brackets(2) && walk.argument(); break;
-    case primitive: whole = walk.parameter_text() && walk.argument(); break;
+    case provided_command:
+      whole = walk.brackets(2) && walk.argument();
+      break;
+    case primitive:
+      whole = walk.parameter_text() && walk.argument();
+      break;
     case synonym:
       walk.sign('=');
       walk.token();
       break;
-    case math_operator: walk.argument(); break;
+    case math_operator:
+      walk.argument();
+      break;
     case document_command:
-    case delimiters: walk.arguments(2); break;
+    case delimiters:
+      walk.arguments(2);
+      break;
     case delimiters_around:
       if (walk.brackets(1)) walk.arguments(3);
       break;

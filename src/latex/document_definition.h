@@ -12,8 +12,8 @@ namespace rigor {
 
 struct DefinitionExtent {
   std::size_t end = 0;
-  std::string_view name = {};         // the control that is defined, without its backslash; empty: none follows
-  std::string_view body = {};         // of a command or \def without parameters, without its braces
+  std::string_view name = {};  // the control that is defined, without its backslash; empty: none follows
+  std::string_view body = {};  // of a command or \def without parameters, without its braces
   std::optional<std::size_t> open = {};  // the brace or bracket that is not closed
 };
 

@@ -32,11 +32,20 @@ class DisplaySearch {
  private:
   void step() {
     switch (text_[at_]) {
-      case '\\': read_control(); break;
-      case '$': read_dollar(); break;
-      case '\n': read_line_break(); break;
-      case '%': at_ = has_comments_ ? text_.line_end(at_) : at_ + 1; break;
-      default: ++at_;
+      case '\\':
+        read_control();
+        break;
+      case '$':
+        read_dollar();
+        break;
+      case '\n':
+        read_line_break();
+        break;
+      case '%':
+        at_ = has_comments_ ? text_.line_end(at_) : at_ + 1;
+        break;
+      default:
+        ++at_;
     }
   }
 
@@ -126,8 +135,8 @@ class DisplaySearch {
 
 }  // namespace
 
-DisplayEnd find_display_end(const NotesText& text, const EnvironmentAliases& aliases, DisplayDelimiter delimiter,
-                            std::string_view environment, std::size_t from) {
+DisplayEnd find_display_end(const NotesText& text, const EnvironmentAliases& aliases,
+                            DisplayDelimiter delimiter, std::string_view environment, std::size_t from) {
   return DisplaySearch(text, aliases, delimiter, environment, from).result();
 }
 

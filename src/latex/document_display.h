@@ -29,14 +29,15 @@ struct DisplayEnd {
   std::size_t end = 0;
 };
 
-/// Looks for the end from `from` on, behind the opening. Without one, the search stops at the next display or heading, for
-/// `$$` (where opening and closing look the same) and in Markdown outside environments already at a blank line.
-/// Cost: linear in what it passes over.
+/// Looks for the end from `from` on, behind the opening. Without one, the search stops at the next display or
+/// heading; in `$$` (where opening and closing look the same), and in Markdown outside environments, already
+/// at a blank line. Cost: linear in what it passes over.
 [[nodiscard]] DisplayEnd find_display_end(const NotesText& text, const EnvironmentAliases& aliases,
                                           DisplayDelimiter delimiter, std::string_view environment,
                                           std::size_t from);
 
-/// The level of a LaTeX heading (`section`): 0 for \part, 1 for \chapter and so on; negative for other controls.
+/// The level of a LaTeX heading (`section`): 0 for \part, 1 for \chapter and so on; negative for other
+/// controls.
 [[nodiscard]] int heading_rank(std::string_view control);
 /// Markdown: the level of `## Title` that starts the line; 0 for other lines.
 [[nodiscard]] int atx_level(const NotesText& text, std::size_t line);

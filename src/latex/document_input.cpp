@@ -36,8 +36,9 @@ InputFiles::InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics)
 std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
   if (++requests_ > most_requests) {
     if (requests_ > most_requests + 1) return std::nullopt;
-    return report(DiagnosticKind::missing_input, place,
-                  fmt::format("no more than {} files are read; this and all later ones are left out", most_requests));
+    return report(
+        DiagnosticKind::missing_input, place,
+        fmt::format("no more than {} files are read; this and all later ones are left out", most_requests));
   }
   fs::path asked{name};
   if (!asked.has_extension()) asked += ".tex";
@@ -48,7 +49,8 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
   }
   const fs::path path = find(asked);
   const fs::path real = real_path(path);
-  if (real.empty()) return report(DiagnosticKind::missing_input, place, fmt::format("`{}` is no path", shown));
+  if (real.empty())
+    return report(DiagnosticKind::missing_input, place, fmt::format("`{}` is no path", shown));
   if (!is_inside(real)) {
     return report(DiagnosticKind::input_outside, place,
                   fmt::format("`{}` is outside the folder of the notes", shown));

@@ -19,13 +19,18 @@ class LatexReader : NotesReader {
   void read() {
     while (goes_on()) {
       switch (text_[at_]) {
-        case '\\': read_control(); break;
-        case '$': read_dollar(); break;
+        case '\\':
+          read_control();
+          break;
+        case '$':
+          read_dollar();
+          break;
         case '%':
           add_directive(at_);
           at_ = text_.line_end(at_);
           break;
-        default: ++at_;
+        default:
+          ++at_;
       }
     }
   }

@@ -13,7 +13,8 @@
 namespace rigor {
 namespace {
 
-constexpr int failures_searched = 8;  // searches for a closing mark that end in nothing, before they are given up
+/// Searches for a closing mark that end in nothing, before they are given up.
+constexpr int failures_searched = 8;
 
 class MarkdownReader : NotesReader {
  public:
@@ -52,12 +53,23 @@ class MarkdownReader : NotesReader {
   void read_text() {
     do {
       switch (text_[at_]) {
-        case '\n': ++at_; return;
-        case '\\': read_backslash(); break;
-        case '$': read_dollar(); break;
-        case '`': read_code_span(); break;
-        case '<': read_angle(); break;
-        default: ++at_;
+        case '\n':
+          ++at_;
+          return;
+        case '\\':
+          read_backslash();
+          break;
+        case '$':
+          read_dollar();
+          break;
+        case '`':
+          read_code_span();
+          break;
+        case '<':
+          read_angle();
+          break;
+        default:
+          ++at_;
       }
     } while (goes_on() && text_[at_ - 1] != '\n');
   }
@@ -134,7 +146,8 @@ class MarkdownReader : NotesReader {
     no_dollar_before_ = at;
   }
 
-  /// Stands behind inline mathematics. Only definitions count in it: notes that KaTeX shows begin with `$\newcommand…$`.
+  /// Stands behind inline mathematics. Only definitions count in it: notes that KaTeX shows begin with
+  /// `$\newcommand…$`.
   void pass_inline(std::size_t begin, std::size_t end, std::size_t closing_length) {
     for (at_ = begin; at_ < end;) {
       if (text_[at_] != '\\') {
@@ -217,8 +230,8 @@ class MarkdownReader : NotesReader {
     if (!closing) {
       ++open_fences_;
       const std::string_view marks = text_.between(fence.begin, fence.begin + fence.marks);
-      report(fence.begin, text_.trimmed(fence.begin, text_.line_end(fence.begin)).end, "a fenced block is not closed",
-             fmt::format("close it with a line `{}`", marks));
+      report(fence.begin, text_.trimmed(fence.begin, text_.line_end(fence.begin)).end,
+             "a fenced block is not closed", fmt::format("close it with a line `{}`", marks));
       at_ = text_.after_blank_line(fence.begin);
       return;
     }
@@ -231,13 +244,13 @@ class MarkdownReader : NotesReader {
     at_ = text_.next_line(*closing);
   }
 
-  LineStart line_;                                       // of the line that is being read
+  LineStart line_;                                         // of the line that is being read
   std::size_t text_above_ = static_cast<std::size_t>(-1);  // a line of plain text directly above, or the end
   std::size_t paragraph_end_ = 0;
-  std::size_t no_dollar_before_ = 0;       // nothing up to there closes inline mathematics
-  std::size_t no_parenthesis_before_ = 0;  // the same for `\)`
+  std::size_t no_dollar_before_ = 0;                // nothing up to there closes inline mathematics
+  std::size_t no_parenthesis_before_ = 0;           // the same for `\)`
   std::array<std::size_t, 2> no_bracket_before_{};  // the same for `\]` and `\\]`
-  int open_code_spans_ = 0;                // in this paragraph
+  int open_code_spans_ = 0;                         // in this paragraph
   int open_fences_ = 0;
   bool comments_close_ = true;
 };

@@ -18,10 +18,14 @@ constexpr std::size_t longest_options = 500;  // of an environment
 
 std::string closing_of(DisplayDelimiter delimiter, std::string_view environment) {
   switch (delimiter) {
-    case DisplayDelimiter::dollars: return "$$";
-    case DisplayDelimiter::bracket: return "\\]";
-    case DisplayDelimiter::double_bracket: return "\\\\]";
-    case DisplayDelimiter::environment: return fmt::format("\\end{{{}}}", environment);
+    case DisplayDelimiter::dollars:
+      return "$$";
+    case DisplayDelimiter::bracket:
+      return "\\]";
+    case DisplayDelimiter::double_bracket:
+      return "\\\\]";
+    case DisplayDelimiter::environment:
+      return fmt::format("\\end{{{}}}", environment);
   }
   return {};
 }
@@ -66,7 +70,8 @@ void NotesReader::report_open(const Opening& opening, const DisplayEnd& end) {
   std::vector<Label> labels;
   if (!at_blank_line) {
     const std::size_t word = std::max<std::size_t>(text_.control_word(end.begin).size(), 1) + 1;
-    labels.push_back({text_.span(end.begin, std::min(end.begin + word, text_.size())), "not closed before this"});
+    labels.push_back(
+        {text_.span(end.begin, std::min(end.begin + word, text_.size())), "not closed before this"});
   }
   const bool blank_line_ends = at_blank_line && end.begin < text_.size();
   report(opening.begin, opening.behind,
@@ -86,8 +91,9 @@ void NotesReader::report_wrong(const Opening& opening, const DisplayEnd& end) {
   const auto brace = written.find('{');
   const auto mark =
       brace == std::string_view::npos ? std::nullopt : text_.environment_mark(end.begin + brace);
-  at_ = !mark || is_display_environment(mark->name) ? end.end
-                                                    : std::min(end.begin, text_.after_blank_line(opening.begin));
+  at_ = !mark || is_display_environment(mark->name)
+            ? end.end
+            : std::min(end.begin, text_.after_blank_line(opening.begin));
 }
 
 bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes) {
@@ -162,7 +168,8 @@ void NotesReader::report(std::size_t begin, std::size_t end, std::string message
                          std::vector<Label> labels) {
   std::vector<std::string> helps{std::move(help)};
   reading_.stopped = ++reading_.unbalanced == most_reports;
-  if (reading_.stopped) helps.emplace_back("the notes are not read any further, since so much in them is unbalanced");
+  if (reading_.stopped)
+    helps.emplace_back("the notes are not read any further, since so much in them is unbalanced");
   reading_.diagnostics.push_back({DiagnosticKind::unbalanced, text_.span(begin, end), std::move(message),
                                   std::move(labels), std::move(helps)});
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of LaTeX and of Markdown have in common: the place where one stands, displays, macro definitions and
-// what is said about what does not close.
+// What the readers of LaTeX and of Markdown have in common: the place where one stands, displays, macro
+// definitions and what is said about what does not close.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +41,8 @@ class NotesReader {
   /// Adds the display and stands behind it if it is closed; else changes nothing.
   DisplayEnd read_closed_display(const Opening& opening);
 
-  /// At `\begin` or `\end` or an alias of one, a display begins or an end is stray. False: it is about something else.
+  /// At `\begin` or `\end` or an alias of one, a display begins or an end is stray. False: it is about
+  /// something else.
   bool read_environment(std::string_view word, std::uint32_t quotes);
   /// At a control that defines a macro or an environment. False: it does neither.
   bool read_definition(std::string_view word);

@@ -52,8 +52,9 @@ class NotesText {
   /// Behind blanks, comments (LaTeX) and at most one line break; never into a blank line.
   [[nodiscard]] std::size_t skip_gap(std::size_t at) const;
 
-  /// Behind the brace that closes the one at `open`; nothing where none does. After eight braces that were closed nowhere,
-  /// every search ends at a blank line: a file of open braces is not read to its end for each of them.
+  /// Behind the brace that closes the one at `open`; nothing where none does. After eight braces that were
+  /// closed nowhere, every search ends at a blank line: a file of open braces is not read to its end for each
+  /// of them.
   [[nodiscard]] std::optional<std::size_t> group_end(std::size_t open, bool in_paragraph = false);
   /// Behind the `]` that closes the `[` at `open`, before the next blank line.
   [[nodiscard]] std::optional<std::size_t> bracket_end(std::size_t open) const;

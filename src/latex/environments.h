@@ -8,7 +8,8 @@
 
 namespace rigor {
 
-/// `align`, `align*`, `equation`…: what stands inside is a displayed equation. The star counts as part of the name.
+/// `align`, `align*`, `equation`…: what stands inside is a displayed equation. The star counts as part of the
+/// name.
 [[nodiscard]] bool is_display_environment(std::string_view name);
 /// `{2}` stands behind `\begin{alignat}`, `{align}` behind `\begin{empheq}`.
 [[nodiscard]] bool takes_argument(std::string_view name);
@@ -17,13 +18,15 @@ namespace rigor {
 /// `\begin{verbatim}` and its kind: nothing inside is read.
 [[nodiscard]] bool is_verbatim_environment(std::string_view name);
 
-/// Controls that stand for `\begin{name}` or `\end{name}` of a display, as in `\newcommand{\be}{\begin{equation}}`.
+/// Controls that stand for `\begin{name}` or `\end{name}` of a display, as in
+/// `\newcommand{\be}{\begin{equation}}`.
 struct EnvironmentAliases {
   using Names = std::map<std::string, std::string, std::less<>>;  // from the control to the environment
   Names begins;
   Names ends;
 
-  /// Records what the control is defined as: the body of a macro without parameters. Other bodies end an alias.
+  /// Records what the control is defined as: the body of a macro without parameters. Other bodies end an
+  /// alias.
   void define(std::string_view control, std::string_view body);
 };
 

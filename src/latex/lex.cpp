@@ -34,7 +34,8 @@ class Lexer {
 
  private:
   void add(TokenKind kind, std::string_view text, std::size_t begin) {
-    tokens_.push_back({kind, text, {file_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}});
+    tokens_.push_back(
+        {kind, text, {file_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}});
   }
 
   /// White space and comments, together one token at most: TeX's states S (skipping blanks) and N (new line).
@@ -109,12 +110,18 @@ class Lexer {
 
   static TokenKind kind_of(char c) {
     switch (c) {
-      case '{': return TokenKind::begin_group;
-      case '}': return TokenKind::end_group;
-      case '^': return TokenKind::superscript;
-      case '_': return TokenKind::subscript;
-      case '&': return TokenKind::align;
-      default: break;
+      case '{':
+        return TokenKind::begin_group;
+      case '}':
+        return TokenKind::end_group;
+      case '^':
+        return TokenKind::superscript;
+      case '_':
+        return TokenKind::subscript;
+      case '&':
+        return TokenKind::align;
+      default:
+        break;
     }
     if (is_digit(c)) return TokenKind::digit;
     if (is_letter(c) || static_cast<unsigned char>(c) >= 0x80U) return TokenKind::letter;

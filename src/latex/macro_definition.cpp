@@ -60,10 +60,11 @@ class DefinitionReader {
     if (!read_name()) return false;
     if (!read_rest(form)) return false;
     if (macro_.use != MacroUse::unreadable && highest_parameter(macro_.body) > macro_.parameters) {
-      reject(fmt::format("uses `#{}` and has {} parameter{}", highest_parameter(macro_.body), macro_.parameters,
-                         macro_.parameters == 1 ? "" : "s"));
+      reject(fmt::format("uses `#{}` and has {} parameter{}", highest_parameter(macro_.body),
+                         macro_.parameters, macro_.parameters == 1 ? "" : "s"));
     }
-    if (form != provided_command || !macros_.contains(name_)) macros_.insert_or_assign(name_, std::move(macro_));
+    if (form != provided_command || !macros_.contains(name_))
+      macros_.insert_or_assign(name_, std::move(macro_));
     return true;
   }
 
@@ -71,13 +72,21 @@ class DefinitionReader {
   bool read_rest(DefinitionForm form) {
     switch (form) {
       case command:
-      case provided_command: return read_count() && read_default() && read_body();
-      case document_command: return read_argument_types() && read_body();
-      case primitive: return read_parameter_text() && read_body();
-      case synonym: return read_synonym();
-      case math_operator: return read_operator();
-      case DefinitionForm::delimiters: macro_.parameters = 1; return read_delimiters(true);
-      case delimiters_around: return read_count() && read_delimiters(false);
+      case provided_command:
+        return read_count() && read_default() && read_body();
+      case document_command:
+        return read_argument_types() && read_body();
+      case primitive:
+        return read_parameter_text() && read_body();
+      case synonym:
+        return read_synonym();
+      case math_operator:
+        return read_operator();
+      case DefinitionForm::delimiters:
+        macro_.parameters = 1;
+        return read_delimiters(true);
+      case delimiters_around:
+        return read_count() && read_delimiters(false);
     }
     return false;
   }
@@ -242,7 +251,8 @@ class DefinitionReader {
 }  // namespace
 
 std::optional<DefinitionForm> definition_form(std::string_view control) {
-  const auto form = std::find_if(forms.begin(), forms.end(), [&](const auto& entry) { return entry.first == control; });
+  const auto form =
+      std::find_if(forms.begin(), forms.end(), [&](const auto& entry) { return entry.first == control; });
   if (form == forms.end()) return std::nullopt;
   return form->second;
 }

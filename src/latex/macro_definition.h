@@ -26,8 +26,9 @@ enum class DefinitionForm : std::uint8_t {
 /// The form that a control opens (`newcommand`); nothing for a control that defines no macro.
 [[nodiscard]] std::optional<DefinitionForm> definition_form(std::string_view control);
 
-/// Reads what follows `control` and enters it in `macros`. A definition that is not read is `bad_macro`, and so is every
-/// later call of its name: an older meaning would be a guess. False: where the definition ends is not known.
+/// Reads what follows `control` and enters it in `macros`. A definition that is not read is `bad_macro`, and
+/// so is every later call of its name: an older meaning would be a guess. False: where the definition ends is
+/// not known.
 bool read_definition(const Token& control, DefinitionForm form, MacroStream& stream, MacroTable& macros,
                      Diagnostics& diagnostics);
 

@@ -10,15 +10,75 @@ namespace rigor {
 namespace {
 
 constexpr auto takes_one = std::to_array<std::string_view>({
-    "acute", "bar", "bm", "boldsymbol", "boxed", "breve", "check", "ddddot", "dddot", "ddot", "dot", "grave",
-    "hat", "mathbb", "mathbf", "mathbfit", "mathbfsf", "mathcal", "mathfrak", "mathit", "mathnormal", "mathring",
-    "mathrm", "mathscr", "mathsf", "mathtt", "mbox", "norm", "operatorname", "overbrace", "overleftarrow",
-    "overleftrightarrow", "overline", "overrightarrow", "pmb", "sqrt", "symbf", "symbfit", "symrm", "text",
-    "textbf", "textit", "textnormal", "textrm", "tilde", "underbrace", "underline", "unit", "va", "vb", "vec",
-    "vectorbold", "vectorunit", "vu", "widehat", "widetilde",
+    "acute",
+    "bar",
+    "bm",
+    "boldsymbol",
+    "boxed",
+    "breve",
+    "check",
+    "ddddot",
+    "dddot",
+    "ddot",
+    "dot",
+    "grave",
+    "hat",
+    "mathbb",
+    "mathbf",
+    "mathbfit",
+    "mathbfsf",
+    "mathcal",
+    "mathfrak",
+    "mathit",
+    "mathnormal",
+    "mathring",
+    "mathrm",
+    "mathscr",
+    "mathsf",
+    "mathtt",
+    "mbox",
+    "norm",
+    "operatorname",
+    "overbrace",
+    "overleftarrow",
+    "overleftrightarrow",
+    "overline",
+    "overrightarrow",
+    "pmb",
+    "sqrt",
+    "symbf",
+    "symbfit",
+    "symrm",
+    "text",
+    "textbf",
+    "textit",
+    "textnormal",
+    "textrm",
+    "tilde",
+    "underbrace",
+    "underline",
+    "unit",
+    "va",
+    "vb",
+    "vec",
+    "vectorbold",
+    "vectorunit",
+    "vu",
+    "widehat",
+    "widetilde",
 });
 constexpr auto takes_two = std::to_array<std::string_view>({
-    "binom", "cfrac", "dbinom", "dfrac", "frac", "overset", "stackrel", "tbinom", "textcolor", "tfrac", "underset",
+    "binom",
+    "cfrac",
+    "dbinom",
+    "dfrac",
+    "frac",
+    "overset",
+    "stackrel",
+    "tbinom",
+    "textcolor",
+    "tfrac",
+    "underset",
 });
 static_assert(std::is_sorted(takes_one.begin(), takes_one.end()));
 static_assert(std::is_sorted(takes_two.begin(), takes_two.end()));
@@ -31,7 +91,9 @@ std::uint8_t arguments_of(const Token& token) {
 
 }  // namespace
 
-bool MacroOutput::awaits_argument() const { return levels_.back().awaited > 0 && !levels_.back().in_optional; }
+bool MacroOutput::awaits_argument() const {
+  return levels_.back().awaited > 0 && !levels_.back().in_optional;
+}
 
 void MacroOutput::add(const Token& token) {
   tokens_.push_back(token);

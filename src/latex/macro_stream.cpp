@@ -30,7 +30,8 @@ void MacroStream::skip_spaces() {
 std::optional<TakenArgument> MacroStream::take_argument() {
   skip_spaces();
   const auto first = peek();
-  if (!first || first->kind == TokenKind::paragraph || first->kind == TokenKind::end_group) return std::nullopt;
+  if (!first || first->kind == TokenKind::paragraph || first->kind == TokenKind::end_group)
+    return std::nullopt;
   take();
   if (first->kind != TokenKind::begin_group) return TakenArgument{{*first}, first->span};
   TakenArgument argument{{}, first->span};

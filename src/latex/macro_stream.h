@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tokens that are still to be expanded: those of the notes and, on top of them, the bodies of macros being expanded.
+// The tokens that are still to be expanded: those of the notes and, on top of them, the bodies of macros
+// being expanded.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,8 @@
 
 namespace rigor {
 
-/// An argument as TeX takes it: without the braces around it; `span` is where it was written, with its braces.
+/// An argument as TeX takes it: without the braces around it; `span` is where it was written, with its
+/// braces.
 struct TakenArgument {
   Tokens tokens;
   Span span;
@@ -27,15 +29,17 @@ class MacroStream {
   bool take_sign(std::string_view sign);
   void skip_spaces();
 
-  /// A brace group or one token, spaces skipped. Nothing at the end of the stream, of a paragraph or of the group that
-  /// the call stands in, and for a group that is never closed.
+  /// A brace group or one token, spaces skipped. Nothing at the end of the stream, of a paragraph or of the
+  /// group that the call stands in, and for a group that is never closed.
   std::optional<TakenArgument> take_argument();
-  /// What stands in `[…]`, spaces skipped. Needs that the next token is `[`; nothing where it is never closed.
+  /// What stands in `[…]`, spaces skipped. Needs that the next token is `[`; nothing where it is never
+  /// closed.
   std::optional<TakenArgument> take_optional();
 
   /// The tokens come before all others.
   void push(Tokens tokens) { layers_.push_back({std::move(tokens), {}}); }
-  /// Bodies inside which the next token lies. A body that has just run out still counts: `\def\a{\a}` grows deeper.
+  /// Bodies inside which the next token lies. A body that has just run out still counts: `\def\a{\a}` grows
+  /// deeper.
   [[nodiscard]] std::size_t depth() const { return layers_.size() - 1; }
 
  private:

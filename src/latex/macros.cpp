@@ -38,12 +38,14 @@ class Expander {
     if (macro == macros_.end()) return pass(token);
     switch (macro->second.use) {
       case MacroUse::expands:
-      case MacroUse::delimiters: return call(token, macro->second);
+      case MacroUse::delimiters:
+        return call(token, macro->second);
       case MacroUse::stands_for: {
         const Token& meaning = macro->second.body.front();
         return pass({meaning.kind, meaning.text, token.span});
       }
-      case MacroUse::unreadable: return fail(token, "has a definition that is not read");
+      case MacroUse::unreadable:
+        return fail(token, "has a definition that is not read");
     }
     return false;
   }
@@ -65,7 +67,8 @@ class Expander {
     if (!take_arguments(control, macro, arguments)) return false;
     Span written = control.span;
     for (const TakenArgument& argument : arguments) {
-      if (argument.span.file == written.file && !argument.span.empty()) written = cover(written, argument.span);
+      if (argument.span.file == written.file && !argument.span.empty())
+        written = cover(written, argument.span);
     }
     auto body = substitute(macro.body, arguments, written);
     if (!body) return fail_endless(control);
@@ -81,7 +84,8 @@ class Expander {
     if (macro.use == MacroUse::delimiters) {
       stream_.skip_spaces();
       stream_.take_sign("*");
-      if (next_is_bracket() && !stream_.take_optional()) return fail(control, "has an argument that is not closed");
+      if (next_is_bracket() && !stream_.take_optional())
+        return fail(control, "has an argument that is not closed");
     }
     if (macro.first_default) {
       stream_.skip_spaces();
@@ -105,8 +109,10 @@ class Expander {
     return token && is_sign(*token, "[");
   }
 
-  /// The body with its arguments in place; nothing where it would be too long. `##` is the `#` of a definition inside.
-  std::optional<Tokens> substitute(TokenView body, const std::vector<TakenArgument>& arguments, Span written) {
+  /// The body with its arguments in place; nothing where it would be too long. `##` is the `#` of a
+  /// definition inside.
+  std::optional<Tokens> substitute(TokenView body, const std::vector<TakenArgument>& arguments,
+                                   Span written) {
     Tokens result;
     for (std::size_t i = 0; i < body.size(); ++i) {
       const bool doubled = body[i].kind == TokenKind::parameter && body[i].text.empty();
@@ -138,11 +144,12 @@ class Expander {
   }
 
   bool fail_endless(const Token& control) {
-    diagnostics_.push_back({DiagnosticKind::macro_recursion,
-                            control.span,
-                            fmt::format("the macro `\\{}` expands for ever, or to more than is read", control.text),
-                            {},
-                            {"does its definition, or one that it uses, contain the macro itself?"}});
+    diagnostics_.push_back(
+        {DiagnosticKind::macro_recursion,
+         control.span,
+         fmt::format("the macro `\\{}` expands for ever, or to more than is read", control.text),
+         {},
+         {"does its definition, or one that it uses, contain the macro itself?"}});
     return false;
   }
 

@@ -26,8 +26,8 @@ struct Fence {
 /// The fence that opens at `at`, where a line's own text starts.
 [[nodiscard]] std::optional<Fence> fence_at(const NotesText& text, std::size_t at);
 /// The start of the line that closes the fence, from the line `line` on; `in_paragraph`: before a blank line.
-[[nodiscard]] std::optional<std::size_t> find_fence_end(const NotesText& text, const Fence& fence, std::size_t line,
-                                                        bool in_paragraph);
+[[nodiscard]] std::optional<std::size_t> find_fence_end(const NotesText& text, const Fence& fence,
+                                                        std::size_t line, bool in_paragraph);
 
 /// The title in `## Title ##`.
 [[nodiscard]] Span atx_title(const NotesText& text, std::size_t line);

@@ -33,6 +33,8 @@ struct WrittenChain {
   /// Words or signs beside the equation that change what it says ("no sum", "if i ≠ j", an implication) and are not read.
   std::optional<Obstacle> condition;
   Span condition_span;
+  /// Words beside the equation that may restrict it ("to first order"): it may be proved, never refuted.
+  std::optional<Obstacle> doubt;
   Span span;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TeX tokens of one stretch of notes. A token's text is a view into the text it was lexed from (for a macro's body: the
-// definition); its span is where the author wrote it: for a token that came out of a macro's body, the macro call.
+// TeX tokens of one stretch of notes. A token's text is a view into the text it was lexed from (for a macro's
+// body: the definition); its span is where the author wrote it: for a token that came out of a macro's body,
+// the macro call.
 #pragma once
 
 #include <cstdint>
@@ -33,10 +34,10 @@ struct Token {
   Span span;
 };
 
-/// All tokens of `span`. Comments (% to the end of the line, with the line break and the blanks that follow) vanish, and
-/// so do blanks after a control word; `@` is a letter in a control word. `\begin` and `\end` are controls like others; the
-/// braces that follow are tokens. In a Markdown quotation, up to `quotes` marks `>` at the start of each line are blanks.
-/// Nothing is an error here. Cost: linear.
+/// All tokens of `span`. Comments (% to the end of the line, with the line break and the blanks that follow)
+/// vanish, and so do blanks after a control word; `@` is a letter in a control word. `\begin` and `\end` are
+/// controls like others; the braces that follow are tokens. In a Markdown quotation, up to `quotes` marks `>`
+/// at the start of each line are blanks. Nothing is an error here. Cost: linear.
 [[nodiscard]] std::vector<Token> lex(const SourceMap& sources, Span span, std::uint32_t quotes = 0);
 
 }  // namespace rigor

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "base/paint.h"
@@ -15,12 +16,14 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t least_width = 60;
+constexpr std::size_t gap = 2;
 constexpr std::size_t longest_tag = 12;
-constexpr std::size_t verdict_width = 20;  // room that is left for the last column
+constexpr std::size_t least_step = 20;
+constexpr std::uint32_t margin = 8;  // cells of a line number and its bar
 
 /// One step as the four columns of its line.
 struct Row {
+  FileId file = 0;
   std::string line;
   std::string tag;
   std::string step;
@@ -36,17 +39,16 @@ std::string print_tag(const std::string& tag) {
 std::string print_verdict(const Step& step) {
   std::string text(name_of(step.verdict));
   std::replace(text.begin(), text.end(), '-', ' ');
-  if (!step.expected_refuted) return text;
-  return text + (step.verdict == Verdict::refuted ? ", as expected" : ", not refuted as expected");
+  const bool as_expected = step.verdict == Verdict::refuted && step.expected_refuted;
+  return as_expected ? text + ", as expected" : text;
 }
 
 Paint paint_of(const Step& step) {
-  const bool is_refuted = step.verdict == Verdict::refuted;
-  if (is_refuted != step.expected_refuted) return Paint::bad;
   switch (step.verdict) {
     case Verdict::proved:
-    case Verdict::refuted:
       return Paint::good;
+    case Verdict::refuted:
+      return step.expected_refuted ? Paint::good : Paint::bad;
     case Verdict::given:
     case Verdict::definition:
       return Paint::plain;
@@ -61,7 +63,36 @@ Paint paint_of(const Step& step) {
 
 Row row_of(const Step& step, const SourceMap& sources) {
   const std::uint32_t line = sources.line_column(step.span.file, step.span.begin).line;
-  return {fmt::format("{:>5}", line), print_tag(step.tag), {}, print_verdict(step), paint_of(step)};
+  return {step.span.file, fmt::format("{:>5}", line), print_tag(step.tag), {}, print_verdict(step),
+          paint_of(step)};
+}
+
+struct ColumnWidths {
+  std::size_t line = 0;
+  std::size_t tag = 0;
+  std::size_t step = 0;
+  std::size_t verdict = 0;
+};
+
+/// The rows of a file, and how wide each column must be; steps are cut so that a line fits into `width`.
+std::pair<std::vector<Row>, ColumnWidths> rows_of(const FileReport& file, const SourceMap& sources,
+                                                  std::size_t width) {
+  std::vector<Row> rows;
+  ColumnWidths widths;
+  for (const Step& step : file.steps) {
+    const Row& row = rows.emplace_back(row_of(step, sources));
+    widths.line = std::max(widths.line, row.line.size());
+    widths.tag = std::max(widths.tag, cells(row.tag));
+    widths.verdict = std::max(widths.verdict, row.verdict.size());
+  }
+  const std::size_t others =
+      widths.line + gap + (widths.tag == 0 ? 0 : widths.tag + gap) + gap + widths.verdict;
+  const std::size_t room = width > others + least_step ? width - others : least_step;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].step = shorten(file.steps[i].source, room);
+    widths.step = std::max(widths.step, cells(rows[i].step));
+  }
+  return {std::move(rows), widths};
 }
 
 std::string padded(const std::string& text, std::size_t width) {
@@ -69,48 +100,26 @@ std::string padded(const std::string& text, std::size_t width) {
   return used < width ? text + std::string(width - used, ' ') : text;
 }
 
+/// Steps of another file, such as one that `\input` names, stand below that file's path.
 std::string print_steps(const FileReport& file, const SourceMap& sources, const TerminalOptions& options) {
-  std::vector<Row> rows;
-  std::size_t line_width = 0;
-  std::size_t tag_width = 0;
-  for (const Step& step : file.steps) {
-    rows.push_back(row_of(step, sources));
-    line_width = std::max(line_width, rows.back().line.size());
-    tag_width = std::max(tag_width, cells(rows.back().tag));
-  }
-  const std::size_t before = line_width + 2 + (tag_width == 0 ? 0 : tag_width + 2);
-  const std::size_t room = std::max<std::size_t>(options.width, least_width) - before - 2 - verdict_width;
-  std::size_t step_width = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].step = shorten(file.steps[i].source, room);
-    step_width = std::max(step_width, cells(rows[i].step));
-  }
-  std::string text;
+  const auto [rows, widths] = rows_of(file, sources, options.width);
+  const std::string between(gap, ' ');
+  std::string text = paint(printable(file.path), Paint::strong, options.color) + "\n";
+  FileId current = file.file;
   for (const Row& row : rows) {
-    text += fmt::format("{:>{}}  ", row.line, line_width);
-    if (tag_width > 0) text += padded(row.tag, tag_width) + "  ";
-    text +=
-        fmt::format("{}  {}\n", padded(row.step, step_width), paint(row.verdict, row.style, options.color));
+    if (row.file != current)
+      text += paint(printable(sources.path(row.file)), Paint::strong, options.color) + "\n";
+    current = row.file;
+    text += fmt::format("{:>{}}", row.line, widths.line) + between;
+    if (widths.tag > 0) text += padded(row.tag, widths.tag) + between;
+    text += padded(row.step, widths.step) + between + paint(row.verdict, row.style, options.color) + "\n";
   }
   return text;
 }
 
-/// The refutations that no diagnostic speaks of, such as those that a directive expects, as diagnostics.
-Diagnostics silent_refutations(const Step& step) {
-  const auto is_refutation = [](const Diagnostic& d) { return d.kind == DiagnosticKind::refuted; };
-  if (step.verdict != Verdict::refuted || !step.counterexample) return {};
-  if (std::any_of(step.diagnostics.begin(), step.diagnostics.end(), is_refutation)) return {};
-  return {{DiagnosticKind::refuted,
-           step.relation_span,
-           step.expected_refuted ? "the sides differ, as expected" : "the sides differ",
-           {},
-           {}}};
-}
-
-std::string print_diagnostics(FileReport file, const SourceMap& sources, const TerminalOptions& options) {
-  for (Step& step : file.steps)
-    for (Diagnostic& diagnostic : silent_refutations(step)) step.diagnostics.push_back(std::move(diagnostic));
-  const RenderOptions render_options{options.color, std::max<std::uint32_t>(options.width, least_width)};
+std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
+                              const TerminalOptions& options) {
+  const RenderOptions render_options{options.color, options.width > margin ? options.width - margin : 0};
   std::string text;
   for (const PlacedDiagnostic& placed : diagnostics_of(file)) {
     text += "\n" + render(*placed.diagnostic, sources, render_options);
@@ -126,7 +135,6 @@ std::string print_diagnostics(FileReport file, const SourceMap& sources, const T
 std::string print_report(const Report& report, const SourceMap& sources, const TerminalOptions& options) {
   std::string text;
   for (const FileReport& file : report.files) {
-    text += paint(printable(file.path), Paint::strong, options.color) + "\n";
     text += print_steps(file, sources, options);
     text += print_diagnostics(file, sources, options);
     text += "\n";

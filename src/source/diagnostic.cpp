@@ -25,7 +25,7 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {unbalanced, "unbalanced", error,
      "a brace, a bracket, an environment or a display is not closed or not opened"},
     {macro_recursion, "macro-recursion", error, "a macro expands for ever, or to more than is allowed"},
-    {bad_macro, "bad-macro", error, "a macro definition or call cannot be read"},
+    {bad_macro, "bad-macro", warning, "a macro definition or call cannot be read"},
     {missing_input, "missing-input", error, "a file named by \\input is missing or cannot be read"},
     {input_outside, "input-outside", error, "a file named by \\input is outside the notes' folder"},
     {display_too_long, "display-too-long", not_understood, "a display is longer than is allowed"},
