@@ -55,6 +55,47 @@ constexpr double expand_above =
                       [&](const Divisor& each) { return each.base.is_equal(base); });
 }
 
+[[nodiscard]] GiNaC::exvector terms_of(const ex& expanded) {
+  if (GiNaC::is_a<GiNaC::add>(expanded)) return {expanded.begin(), expanded.end()};
+  return {expanded};
+}
+
+/// The product of two expanded polynomials. GiNaC's own adds up after each term of a factor, which makes the
+/// cost of (x_1 + … + x_n)(y_1 + y_2) quadratic in n.
+[[nodiscard]] ex distributed(const ex& a, const ex& b) {
+  const GiNaC::exvector left = terms_of(a);
+  const GiNaC::exvector right = terms_of(b);
+  if (left.size() == 1 && right.size() == 1) return a * b;
+  GiNaC::exvector products;
+  products.reserve(left.size() * right.size());
+  for (const ex& x : left) {
+    for (const ex& y : right) products.push_back(x * y);
+  }
+  return GiNaC::add(products);
+}
+
+/// Recursion: as deep as the expression, whose depth is bounded (`largest_depth`).
+[[nodiscard]] ex expanded_polynomial(const ex& value) {
+  if (GiNaC::is_a<GiNaC::add>(value)) {
+    GiNaC::exvector terms;
+    for (std::size_t i = 0; i < value.nops(); ++i) {
+      const GiNaC::exvector more = terms_of(expanded_polynomial(value.op(i)));
+      terms.insert(terms.end(), more.begin(), more.end());
+    }
+    return GiNaC::add(terms);
+  }
+  if (GiNaC::is_a<GiNaC::mul>(value)) {
+    ex product = 1;
+    for (std::size_t i = 0; i < value.nops(); ++i)
+      product = distributed(product, expanded_polynomial(value.op(i)));
+    return product;
+  }
+  if (GiNaC::is_a<GiNaC::power>(value) && !GiNaC::is_a<GiNaC::symbol>(value.op(0))) {
+    return GiNaC::pow(expanded_polynomial(value.op(0)), value.op(1)).expand();
+  }
+  return value;
+}
+
 /// The product of what `wanted` has and `present` has not, and its number of terms.
 [[nodiscard]] Fraction missing_factor(const std::vector<Divisor>& wanted, std::vector<Divisor>& present) {
   Fraction factor{.numerator = 1, .divisors = {}, .terms = 1, .bits = 0};
@@ -98,7 +139,7 @@ void FractionArithmetic::check(const Fraction& value) const {
 ex FractionArithmetic::expanded(const ex& value, double estimated_terms) {
   work_.terms += estimated_terms;
   if (work_.terms > attempts_share * limits_.expanded_terms) throw too_many_terms(work_.terms, limits_);
-  return value.expand();
+  return expanded_polynomial(value);
 }
 
 void FractionArithmetic::expand(Fraction& value) {

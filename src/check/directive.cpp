@@ -56,7 +56,8 @@ Opening read_opening(const SourceMap& sources, Span line) {
     const std::size_t before = at;
     const std::string word = next_word(text, at);
     const bool adjective = word == "symmetric" || word == "unit";
-    if (!opening.words.empty() && !adjective && opening.words.back() != "symmetric" && opening.words.back() != "unit") {
+    const bool kind_known = std::any_of(opening.words.begin(), opening.words.end(), [](const std::string& known) { return known != "symmetric" && known != "unit"; });
+    if (kind_known && !adjective) {
       at = before;
       break;
     }

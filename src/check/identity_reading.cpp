@@ -97,7 +97,7 @@ std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
   return primitive;
 }
 
-std::vector<SymbolId> law_symbols(const Question& question) {
+std::vector<SymbolId> law_symbols(const Question& question, bool restates) {
   const ExprTree& tree = *question.tree;
   const std::set<SymbolId> left = as_set(primitive_symbols(question, question.claim.left));
   const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
@@ -120,7 +120,7 @@ std::vector<SymbolId> law_symbols(const Question& question) {
     const bool term_too_many = one_sided && open_own.size() == own.size() && holds_without(question, open_own);
     return term_too_many ? std::vector<SymbolId>{} : open_own;
   }
-  if (all.size() == 1 && !tree.symbols[*all.begin()].per_particle) {
+  if (all.size() == 1 && !restates && !tree.symbols[*all.begin()].per_particle) {
     const auto left_degrees = degrees_of(tree, question.claim.left);
     const auto right_degrees = degrees_of(tree, question.claim.right);
     const Degrees once{{*all.begin(), 1}};

@@ -15,7 +15,8 @@
 namespace rigor {
 
 /// The undeclared symbols for which the equation reads as a law or condition; none if it reads as an identity.
-[[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question);
+/// `restates`: the left side is a defined symbol alone, so one common symbol makes no condition of it.
+[[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, bool restates = false);
 
 /// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in the end.
 [[nodiscard]] std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root);

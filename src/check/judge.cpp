@@ -154,6 +154,7 @@ class Judging {
         break;
       case Outcome::undecided:
         judgement_.verdict = Verdict::undecided;
+        for (const NamedAssumption* assumption : prepared_.assumptions) mark_used(names_, assumption->origin);
         add(DiagnosticKind::undecided, decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
         break;
     }
@@ -177,6 +178,12 @@ class Judging {
   }
 
   void proved(const Decision& decision) {
+    for (const std::size_t which : decision.assumptions) {
+      if (!prepared_.assumptions[which]->without_sample) continue;
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided, "it follows from assumptions that no sample was found to satisfy, and from the impossible anything follows");
+      return;
+    }
     judgement_.verdict = Verdict::proved;
     const bool zero_written = tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);
     if (!decision.vanishes || zero_written) return;
@@ -194,6 +201,12 @@ class Judging {
       return decide(question).outcome == Outcome::proved;
     };
     return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
+  }
+
+  /// The left side is a defined symbol alone, so that the step says again what it is.
+  bool restates_definition() const {
+    const ExprNode& left = tree_[claim_.equation.left];
+    return left.op == Op::symbol && names_.definition_of(left.symbol) != nullptr;
   }
 
   /// `|m\mathbf v| = mv` fails for negative m, and a mass is none. Samples prefer positive scalars, so that a negative one was needed.
@@ -226,7 +239,7 @@ class Judging {
       add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried", guess.help);
       return;
     }
-    const std::vector<SymbolId> law = law_symbols(prepared_.question);
+    const std::vector<SymbolId> law = law_symbols(prepared_.question, restates_definition());
     if (!law.empty() && !both_constant(*decision.sample)) {
       judgement_.verdict = Verdict::not_understood;
       judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law));

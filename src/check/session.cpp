@@ -87,14 +87,16 @@ void Session::follow(const PlacedDirective& placed) {
 void Session::follow(const ParsedDisplay& display) {
   const Directive* skip = std::exchange(skip_, nullptr);
   if (skip != nullptr) names_.mark_used(skip->number);
-  if (display.unread || display.chains.empty()) {
+  const bool no_relation = std::none_of(display.chains.begin(), display.chains.end(), [](const ParsedChain& parsed) { return !parsed.written.relations.empty(); });
+  if (display.unread || display.chains.empty() || (skip != nullptr && no_relation)) {
     Step step;
     step.span = step.relation_span = display.span;
     step.section = section_;
     step.source = written({display.span.file, display.span.begin, std::min(display.span.end, display.span.begin + 200)});
     step.verdict = skip != nullptr ? Verdict::skipped : Verdict::not_understood;
     step.diagnostics = display.diagnostics;
-    if (step.diagnostics.empty()) return;
+    if (skip != nullptr) step.route = skip->text;
+    if (step.diagnostics.empty() && skip == nullptr) return;
     add(std::move(step));
     return;
   }
@@ -153,6 +155,8 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
   declared.unit = directive.unit && key.rank == 1;
   declared.first_seen = notes_.syntax[id].span;
   names_.declare(tree_, key, std::move(declared), directive.number);
+  const bool whole = symbol.face == Face::plain && symbol.accent == Accent::none && axes == 0;
+  if (whole && key.rank > 0) names_.declare_plain(key);
 }
 
 void Session::report_unused() {

@@ -66,7 +66,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, const st
     return;
   }
   Judgement judgement = judge(tree_, names_, {*equation, relation.span, parsed.written.sides[which].span, parsed.written.sides[which + 1].span, &elaborator, parsed.written.doubt});
-  if (which == 0 && judgement.verdict == Verdict::refuted && redefines(parsed, *left.typed, *right.typed, step)) return;
+  if (which == 0 && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
   step.verdict = judgement.verdict;
   const Op op = tree_[left.typed->id].op;
   const bool symbol_by_cases = (op == Op::delta || op == Op::epsilon) && tree_[right.typed->id].op == Op::table;
@@ -101,18 +101,35 @@ std::optional<Definition> Session::as_definition(const Typed& left, const Typed&
   const bool all_bound = left.free.size() == definition.indices.size() && left.particles.size() == (node.particle == no_particle ? 0u : 1u);
   if (!letters_fit || !particles_fit || !all_bound) return std::nullopt;
   if (!is_literal_zero(tree_, right) && right.free.size() != definition.indices.size()) return std::nullopt;
-  Question question;
-  question.tree = &tree_;
-  for (const NamedDefinition& named : names_.definitions()) question.definitions.push_back(named.definition);
-  std::vector<SymbolId> below = primitive_symbols(question, right.id);
-  const std::vector<SymbolId> direct = symbols_in(tree_, right.id);
-  below.insert(below.end(), direct.begin(), direct.end());
-  return contains(below, definition.symbol) ? std::nullopt : std::optional(definition);
+  return is_circular(left, right) ? std::nullopt : std::optional(definition);
+}
+
+/// Does the right side lead back to the symbol on the left?
+bool Session::is_circular(const Typed& left, const Typed& right) const {
+  if (tree_[left.id].op != Op::symbol) return false;
+  std::vector<SymbolId> reached;
+  std::vector<ExprId> pending{right.id};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(tree_, id)) {
+      if (contains(reached, symbol)) continue;
+      reached.push_back(symbol);
+      if (const NamedDefinition* definition = names_.definition_of(symbol)) pending.push_back(definition->definition.body);
+    }
+  }
+  return contains(reached, tree_[left.id].symbol);
 }
 
 bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context, Step& step) {
   if (context.role == Role::claim || context.role == Role::given) return false;
   const auto definition = as_definition(*left.typed, *right.typed);
+  if (!definition && context.role == Role::let && is_circular(*left.typed, *right.typed)) {
+    names_.mark_used(context.directive);
+    step.diagnostics.push_back({DiagnosticKind::circular_definition, step.relation_span,
+                                fmt::format("`{}` is defined through itself", written(tree_[left.typed->id].span))});
+    return true;
+  }
   if (!definition) return false;
   const bool named_definition = parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let;
   const bool known = names_.definition_of(definition->symbol) != nullptr;
@@ -135,12 +152,20 @@ void Session::add_definition(const Typed& left, const Typed& right, const Parsed
   step.route = "definition";
 }
 
-/// Another section gives a symbol another meaning: a warning and a new definition, no refutation.
-bool Session::redefines(const ParsedChain& parsed, const Typed& left, const Typed& right, Step& step) {
+/// Another section gives a symbol another meaning, in other symbols or as another number: a warning and a new definition. What can be
+/// compared with the earlier meaning is a claim, wherever it stands.
+bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right, Step& step) {
   const auto definition = as_definition(left, right);
   if (!definition) return false;
   const NamedDefinition* earlier = names_.definition_of(definition->symbol);
   if (earlier == nullptr || earlier->origin.directive || earlier->origin.section == section_) return false;
+  Question question;
+  question.tree = &tree_;
+  for (const NamedDefinition& named : names_.definitions()) question.definitions.push_back(named.definition);
+  const bool numbers = primitive_symbols(question, left.id).empty() && primitive_symbols(question, right.id).empty();
+  const bool law = std::any_of(judgement.diagnostics.begin(), judgement.diagnostics.end(),
+                               [](const Diagnostic& diagnostic) { return diagnostic.kind == DiagnosticKind::undeclared_symbol; });
+  if (!law && !(numbers && judgement.verdict == Verdict::refuted)) return false;
   step.diagnostics.push_back({DiagnosticKind::redefinition, step.relation_span,
                               fmt::format("`{}` has another meaning than in `{}`, which is forgotten from here on", written(tree_[left.id].span),
                                           earlier->origin.text)});
@@ -153,6 +178,7 @@ void Session::add_assumption(const Equation& equation, const ParsedChain& parsed
   step.verdict = Verdict::given;
   step.route = "assumption";
   if (assumptions_have_a_sample(tree_, names_)) return;
+  names_.doubt_last_assumption();
   step.diagnostics.push_back({DiagnosticKind::no_sample, parsed.written.span, "no sample was found that satisfies this together with the assumptions in force", {},
                               {"a proof from what cannot be proves nothing"}});
 }

@@ -96,6 +96,14 @@ std::optional<Typed> Elaborator::big_sum(SyntaxId id) {
       return unsupported(index.span, fmt::format("a sum over `{}` is not read", index.text));
     }
     const bool three = (written.from.empty() && written.to.empty()) || (written.from == "1" && written.to == "3");
+    const bool all = (written.from.empty() && written.to.empty()) || (written.from == "1" && written.to == "N");
+    if (particle && !all) return unsupported(index.span, "a sum over some of the particles is not decided", {"a sum over all has no limits, or `1` and `N`"});
+    if (particle && !written.to.empty() && letters_.bare.contains("N")) {
+      guess_ = Obstacle{DiagnosticKind::unsupported, "`N` was not taken for the number of particles", {}};
+    }
+    if (bound_indices_.contains(index.text) || bound_particles_.contains(index.text)) {
+      return fail(DiagnosticKind::index_clash, index.span, fmt::format("`{}` is summed inside a sum over `{}`", index.text, index.text), {"rename one of the two"});
+    }
     if (!particle && !three) {
       return unsupported(index.span, fmt::format("the sum over `{}` does not run over the axes 1 to 3", index.text),
                          {fmt::format("if `{}` labels particles, say `rigor: particles {}`", index.text, index.text)});

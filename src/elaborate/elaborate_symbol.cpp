@@ -54,6 +54,15 @@ std::optional<Typed> Elaborator::symbol(SyntaxId id) {
   Maybe special = special_symbol(written, span, handled);
   if (handled) return special;
   WrittenName name = take_apart(written, letters_, names_);
+  const auto greek_label = [](const WrittenIndex& index) { return index.form == IndexForm::greek; };
+  if (std::count_if(written.lower.begin(), written.lower.end(), greek_label) > 1) {
+    return unsupported(span, "two Greek subscripts, as of space-time, are not decided");
+  }
+  const bool capital = written.letter.size() == 1 && written.letter[0] >= 'A' && written.letter[0] <= 'Z';
+  if (written.accent == Accent::hat && written.face == Face::plain && capital && !names_.is_declared({name.base, 1, false})) {
+    return fail(DiagnosticKind::ambiguous_reading, span, fmt::format("`{}` can be a unit vector or an operator", name.base),
+                {fmt::format("`rigor: vector {}` or a bold letter settles it", name.base)});
+  }
   if (name.particles.size() > 1) return unsupported(span, "a quantity of two particles is not decided yet");
   if (written.face != Face::plain || written.accent == Accent::hat) return vector_symbol(written, std::move(name), span);
   return plain_symbol(written, std::move(name), span);
@@ -138,8 +147,13 @@ std::optional<Typed> Elaborator::vector_symbol(const WrittenSymbol& written, Wri
 
 std::optional<Typed> Elaborator::plain_symbol(const WrittenSymbol& written, WrittenName name, Span span) {
   if (name.axes.empty()) return length_or_scalar(written, name, span);
-  const int rank = static_cast<int>(name.axes.size());
   const bool particle = name.per_particle();
+  if (name.axes.size() == 2 && name.axes[0].form == IndexForm::digit && name.axes[1].form == IndexForm::letter &&
+      names_.sightings.bold.contains({with_labels(name.base, {name.axes[0]}), particle})) {  // p_{1x} of \mathbf{p}_1
+    name.base = with_labels(name.base, {name.axes[0]});
+    name.axes.erase(name.axes.begin());
+  }
+  const int rank = static_cast<int>(name.axes.size());
   if (all_variables(name.axes)) return make_symbol(written, name.base, rank, name, name.axes, span);
   const bool known = is_known(name.base, rank, particle);
   const std::string labelled = with_labels(name.base, name.axes);
@@ -162,6 +176,9 @@ std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, 
   const bool particle = name.per_particle();
   const NameKey scalar{name.base, 0, particle};
   const bool defined = names_.find(scalar) && names_.definition_of(*names_.find(scalar)) != nullptr;
+  for (const int rank : {1, 2}) {
+    if (names_.is_plain({name.base, rank, particle})) return make_symbol(written, name.base, rank, name, {}, span);
+  }
   if (!names_.is_declared(scalar) && !defined) {
     const bool bold_seen = names_.sightings.bold.contains({name.base, particle}) || names_.is_declared({name.base, 1, particle});
     const bool by_company = !bold_seen && written.lower.size() == name.particles.size() && letters_.indexed_vectors.contains(name.base);
@@ -229,7 +246,7 @@ bool Elaborator::read_slots(const std::vector<WrittenIndex>& axes, std::vector<S
 void Elaborator::guess_vector(const WrittenName& name, bool as_length) {
   const NameKey key{name.base, 1, name.per_particle()};
   const auto symbol = names_.find(key);
-  const bool settled = names_.is_declared(key) || letters_.bold_vectors.contains(name.base) || letters_.indexed_vectors.contains(name.base) ||
+  const bool settled = name.per_particle() || names_.is_declared(key) || letters_.bold_vectors.contains(name.base) || letters_.indexed_vectors.contains(name.base) ||
                        (symbol && names_.definition_of(*symbol) != nullptr) ||
                        (symbol && as_length && names_.seen_in_equation(*symbol));
   if (settled) return;

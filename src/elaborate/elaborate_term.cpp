@@ -21,7 +21,7 @@ bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
 
 std::optional<Typed> Elaborator::term(SyntaxId id) {
   const std::span<const SyntaxChild> factors = syntax_.children(id);
-  if (reads_as_application(factors) || runs_numbers_together(factors)) return std::nullopt;
+  if (reads_as_application(factors) || repeats_greek(factors) || runs_numbers_together(factors)) return std::nullopt;
   std::vector<Operand> operands;
   bool failed = false;
   bool slash = false;
@@ -35,6 +35,47 @@ std::optional<Typed> Elaborator::term(SyntaxId id) {
   return slash ? with_slashes(std::move(operands), syntax_[id].span) : product(std::move(operands), syntax_[id].span);
 }
 
+/// `f(x-ct)`, `V(2r)`: a bracket of plain coordinates behind a letter that is no usual coefficient.
+bool Elaborator::looks_like_argument(const WrittenSymbol& symbol, SyntaxId bracket) const {
+  static const std::set<std::string> coefficients{"a", "b", "c", "d", "k", "m", "M", "n", "N", "p", "q", "\\alpha", "\\beta", "\\gamma", "\\lambda", "\\mu"};
+  static const std::set<std::string> coordinates{"t", "x", "y", "z", "r", "s", "u", "\\theta", "\\phi", "\\tau"};
+  if (syntax_[bracket].kind != SyntaxKind::group || coefficients.contains(symbol.letter)) return false;
+  if (names_.is_declared({symbol.letter, 0, false}) || names_.is_declared({symbol.letter, 1, false})) return false;
+  bool coordinate = false;
+  std::vector<SyntaxId> pending{syntax_.child(bracket, 0)};
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    if (syntax_[id].kind == SyntaxKind::symbol) {
+      const WrittenSymbol& inside = syntax_.symbol(id);
+      const bool labelled = std::any_of(inside.lower.begin(), inside.lower.end(), [](const WrittenIndex& index) { return index.form == IndexForm::letter; });
+      if (inside.face != Face::plain || labelled || is_kronecker(inside)) return false;
+      coordinate = coordinate || coordinates.contains(inside.letter);
+    }
+    for (const SyntaxChild& child : syntax_.children(id)) pending.push_back(child.id);
+  }
+  return coordinate;
+}
+
+/// A Greek subscript that labels no particle, twice in a term: a label, or an index of space-time that is summed.
+bool Elaborator::repeats_greek(std::span<const SyntaxChild> factors) {
+  std::set<std::string> seen;
+  for (const SyntaxChild& child : factors) {
+    if (syntax_[child.id].kind != SyntaxKind::symbol) continue;
+    std::set<std::string> own;
+    for (const WrittenIndex& index : syntax_.symbol(child.id).lower) {
+      if (index.form == IndexForm::greek && !names_.labels_particles(index.text)) own.insert(index.text);
+    }
+    for (const std::string& letter : own) {
+      if (seen.insert(letter).second) continue;
+      fail(DiagnosticKind::ambiguous_reading, syntax_[child.id].span, fmt::format("`{}` twice in a term can be a label or an index that is summed", letter),
+           {fmt::format("`rigor: particles {}` makes it a particle's label, which is summed only by `\\sum`", letter)});
+      return true;
+    }
+  }
+  return false;
+}
+
 /// `f(x)` and `\omega(t)` can be a value of a function or a product; `dx` a differential or a product.
 bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
   for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
@@ -43,7 +84,7 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
     if (syntax_[id].kind != SyntaxKind::symbol || factors[k + 1].joint != Joint::juxtaposed) continue;
     const WrittenSymbol& symbol = syntax_.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol)) continue;
-    if (holds_one_symbol(syntax_, next) || (syntax_[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
+    if (holds_one_symbol(syntax_, next) || looks_like_argument(symbol, next) || (syntax_[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
       const SyntaxId argument = syntax_.child(next, 0);
       const bool declared = syntax_[argument].kind == SyntaxKind::symbol && syntax_[next].kind == SyntaxKind::group &&
                             names_.is_declared({syntax_.symbol(argument).letter, 0, false});
@@ -143,6 +184,13 @@ bool Elaborator::separate_scalars(const std::vector<Operand>& operands, std::vec
   for (const Operand& operand : operands) {
     const bool after_scalar = previous != nullptr && previous->typed.rank == 0;
     const bool by_number = is_number(operand.typed) || (after_scalar && is_number(previous->typed));
+    const bool dotted = operand.joint == Joint::dot && previous != nullptr;
+    const bool product_dotted = dotted && ((operand.typed.rank == 0 && previous->typed.rank == 1 && tree_[operand.typed.id].op == Op::dot) ||
+                                           (operand.typed.rank == 1 && after_scalar && tree_[previous->typed.id].op == Op::dot));
+    if (product_dotted) {
+      fail(DiagnosticKind::rank_mismatch, operand.joint_span, "a dot product of a vector and a scalar", {"leave `\\cdot` out, if a multiple is meant"});
+      return false;
+    }
     if (operand.typed.rank == 0) {
       if (operand.joint == Joint::dot || operand.joint == Joint::cross) carried = operand.joint;
       if (operand.joint == Joint::cross && !by_number) crossed = &operand;

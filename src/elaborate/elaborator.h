@@ -93,6 +93,8 @@ class Elaborator {
     Span joint_span;
   };
   bool reads_as_application(std::span<const SyntaxChild> factors);
+  bool looks_like_argument(const WrittenSymbol& symbol, SyntaxId bracket) const;
+  bool repeats_greek(std::span<const SyntaxChild> factors);
   bool runs_numbers_together(std::span<const SyntaxChild> factors);
   void guess_dyad(const std::vector<Operand>& vectors, Span span);
   Maybe divide(const Typed& dividend, const Typed& divisor, Span span);

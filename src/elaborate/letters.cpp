@@ -76,6 +76,19 @@ void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, 
   letters.indices.insert(own.begin(), own.end());
 }
 
+/// `Q_{ab}` beside `Q_{ba}`: a and b are indices.
+void read_permutations(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Letters& letters) {
+  std::set<std::pair<std::string, std::string>> seen;
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
+    if (own.size() != 2 || own[0] == own[1]) return;
+    const std::string base = bare_base(syntax.symbol(id));
+    if (seen.contains({base, own[1] + own[0]})) letters.indices.insert(own.begin(), own.end());
+    seen.insert({base, own[0] + own[1]});
+  });
+}
+
 void read_repetition(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
   if (syntax[id].kind != SyntaxKind::term) return;
   std::map<std::string, int> count;
@@ -98,6 +111,7 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
     const std::vector<std::string> own = latin_letters(symbol.lower);
     if (own.size() == 1) on_base[bare_base(symbol)].insert(own[0]);
   });
+  letters.bare = bare;
   for (const auto& [base, own] : on_base) {
     if (own.contains("i") && own.contains("f") && !letters.indices.contains("i")) letters.labels.insert({"i", "f"});
     for (const std::string& letter : own) {
@@ -126,6 +140,7 @@ bool Letters::is_index(const std::string& letter) const {
 Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names) {
   Letters letters;
   for_each_node(syntax, sides, [&](SyntaxId id) { read_definite(syntax, id, letters); });
+  read_permutations(syntax, sides, letters);
   read_labels(syntax, sides, letters);
   for_each_node(syntax, sides, [&](SyntaxId id) { read_by_company(syntax, id, names, letters); });
   for_each_node(syntax, sides, [&](SyntaxId id) { read_repetition(syntax, id, letters); });
@@ -133,7 +148,7 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
     if (syntax.symbol(id).face == Face::vector) letters.bold_vectors.insert(bare_base(syntax.symbol(id)));
-    if (own.size() == 1 && letters.is_index(own[0])) letters.indexed_vectors.insert(bare_base(syntax.symbol(id)));
+    if (own.size() == 1 && letters.is_index(own[0]) && !names.labels_particles(own[0])) letters.indexed_vectors.insert(bare_base(syntax.symbol(id)));
   });
   return letters;
 }

@@ -17,6 +17,7 @@ struct Letters {
   std::set<std::string> labels;           // letters of i … n that are labels in this statement
   std::set<std::string> indexed_vectors;  // bases that occur with one index letter in this statement
   std::set<std::string> bold_vectors;     // bases that occur in bold or under an arrow in this statement
+  std::set<std::string> bare;             // plain letters that stand without a subscript
   bool evidence = false;                  // something shows that index notation is meant: δ, ε, a component of a vector, a repetition
 
   [[nodiscard]] bool is_index(const std::string& letter) const;

@@ -50,6 +50,7 @@ struct NamedAssumption {
   Equation equation;
   Origin origin;
   int depth = 0;
+  bool without_sample = false;  // nothing was found that satisfies it: what is proved from it proves nothing
 };
 
 class Names {
@@ -66,10 +67,18 @@ class Names {
   SymbolId declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::size_t directive);
   void declare_particles(const std::string& letter, std::size_t directive);
   [[nodiscard]] bool is_particle_letter(const std::string& letter);
+  /// The same without marking the directive as used.
+  [[nodiscard]] bool labels_particles(const std::string& letter) const {
+    return particle_letters_.contains(letter) || sightings.summed_greek.contains(letter);
+  }
   [[nodiscard]] bool is_declared_particle(const std::string& letter) const { return particle_letters_.contains(letter); }
 
   void define(NamedDefinition definition);
   void assume(NamedAssumption assumption);
+  void doubt_last_assumption() { assumptions_.back().without_sample = true; }
+  /// `vector A`: the plain letter is the vector itself, not its length.
+  void declare_plain(const NameKey& key) { plain_.insert(key); }
+  [[nodiscard]] bool is_plain(const NameKey& key) const { return plain_.contains(key) && is_declared(key); }
   [[nodiscard]] const std::vector<NamedDefinition>& definitions() const { return definitions_; }
   [[nodiscard]] const std::vector<NamedAssumption>& assumptions() const { return assumptions_; }
   [[nodiscard]] const NamedDefinition* definition_of(SymbolId symbol) const;
@@ -103,6 +112,7 @@ class Names {
   std::vector<NamedAssumption> assumptions_;
   std::map<SymbolId, int> seen_;  // the depth of the section that saw it first
   std::set<std::size_t> used_;
+  std::set<NameKey> plain_;
   int depth_ = 0;
 };
 

@@ -161,7 +161,7 @@ class StatementSplitter {
         ++at;
         continue;
       }
-      if (depth == 0 && is_words(token) && !wants_operand(block.tokens)) {
+      if (depth == 0 && is_words(token) && !is_script_argument(tokens_, at) && !wants_operand(block.tokens)) {
         const Argument words = argument_at(tokens_, at + 1);
         note_words(cover(token.span, span_of(words.content)), text_of(words.content));
         cut();

@@ -34,7 +34,7 @@ TokenView letter_run(TokenView tokens, std::size_t at) {
 bool is_label_sign(const Token& token) {
   static constexpr std::string_view controls[] = {"perp", "parallel", "pm", "mp", "infty", "odot", "oplus", "circ", "ast", "star"};
   if (token.kind == TokenKind::control) return std::find(std::begin(controls), std::end(controls), token.text) != std::end(controls);
-  return is_sign(token, "+") || is_sign(token, "-") || is_sign(token, "*");
+  return false;
 }
 
 class IndexReader {
@@ -106,7 +106,8 @@ class IndexReader {
       return;
     }
     const std::string letter = letter_of(token);
-    if (letter.empty() && is_label_sign(token)) {
+    const bool lone_sign = tokens_.size() == 1 && (is_sign(token, "+") || is_sign(token, "-") || is_sign(token, "*"));
+    if (letter.empty() && (lone_sign || is_label_sign(token))) {
       add(text_of({&token, 1}), IndexForm::word, token.span);
       ++at_;
       return;

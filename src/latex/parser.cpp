@@ -21,6 +21,14 @@ bool is_script(const Token& token) {
   return token.kind == TokenKind::subscript || token.kind == TokenKind::superscript || is_sign(token, "'");
 }
 
+/// `v_x{}^2`: an empty group between a symbol and its script means nothing.
+void skip_empty_group(Parser::Cursor& cursor) {
+  if (cursor.done() || cursor.token().kind != TokenKind::begin_group) return;
+  const Argument group = argument_at(cursor.tokens, cursor.at);
+  const std::size_t behind = skip_blank(cursor.tokens, group.next);
+  if (trim(group.content).empty() && behind < cursor.tokens.size() && is_script(cursor.tokens[behind])) cursor.at = behind;
+}
+
 /// Behind an empty group: does a sum go on (then the group is 0), or a product (then it is 1)?
 bool cursor_wants_zero(Parser::Cursor cursor) {
   cursor.skip_spacing();
@@ -143,6 +151,11 @@ SyntaxId Parser::primary(Cursor& cursor) {
       const Argument group = argument_at(cursor.tokens, cursor.at);
       cursor.at = group.next;
       // `{}-A`: an empty group holds the place of an operand; before an operand it means nothing.
+      const std::size_t behind = skip_blank(cursor.tokens, group.next);
+      if (trim(group.content).empty() && behind < cursor.tokens.size() && is_script(cursor.tokens[behind])) {
+        cursor.at = script_argument_at(cursor.tokens, behind + 1).next;
+        return opaque(token.span, "a script before its symbol is not read");
+      }
       if (trim(group.content).empty()) return tree_.add_text(SyntaxKind::number, token.span, cursor_wants_zero(cursor) ? "0" : "1");
       return inner(group.content, token.span);
     }
@@ -169,6 +182,7 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
   while (true) {
     Cursor ahead = cursor;
     while (!ahead.done() && (is_blank(ahead.token()) || is_control(ahead.token(), "limits"))) ++ahead.at;
+    skip_empty_group(ahead);
     if (ahead.done() || !is_script(ahead.token())) return base;
     const Token script = ahead.token();
     cursor.at = ahead.at + 1;
@@ -176,8 +190,8 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
       base = add_primes(base, 1, script.span);
       continue;
     }
-    const Argument argument = argument_at(cursor.tokens, cursor.at);
-    const Span place = argument.content.empty() ? script.span : cover(script.span, span_of(argument.content));
+    const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at);
+    const Span place = cover(script.span, span_of(cursor.tokens.subspan(cursor.at, argument.next - cursor.at)));
     cursor.at = argument.next;
     base = script.kind == TokenKind::subscript ? add_indices(base, argument.content, place) : exponent(base, argument.content, place);
   }
@@ -194,6 +208,10 @@ SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {
 SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind == SyntaxKind::opaque) return base;
+  if (tree_[base].kind == SyntaxKind::power && tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol) {  // v^2_x
+    const SyntaxChild children[] = {{add_indices(tree_.child(base, 0), content, place)}, {tree_.child(base, 1)}};
+    return tree_.add(SyntaxKind::power, span, children);
+  }
   IndexReading reading = read_indices(content);
   if (reading.obstacle) return tree_.add_opaque(place, *reading.obstacle);
   if (reading.indices.empty()) return opaque(place, "the subscript is empty", DiagnosticKind::bad_syntax);

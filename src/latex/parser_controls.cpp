@@ -79,7 +79,7 @@ SyntaxId Parser::annotated(Cursor& cursor) {
     const std::size_t script = skip_blank(cursor.tokens, cursor.at);
     if (script < cursor.tokens.size() &&
         (cursor.tokens[script].kind == TokenKind::subscript || cursor.tokens[script].kind == TokenKind::superscript)) {
-      cursor.at = argument_at(cursor.tokens, script + 1).next;
+      cursor.at = script_argument_at(cursor.tokens, script + 1).next;
     }
     return tree_.add(SyntaxKind::group, tree_[inside].span, std::vector<SyntaxChild>{{inside}});
   }
@@ -126,7 +126,7 @@ SyntaxId Parser::big_sum(Cursor& cursor) {
     if (cursor.done()) break;
     const TokenKind kind = cursor.token().kind;
     if (kind != TokenKind::subscript && kind != TokenKind::superscript) break;
-    const Argument argument = argument_at(cursor.tokens, cursor.at + 1);
+    const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at + 1);
     (kind == TokenKind::subscript ? lower : upper).assign(argument.content.begin(), argument.content.end());
     cursor.at = argument.next;
   }

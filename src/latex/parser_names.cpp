@@ -108,6 +108,7 @@ SyntaxId Parser::restyle(SyntaxId inside, Style style, Span span) {
     if (symbol.accent != Accent::none) return opaque(span, "two accents on one letter are not read");
     symbol.accent = style.accent;
   }
+  if (!style.alphabet.empty()) symbol.letter = fmt::format("\\{}{{{}}}", style.alphabet, symbol.letter);
   if (style.upright) symbol.letter = fmt::format("\\mathrm{{{}}}", symbol.letter);
   symbol.letter_span = span;
   return tree_.add_symbol(span, std::move(symbol));

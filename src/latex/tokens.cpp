@@ -39,6 +39,21 @@ Argument argument_at(TokenView tokens, std::size_t at) {
   return {tokens.subspan(at + 1), tokens.size()};
 }
 
+ScriptArgument script_argument_at(TokenView tokens, std::size_t at) {
+  const Argument first = argument_at(tokens, at);
+  ScriptArgument script{Tokens(first.content.begin(), first.content.end()), first.next};
+  at = skip_blank(tokens, at);
+  if (at >= tokens.size() || tokens[at].kind != TokenKind::control) return script;
+  const std::string_view name = tokens[at].text;
+  const bool two = name == "frac" || name == "tfrac" || name == "dfrac" || name == "textcolor";
+  const bool one = name == "sqrt" || name.starts_with("math") || name.starts_with("text") || name == "mbox" || name == "bm" ||
+                   name == "boldsymbol" || name == "vec" || name == "hat" || name == "operatorname" || name == "bar" || name == "tilde" || name == "vb";
+  for (int k = 0; k < (two ? 2 : one ? 1 : 0); ++k) script.next = argument_at(tokens, script.next).next;
+  script.content.assign(tokens.begin() + static_cast<std::ptrdiff_t>(at), tokens.begin() + static_cast<std::ptrdiff_t>(script.next));
+  if (!two && !one) script.content.resize(1);
+  return script;
+}
+
 Argument optional_argument_at(TokenView tokens, std::size_t at) {
   const std::size_t open = skip_blank(tokens, at);
   if (open >= tokens.size() || !is_sign(tokens[open], "[")) return {{}, at};

@@ -53,7 +53,8 @@ const std::unordered_map<std::string_view, Style>& styles() {
     for (const char* word : {"bar", "overline"}) style.emplace(word, Style{.accent = Accent::bar});
     for (const char* word : {"tilde", "widetilde"}) style.emplace(word, Style{.accent = Accent::tilde});
     for (const char* word : {"mathrm", "operatorname", "mathup", "rm"}) style.emplace(word, Style{.upright = true});
-    for (const char* word : {"mathit", "mathnormal", "mathcal", "mathscr", "mathfrak"}) style.emplace(word, Style{});
+    for (const char* word : {"mathit", "mathnormal"}) style.emplace(word, Style{});
+    for (const char* word : {"mathcal", "mathscr", "mathfrak", "mathbb"}) style.emplace(word, Style{.alphabet = word});
     return style;
   }();
   return table;

@@ -48,6 +48,7 @@ struct Style {
   Face face = Face::plain;
   Accent accent = Accent::none;
   bool upright = false;  // \mathrm: a word, or a letter of its own kind
+  std::string_view alphabet = {};  // `mathcal`: another letter than the plain one
 };
 [[nodiscard]] std::optional<Style> style_of(const Token& token);
 
