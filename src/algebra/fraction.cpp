@@ -26,9 +26,8 @@ constexpr double expand_above =
   return std::ceil(count - 1e-6);
 }
 
-[[nodiscard]] Undecidable too_many_terms(double terms, const Limits& limits) {
-  return Undecidable(
-      fmt::format("expanding it takes up to {:.3g} terms, more than {}", terms, limits.expanded_terms));
+[[nodiscard]] Undecidable too_many_terms(double terms, double limit) {
+  return Undecidable(fmt::format("expanding it takes up to {:.3g} terms, more than {:.0f}", terms, limit));
 }
 
 [[nodiscard]] double log2_of_sum(double a, double b) {
@@ -130,7 +129,7 @@ void FractionArithmetic::step() {
 }
 
 void FractionArithmetic::check(const Fraction& value) const {
-  if (value.terms > limits_.expanded_terms) throw too_many_terms(value.terms, limits_);
+  if (value.terms > limits_.expanded_terms) throw too_many_terms(value.terms, limits_.expanded_terms);
   if (value.bits > largest_bits) {
     throw Undecidable(fmt::format("a coefficient may have more than {} digits", largest_digits));
   }
@@ -138,7 +137,8 @@ void FractionArithmetic::check(const Fraction& value) const {
 
 ex FractionArithmetic::expanded(const ex& value, double estimated_terms) {
   work_.terms += estimated_terms;
-  if (work_.terms > attempts_share * limits_.expanded_terms) throw too_many_terms(work_.terms, limits_);
+  const double limit = attempts_share * limits_.expanded_terms;
+  if (work_.terms > limit) throw too_many_terms(work_.terms, limit);
   return expanded_polynomial(value);
 }
 

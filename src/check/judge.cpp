@@ -233,7 +233,7 @@ class Judging {
 
   void refuted(const Decision& decision) {
     for (const NamedAssumption* assumption : prepared_.assumptions) mark_used(names_, assumption->origin);
-    if (claim_.reading->guess() || claim_.doubt) {
+    if (claim_.reading->guess() || claim_.doubt != nullptr) {
       const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
       judgement_.verdict = Verdict::not_understood;
       add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried", guess.help);

@@ -27,7 +27,7 @@ struct Claim {
   Span left;
   Span right;
   const Elaborator* reading = nullptr;  // for its conventions and guesses
-  const std::optional<Obstacle>& doubt;  // words beside it that may restrict it
+  const Obstacle* doubt = nullptr;      // words beside it that may restrict it
 };
 
 [[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim);

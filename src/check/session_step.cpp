@@ -65,7 +65,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, const st
                                 {"`rigor: given` assumes an equation"}});
     return;
   }
-  Judgement judgement = judge(tree_, names_, {*equation, relation.span, parsed.written.sides[which].span, parsed.written.sides[which + 1].span, &elaborator, parsed.written.doubt});
+  Judgement judgement = judge(tree_, names_, {*equation, relation.span, parsed.written.sides[which].span, parsed.written.sides[which + 1].span, &elaborator, parsed.written.doubt ? &*parsed.written.doubt : nullptr});
   if (which == 0 && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
   step.verdict = judgement.verdict;
   const Op op = tree_[left.typed->id].op;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "declarations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elaborate/letters.h"
+#include "latex/parse.h"
+
+namespace rigor::twins {
+namespace {
+
+bool is_axis(const WrittenSymbol& symbol) {
+  return is_basis_family(symbol) || (symbol.accent == Accent::hat && axis_of_letter(symbol.letter) != 0);
+}
+
+/// The vector's name in a directive: `\mathbf{r}_\alpha`.
+std::string name_of(const WrittenSymbol& symbol) {
+  std::string name = fmt::format("\\boldsymbol{{{}}}", symbol.letter);
+  if (symbol.accent == Accent::hat) name = fmt::format("\\hat{{{}}}", name);
+  for (const WrittenIndex& index : symbol.lower) {
+    if (index.form == IndexForm::greek) name += fmt::format("_{}", index.text);
+  }
+  return name;
+}
+
+/// The letters that stand for something by a definition: the left sides of those steps.
+std::set<std::string> defined_letters(const std::vector<Step>& steps) {
+  std::set<std::string> letters;
+  for (const Step& step : steps) {
+    if (step.verdict != Verdict::definition) continue;
+    SourceMap sources;
+    SyntaxTree syntax;
+    const Span all{sources.add("left", step.left), 0, static_cast<std::uint32_t>(step.left.size())};
+    const SyntaxId left = parse_side(lex(sources, all), all, syntax);
+    if (syntax[left].kind == SyntaxKind::symbol) letters.insert(syntax.symbol(left).letter);
+  }
+  return letters;
+}
+
+/// The nodes of all displayed equations, those above before those below.
+std::vector<SyntaxId> displayed_nodes(const Notes& notes) {
+  std::vector<SyntaxId> nodes;
+  for (const Event& event : notes.events) {
+    const auto* display = std::get_if<ParsedDisplay>(&event);
+    if (display == nullptr) continue;
+    for (const ParsedChain& chain : display->chains)
+      nodes.insert(nodes.end(), chain.sides.begin(), chain.sides.end());
+  }
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    for (const SyntaxChild& child : notes.syntax.children(nodes[k])) nodes.push_back(child.id);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+std::set<std::string> vector_declarations(const Notes& notes, const std::vector<Step>& steps) {
+  const std::set<std::string> defined = defined_letters(steps);
+  std::set<std::string> declarations;
+  for (const SyntaxId id : displayed_nodes(notes)) {
+    if (notes.syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = notes.syntax.symbol(id);
+    if (symbol.face != Face::vector || is_axis(symbol) || defined.contains(symbol.letter)) continue;
+    const bool unit = symbol.accent == Accent::hat;
+    declarations.insert(fmt::format("{}vector {}", unit ? "unit " : "", name_of(symbol)));
+  }
+  return declarations;
+}
+
+}  // namespace rigor::twins

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "twins.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "base/check.h"
+#include "check/check.h"
+#include "check/notes.h"
+#include "declarations.h"
+#include "latex/document.h"
+#include "source/read_file.h"
+
+namespace rigor::twins {
+namespace {
+
+bool lies_in(Span inner, Span outer) { return outer.begin <= inner.begin && inner.end <= outer.end; }
+
+const Step* step_at(const FileReport& report, std::size_t relation) {
+  const auto found = std::find_if(report.steps.begin(), report.steps.end(),
+                                  [&](const Step& step) { return step.relation_span.begin == relation; });
+  return found == report.steps.end() ? nullptr : &*found;
+}
+
+bool has(const Step& step, std::initializer_list<DiagnosticKind> kinds) {
+  return std::any_of(step.diagnostics.begin(), step.diagnostics.end(), [&](const Diagnostic& diagnostic) {
+    return std::find(kinds.begin(), kinds.end(), diagnostic.kind) != kinds.end();
+  });
+}
+
+Outcome outcome_of(const Step& step) {
+  if (step.verdict == Verdict::proved) return Outcome::proved_equal;
+  if (step.verdict == Verdict::refuted && step.counterexample) return Outcome::refuted;
+  if (step.verdict != Verdict::not_understood) return Outcome::failed;
+  if (has(step, {DiagnosticKind::free_index_mismatch, DiagnosticKind::index_repeats,
+                 DiagnosticKind::index_clash, DiagnosticKind::rank_mismatch})) {
+    return Outcome::malformed;
+  }
+  return has(step, {DiagnosticKind::undeclared_symbol}) ? Outcome::law_like : Outcome::failed;
+}
+
+std::string summary_of(const Step& step) {
+  std::string summary(rigor::name_of(step.verdict));
+  for (const Diagnostic& diagnostic : step.diagnostics)
+    summary += fmt::format(" [{}]", info(diagnostic.kind).name);
+  return summary;
+}
+
+/// The text between relation and relation, as in the notes.
+Span left_of(const Step& step) { return {step.span.file, step.span.begin, step.relation_span.begin}; }
+Span right_of(const Step& step) { return {step.span.file, step.relation_span.end, step.span.end}; }
+
+class Mutations {
+ public:
+  explicit Mutations(const std::string& path) : path_(path) {
+    auto text = read_file(path);
+    RIGOR_CHECK(text.has_value(), path);
+    text_ = *std::move(text);
+    whole_ = check_text(sources_, path_, text_);
+    Diagnostics ignored;
+    document_ = read_document(sources_, whole_.file, ignored);
+    const Notes notes = read_notes(sources_, whole_.file, nullptr, ignored);
+    for (const std::string& line : vector_declarations(notes, whole_.steps)) declarations_ += directive(line);
+  }
+
+  Twins all() {
+    for (std::size_t item = 0; item < document_.items.size(); ++item) {
+      if (const auto* display = std::get_if<Display>(&document_.items[item])) mutate(item, *display);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<const Step*> proved_in(Span display) const {
+    std::vector<const Step*> proved;
+    for (const Step& step : whole_.steps) {
+      if (step.verdict == Verdict::proved && lies_in(step.span, display)) proved.push_back(&step);
+    }
+    return proved;
+  }
+
+  bool defines_something(Span display) const {
+    return std::any_of(whole_.steps.begin(), whole_.steps.end(), [&](const Step& step) {
+      return step.verdict == Verdict::definition && lies_in(step.span, display);
+    });
+  }
+
+  std::string_view text(Span span) const { return sources_.text(span); }
+
+  std::string directive(std::string_view line) const {
+    const bool latex = format_of(path_) == Format::latex;
+    return fmt::format(fmt::runtime(latex ? "% rigor: {}\n" : "<!-- rigor: {} -->\n\n"), line);
+  }
+
+  std::string heading(const Heading& heading) const {
+    if (format_of(path_) == Format::markdown)
+      return fmt::format("{} {}\n\n", std::string(static_cast<std::size_t>(heading.level), '#'),
+                         heading.title);
+    std::string sub;
+    for (int level = 1; level < heading.level; ++level) sub += "sub";
+    return fmt::format("\\{}section{{{}}}\n\n", sub, heading.title);
+  }
+
+  /// All that the notes say before the display which can matter to it.
+  std::string context(std::size_t display) const {
+    std::string context;
+    for (std::size_t k = 0; k < display; ++k) {
+      const Item& item = document_.items[k];
+      if (const auto* title = std::get_if<Heading>(&item)) context += heading(*title);
+      if (const auto* line = std::get_if<DirectiveLine>(&item)) context += directive(text(line->span));
+      if (const auto* macro = std::get_if<MacroText>(&item))
+        context += fmt::format("{}\n", text(macro->span));
+      const auto* other = std::get_if<Display>(&item);
+      if (other != nullptr && defines_something(other->span))
+        context += fmt::format("{}\n\n", text(other->span));
+    }
+    return context;
+  }
+
+  struct Judged {
+    Outcome outcome = Outcome::failed;
+    std::string said = "no step";
+    std::string source = {};
+    bool open = false;  // a declaration might settle it
+  };
+
+  /// What is said to the step whose relation stands at `relation` of the text.
+  Judged judge(std::string text, std::size_t relation) const {
+    SourceMap sources;
+    const FileReport report = check_text(sources, path_, std::move(text));
+    const Step* step = step_at(report, relation);
+    if (step == nullptr) return {};
+    const bool open = has(*step, {DiagnosticKind::undeclared_symbol, DiagnosticKind::ambiguous_reading});
+    return {outcome_of(*step), summary_of(*step), step->source, open};
+  }
+
+  void mutate(std::size_t item, const Display& display) {
+    const std::vector<const Step*> steps = proved_in(display.span);
+    if (steps.empty()) return;
+    const std::string before = context(item);
+    const std::string own(text(display.span));
+    for (const Step* step : steps) {
+      ++result_.statements;
+      const Judged same = judge(before + own, before.size() + step->relation_span.begin - display.span.begin);
+      if (same.outcome != Outcome::proved_equal || same.source != step->source)
+        result_.lost.push_back(step->source);
+      mutate(*step, display.span, before, own);
+    }
+  }
+
+  void mutate(const Step& step, Span display, const std::string& before, const std::string& own) {
+    const Tokens left = lex(sources_, left_of(step));
+    const Tokens right = lex(sources_, right_of(step));
+    for (const Tokens* side : {&left, &right}) {
+      for (const Edit& edit : slips_of(sources_, *side, {left, right})) {
+        const std::size_t longer = side == &left ? edit.text.size() - (edit.span.end - edit.span.begin) : 0;
+        const std::size_t relation = step.relation_span.begin + longer;
+        const std::string edited = with_edit(own, display.begin, edit);
+        Judged judged = judge(before + edited, before.size() + relation - display.begin);
+        if (judged.outcome == Outcome::failed) judged = judge(with_edit(text_, 0, edit), relation);
+        if (judged.open) {
+          const std::string declared = declarations_ + before;
+          Judged again = judge(declared + edited, declared.size() + relation - display.begin);
+          if (again.outcome == Outcome::refuted) again.outcome = Outcome::refuted_declared;
+          if (again.outcome == Outcome::refuted_declared || again.outcome == Outcome::malformed)
+            judged = again;
+        }
+        result_.twins.push_back(
+            {edit.slip, place_of(step), step.source, judged.source, judged.outcome, judged.said});
+      }
+    }
+  }
+
+  std::string place_of(const Step& step) const {
+    return fmt::format("{}:{}", std::filesystem::path(path_).filename().string(),
+                       sources_.line_column(step.span.file, step.relation_span.begin).line);
+  }
+
+  std::string path_;
+  std::string text_;
+  SourceMap sources_;
+  FileReport whole_;
+  std::string declarations_;
+  Document document_;
+  Twins result_;
+};
+
+}  // namespace
+
+std::string_view name_of(Outcome outcome) {
+  static constexpr std::array<std::string_view, outcome_count> names{"refuted",   "declared", "proved equal",
+                                                                     "malformed", "law-like", "failed"};
+  return names[static_cast<std::size_t>(outcome)];
+}
+
+Twins twins_of(const std::string& path) { return Mutations(path).all(); }
+
+}  // namespace rigor::twins

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every proved step of derivations/ with one slip of the pen is refuted, is malformed, or is one of the few
+// in proved_equal.txt that the slip leaves true.
+#include "twins.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "catch.h"
+#include "source/read_file.h"
+
+namespace rigor::twins {
+namespace {
+
+constexpr const char* proved_equal_path = "tests/twins/proved_equal.txt";
+
+Twins twins_of_derivations() {
+  std::set<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator("derivations")) {
+    const std::filesystem::path& path = entry.path();
+    if (path.extension() == ".md" || path.extension() == ".tex") paths.insert(path.string());
+  }
+  Twins all;
+  for (const std::string& path : paths) {
+    Twins more = twins_of(path);
+    all.statements += more.statements;
+    all.lost.insert(all.lost.end(), more.lost.begin(), more.lost.end());
+    std::move(more.twins.begin(), more.twins.end(), std::back_inserter(all.twins));
+  }
+  return all;
+}
+
+using Row = std::array<std::size_t, outcome_count>;
+
+std::string line_of(std::string_view name, const Row& row) {
+  std::size_t sum = 0;
+  std::string cells;
+  for (const std::size_t count : row) {
+    sum += count;
+    cells += fmt::format("{:>14}", count);
+  }
+  return fmt::format("{:<16}{:>8}{}\n", name, sum, cells);
+}
+
+std::string table_of(const Twins& all) {
+  std::array<Row, slip_count> rows{};
+  Row total{};
+  for (const Twin& twin : all.twins) {
+    ++rows[static_cast<std::size_t>(twin.slip)][static_cast<std::size_t>(twin.outcome)];
+    ++total[static_cast<std::size_t>(twin.outcome)];
+  }
+  std::string table = fmt::format("{:<16}{:>8}", "slip", "twins");
+  for (std::size_t k = 0; k < outcome_count; ++k)
+    table += fmt::format("{:>14}", name_of(static_cast<Outcome>(k)));
+  table += "\n";
+  for (std::size_t k = 0; k < slip_count; ++k) table += line_of(name_of(static_cast<Slip>(k)), rows[k]);
+  table += line_of("all", total);
+  const std::size_t open =
+      total[static_cast<std::size_t>(Outcome::law_like)] + total[static_cast<std::size_t>(Outcome::failed)];
+  const auto count = static_cast<double>(all.twins.size());
+  return table + fmt::format("{} statements, {:.2f} % of their twins are answered\n", all.statements,
+                             100.0 * (count - static_cast<double>(open)) / count);
+}
+
+/// Under each statement the twins of it that were proved.
+std::string proved_equal(const Twins& all) {
+  std::map<std::string, std::set<std::string>> by_statement;
+  for (const Twin& twin : all.twins) {
+    if (twin.outcome != Outcome::proved_equal) continue;
+    by_statement[twin.original].insert(fmt::format("  {:<16}{}\n", name_of(twin.slip), twin.twin));
+  }
+  std::string text;
+  for (const auto& [statement, twins] : by_statement) {
+    text += statement + "\n";
+    for (const std::string& twin : twins) text += twin;
+  }
+  return text;
+}
+
+TEST_CASE("every false twin is refuted or proved equal") {
+  const Twins all = twins_of_derivations();
+  fmt::print("{}", table_of(all));
+  std::fflush(stdout);
+  for (const std::string& statement : all.lost) {
+    UNSCOPED_INFO(statement);
+    FAIL_CHECK("the short form of the notes says something else than the notes");
+  }
+  for (const Twin& twin : all.twins) {
+    if (twin.outcome != Outcome::failed) continue;
+    UNSCOPED_INFO(twin.place << ", " << name_of(twin.slip) << ", " << twin.said);
+    FAIL_CHECK(twin.twin);
+  }
+  const auto reviewed = read_file(proved_equal_path);
+  REQUIRE(reviewed);
+  CHECK(proved_equal(all) == *reviewed);
+}
+
+TEST_CASE("rewrites the list of twins that are proved equal", "[.rewrite]") {
+  std::ofstream(proved_equal_path) << proved_equal(twins_of_derivations());
+}
+
+TEST_CASE("prints every twin with what is said to it", "[.list]") {
+  for (const Twin& twin : twins_of_derivations().twins) {
+    fmt::print("{}\t{}\t{}\t{}\t{}\t{}\n", twin.place, name_of(twin.slip), name_of(twin.outcome), twin.said,
+               twin.original, twin.twin);
+  }
+}
+
+}  // namespace
+}  // namespace rigor::twins

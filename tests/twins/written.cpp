@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "written.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace rigor::twins {
+namespace {
+
+template <std::size_t N>
+bool is_one_of(const Token& token, const std::array<std::string_view, N>& controls) {
+  return token.kind == TokenKind::control &&
+         std::find(controls.begin(), controls.end(), token.text) != controls.end();
+}
+
+bool is_layout(const Token& token) {
+  static constexpr std::array<std::string_view, 10> controls{"\\", ",",    ";",     ":",     "!",
+                                                             " ",  "quad", "qquad", "notag", "nonumber"};
+  return is_blank(token) || token.kind == TokenKind::align || is_one_of(token, controls);
+}
+
+bool is_size(const Token& token) {
+  static constexpr std::array<std::string_view, 14> controls{"left",  "right", "big",   "Big",  "bigg",
+                                                             "Bigg",  "bigl",  "bigr",  "Bigl", "Bigr",
+                                                             "biggl", "biggr", "Biggl", "Biggr"};
+  return is_one_of(token, controls);
+}
+
+bool is_bar(const Token& token) {
+  return is_sign(token, "|") || is_control(token, "lvert") || is_control(token, "rvert");
+}
+
+int change_of_depth(const Token& token) {
+  if (token.kind == TokenKind::begin_group || is_sign(token, "(") || is_sign(token, "[")) return 1;
+  if (token.kind == TokenKind::end_group || is_sign(token, ")") || is_sign(token, "]")) return -1;
+  return 0;
+}
+
+/// Cuts one level into pieces; what it passes by on the way down is kept as further levels.
+class Cutter {
+ public:
+  explicit Cutter(TokenView tokens) : tokens_(tokens) {}
+
+  std::vector<Piece> cut(std::vector<TokenView>& inner) {
+    inner_ = &inner;
+    std::vector<Piece> pieces;
+    while (at_ < tokens_.size()) {
+      if (is_layout(tokens_[at_])) {
+        ++at_;
+      } else {
+        pieces.push_back(piece());
+      }
+    }
+    return pieces;
+  }
+
+ private:
+  Piece piece() {
+    const std::size_t begin = at_;
+    const Token& token = tokens_[at_];
+    PieceKind kind = PieceKind::factor;
+    if (is_sign(token, "+")) kind = PieceKind::plus;
+    if (is_sign(token, "-")) kind = PieceKind::minus;
+    if (is_control(token, "times") || is_control(token, "cross")) kind = PieceKind::cross;
+    if (is_control(token, "cdot") || is_control(token, "vdot") || is_sign(token, "/"))
+      kind = PieceKind::product;
+    if (kind != PieceKind::factor) {
+      ++at_;
+      return {kind, tokens_.subspan(begin, 1)};
+    }
+    Piece factor{kind, {}};
+    if (is_control(token, "sum")) factor.kind = PieceKind::big_sum;
+    base(factor);
+    scripts();
+    factor.tokens = tokens_.subspan(begin, at_ - begin);
+    return factor;
+  }
+
+  void base(Piece& factor) {
+    if (is_control(tokens_[at_], "qty")) ++at_;
+    if (at_ < tokens_.size() && is_size(tokens_[at_])) ++at_;
+    if (at_ >= tokens_.size()) return;
+    const Token& token = tokens_[at_];
+    if (is_bar(token))
+      return enclosed(factor, PieceKind::bars, [](const Token& other) { return is_bar(other); });
+    if (is_sign(token, "(") || is_sign(token, "[")) {
+      return enclosed(factor, PieceKind::factor,
+                      [](const Token& other) { return is_sign(other, ")") || is_sign(other, "]"); });
+    }
+    if (token.kind == TokenKind::digit) return number();
+    if (token.kind == TokenKind::begin_group) return arguments(factor);
+    ++at_;
+    if (token.kind == TokenKind::control && factor.kind != PieceKind::big_sum) {
+      const bool bars = token.text == "abs" || token.text == "norm";
+      const bool fraction = token.text == "frac" || token.text == "tfrac" || token.text == "dfrac";
+      arguments(factor);
+      if (bars) factor.kind = PieceKind::bars;
+      while (fraction && at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
+    }
+  }
+
+  /// From an opening sign to the closing one of the same depth.
+  template <class Closes>
+  void enclosed(Piece& factor, PieceKind kind, Closes closes) {
+    const std::size_t begin = ++at_;
+    std::size_t end = begin;
+    for (int depth = 0; end < tokens_.size(); ++end) {
+      if (depth == 0 && closes(tokens_[end])) break;
+      depth += change_of_depth(tokens_[end]);
+    }
+    at_ = std::min(end + 1, tokens_.size());
+    if (end > begin && is_size(tokens_[end - 1])) --end;
+    factor.kind = kind;
+    factor.inside = tokens_.subspan(begin, end - begin);
+    inner_->push_back(factor.inside);
+  }
+
+  void number() {
+    while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
+  }
+
+  void arguments(Piece& factor) {
+    while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::begin_group) {
+      const Argument argument = argument_at(tokens_, at_);
+      factor.inside = argument.content;
+      inner_->push_back(argument.content);
+      at_ = argument.next;
+    }
+  }
+
+  void scripts() {
+    while (at_ < tokens_.size() &&
+           (tokens_[at_].kind == TokenKind::superscript || tokens_[at_].kind == TokenKind::subscript)) {
+      at_ = argument_at(tokens_, at_ + 1).next;
+    }
+  }
+
+  TokenView tokens_;
+  std::size_t at_ = 0;
+  std::vector<TokenView>* inner_ = nullptr;
+};
+
+}  // namespace
+
+std::vector<Level> levels_of(TokenView side) {
+  std::vector<Level> levels;
+  std::vector<TokenView> pending{side};
+  for (std::size_t k = 0; k < pending.size(); ++k) {
+    Level level{Cutter(pending[k]).cut(pending), k == 0};
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+std::vector<Term> terms_of(const Level& level) {
+  std::vector<Term> terms;
+  const Piece* sign = nullptr;
+  for (const Piece& piece : level.pieces) {
+    if (piece.kind == PieceKind::plus || piece.kind == PieceKind::minus) {
+      sign = &piece;
+      continue;
+    }
+    if (terms.empty() || sign != nullptr) {
+      terms.push_back({sign, piece.tokens});
+    } else {
+      TokenView& tokens = terms.back().tokens;
+      tokens = {tokens.data(), piece.tokens.data() + piece.tokens.size()};
+    }
+    sign = nullptr;
+  }
+  return terms;
+}
+
+std::vector<TokenView> subscripts_of(TokenView side) {
+  std::vector<TokenView> subscripts;
+  for (std::size_t k = 1; k < side.size(); ++k) {
+    if (side[k].kind != TokenKind::subscript || is_control(side[k - 1], "sum")) continue;
+    subscripts.push_back(argument_at(side, k + 1).content);
+  }
+  return subscripts;
+}
+
+std::vector<TokenView> squares_of(TokenView side) {
+  std::vector<TokenView> squares;
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    if (side[k].kind != TokenKind::superscript) continue;
+    const Argument exponent = argument_at(side, k + 1);
+    if (text_of(exponent.content) == "2") squares.push_back(side.subspan(k, exponent.next - k));
+  }
+  return squares;
+}
+
+}  // namespace rigor::twins

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every operation, by statements that say what it is worth; each statement goes through samples and through
+// the generic point.
+#include "algebra/evaluator.h"
+
+#include "algebra/verdict.h"
+#include "catch.h"
+
+using namespace rigor;
+using namespace rigor::build;
+
+TEST_CASE("the sign of a permutation", "[algebra]") {
+  CHECK(permutation_sign(1, 2, 3) == 1);
+  CHECK(permutation_sign(3, 1, 2) == 1);
+  CHECK(permutation_sign(2, 1, 3) == -1);
+  CHECK(permutation_sign(2, 2, 3) == 0);
+}
+
+TEST_CASE("dot and cross products are what their components say", "[algebra]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  const IndexId k = page.index("k");
+  CHECK(is_proved(page.claim(dot(a, b), sum({i}, at(a, i) * at(b, i)))));
+  CHECK(is_proved(page.claim(dot(a, b), at(a, 1) * at(b, 1) + at(a, 2) * at(b, 2) + at(a, 3) * at(b, 3))));
+  CHECK(is_refuted(page.claim(dot(a, b), at(a, 1) * at(b, 1) + at(a, 2) * at(b, 2) - at(a, 3) * at(b, 3))));
+  const Term by_index = sum({j, k}, page.epsilon(i, j, k) * (at(a, j) * at(b, k)));
+  CHECK(is_proved(page.claim(component(cross(a, b), i), by_index, {i})));
+  CHECK(is_refuted(page.claim(component(cross(b, a), i), by_index, {i})));
+  CHECK(is_proved(page.claim(cross(a, b), sum({i}, by_index * page.basis(i)))));
+}
+
+TEST_CASE("tensors: outer products, contractions and tuples", "[algebra]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named t = page.tensor("T");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  const IndexId k = page.index("k");
+  CHECK(is_proved(page.claim(dot(a * b, b), squared(b) * a)));
+  CHECK(is_refuted(page.claim(dot(a * b, b), squared(b) * b)));
+  CHECK(is_proved(page.claim(component(dot(t, a), i), sum({j}, at(t, i, j) * at(a, j)), {i})));
+  CHECK(is_refuted(page.claim(component(dot(t, a), i), sum({j}, at(t, j, i) * at(a, j)), {i})));
+  CHECK(is_proved(page.claim(component(dot(t, t), i, k), sum({j}, at(t, i, j) * at(t, j, k)), {i, k})));
+  CHECK(is_proved(page.claim(a, tuple(at(a, 1), at(a, 2), at(a, 3)))));
+  CHECK(is_refuted(page.claim(a, tuple(at(a, 1), at(a, 3), at(a, 2)))));
+  CHECK(is_proved(page.claim(t + -t, (a * b) - (a * b))));
+}
+
+TEST_CASE("a determinant of rows is a triple product", "[algebra]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named c = page.vector("C");
+  const auto rows = [&](const Named& x, const Named& y) {
+    return std::vector<Term>{at(x, 1), at(x, 2), at(x, 3), at(y, 1), at(y, 2), at(y, 3)};
+  };
+  std::vector<Term> scalar{at(a, 1), at(a, 2), at(a, 3)};
+  std::vector<Term> vector{page.basis(1), page.basis(2), page.basis(3)};
+  for (const Term& each : rows(b, c)) {
+    scalar.push_back(each);
+    vector.push_back(each);
+  }
+  CHECK(is_proved(page.claim(page.determinant(scalar), dot(a, cross(b, c)))));
+  CHECK(is_refuted(page.claim(page.determinant(scalar), dot(a, cross(c, b)))));
+  CHECK(is_proved(page.claim(page.determinant(vector), cross(b, c))));
+  CHECK(is_refuted(page.claim(page.determinant(vector), cross(c, b))));
+}
+
+TEST_CASE("a table by index values is compared component by component", "[algebra]") {
+  Page page;
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  const std::vector<ExprId> values{page.number("0").id, page.number("1").id};
+  const std::vector<Slot> slots{Place(i).slot, Place(j).slot};
+  const auto table = [&](std::vector<std::uint8_t> entry) {
+    return Term{&page.tree, page.tree.add_table({}, values, slots, {std::move(entry)})};
+  };
+  CHECK(is_proved(page.claim(page.delta(i, j), table({1, 0, 0, 0, 1, 0, 0, 0, 1}), {i, j})));
+  CHECK(is_refuted(page.claim(page.delta(i, j), table({1, 0, 0, 0, 1, 0, 0, 1, 1}), {i, j})));
+}
+
+TEST_CASE("a dummy index that is used again inside is another one", "[algebra]") {
+  Page page;
+  const Named a = page.vector("A");
+  const IndexId i = page.index("i");
+  const Term trace = sum({i}, at(a, i));
+  CHECK(is_proved(page.claim(sum({i}, sum({i}, page.delta(i, 1) * at(a, i))), 3 * at(a, 1))));
+  CHECK(is_proved(page.claim(sum({i}, at(a, i) * trace), pow(trace, 2))));
+  CHECK(is_refuted(page.claim(sum({i}, at(a, i) * trace), squared(a))));
+}
+
+TEST_CASE("powers, quotients and absolute values", "[algebra]") {
+  Page page;
+  const Named s = page.scalar("s");
+  const Named a = page.vector("A");
+  CHECK(is_proved(page.claim(pow(s, -2), 1 / (s * s))));
+  CHECK(is_refuted(page.claim(pow(s, -2), 1 / s)));
+  CHECK(is_proved(page.claim(pow(s, 0), page.number("1"))));
+  CHECK(is_proved(page.claim(pow(absolute(s), 2), pow(s, 2))));
+  CHECK(is_proved(page.claim(absolute(-s), absolute(s))));
+  CHECK(is_refuted(page.claim(absolute(s), s)));
+  CHECK(is_proved(page.claim(a / s, (1 / s) * a)));
+  CHECK(is_proved(page.claim(page.number("0.5") * s, s / 2)));
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line.h"
+
+#include "base/version.h"
+#include "catch.h"
+
+namespace rigor {
+namespace {
+
+CommandLine parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "rigor");
+  return parse_command_line(static_cast<int>(words.size()), words.data());
+}
+
+std::string usage_error(std::vector<const char*> words) {
+  const CommandLine line = parse(std::move(words));
+  CHECK_FALSE(line.check);
+  CHECK(line.code == ExitCode::usage);
+  return line.text.substr(0, line.text.find('\n'));
+}
+
+TEST_CASE("files and nothing else leave every option as it is") {
+  const CommandLine line = parse({"check", "a.md", "b.tex"});
+  REQUIRE(line.check);
+  CHECK(line.check->files == std::vector<std::string>{"a.md", "b.tex"});
+  CHECK_FALSE(line.check->sidecar);
+  CHECK_FALSE(line.check->json);
+  CHECK_FALSE(line.check->strict);
+  CHECK(line.check->color == ColorWhen::automatic);
+  CHECK(line.check->debug.empty());
+}
+
+TEST_CASE("options are read before and after the files") {
+  const CommandLine line = parse({"check", "--json", "--debug", "time", "a.md", "--strict", "--sidecar",
+                                  "s.rigor", "--debug", "steps", "--color", "always"});
+  REQUIRE(line.check);
+  CHECK(line.check->files == std::vector<std::string>{"a.md"});
+  CHECK(line.check->sidecar == "s.rigor");
+  CHECK(line.check->json);
+  CHECK(line.check->strict);
+  CHECK(line.check->color == ColorWhen::always);
+  CHECK(line.check->debug == std::vector<DebugTopic>{DebugTopic::time, DebugTopic::steps});
+}
+
+TEST_CASE("a sidecar with an empty name is a sidecar") {
+  const CommandLine line = parse({"check", "a.md", "--sidecar="});
+  CHECK((!line.check || line.check->sidecar == ""));
+}
+
+TEST_CASE("what is wrong with a command line is said in one line") {
+  CHECK(usage_error({}) == "rigor: a subcommand is required");
+  CHECK(usage_error({"check"}) == "rigor: FILE is required");
+  CHECK(usage_error({"check", "a.md", "--foo"}) == "rigor: the following argument was not expected: --foo");
+  CHECK(usage_error({"check", "a.md", "--color", "pink"}) ==
+        "rigor: --color: unknown colour setting `pink`; known: auto, always, never");
+  CHECK(usage_error({"check", "a.md", "--debug", "all"}) ==
+        "rigor: --debug: unknown topic `all`; known: time, steps");
+  CHECK(usage_error({"check", "a.md", "b.md", "--sidecar", "s.rigor"}) ==
+        "rigor: `--sidecar` belongs to one file, and 2 are given");
+}
+
+TEST_CASE("help and version are no errors") {
+  CHECK(parse({"--version"}).code == ExitCode::ok);
+  CHECK(parse({"--version"}).text == "rigor " + std::string(version) + "\n");
+  const CommandLine help = parse({"check", "--help"});
+  CHECK(help.code == ExitCode::ok);
+  for (const char* part :
+       {"--json", "--sidecar FILE", "--strict", "--color", "--debug", "Example:", "  66  "})
+    CHECK(help.text.find(part) != std::string::npos);
+}
+
+}  // namespace
+}  // namespace rigor

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/check.h"
+#include "catch.h"
+
+namespace rigor {
+namespace {
+
+struct Outcome {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+Outcome run_with(std::vector<const char*> words) {
+  words.insert(words.begin(), "rigor");
+  std::ostringstream out;
+  std::ostringstream err;
+  const int code = run(static_cast<int>(words.size()), words.data(), out, err);
+  return {code, out.str(), err.str()};
+}
+
+TEST_CASE("a wrong command line ends with 64 and speaks on the error stream only") {
+  const Outcome outcome = run_with({"check"});
+  CHECK(outcome.code == 64);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err == "rigor: FILE is required\nTry `rigor check --help`.\n");
+}
+
+TEST_CASE("help ends with 0 and speaks on the output only") {
+  const Outcome outcome = run_with({"--help"});
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.find("Exit codes:") != std::string::npos);
+  CHECK(outcome.err.empty());
+}
+
+TEST_CASE("a file that is missing ends with 66, even where others are read") {
+  const Outcome outcome = run_with({"check", "no/such/notes.md", "docs/json.md", "--color", "never"});
+  CHECK(outcome.code == 66);
+  CHECK(outcome.out.find("no/such/notes.md:1:1: error: ") != std::string::npos);
+  CHECK(outcome.out.find("docs/json.md\n") != std::string::npos);
+  CHECK(outcome.out.find(" in 2 files: ") != std::string::npos);
+}
+
+TEST_CASE("a directory ends with 66") { CHECK(run_with({"check", "docs"}).code == 66); }
+
+TEST_CASE("with --json the output is JSON and nothing else") {
+  const Outcome outcome = run_with({"check", "--json", "no/such/notes.md"});
+  CHECK(outcome.code == 66);
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["files"][0]["file"] == "no/such/notes.md");
+  CHECK(json["files"][0]["diagnostics"][0]["kind"] == "unreadable-file");
+  CHECK(outcome.err.empty());
+}
+
+TEST_CASE("colour is written where it is asked for, and not into what is no terminal by itself") {
+  CHECK(run_with({"check", "docs", "--color", "always"}).out.find('\x1b') != std::string::npos);
+  CHECK(run_with({"check", "docs"}).out.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("output that cannot be written is not passed over") {
+  std::ostringstream out;
+  out.setstate(std::ios::badbit);
+  std::ostringstream err;
+  const std::vector<const char*> words{"rigor", "check", "docs/json.md"};
+  CHECK(run(static_cast<int>(words.size()), words.data(), out, err) == 70);
+  CHECK(err.str() == "rigor: the report could not be written\n");
+}
+
+TEST_CASE("every exception ends with 70 and its text") {
+  std::ostringstream err;
+  CHECK(run_guarded(err, [] { return 2; }) == 2);
+  CHECK(err.str().empty());
+  CHECK(run_guarded(err, []() -> int { throw InternalError("check failed"); }) == 70);
+  CHECK(run_guarded(err, []() -> int { throw std::runtime_error("no memory"); }) == 70);
+  CHECK(run_guarded(err, []() -> int { throw 7; }) == 70);
+  CHECK(err.str() ==
+        "rigor: internal error: check failed\n"
+        "rigor: unexpected error: no memory\n"
+        "rigor: unexpected error\n");
+}
+
+}  // namespace
+}  // namespace rigor

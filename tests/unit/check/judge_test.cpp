@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/judge.h"
+
+#include <memory>
+
+#include "catch.h"
+#include "check/directive.h"
+#include "latex/dump_syntax.h"
+
+namespace {
+
+using namespace rigor;
+
+/// Statements that are judged beside the names that are in force.
+struct Court {
+  SyntaxTree syntax;
+  ExprTree tree;
+  Names names;
+  std::vector<std::unique_ptr<Stretch>> stretches;
+
+  struct Elaborated {
+    std::unique_ptr<Elaborator> reading;
+    Equation equation;
+    WrittenChain written;
+  };
+
+  Elaborated elaborate(const std::string& statement) {
+    stretches.push_back(std::make_unique<Stretch>(statement));
+    Stretch& stretch = *stretches.back();
+    const ParsedChain chain = parse_chains(stretch.tokens, "", syntax, stretch.diagnostics).at(0);
+    for (const SyntaxId side : chain.sides) sight_sums(syntax, side, names.sightings);
+    for (const SyntaxId side : chain.sides) sight_faces(syntax, side, names);
+    sight_indices(syntax, chain.sides, names);
+    Elaborated result;
+    result.reading = std::make_unique<Elaborator>(
+        syntax, tree, names, read_letters(syntax, chain.sides, names), stretch.diagnostics);
+    const Typed left = result.reading->expression(chain.sides.at(0)).value();
+    const Typed right = result.reading->expression(chain.sides.at(1)).value();
+    result.equation = result.reading->equation(left, right, {{}, stretch.diagnostics}).value();
+    result.written = chain.written;
+    return result;
+  }
+
+  Judgement judge(const std::string& statement) {
+    const Elaborated claim = elaborate(statement);
+    return rigor::judge(tree, names,
+                        {claim.equation, claim.written.relations.at(0).span, claim.written.sides.at(0).span,
+                         claim.written.sides.at(1).span, claim.reading.get()});
+  }
+
+  void given(const std::string& statement, std::size_t directive) {
+    names.assume({elaborate(statement).equation, {"given " + statement, "", directive}, 0});
+  }
+};
+
+Verdict verdict(const std::string& statement) { return Court().judge(statement).verdict; }
+
+DiagnosticKind first_kind(const Judgement& judgement) { return judgement.diagnostics.at(0).kind; }
+
+}  // namespace
+
+TEST_CASE("a true equation is proved and its false twins are refuted") {
+  CHECK(verdict("|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2 - (\\mathbf{A}\\cdot\\mathbf{B})^2") ==
+        Verdict::proved);
+  CHECK(verdict("|\\mathbf{B}\\times\\mathbf{A}|^2 = A^2B^2 - (\\mathbf{A}\\cdot\\mathbf{B})^2") ==
+        Verdict::proved);
+  CHECK(verdict("|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2 + (\\mathbf{A}\\cdot\\mathbf{B})^2") ==
+        Verdict::refuted);
+  CHECK(verdict("|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B - (\\mathbf{A}\\cdot\\mathbf{B})^2") ==
+        Verdict::refuted);
+  CHECK(verdict("|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2 - \\mathbf{A}\\cdot\\mathbf{B}") ==
+        Verdict::refuted);
+  CHECK(verdict("|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2") == Verdict::refuted);
+}
+
+TEST_CASE("a refutation shows the values, the component and both sides") {
+  const Judgement judgement = Court().judge("\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}");
+  REQUIRE(judgement.verdict == Verdict::refuted);
+  REQUIRE(judgement.counterexample.has_value());
+  const Counterexample& example = *judgement.counterexample;
+  REQUIRE(example.values.size() == 2);
+  CHECK(example.values[0].symbol == "\\mathbf{A}");
+  CHECK(example.values[0].rank == 1);
+  CHECK(example.values[0].components.size() == 3);
+  REQUIRE(example.component.size() == 1);
+  CHECK(example.component[0].index.empty());
+  CHECK(example.left == "-" + example.right);
+  CHECK(first_kind(judgement) == DiagnosticKind::refuted);
+  CHECK(judgement.diagnostics[0].labels.size() == 2);
+}
+
+TEST_CASE("a refutation in index notation names the indices' values") {
+  const Judgement judgement = Court().judge("(\\mathbf{A}\\times\\mathbf{B})_i = \\epsilon_{ijk}A_kB_j");
+  REQUIRE(judgement.counterexample.has_value());
+  REQUIRE(judgement.counterexample->component.size() == 1);
+  CHECK(judgement.counterexample->component[0].index == "i");
+}
+
+TEST_CASE("a refutation of a sum over particles needs few of them") {
+  const Judgement judgement =
+      Court().judge("\\sum_\\alpha m_\\alpha v_\\alpha = -\\sum_\\alpha m_\\alpha v_\\alpha");
+  REQUIRE(judgement.counterexample.has_value());
+  CHECK(judgement.counterexample->particles >= 1);
+  CHECK(judgement.counterexample->particles <= 3);
+  CHECK(judgement.counterexample->values.at(0).particle == 1);
+}
+
+TEST_CASE("a law is not refuted") {
+  const Judgement judgement = Court().judge("m\\mathbf{a} = \\mathbf{F}");
+  CHECK(judgement.verdict == Verdict::not_understood);
+  CHECK(first_kind(judgement) == DiagnosticKind::undeclared_symbol);
+  CHECK_FALSE(judgement.counterexample.has_value());
+}
+
+TEST_CASE("a symbol that looks like a known one is suggested") {
+  Court court;
+  const Court::Elaborated known = court.elaborate("\\mathbf{F} = 0");
+  for (const SymbolId symbol : symbols_in(court.tree, known.equation.left)) court.names.mark_seen(symbol);
+  const Judgement judgement = court.judge("m\\mathbf{a} = \\mathbf{F}'");
+  REQUIRE(judgement.diagnostics.at(0).help.size() == 2);
+  CHECK(judgement.diagnostics[0].help[0] == "is `\\mathbf{F}` meant for `\\mathbf{F}'`?");
+}
+
+TEST_CASE("two constant sides that differ are refuted, though their symbols are not declared") {
+  CHECK(verdict("\\mathbf{A}\\cdot(\\mathbf{A}\\times\\mathbf{B}) = 1") == Verdict::refuted);
+  CHECK(verdict("\\frac{\\mathbf{A}\\cdot\\mathbf{A}}{A^2} = 2") == Verdict::refuted);
+  CHECK(verdict("\\mathbf{A}\\cdot\\mathbf{B} = 1") == Verdict::not_understood);
+  CHECK(verdict("\\delta_{ii} = 2") == Verdict::refuted);
+  CHECK(verdict("\\delta_{ii} = 3") == Verdict::proved);
+}
+
+TEST_CASE("a reading by guess can be proved and never refuted") {
+  Court court;
+  court.elaborate("\\mathbf{R} = 0");
+  CHECK(court.judge("R(R + 1) = R^2 + R").verdict == Verdict::proved);
+  const Judgement judgement = court.judge("R_1R_2 = R(R_1 + R_2)");
+  CHECK(judgement.verdict == Verdict::not_understood);
+  CHECK(first_kind(judgement) == DiagnosticKind::ambiguous_reading);
+  CHECK_FALSE(judgement.counterexample.has_value());
+}
+
+TEST_CASE("zero on both sides is reported unless a zero was written") {
+  Court court;
+  const Judgement hidden = court.judge(
+      "\\mathbf{A}\\cdot(\\mathbf{A}\\times\\mathbf{B}) = \\mathbf{B}\\cdot(\\mathbf{A}\\times\\mathbf{B})");
+  CHECK(hidden.verdict == Verdict::proved);
+  CHECK(first_kind(hidden) == DiagnosticKind::zero_equals_zero);
+  CHECK(hidden.route.ends_with("0 = 0"));
+  const Judgement written = court.judge("\\mathbf{A}\\cdot(\\mathbf{A}\\times\\mathbf{B}) = 0");
+  CHECK(written.verdict == Verdict::proved);
+  CHECK(written.diagnostics.empty());
+}
+
+TEST_CASE("a proof says which assumptions and conventions it used") {
+  Court court;
+  court.given("\\mathbf{A}\\cdot\\mathbf{B} = 0", 3);
+  const Judgement judgement = court.judge("|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2");
+  CHECK(judgement.verdict == Verdict::proved);
+  REQUIRE(judgement.uses.size() == 3);
+  CHECK(judgement.uses[0] == "given \\mathbf{A}\\cdot\\mathbf{B} = 0");
+  CHECK(judgement.uses[1] == "convention: `A` is the length of `\\mathbf{A}`");
+  CHECK(court.names.is_used(3));
+}
+
+TEST_CASE("a proof that needs no assumption uses none") {
+  Court court;
+  court.given("\\mathbf{A}\\cdot\\mathbf{B} = 0", 3);
+  CHECK(court.judge("\\mathbf{A}\\times\\mathbf{B} = -\\mathbf{B}\\times\\mathbf{A}").uses.empty());
+  CHECK_FALSE(court.names.is_used(3));
+}
+
+TEST_CASE("a sample that refutes satisfies the assumptions") {
+  Court court;
+  court.given("\\mathbf{A}\\cdot\\mathbf{B} = 0", 0);
+  const Judgement judgement = court.judge("|\\mathbf{A}\\times\\mathbf{B}|^2 = 2A^2B^2");
+  REQUIRE(judgement.counterexample.has_value());
+  CHECK(judgement.counterexample->left != "0");
+  CHECK(court.names.is_used(0));
+}
+
+TEST_CASE("assumptions have a sample, or none") {
+  Court possible;
+  CHECK(assumptions_have_a_sample(possible.tree, possible.names));
+  possible.given("\\mathbf{A}\\cdot\\mathbf{B} = 0", 0);
+  CHECK(assumptions_have_a_sample(possible.tree, possible.names));
+  Court impossible;
+  impossible.given("\\mathbf{A}\\cdot\\mathbf{A} = -1", 0);
+  CHECK_FALSE(assumptions_have_a_sample(impossible.tree, impossible.names));
+}

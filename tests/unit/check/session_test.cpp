@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chains, sections and directives: what holds where, and what nothing uses. Single steps are in
+// session_step_test.cpp.
+#include "check/session.h"
+
+#include "catch.h"
+#include "check/checked.h"
+
+using namespace rigor;
+
+namespace {
+
+const std::string square = "$$|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2$$\n\n";
+const std::string perpendicular = rigor_says("given \\mathbf{A}\\cdot\\mathbf{B} = 0");
+const std::string commuted = "$$\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A}$$\n\n";
+
+}  // namespace
+
+TEST_CASE("each relation of a chain is a step with its own verdict") {
+  CHECK(lines_of("$$\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A} = A_iB_i = 2A_iB_i$$") ==
+        "proved\nproved\nrefuted 1:66 refuted\n");
+}
+
+TEST_CASE("a chain runs over the rows of a display") {
+  CHECK(lines_of("\\begin{align}\n(\\mathbf{A}\\times\\mathbf{B})^2 &= "
+                 "\\epsilon_{ijk}A_jB_k\\epsilon_{ilm}A_lB_m \\\\\n"
+                 "&= A^2B^2 - (\\mathbf{A}\\cdot\\mathbf{B})^2 \\\\\n&= A^2B^2\n\\end{align}\n") ==
+        "proved\nproved\nrefuted 4:2 refuted\n");
+}
+
+TEST_CASE("a side that is not read spoils the steps beside it only") {
+  CHECK(lines_of("$$\\mathbf{A}\\cdot\\mathbf{B} = \\dot x = A_iB_i = \\mathbf{B}\\cdot\\mathbf{A}$$") ==
+        "not-understood 1:31 unsupported\nnot-understood 1:31 unsupported\nproved\n");
+}
+
+TEST_CASE("a step knows its tag, label, section and text") {
+  const Checked checked("# Products\n\n$$\\mathbf{A}\\times\\mathbf{A}\n = 0 \\tag{6} \\label{eq:a}$$\n");
+  REQUIRE(checked.report.steps.size() == 1);
+  const Step& step = checked.report.steps[0];
+  CHECK(step.tag == "(6)");
+  CHECK(step.label == "eq:a");
+  CHECK(step.section == "Products");
+  CHECK(step.source == "\\mathbf{A}\\times\\mathbf{A} = 0");
+  CHECK(step.left == "\\mathbf{A}\\times\\mathbf{A}");
+  CHECK(step.relation == "=");
+  CHECK(step.right == "0");
+  CHECK(checked.sources.text(step.relation_span) == "=");
+}
+
+TEST_CASE("verdicts are counted") {
+  const Checked checked("$$\\delta_{ii} = 3 = 2$$\n\n$$\\delta_{ii} \\approx 3$$\n");
+  CHECK(checked.report.counts == Counts{1, 1, 0, 0, 0, 1, 0});
+}
+
+TEST_CASE("an expression without a relation is no step") {
+  CHECK(lines_of(commuted + "$$\\mathbf{A}\\cdot\\mathbf{B}$$\n") == "proved\n3:3 no-relation\n");
+}
+
+TEST_CASE("an assumption holds to the end of its section") {
+  CHECK(lines_of(square) == "refuted 1:34 refuted\n");
+  CHECK(lines_of(perpendicular + square) == "given\nproved\n");
+  CHECK(lines_of("# One\n" + perpendicular + square + "# Two\n" + square) ==
+        "given\nproved\nrefuted 6:34 refuted\n");
+  CHECK(lines_of("# One\n" + perpendicular + "## Two\n" + square) == "given\nproved\n");
+  CHECK(lines_of("# One\n## Two\n" + perpendicular + square + "## Three\n" + square) ==
+        "given\nproved\nrefuted 7:34 refuted\n");
+}
+
+TEST_CASE("an assumption that no sample satisfies is an error, and nothing is proved from it") {
+  CHECK(lines_of(rigor_says("given \\mathbf{A}\\cdot\\mathbf{A} = -1") + square)
+            .starts_with("given 1:19 no-sample\nundecided 2:34 undecided\n"));
+  CHECK(lines_of(perpendicular + rigor_says("given \\mathbf{A}\\cdot\\mathbf{B} = 1")).find("no-sample") !=
+        std::string::npos);
+}
+
+TEST_CASE("an assumption about a sum over particles is used inside other sums") {
+  const std::string centre = rigor_says("given \\sum_\\alpha m_\\alpha\\mathbf{r}_\\alpha = 0");
+  const std::string split =
+      "$$\\sum_\\alpha m_\\alpha(\\mathbf{r}_\\alpha+\\mathbf{R})^2 = \\sum_\\alpha m_\\alpha r_\\alpha^2 + "
+      "R^2\\sum_\\alpha "
+      "m_\\alpha$$\n";
+  CHECK(lines_of(centre + split) == "given\nproved\n");
+  CHECK(lines_of(split).starts_with("refuted"));
+}
+
+TEST_CASE("a declaration makes a letter hold for all values") {
+  const std::string symmetric = "$$T_{ij} = T_{ji}$$\n";
+  CHECK(lines_of(symmetric) == "not-understood 1:10 undeclared-symbol\n");
+  CHECK(lines_of(rigor_says("tensor T") + symmetric) == "refuted 2:10 refuted\n");
+  CHECK(lines_of(rigor_says("symmetric tensor T") + symmetric) == "proved\n");
+  CHECK(lines_of(rigor_says("tensor T") + rigor_says("symmetric tensor S") + symmetric +
+                 "\n$$S_{ij} = S_{ji}$$\n") == "refuted 3:10 refuted\nproved\n");
+}
+
+TEST_CASE("a unit vector has length 1") {
+  CHECK(lines_of(rigor_says("unit vector \\mathbf{n}") + "$$\\mathbf{n}\\cdot\\mathbf{n} = 1$$\n") ==
+        "proved\n");
+  CHECK(lines_of(rigor_says("unit vector \\mathbf{n}") + "$$\\mathbf{n}\\cdot\\mathbf{n} = 2$$\n") ==
+        "refuted 2:29 refuted\n");
+}
+
+TEST_CASE("a plain letter that is declared a vector is one") {
+  CHECK(lines_of(rigor_says("vector A, B") + "$$A_1B_1 + A_2B_2 + A_3B_3 = A_iB_i$$\n") == "proved\n");
+  CHECK(lines_of(rigor_says("vector A, B") + "$$A_1B_1 + A_2B_2 - A_3B_3 = A_iB_i$$\n") ==
+        "refuted 2:28 refuted\n");
+}
+
+TEST_CASE("a claim is a statement that no display makes") {
+  const Checked checked(rigor_says("claim \\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A}"));
+  CHECK(checked.lines() == "proved\n");
+  CHECK(lines_of(rigor_says("claim \\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}")) ==
+        "refuted 1:46 refuted\n");
+}
+
+TEST_CASE("an expected refutation is marked, one that fails to come is an error") {
+  const Checked wrong(rigor_says("expect refuted") + "$$\\delta_{ii} = 3 = 2$$\n");
+  REQUIRE(wrong.report.steps.size() == 2);
+  CHECK_FALSE(wrong.report.steps[0].expected_refuted);
+  CHECK(wrong.report.steps[1].expected_refuted);
+  CHECK(wrong.report.diagnostics.empty());
+  CHECK(lines_of(rigor_says("expect refuted") + commuted) == "proved\n1:13 unexpected-verdict\n");
+  CHECK(lines_of(rigor_says("expect refuted") + commuted + "$$\\delta_{ii} = 2$$\n") ==
+        "proved\nrefuted 4:15 refuted\n1:13 unexpected-verdict\n");
+}
+
+TEST_CASE("a definition or an assumption is not what is expected to be refuted") {
+  CHECK(lines_of(rigor_says("expect refuted") + rigor_says("let c = 2") + "$$c = 3$$\n") ==
+        "definition\nrefuted 3:5 refuted\n");
+  CHECK(lines_of(rigor_says("expect refuted") + rigor_says("claim \\delta_{ii} = 2")) ==
+        "refuted 2:31 refuted\n");
+}
+
+TEST_CASE("a display that is skipped is counted step by step") {
+  const Checked checked(rigor_says("skip a table") + "$$\\delta_{ii} = 2 = 1$$\n\n$$\\delta_{ii} = 2$$\n");
+  CHECK(checked.lines() == "skipped\nskipped\nrefuted 4:15 refuted\n");
+  CHECK(checked.report.steps[0].route == "skip a table");
+}
+
+TEST_CASE("a directive that nothing uses is an error at its place") {
+  for (const char* directive : {"vector \\mathbf{C}", "scalar c", "symmetric tensor S", "constant k",
+                                "let c = 2", "given \\mathbf{C}\\cdot\\mathbf{D} = 0", "particles \\alpha"}) {
+    INFO(directive);
+    CHECK(lines_of(rigor_says(directive) + commuted).ends_with("1:13 unused-directive\n"));
+  }
+  CHECK(lines_of(commuted + rigor_says("expect refuted")) == "proved\n3:13 unused-directive\n");
+  CHECK(lines_of(commuted + rigor_says("skip it")) == "proved\n3:13 unused-directive\n");
+}
+
+TEST_CASE("a directive that something uses is none") {
+  CHECK(lines_of(rigor_says("vector \\mathbf{A}") + commuted) == "proved\n");
+  CHECK(lines_of(rigor_says("constant k") + "$$k a = a k$$\n") == "proved\n");
+  CHECK(lines_of(rigor_says("let \\mathbf{C} = 2\\mathbf{A}") + "$$\\mathbf{A}\\times\\mathbf{C} = 0$$\n") ==
+        "definition\nproved\n");
+}
+
+TEST_CASE("a letter is a vector in the whole file, before and behind its bold form") {
+  CHECK(lines_of("$$A^2 = A_iA_i$$\n\n$$\\mathbf{A}\\cdot\\mathbf{A} = A^2$$\n") == "proved\nproved\n");
+}
+
+TEST_CASE("a display that is not read is one step that is not understood") {
+  CHECK(lines_of("$$\\def\\a{\\a\\a} \\a = 0$$\n").starts_with("not-understood 1:"));
+  CHECK(lines_of("$$" + std::string(max_display_bytes + 1, 'a') + "$$\n") ==
+        "not-understood 1:1 display-too-long\n");
+}
+
+TEST_CASE("a mistake that two sides share is reported once a step") {
+  CHECK(lines_of("$$A_iB_iC_i = 0$$") == "not-understood 1:11 index-repeats\n");
+  CHECK(lines_of("$$\\dot A = \\dot A$$") == "not-understood 1:3 unsupported, 1:12 unsupported\n");
+}
+
+TEST_CASE("progress is told after each event") {
+  SourceMap sources;
+  Diagnostics diagnostics;
+  const FileId file = sources.add("notes.md", "# One\n\n" + commuted + commuted);
+  const Notes notes = read_notes(sources, file, nullptr, diagnostics);
+  FileReport report;
+  std::string told;
+  Session(sources, notes, report).run([&](std::size_t done, std::size_t all) {
+    told += std::to_string(done) + "/" + std::to_string(all) + " ";
+  });
+  CHECK(told == "1/3 2/3 3/3 ");
+}
