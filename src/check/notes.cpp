@@ -46,7 +46,13 @@ class NotesReader {
       parsed.diagnostics.push_back({DiagnosticKind::display_too_long, {display.span.file, display.span.begin, display.span.begin + 1},
                                     fmt::format("a display of {} bytes is not read; the limit is {}", size, max_display_bytes)});
     } else if (const auto tokens = expand(lex(sources_, display.body, display.quotes), macros_, parsed.diagnostics)) {
-      parsed.chains = parse_chains(*tokens, display.environment, notes_.syntax, parsed.diagnostics);
+      if (const Token* brace = unbalanced_brace(*tokens)) {
+        parsed.unread = true;
+        parsed.diagnostics.push_back({DiagnosticKind::unbalanced, brace->span,
+                                      brace->kind == TokenKind::begin_group ? "`{` is not closed in this display" : "`}` closes nothing"});
+      } else {
+        parsed.chains = parse_chains(*tokens, display.environment, notes_.syntax, parsed.diagnostics);
+      }
     } else {
       parsed.unread = true;
     }

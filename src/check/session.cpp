@@ -175,6 +175,7 @@ void Session::report_unused() {
 void Session::chain(const ParsedChain& parsed, const Context& context) {
   const Directive* expectation = context.role == Role::display || context.role == Role::claim ? std::exchange(expectation_, nullptr) : nullptr;
   const std::size_t first_step = report_.steps.size();
+  if (parsed.written.relations.empty() && !reads(parsed)) return;
   if (parsed.written.relations.empty()) {
     report_.diagnostics.push_back({DiagnosticKind::no_relation, parsed.written.span, "no relation stands here, so there is nothing to decide"});
     return;
@@ -193,6 +194,28 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
   if (any) return;
   report_.diagnostics.push_back({DiagnosticKind::unexpected_verdict, expectation->span, "the next statement was expected to be refuted and is not",
                                  {{parsed.written.span, "this statement"}}});
+}
+
+/// An expression without a relation is passed over with a warning, unless it cannot even be read: then it is a step not understood.
+bool Session::reads(const ParsedChain& parsed) {
+  Step step;
+  step.span = step.relation_span = parsed.written.span;
+  step.tag = parsed.written.tag;
+  step.label = parsed.written.label;
+  step.section = section_;
+  step.source = written(parsed.written.span);
+  std::vector<SyntaxId> pending = parsed.sides;
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    for (const SyntaxChild& child : notes_.syntax.children(id)) pending.push_back(child.id);
+    if (notes_.syntax[id].kind != SyntaxKind::opaque) continue;
+    const Obstacle& obstacle = notes_.syntax.obstacle(id);
+    step.diagnostics.push_back({obstacle.kind, notes_.syntax[id].span, obstacle.message, {}, obstacle.help});
+  }
+  if (step.diagnostics.empty()) return true;
+  add(std::move(step));
+  return false;
 }
 
 std::vector<Session::Side> Session::elaborate_sides(const ParsedChain& parsed, Elaborator& elaborator, Diagnostics& own) {

@@ -42,6 +42,7 @@ class Session {
     std::optional<Typed> typed;
     Diagnostics diagnostics;
   };
+  bool reads(const ParsedChain& parsed);
   std::vector<Side> elaborate_sides(const ParsedChain& parsed, Elaborator& elaborator, Diagnostics& own);
   void step(const ParsedChain& parsed, std::size_t which, std::vector<Side>& sides, Elaborator& elaborator, const Context& context);
   void decide_step(const ParsedChain& parsed, std::size_t which, const std::vector<Side>& sides, Elaborator& elaborator,

@@ -135,6 +135,11 @@ bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& r
   const bool known = names_.definition_of(definition->symbol) != nullptr;
   const bool seen = names_.seen_in_equation(definition->symbol);
   if (context.role == Role::display && (known || (seen && !named_definition))) return false;
+  if (const NamedDefinition* earlier = names_.definition_of(definition->symbol)) {
+    if (earlier->origin.directive) names_.mark_used(*earlier->origin.directive);
+    step.diagnostics.push_back({DiagnosticKind::redefinition, step.relation_span,
+                                fmt::format("`{}` replaces `{}`", written(tree_[left.typed->id].span), earlier->origin.text)});
+  }
   add_definition(*left.typed, *right.typed, parsed, context, step);
   return true;
 }

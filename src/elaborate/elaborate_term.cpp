@@ -21,7 +21,6 @@ bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
 
 std::optional<Typed> Elaborator::term(SyntaxId id) {
   const std::span<const SyntaxChild> factors = syntax_.children(id);
-  if (reads_as_application(factors) || repeats_greek(factors) || runs_numbers_together(factors)) return std::nullopt;
   std::vector<Operand> operands;
   bool failed = false;
   bool slash = false;
@@ -31,7 +30,7 @@ std::optional<Typed> Elaborator::term(SyntaxId id) {
     slash = slash || child.joint == Joint::slash;
     if (typed) operands.push_back({std::move(*typed), child.joint, child.joint_span});
   }
-  if (failed) return std::nullopt;
+  if (failed || reads_as_application(factors) || repeats_greek(factors) || runs_numbers_together(factors)) return std::nullopt;
   return slash ? with_slashes(std::move(operands), syntax_[id].span) : product(std::move(operands), syntax_[id].span);
 }
 

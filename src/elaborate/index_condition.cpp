@@ -119,6 +119,7 @@ std::optional<std::vector<bool>> pair_condition(const std::string& text, const s
 
 std::optional<std::vector<bool>> read_index_condition(const std::string& words, const std::vector<std::string>& letters) {
   std::string text = bare(words);
+  while (!text.empty() && (text.back() == ',' || text.back() == ';')) text.pop_back();
   const std::size_t count = letters.size();
   if (text.empty() || has(text, "otherwise") || text == "else" || text == "inallothercases") {
     return select(count, [](const Axes&) { return true; });

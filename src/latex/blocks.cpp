@@ -157,7 +157,7 @@ class StatementSplitter {
       const Token& token = tokens_[at];
       const int depth = nesting.enter(token);
       if (depth == 0 && is_wide_space(token)) {
-        if (may_end(block.tokens, at + 1)) cut();
+        if (may_end(block.tokens, at + 1) || is_remark_end(block.tokens, at + 1)) cut();
         ++at;
         continue;
       }
@@ -191,8 +191,17 @@ class StatementSplitter {
     return ends_open(block) && !trim(block).empty();
   }
 
+  /// Behind an equation, a remark in brackets ends at a wide space as well: `(\text{Kronecker}) \quad (17)`.
+  bool is_remark_end(TokenView block, std::size_t next) const {
+    return !blocks_.empty() && !has_relation(block) && !ends_open(block) && !trim(block).empty() && goes_on_elsewhere(next);
+  }
+
   bool may_end(TokenView block, std::size_t next) const {
-    if (!has_relation(block) || ends_open(block)) return false;
+    return has_relation(block) && !ends_open(block) && goes_on_elsewhere(next);
+  }
+
+  /// Does what stands next begin anew, rather than go on with a sign?
+  bool goes_on_elsewhere(std::size_t next) const {
     const std::size_t at = first_significant(tokens_, next);
     if (at >= tokens_.size()) return true;
     const Token& token = tokens_[at];

@@ -19,6 +19,12 @@ std::size_t closing_bracket(TokenView tokens, std::size_t open) {
   return tokens.size();
 }
 
+bool are_a_pair(const Token& open, const Token& closing) {
+  if (is_sign(open, "(")) return is_sign(closing, ")");
+  if (is_sign(open, "[")) return is_sign(closing, "]");
+  return is_control(closing, "}") || is_control(closing, "rbrace");
+}
+
 bool is_bar(const Token& token) {
   return is_sign(token, "|") || is_control(token, "vert");
 }
@@ -96,8 +102,12 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
     return opaque(open.span, fmt::format("`{}` is not closed", open.text), DiagnosticKind::unbalanced);
   }
   const TokenView content = cursor.tokens.subspan(cursor.at + 1, close - cursor.at - 1);
-  const Span span = cover(open.span, cursor.tokens[close].span);
+  const Token closing = cursor.tokens[close];
+  const Span span = cover(open.span, closing.span);
   cursor.at = close + 1;
+  if (!are_a_pair(open, closing)) {
+    return opaque(closing.span, fmt::format("`{}` does not close `{}`", closing.text, open.text), DiagnosticKind::unbalanced);
+  }
   return bracket_contents(content, span);
 }
 

@@ -36,7 +36,7 @@ SyntaxId Parser::control(Cursor& cursor) {
   if (name == "sum") return big_sum(cursor);
   if (name == "abs" || name == "norm" || name == "qty" || name == "quantity" || name == "absolutevalue") return braced_bracket(cursor);
   if (name == "lvert" || name == "lVert" || name == "|" || name == "Vert" || name == "vert") return bars(cursor);
-  if (name == "{" || name == "lbrace" || name == "lbrack" || name == "lparen") return bracketed(cursor);
+  if (name == "{" || name == "lbrace") return bracketed(cursor);
   if (name == "begin") return environment(cursor);
   if (!letter_of(token).empty()) return letter(cursor);
   if (const auto style = style_of(token)) return styled(cursor, *style);

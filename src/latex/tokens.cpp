@@ -64,6 +64,17 @@ Argument optional_argument_at(TokenView tokens, std::size_t at) {
   return {{}, at};
 }
 
+const Token* unbalanced_brace(TokenView tokens) {
+  std::vector<const Token*> open;
+  for (const Token& token : tokens) {
+    if (token.kind == TokenKind::begin_group) open.push_back(&token);
+    if (token.kind != TokenKind::end_group) continue;
+    if (open.empty()) return &token;
+    open.pop_back();
+  }
+  return open.empty() ? nullptr : open.front();
+}
+
 int Nesting::enter(const Token& token) {
   const auto open = [this] { return depth_++; };
   const auto close = [this] { return depth_ = std::max(0, depth_ - 1); };
@@ -76,8 +87,8 @@ int Nesting::enter(const Token& token) {
       if (token.text == "begin") return open();
       if (token.text == "end") return close();
       if (braces_only_) return depth_;
-      if (token.text == "{" || token.text == "lvert" || token.text == "lVert") return open();
-      if (token.text == "}" || token.text == "rvert" || token.text == "rVert") return close();
+      if (token.text == "{" || token.text == "lbrace" || token.text == "lvert" || token.text == "lVert") return open();
+      if (token.text == "}" || token.text == "rbrace" || token.text == "rvert" || token.text == "rVert") return close();
       return depth_;
     case TokenKind::other:
       if (braces_only_) return depth_;

@@ -39,6 +39,9 @@ struct ScriptArgument {
 /// Is the token the argument of a `_` or `^` before it? `A_\perp` holds no relation.
 [[nodiscard]] bool is_script_argument(TokenView tokens, std::size_t at);
 
+/// The first brace that nothing closes or opens, if any.
+[[nodiscard]] const Token* unbalanced_brace(TokenView tokens);
+
 /// Depth of braces, environments and (unless `braces_only`) brackets, fed token by token; 0 is the outside.
 class Nesting {
  public:

@@ -64,6 +64,7 @@ TEST_CASE("adjectives stand before the word or behind it in brackets") {
   CHECK(Reading("unit vector \\mathbf{n}").directive->unit);
   CHECK(Reading("symmetric tensor I").directive->symmetric);
   CHECK(Reading("tensor (symmetric) \\mathbf{I}").directive->symmetric);
+  CHECK(read("tensor (symmetric) S, T") == "S T");
   CHECK_FALSE(Reading("tensor I").directive->symmetric);
   CHECK(read("symmetric tensor S, T") == "S T");
 }

@@ -83,6 +83,13 @@ TEST_CASE("an equation in one scalar is to be solved, unless it holds at zero") 
   CHECK(on.law(pow(on.x, 2), on.number("4")) == "x");
 }
 
+TEST_CASE("a defined symbol alone on the left side makes no condition of its definition") {
+  Equations on;
+  on.define(on.m, pow(on.x, 2));
+  CHECK_FALSE(law_symbols(on.claim(on.m, pow(on.x, 2) + on.number("1"))).empty());
+  CHECK(law_symbols(on.claim(on.m, pow(on.x, 2) + on.number("1")), true).empty());
+}
+
 TEST_CASE("declared symbols are meant for all values") {
   Equations on;
   for (const Named& named : {on.a, on.b, on.m}) on.tree.symbols[named.symbol].declared = true;

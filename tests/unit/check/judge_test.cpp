@@ -45,7 +45,7 @@ struct Court {
     const Elaborated claim = elaborate(statement);
     return rigor::judge(tree, names,
                         {claim.equation, claim.written.relations.at(0).span, claim.written.sides.at(0).span,
-                         claim.written.sides.at(1).span, claim.reading.get()});
+                         claim.written.sides.at(1).span, claim.reading.get(), nullptr});
   }
 
   void given(const std::string& statement, std::size_t directive) {
@@ -137,6 +137,26 @@ TEST_CASE("a reading by guess can be proved and never refuted") {
   CHECK(judgement.verdict == Verdict::not_understood);
   CHECK(first_kind(judgement) == DiagnosticKind::ambiguous_reading);
   CHECK_FALSE(judgement.counterexample.has_value());
+}
+
+TEST_CASE("words that may restrict an equation stop its refutation, not its proof") {
+  Court court;
+  const Obstacle doubt{DiagnosticKind::unsupported, "the words `nearly` may restrict it", {}};
+  const auto judged = [&](const std::string& statement) {
+    const Court::Elaborated claim = court.elaborate(statement);
+    return rigor::judge(court.tree, court.names, {claim.equation, {}, {}, {}, claim.reading.get(), &doubt});
+  };
+  CHECK(judged("\\mathbf{A}\\times\\mathbf{B} = -\\mathbf{B}\\times\\mathbf{A}").verdict == Verdict::proved);
+  const Judgement judgement = judged("\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}");
+  CHECK(judgement.verdict == Verdict::not_understood);
+  CHECK(first_kind(judgement) == DiagnosticKind::unsupported);
+}
+
+TEST_CASE("nothing is proved from an assumption that no sample satisfies") {
+  Court court;
+  court.given("\\mathbf{A}\\cdot\\mathbf{A} = -1", 0);
+  court.names.doubt_last_assumption();
+  CHECK(court.judge("\\mathbf{A}\\cdot\\mathbf{A} = -1").verdict == Verdict::undecided);
 }
 
 TEST_CASE("zero on both sides is reported unless a zero was written") {

@@ -105,6 +105,17 @@ TEST_CASE("a plain letter that is declared a vector is one") {
         "refuted 2:28 refuted\n");
 }
 
+TEST_CASE("a declared plain letter is the vector, not its length") {
+  CHECK(lines_of(rigor_says("vector A, B") + "$$A\\times B = -B\\times A$$\n") == "proved\n");
+  CHECK(lines_of(rigor_says("vector A, B") + "$$A\\times B = B\\times A$$\n") == "refuted 2:14 refuted\n");
+}
+
+TEST_CASE("letters that label particles by a directive are no indices") {
+  const std::string sum = "$$\\sum_i m_i\\mathbf{r}_i\\cdot\\mathbf{r}_i = ";
+  CHECK(lines_of(rigor_says("particles i") + sum + "\\sum_i m_i r_i^2$$\n") == "proved\n");
+  CHECK(lines_of(rigor_says("particles i") + sum + "2\\sum_i m_i r_i^2$$\n") == "refuted 2:43 refuted\n");
+}
+
 TEST_CASE("a claim is a statement that no display makes") {
   const Checked checked(rigor_says("claim \\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A}"));
   CHECK(checked.lines() == "proved\n");

@@ -28,7 +28,7 @@ TEST_CASE("a scalar beside a vector is a rank mismatch at the term that differs 
   CHECK(meaning("\\mathbf{A} + b") == "14 rank-mismatch: ?");
   CHECK(meaning("a + \\mathbf{B}") == "5 rank-mismatch: ?");
   CHECK(meaning("A_i + \\mathbf{B}") == "7 rank-mismatch: ?");
-  CHECK(meaning("\\mathbf{A} + \\mathbf{A}\\mathbf{B}") == "14 rank-mismatch: ?");
+  CHECK(meaning("\\mathbf{A} + \\mathbf{A}\\mathbf{B}") == "14 ambiguous-reading: ?");
 }
 
 TEST_CASE("a free index in one term only is reported at that index") {
@@ -73,6 +73,8 @@ TEST_CASE("a sum over a Greek letter or a declared one runs over particles") {
   CHECK(meaning("\\sum_{\\alpha=1}^N m_\\alpha") == "(particle-sum \\alpha m{\\alpha})");
   CHECK(Statements().particles("a").meaning("\\sum_a \\mathbf{r}_a\\times\\mathbf{v}_a") ==
         "(particle-sum a (cross \\mathbf{r}{a} \\mathbf{v}{a}))");
+  CHECK(Statements().particles("i").meaning("\\sum_i m_i\\mathbf{r}_i") ==
+        "(particle-sum i (multiply m{i} \\mathbf{r}{i}))");
 }
 
 TEST_CASE("a sum over particles holds components, lengths and dot products of each") {
@@ -86,6 +88,12 @@ TEST_CASE("a sum over particles holds components, lengths and dot products of ea
 TEST_CASE("sums over two particles nest") {
   CHECK(meaning("\\sum_\\alpha\\sum_\\beta m_\\alpha m_\\beta") ==
         "(particle-sum \\alpha (particle-sum \\beta (multiply m{\\alpha} m{\\beta})))");
+}
+
+TEST_CASE("a sum over a letter inside a sum over it clashes") {
+  CHECK(meaning("\\sum_i A_i\\sum_i B_i") == "16 index-clash: ?");
+  CHECK(meaning("\\sum_\\alpha m_\\alpha\\sum_\\alpha v_\\alpha") == "26 index-clash: ?");
+  CHECK(meaning("(\\sum_i A_i)(\\sum_i B_i)") == "(multiply (index-sum i A[i]) (index-sum i B[i]))");
 }
 
 TEST_CASE("a particle that is free in one term only is reported") {

@@ -124,11 +124,12 @@ TEST_CASE("a letter before a bracket with one letter can be a function") {
   CHECK(meaning("f(x)") == "1 ambiguous-reading: ?");
   CHECK(meaning("a\\,\\omega(t)") == "4 ambiguous-reading: ?");
   CHECK(meaning("A_i(x)") == "1 ambiguous-reading: ?");
-  CHECK(meaning("f(x,y)") == "1 ambiguous-reading: ?");
+  CHECK(meaning("f(x,y)") == "2 unsupported: ?");
 }
 
 TEST_CASE("a letter before a bracket with a sum, or with a declared letter, is a factor") {
-  CHECK(meaning("f(x+y)") == "(multiply f (add x y))");
+  CHECK(meaning("f(x+y)") == "1 ambiguous-reading: ?");
+  CHECK(meaning("m(x+y)") == "(multiply m (add x y))");
   CHECK(meaning("\\delta_{ij}(x)") == "(multiply delta[i,j] x)");
   CHECK(meaning("(x)f") == "(multiply x f)");
   CHECK(Statements().declare({"x", 0, false}).meaning("f(x)") == "(multiply f x)");

@@ -34,7 +34,14 @@ TEST_CASE("a scalar against a vector is a rank mismatch at the relation") {
   CHECK(meaning("a = \\mathbf{B}").starts_with("3 rank-mismatch"));
   CHECK(meaning("\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{C}").starts_with("27 rank-mismatch"));
   CHECK(meaning("\\mathbf{A} = B_i").starts_with("12 rank-mismatch"));
-  CHECK(meaning("\\mathbf{A}\\mathbf{B} = \\mathbf{C}").starts_with("22 rank-mismatch"));
+  CHECK(meaning("\\mathbf{A}\\mathbf{B} = \\mathbf{C}").starts_with("1 ambiguous-reading"));
+}
+
+TEST_CASE("bold letters side by side against a vector can be a matrix and a vector") {
+  CHECK(meaning("\\mathbf{A}\\mathbf{B} = \\mathbf{C}").starts_with("1 ambiguous-reading"));
+  Statements statements;
+  statements.meaning("\\mathbf{A}\\mathbf{B} = \\mathbf{B}\\mathbf{A}");
+  CHECK(statements.guess.has_value());
 }
 
 TEST_CASE("a written zero fits every side") {

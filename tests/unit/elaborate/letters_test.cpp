@@ -64,6 +64,11 @@ TEST_CASE("a letter beside an index on one symbol is an index") {
   CHECK_FALSE(Side("I_{ab}").is_index("a"));
 }
 
+TEST_CASE("letters that change places on one symbol are indices") {
+  CHECK(Side("Q_{ab} + Q_{ba}").is_index("a"));
+  CHECK_FALSE(Side("Q_{ab} + P_{ba}").is_index("a"));
+}
+
 TEST_CASE("i beside f on one letter are initial and final, not indices") {
   const Side side("v_f^2 - v_i^2");
   CHECK_FALSE(side.is_index("i"));

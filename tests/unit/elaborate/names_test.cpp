@@ -133,6 +133,27 @@ TEST_CASE("an assumption ends with its section") {
   CHECK(names.assumptions().empty());
 }
 
+TEST_CASE("an assumption that no sample satisfies is remembered as such") {
+  Names names;
+  names.assume({});
+  names.assume({});
+  names.doubt_last_assumption();
+  CHECK_FALSE(names.assumptions()[0].without_sample);
+  CHECK(names.assumptions()[1].without_sample);
+}
+
+TEST_CASE("a vector declared by its plain letter is that letter while the declaration holds") {
+  ExprTree tree;
+  Names names;
+  names.open_section(1);
+  names.declare(tree, vector_a, named("A"), 0);
+  CHECK_FALSE(names.is_plain(vector_a));
+  names.declare_plain(vector_a);
+  CHECK(names.is_plain(vector_a));
+  names.open_section(1);
+  CHECK_FALSE(names.is_plain(vector_a));
+}
+
 TEST_CASE("a symbol was seen in an equation of this section or one around it") {
   ExprTree tree;
   Names names;
@@ -153,6 +174,8 @@ TEST_CASE("a letter labels particles if a directive or a sum over it says so") {
   CHECK(names.is_particle_letter("\\alpha"));
   CHECK_FALSE(names.is_declared_particle("\\alpha"));
   names.declare_particles("n", 4);
+  CHECK(names.labels_particles("n"));
+  CHECK_FALSE(names.is_used(4));
   CHECK(names.is_particle_letter("n"));
   CHECK(names.is_used(4));
 }

@@ -48,7 +48,7 @@ struct Stretch {
 };
 
 /// `a = b = c`, then its tag and label in brackets, then `?` and the kind of what stands beside it and is not
-/// read.
+/// read, or `~` for words that only may restrict it.
 [[nodiscard]] inline std::string dump_chain(const WrittenChain& chain) {
   std::string text;
   for (std::size_t k = 0; k < chain.sides.size(); ++k) {
@@ -56,7 +56,8 @@ struct Stretch {
     text += text_of(chain.sides[k].tokens);
   }
   for (const std::string& name : {chain.tag, chain.label}) text += name.empty() ? "" : " [" + name + "]";
-  return chain.condition ? text + " ?" + std::string(info(chain.condition->kind).name) : text;
+  if (chain.condition) return text + " ?" + std::string(info(chain.condition->kind).name);
+  return chain.doubt ? text + " ~" : text;
 }
 
 /// One chain after the other, with ` // ` between.

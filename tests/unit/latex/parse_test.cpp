@@ -91,6 +91,7 @@ TEST_CASE("a superscript is a power of all that it stands on") {
   CHECK(parsed("(a+b)^{-1}") == "(power (group (sum +a +b)) (sum -1))");
   CHECK(parsed("ab^2") == "(term a (power b 2))");
   CHECK(parsed("A'^2") == "(power A' 2)");
+  CHECK(parsed("A^2_i") == "(power A[i] 2)");
 }
 
 TEST_CASE("a transpose or an adjoint is no power") {
@@ -161,6 +162,14 @@ TEST_CASE("a node has the span that its author typed") {
   CHECK(stretch.written(tree[term].span) == "\\mathbf{B}\\times \\mathbf{C}");
   CHECK(stretch.written(tree.children(term)[1].joint_span) == "\\times");
   CHECK(stretch.written(tree[tree.child(term, 1)].span) == "\\mathbf{C}");
+}
+
+TEST_CASE("the span of a symbol has its scripts with their braces") {
+  for (const char* text : {"\\vec{r}_{\\alpha i}", "T_{\\text{rot}}", "A_{i}^{2}", "A'_{ij}"}) {
+    Stretch stretch(text);
+    SyntaxTree tree;
+    CHECK(stretch.written(tree[parse_side(stretch.tokens, {}, tree)].span) == text);
+  }
 }
 
 TEST_CASE("a node that came out of a macro has the span of the call") {
