@@ -98,7 +98,8 @@ struct Grammar {
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  if (const std::string_view first = argc > 1 ? argv[1] : ""; !first.empty() && first[0] != '-' && first != "check") {
+  if (const std::string_view first = argc > 1 ? argv[1] : "";
+      !first.empty() && first[0] != '-' && first != "check") {
     return usage_error(fmt::format("`{}` is no command; did you mean `check`?", first));
   }
   Grammar grammar;

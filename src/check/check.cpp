@@ -32,7 +32,8 @@ std::optional<std::string> sidecar_path(const std::string& notes, const CheckOpt
 
 }  // namespace
 
-FileReport check_text(SourceMap& sources, const std::string& path, std::string text, const CheckOptions& options) {
+FileReport check_text(SourceMap& sources, const std::string& path, std::string text,
+                      const CheckOptions& options) {
   FileReport report;
   report.path = path;
   std::optional<FileId> sidecar;
@@ -51,7 +52,8 @@ FileReport check_text(SourceMap& sources, const std::string& path, std::string t
   const Notes notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics);
   Session(sources, notes, report).run(options.progress);
   if (report.steps.empty() && report.diagnostics.empty()) {
-    report.diagnostics.push_back({DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});
+    report.diagnostics.push_back(
+        {DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});
   }
   return report;
 }

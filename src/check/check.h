@@ -17,7 +17,8 @@ struct CheckOptions {
 };
 
 /// Never throws for anything that is in the notes. A file that cannot be read is reported as such.
-[[nodiscard]] FileReport check_file(SourceMap& sources, const std::string& path, const CheckOptions& options = {});
+[[nodiscard]] FileReport check_file(SourceMap& sources, const std::string& path,
+                                    const CheckOptions& options = {});
 
 /// The same for text in memory (`path` decides the format and is what diagnostics show).
 [[nodiscard]] FileReport check_text(SourceMap& sources, const std::string& path, std::string text,

@@ -18,18 +18,16 @@ struct DirectiveWord {
 };
 
 constexpr std::array directive_words{
-    DirectiveWord{"vector", DirectiveKind::vector},       DirectiveWord{"scalar", DirectiveKind::scalar},
-    DirectiveWord{"tensor", DirectiveKind::tensor},       DirectiveWord{"particles", DirectiveKind::particles},
-    DirectiveWord{"constant", DirectiveKind::constant},   DirectiveWord{"let", DirectiveKind::let},
-    DirectiveWord{"given", DirectiveKind::given},         DirectiveWord{"claim", DirectiveKind::claim},
-    DirectiveWord{"expect", DirectiveKind::expect},       DirectiveWord{"skip", DirectiveKind::skip}};
+    DirectiveWord{"vector", DirectiveKind::vector},     DirectiveWord{"scalar", DirectiveKind::scalar},
+    DirectiveWord{"tensor", DirectiveKind::tensor},     DirectiveWord{"particles", DirectiveKind::particles},
+    DirectiveWord{"constant", DirectiveKind::constant}, DirectiveWord{"let", DirectiveKind::let},
+    DirectiveWord{"given", DirectiveKind::given},       DirectiveWord{"claim", DirectiveKind::claim},
+    DirectiveWord{"expect", DirectiveKind::expect},     DirectiveWord{"skip", DirectiveKind::skip}};
 
 /// Directives that the design names and this version does not decide with.
 constexpr std::array later_words{"rotation", "basis", "frame", "small", "units"};
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// The line's leading words: `symmetric tensor`, `tensor (symmetric)`, `unit vector`.
 struct Opening {
@@ -56,7 +54,9 @@ Opening read_opening(const SourceMap& sources, Span line) {
     const std::size_t before = at;
     const std::string word = next_word(text, at);
     const bool adjective = word == "symmetric" || word == "unit";
-    const bool kind_known = std::any_of(opening.words.begin(), opening.words.end(), [](const std::string& known) { return known != "symmetric" && known != "unit"; });
+    const bool kind_known =
+        std::any_of(opening.words.begin(), opening.words.end(),
+                    [](const std::string& known) { return known != "symmetric" && known != "unit"; });
     if (kind_known && !adjective) {
       at = before;
       break;
@@ -99,28 +99,35 @@ class DirectiveReader {
     if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
     const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
-    const bool equations = directive.kind == DirectiveKind::let || directive.kind == DirectiveKind::given || directive.kind == DirectiveKind::claim;
-    return equations ? with_chains(*tokens, std::move(directive)) : with_symbols(*tokens, std::move(directive));
+    const bool equations = directive.kind == DirectiveKind::let || directive.kind == DirectiveKind::given ||
+                           directive.kind == DirectiveKind::claim;
+    return equations ? with_chains(*tokens, std::move(directive))
+                     : with_symbols(*tokens, std::move(directive));
   }
 
  private:
-  std::optional<DirectiveKind> kind_of(const std::vector<std::string>& words, Span line, Directive& directive) {
+  std::optional<DirectiveKind> kind_of(const std::vector<std::string>& words, Span line,
+                                       Directive& directive) {
     std::string unknown = words.empty() ? std::string(sources_.text(line)) : words[0];
     for (const std::string& word : words) {
       if (word == "symmetric") directive.symmetric = true;
       if (word == "unit") directive.unit = true;
     }
     for (const std::string& word : words) {
-      const auto known = std::find_if(directive_words.begin(), directive_words.end(), [&](const DirectiveWord& entry) { return entry.word == word; });
+      const auto known = std::find_if(directive_words.begin(), directive_words.end(),
+                                      [&](const DirectiveWord& entry) { return entry.word == word; });
       if (known != directive_words.end()) return known->kind;
       if (word != "symmetric" && word != "unit") unknown = word;
     }
-    const Span place{line.file, line.begin, std::min(line.end, line.begin + static_cast<std::uint32_t>(unknown.size()))};
+    const Span place{line.file, line.begin,
+                     std::min(line.end, line.begin + static_cast<std::uint32_t>(unknown.size()))};
     if (std::find(later_words.begin(), later_words.end(), unknown) != later_words.end()) {
-      diagnostics_.push_back({DiagnosticKind::unsupported, place, fmt::format("the directive `{}` is not decided with yet", unknown)});
+      diagnostics_.push_back({DiagnosticKind::unsupported, place,
+                              fmt::format("the directive `{}` is not decided with yet", unknown)});
       return std::nullopt;
     }
-    Diagnostic diagnostic{DiagnosticKind::unknown_directive, place, fmt::format("`{}` is no directive", unknown)};
+    Diagnostic diagnostic{DiagnosticKind::unknown_directive, place,
+                          fmt::format("`{}` is no directive", unknown)};
     std::vector<std::string> known;
     for (const DirectiveWord& entry : directive_words) known.emplace_back(entry.word);
     if (const auto near = suggest(unknown, known)) {
@@ -141,25 +148,33 @@ class DirectiveReader {
     std::size_t at = 0;
     const std::string word = next_word(sources_.text(rest), at);
     if (word == "refuted") return directive;
-    return bad(directive.span, fmt::format("`expect {}` is not known", word), "`expect refuted` says that the next statement is false");
+    return bad(directive.span, fmt::format("`expect {}` is not known", word),
+               "`expect refuted` says that the next statement is false");
   }
 
   std::optional<Directive> with_symbols(TokenView tokens, Directive directive) {
     for (const TokenView part : split_at_commas(tokens)) {
       const SyntaxId symbol = parse_side(part, span_of(part), syntax_);
-      if (syntax_[symbol].kind != SyntaxKind::symbol) return bad(span_of(part), fmt::format("`{}` is not a symbol", text_of(part)), "symbols are separated by commas");
+      if (syntax_[symbol].kind != SyntaxKind::symbol)
+        return bad(span_of(part), fmt::format("`{}` is not a symbol", text_of(part)),
+                   "symbols are separated by commas");
       directive.symbols.push_back(symbol);
     }
-    if (directive.symbols.empty()) return bad(directive.span, "the directive names no symbol", "symbols are separated by commas, e.g. `vector \\mathbf{A}, \\mathbf{B}`");
+    if (directive.symbols.empty())
+      return bad(directive.span, "the directive names no symbol",
+                 "symbols are separated by commas, e.g. `vector \\mathbf{A}, \\mathbf{B}`");
     return directive;
   }
 
   std::optional<Directive> with_chains(TokenView tokens, Directive directive) {
     directive.chains = parse_chains(tokens, "", syntax_, diagnostics_);
-    const bool relation = !directive.chains.empty() && std::all_of(directive.chains.begin(), directive.chains.end(), [](const ParsedChain& chain) {
-      return !chain.written.relations.empty();
-    });
-    if (!relation) return bad(directive.span, "the directive holds no equation", "e.g. `given \\sum_\\alpha m_\\alpha \\mathbf{r}_\\alpha = 0`");
+    const bool relation =
+        !directive.chains.empty() &&
+        std::all_of(directive.chains.begin(), directive.chains.end(),
+                    [](const ParsedChain& chain) { return !chain.written.relations.empty(); });
+    if (!relation)
+      return bad(directive.span, "the directive holds no equation",
+                 "e.g. `given \\sum_\\alpha m_\\alpha \\mathbf{r}_\\alpha = 0`");
     return directive;
   }
 
@@ -189,18 +204,20 @@ Span without_comment(const SourceMap& sources, Span line) {
   return {line.file, begin, begin + static_cast<std::uint32_t>(text.size())};
 }
 
-std::optional<Directive> read_directive(const SourceMap& sources, Span line, MacroTable& macros, SyntaxTree& syntax,
-                                        Diagnostics& diagnostics) {
+std::optional<Directive> read_directive(const SourceMap& sources, Span line, MacroTable& macros,
+                                        SyntaxTree& syntax, Diagnostics& diagnostics) {
   const Span bare = without_comment(sources, line);
   if (bare.empty()) return std::nullopt;
   return DirectiveReader(sources, macros, syntax, diagnostics).read(bare);
 }
 
-std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment, SyntaxTree& syntax, Diagnostics& diagnostics) {
+std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment, SyntaxTree& syntax,
+                                      Diagnostics& diagnostics) {
   std::vector<ParsedChain> chains;
   for (WrittenChain& written : split_display(tokens, environment, diagnostics)) {
     ParsedChain chain;
-    for (const WrittenSide& side : written.sides) chain.sides.push_back(parse_side(side.tokens, side.span, syntax));
+    for (const WrittenSide& side : written.sides)
+      chain.sides.push_back(parse_side(side.tokens, side.span, syntax));
     chain.written = std::move(written);
     chains.push_back(std::move(chain));
   }

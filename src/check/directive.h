@@ -12,7 +12,18 @@
 
 namespace rigor {
 
-enum class DirectiveKind : std::uint8_t { vector, scalar, tensor, particles, constant, let, given, claim, expect, skip };
+enum class DirectiveKind : std::uint8_t {
+  vector,
+  scalar,
+  tensor,
+  particles,
+  constant,
+  let,
+  given,
+  claim,
+  expect,
+  skip
+};
 
 /// One side of a chain after parsing, and a chain of them.
 struct ParsedChain {
@@ -32,12 +43,12 @@ struct Directive {
 };
 
 /// Nothing where the line cannot be read (with a diagnostic), or holds only a comment.
-[[nodiscard]] std::optional<Directive> read_directive(const SourceMap& sources, Span line, MacroTable& macros, SyntaxTree& syntax,
-                                                      Diagnostics& diagnostics);
+[[nodiscard]] std::optional<Directive> read_directive(const SourceMap& sources, Span line, MacroTable& macros,
+                                                      SyntaxTree& syntax, Diagnostics& diagnostics);
 
 /// Splits and parses; used for displays as well.
-[[nodiscard]] std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment, SyntaxTree& syntax,
-                                                    Diagnostics& diagnostics);
+[[nodiscard]] std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment,
+                                                    SyntaxTree& syntax, Diagnostics& diagnostics);
 
 /// The line without `# …` at its end and without blanks around it.
 [[nodiscard]] Span without_comment(const SourceMap& sources, Span line);

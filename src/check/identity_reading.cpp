@@ -22,7 +22,8 @@ void add_to(Degrees& into, const Degrees& from, int factor) {
   for (const auto& [symbol, degree] : from) into[symbol] += factor * degree;
 }
 
-/// The degree of an expression in each symbol, if every term has the same. Definitions count as symbols of their own.
+/// The degree of an expression in each symbol, if every term has the same. Definitions count as symbols of
+/// their own.
 std::optional<Degrees> degrees_of(const ExprTree& tree, ExprId id) {
   const ExprNode& node = tree[id];
   Degrees total;
@@ -34,7 +35,9 @@ std::optional<Degrees> degrees_of(const ExprTree& tree, ExprId id) {
     const bool alternatives = node.op == Op::add || node.op == Op::tuple || node.op == Op::table;
     if (alternatives && !first && *degrees != total) return std::nullopt;
     if (alternatives && first) total = *degrees;
-    if (!alternatives) add_to(total, *degrees, node.op == Op::power ? node.exponent : (node.op == Op::divide && !first ? -1 : 1));
+    if (!alternatives)
+      add_to(total, *degrees,
+             node.op == Op::power ? node.exponent : (node.op == Op::divide && !first ? -1 : 1));
     first = false;
   }
   if (node.op == Op::root) {
@@ -48,19 +51,19 @@ std::optional<Degrees> degrees_of(const ExprTree& tree, ExprId id) {
 
 /// The terms of a sum, through signs and index sums.
 std::size_t term_count(const ExprTree& tree, ExprId id) {
-  while (tree[id].op == Op::negate || tree[id].op == Op::component || tree[id].op == Op::index_sum) id = tree.children(id)[0];
+  while (tree[id].op == Op::negate || tree[id].op == Op::component || tree[id].op == Op::index_sum)
+    id = tree.children(id)[0];
   return tree[id].op == Op::add ? tree.children(id).size() : 1;
 }
 
 std::vector<SymbolId> undeclared(const ExprTree& tree, const std::set<SymbolId>& symbols) {
   std::vector<SymbolId> open;
-  std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open), [&](SymbolId symbol) { return !tree.symbols[symbol].declared; });
+  std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open),
+               [&](SymbolId symbol) { return !tree.symbols[symbol].declared; });
   return open;
 }
 
-std::set<SymbolId> as_set(const std::vector<SymbolId>& symbols) {
-  return {symbols.begin(), symbols.end()};
-}
+std::set<SymbolId> as_set(const std::vector<SymbolId>& symbols) { return {symbols.begin(), symbols.end()}; }
 
 bool holds_without(const Question& question, const std::vector<SymbolId>& symbols) {
   Question reduced = question;
@@ -69,8 +72,10 @@ bool holds_without(const Question& question, const std::vector<SymbolId>& symbol
   return decision.outcome == Outcome::proved && !decision.vanishes;
 }
 
-std::vector<SymbolId> law_against_zero(const Question& question, ExprId side, const std::vector<SymbolId>& open) {
-  const bool homogeneous = term_count(*question.tree, side) > 1 && degrees_of(*question.tree, side).has_value();
+std::vector<SymbolId> law_against_zero(const Question& question, ExprId side,
+                                       const std::vector<SymbolId>& open) {
+  const bool homogeneous =
+      term_count(*question.tree, side) > 1 && degrees_of(*question.tree, side).has_value();
   return homogeneous ? std::vector<SymbolId>{} : open;
 }
 
@@ -105,19 +110,24 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates) {
   all.insert(right.begin(), right.end());
   const std::vector<SymbolId> open = undeclared(tree, all);
   if (open.empty()) return {};
-  if (tree.is_zero_literal(question.claim.right)) return law_against_zero(question, question.claim.left, open);
-  if (tree.is_zero_literal(question.claim.left)) return law_against_zero(question, question.claim.right, open);
+  if (tree.is_zero_literal(question.claim.right))
+    return law_against_zero(question, question.claim.left, open);
+  if (tree.is_zero_literal(question.claim.left))
+    return law_against_zero(question, question.claim.right, open);
 
   std::set<SymbolId> only_left;
   std::set<SymbolId> only_right;
-  std::set_difference(left.begin(), left.end(), right.begin(), right.end(), std::inserter(only_left, only_left.end()));
-  std::set_difference(right.begin(), right.end(), left.begin(), left.end(), std::inserter(only_right, only_right.end()));
+  std::set_difference(left.begin(), left.end(), right.begin(), right.end(),
+                      std::inserter(only_left, only_left.end()));
+  std::set_difference(right.begin(), right.end(), left.begin(), left.end(),
+                      std::inserter(only_right, only_right.end()));
   std::set<SymbolId> own = only_left;
   own.insert(only_right.begin(), only_right.end());
   const std::vector<SymbolId> open_own = undeclared(tree, own);
   if (!open_own.empty()) {
     const bool one_sided = only_left.empty() || only_right.empty();
-    const bool term_too_many = one_sided && open_own.size() == own.size() && holds_without(question, open_own);
+    const bool term_too_many =
+        one_sided && open_own.size() == own.size() && holds_without(question, open_own);
     return term_too_many ? std::vector<SymbolId>{} : open_own;
   }
   if (all.size() == 1 && !restates && !tree.symbols[*all.begin()].per_particle) {
@@ -125,7 +135,8 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates) {
     const auto right_degrees = degrees_of(tree, question.claim.right);
     const Degrees once{{*all.begin(), 1}};
     if (left_degrees == once && right_degrees == once) return open;
-    if (tree.symbols[*all.begin()].rank == 0 && !holds_without(question, open)) return open;  // an equation to be solved
+    if (tree.symbols[*all.begin()].rank == 0 && !holds_without(question, open))
+      return open;  // an equation to be solved
   }
   return {};
 }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is an equation that does not hold for all values a wrong identity, or a law? `m\mathbf a = q\mathbf v\times\mathbf B` relates quantities; nobody claims
-// it for all m, a, q, v, B, and refuting it would be a false alarm. `|\mathbf A\times\mathbf B|^2 = A^2B^2 + (\mathbf A\cdot\mathbf B)^2` is claimed for all A and B.
+// Is an equation that does not hold for all values a wrong identity, or a law? `m\mathbf a = q\mathbf
+// v\times\mathbf B` relates quantities; nobody claims it for all m, a, q, v, B, and refuting it would be a
+// false alarm. `|\mathbf A\times\mathbf B|^2 = A^2B^2 + (\mathbf A\cdot\mathbf B)^2` is claimed for all A and
+// B.
 //
-// Symbols that a directive declares are meant for all values. For the others the form decides. An equation reads as an identity if
-//  - both sides have the same symbols (one symbol alone, to the first power on both sides, is a condition: T_ij = T_ji),
-//  - or one side has symbols of its own and the equation becomes a true identity, not 0 = 0, when they are 0: a term too many,
-//  - or one side is 0 and the other a sum whose terms have the same degree in every symbol: a wrong Jacobi identity.
+// Symbols that a directive declares are meant for all values. For the others the form decides. An equation
+// reads as an identity if
+//  - both sides have the same symbols (one symbol alone, to the first power on both sides, is a condition:
+//  T_ij = T_ji),
+//  - or one side has symbols of its own and the equation becomes a true identity, not 0 = 0, when they are 0:
+//  a term too many,
+//  - or one side is 0 and the other a sum whose terms have the same degree in every symbol: a wrong Jacobi
+//  identity.
 #pragma once
 
 #include <vector>
@@ -14,11 +20,13 @@
 
 namespace rigor {
 
-/// The undeclared symbols for which the equation reads as a law or condition; none if it reads as an identity.
-/// `restates`: the left side is a defined symbol alone, so one common symbol makes no condition of it.
+/// The undeclared symbols for which the equation reads as a law or condition; none if it reads as an
+/// identity. `restates`: the left side is a defined symbol alone, so one common symbol makes no condition of
+/// it.
 [[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, bool restates = false);
 
-/// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in the end.
+/// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in
+/// the end.
 [[nodiscard]] std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root);
 
 }  // namespace rigor

@@ -20,7 +20,8 @@ struct Prepared {
   std::vector<const NamedAssumption*> assumptions;
 };
 
-/// Everything that the claim can depend on: definitions of its symbols, and assumptions that share a symbol with it, until nothing is added.
+/// Everything that the claim can depend on: definitions of its symbols, and assumptions that share a symbol
+/// with it, until nothing is added.
 Prepared prepare(const ExprTree& tree, const Names& names, const Equation& claim) {
   Prepared prepared;
   prepared.question.tree = &tree;
@@ -45,7 +46,8 @@ Prepared prepare(const ExprTree& tree, const Names& names, const Equation& claim
       std::vector<SymbolId> own = symbols_in(tree, assumption.equation.left);
       const std::vector<SymbolId> right = symbols_in(tree, assumption.equation.right);
       own.insert(own.end(), right.begin(), right.end());
-      if (std::none_of(own.begin(), own.end(), [&](SymbolId symbol) { return reached.contains(symbol); })) continue;
+      if (std::none_of(own.begin(), own.end(), [&](SymbolId symbol) { return reached.contains(symbol); }))
+        continue;
       taken.insert(&assumption);
       prepared.assumptions.push_back(&assumption);
       prepared.question.assumptions.push_back(assumption.equation);
@@ -60,7 +62,6 @@ void mark_used(Names& names, const Origin& origin) {
   if (origin.directive) names.mark_used(*origin.directive);
 }
 
-
 Counterexample describe(const ExprTree& tree, const Equation& equation, const Sample& sample) {
   Counterexample example;
   example.particles = sample.particles;
@@ -73,7 +74,8 @@ Counterexample describe(const ExprTree& tree, const Equation& equation, const Sa
     example.component.push_back({index, sample.axes[k]});
   }
   for (std::size_t k = 0; k < sample.free_particles.size() && k < equation.particles.size(); ++k) {
-    example.component.push_back({tree.name(equation.particles[k]), static_cast<int>(sample.free_particles[k])});
+    example.component.push_back(
+        {tree.name(equation.particles[k]), static_cast<int>(sample.free_particles[k])});
   }
   example.left = sample.left;
   example.right = sample.right;
@@ -92,7 +94,8 @@ std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symb
 /// A symbol's name without face and braces: `\\boldsymbol{\\omega}` is `\\omega`.
 std::string bare_name(std::string name) {
   for (const char* mark : {"\\mathbf", "\\boldsymbol", "\\text", "\\hat", "\\mathrm", "{", "}", "'"}) {
-    for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark)) name.erase(at, std::string(mark).size());
+    for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark))
+      name.erase(at, std::string(mark).size());
   }
   return name;
 }
@@ -109,16 +112,22 @@ std::optional<std::string> likely_meant(const std::string& name, const std::vect
   return std::nullopt;
 }
 
-Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim, const std::vector<SymbolId>& symbols) {
-  Diagnostic diagnostic{DiagnosticKind::undeclared_symbol, claim.relation,
-                        fmt::format("{} {} neither declared nor defined, so this reads as a law or a condition, not as an identity",
-                                    quoted_names(tree, symbols), symbols.size() == 1 ? "is" : "are")};
+Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
+                          const std::vector<SymbolId>& symbols) {
+  Diagnostic diagnostic{
+      DiagnosticKind::undeclared_symbol, claim.relation,
+      fmt::format(
+          "{} {} neither declared nor defined, so this reads as a law or a condition, not as an identity",
+          quoted_names(tree, symbols), symbols.size() == 1 ? "is" : "are")};
   const std::vector<std::string> known = names.known_names(tree);
   for (const SymbolId symbol : symbols) {
     const std::string& name = tree.symbols[symbol].name;
-    if (const auto near = likely_meant(name, known)) diagnostic.help.push_back(fmt::format("is `{}` meant for `{}`?", *near, name));
+    if (const auto near = likely_meant(name, known))
+      diagnostic.help.push_back(fmt::format("is `{}` meant for `{}`?", *near, name));
   }
-  diagnostic.help.push_back("`rigor: given` makes it an assumption, `rigor: let` a definition; declared symbols are meant for all values");
+  diagnostic.help.push_back(
+      "`rigor: given` makes it an assumption, `rigor: let` a definition; declared symbols are meant for all "
+      "values");
   return diagnostic;
 }
 
@@ -143,7 +152,8 @@ class Judging {
   Judgement judge() {
     for (const NamedDefinition* definition : prepared_.definitions) mark_used(names_, definition->origin);
     const Decision decision = decide(prepared_.question);
-    for (const std::size_t which : decision.assumptions) mark_used(names_, prepared_.assumptions[which]->origin);
+    for (const std::size_t which : decision.assumptions)
+      mark_used(names_, prepared_.assumptions[which]->origin);
     judgement_.route = decision.route;
     switch (decision.outcome) {
       case Outcome::proved:
@@ -155,7 +165,8 @@ class Judging {
       case Outcome::undecided:
         judgement_.verdict = Verdict::undecided;
         for (const NamedAssumption* assumption : prepared_.assumptions) mark_used(names_, assumption->origin);
-        add(DiagnosticKind::undecided, decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
+        add(DiagnosticKind::undecided,
+            decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
         break;
     }
     note_uses(decision);
@@ -170,25 +181,32 @@ class Judging {
   void note_uses(const Decision& decision) {
     for (const NamedDefinition* definition : prepared_.definitions) {
       const auto& unfolded = decision.unfolded;
-      const bool used = std::find(unfolded.begin(), unfolded.end(), definition->definition.symbol) != unfolded.end();
+      const bool used =
+          std::find(unfolded.begin(), unfolded.end(), definition->definition.symbol) != unfolded.end();
       if (used) judgement_.uses.push_back(definition->origin.text);
     }
-    for (const std::size_t which : decision.assumptions) judgement_.uses.push_back(prepared_.assumptions[which]->origin.text);
-    for (const std::string& convention : claim_.reading->conventions()) judgement_.uses.push_back("convention: " + convention);
+    for (const std::size_t which : decision.assumptions)
+      judgement_.uses.push_back(prepared_.assumptions[which]->origin.text);
+    for (const std::string& convention : claim_.reading->conventions())
+      judgement_.uses.push_back("convention: " + convention);
   }
 
   void proved(const Decision& decision) {
     for (const std::size_t which : decision.assumptions) {
       if (!prepared_.assumptions[which]->without_sample) continue;
       judgement_.verdict = Verdict::undecided;
-      add(DiagnosticKind::undecided, "it follows from assumptions that no sample was found to satisfy, and from the impossible anything follows");
+      add(DiagnosticKind::undecided,
+          "it follows from assumptions that no sample was found to satisfy, and from the impossible anything "
+          "follows");
       return;
     }
     judgement_.verdict = Verdict::proved;
-    const bool zero_written = tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);
+    const bool zero_written =
+        tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);
     if (!decision.vanishes || zero_written) return;
     judgement_.route += ", 0 = 0";
-    add(DiagnosticKind::zero_equals_zero, "both sides are zero for all values, so the step says less than it seems to");
+    add(DiagnosticKind::zero_equals_zero,
+        "both sides are zero for all values, so the step says less than it seems to");
   }
 
   /// `A·(A×B) = 1`: where neither side depends on anything, no law can make it true.
@@ -209,11 +227,13 @@ class Judging {
     return left.op == Op::symbol && names_.definition_of(left.symbol) != nullptr;
   }
 
-  /// `|m\mathbf v| = mv` fails for negative m, and a mass is none. Samples prefer positive scalars, so that a negative one was needed.
+  /// `|m\mathbf v| = mv` fails for negative m, and a mass is none. Samples prefer positive scalars, so that a
+  /// negative one was needed.
   std::optional<std::string> undeclared_negative(const Sample& sample) const {
     const auto has_root = [&](ExprId root) {
       std::vector<ExprId> pending{root};
-      for (const NamedDefinition* definition : prepared_.definitions) pending.push_back(definition->definition.body);
+      for (const NamedDefinition* definition : prepared_.definitions)
+        pending.push_back(definition->definition.body);
       while (!pending.empty()) {
         const ExprId id = pending.back();
         pending.pop_back();
@@ -236,7 +256,8 @@ class Judging {
     if (claim_.reading->guess() || claim_.doubt != nullptr) {
       const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
       judgement_.verdict = Verdict::not_understood;
-      add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried", guess.help);
+      add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried",
+          guess.help);
       return;
     }
     const std::vector<SymbolId> law = law_symbols(prepared_.question, restates_definition());
@@ -247,14 +268,18 @@ class Judging {
     }
     if (const auto negative = undeclared_negative(*decision.sample)) {
       judgement_.verdict = Verdict::undecided;
-      add(DiagnosticKind::undecided, fmt::format("it was found to fail only where `{}` is negative, and nothing says whether it can be", *negative),
+      add(DiagnosticKind::undecided,
+          fmt::format("it was found to fail only where `{}` is negative, and nothing says whether it can be",
+                      *negative),
           {fmt::format("`rigor: scalar {}` means it for all values", *negative)});
       return;
     }
     judgement_.verdict = Verdict::refuted;
     judgement_.counterexample = describe(tree_, claim_.equation, *decision.sample);
-    judgement_.diagnostics.push_back({DiagnosticKind::refuted, claim_.relation,
-                                      fmt::format("the sides differ: left is {}, right is {}", decision.sample->left, decision.sample->right),
+    judgement_.diagnostics.push_back({DiagnosticKind::refuted,
+                                      claim_.relation,
+                                      fmt::format("the sides differ: left is {}, right is {}",
+                                                  decision.sample->left, decision.sample->right),
                                       {{claim_.left, ""}, {claim_.right, ""}}});
   }
 
@@ -274,8 +299,10 @@ Judgement judge(ExprTree& tree, Names& names, const Claim& claim) {
 bool assumptions_have_a_sample(const ExprTree& tree, const Names& names) {
   Question question;
   question.tree = &tree;
-  for (const NamedDefinition& definition : names.definitions()) question.definitions.push_back(definition.definition);
-  for (const NamedAssumption& assumption : names.assumptions()) question.assumptions.push_back(assumption.equation);
+  for (const NamedDefinition& definition : names.definitions())
+    question.definitions.push_back(definition.definition);
+  for (const NamedAssumption& assumption : names.assumptions())
+    question.assumptions.push_back(assumption.equation);
   if (question.assumptions.empty()) return true;
   question.claim = question.assumptions.back();
   return satisfiable(question);

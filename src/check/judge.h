@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One elaborated equation to one verdict: asks the exact side, then says what was used, where it fails and what stands in the way.
+// One elaborated equation to one verdict: asks the exact side, then says what was used, where it fails and
+// what stands in the way.
 #pragma once
 
 #include <optional>

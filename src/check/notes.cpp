@@ -15,7 +15,8 @@ namespace {
 
 class NotesReader {
  public:
-  NotesReader(SourceMap& sources, FileId file, Diagnostics& diagnostics) : sources_(sources), diagnostics_(diagnostics) {
+  NotesReader(SourceMap& sources, FileId file, Diagnostics& diagnostics)
+      : sources_(sources), diagnostics_(diagnostics) {
     notes_.file = file;
   }
 
@@ -31,10 +32,13 @@ class NotesReader {
  private:
   void add(const Heading& heading) { notes_.events.emplace_back(heading); }
 
-  void add(const MacroText& text) { static_cast<void>(expand(lex(sources_, text.span), macros_, diagnostics_)); }
+  void add(const MacroText& text) {
+    static_cast<void>(expand(lex(sources_, text.span), macros_, diagnostics_));
+  }
 
   void add(const DirectiveLine& line) {
-    if (auto directive = read(line.span)) notes_.events.emplace_back(PlacedDirective{std::move(*directive), line.span});
+    if (auto directive = read(line.span))
+      notes_.events.emplace_back(PlacedDirective{std::move(*directive), line.span});
   }
 
   void add(const Display& display) {
@@ -43,13 +47,18 @@ class NotesReader {
     const std::uint32_t size = display.body.end - display.body.begin;
     if (size > max_display_bytes) {
       parsed.unread = true;
-      parsed.diagnostics.push_back({DiagnosticKind::display_too_long, {display.span.file, display.span.begin, display.span.begin + 1},
-                                    fmt::format("a display of {} bytes is not read; the limit is {}", size, max_display_bytes)});
-    } else if (const auto tokens = expand(lex(sources_, display.body, display.quotes), macros_, parsed.diagnostics)) {
+      parsed.diagnostics.push_back(
+          {DiagnosticKind::display_too_long,
+           {display.span.file, display.span.begin, display.span.begin + 1},
+           fmt::format("a display of {} bytes is not read; the limit is {}", size, max_display_bytes)});
+    } else if (const auto tokens =
+                   expand(lex(sources_, display.body, display.quotes), macros_, parsed.diagnostics)) {
       if (const Token* brace = unbalanced_brace(*tokens)) {
         parsed.unread = true;
         parsed.diagnostics.push_back({DiagnosticKind::unbalanced, brace->span,
-                                      brace->kind == TokenKind::begin_group ? "`{` is not closed in this display" : "`}` closes nothing"});
+                                      brace->kind == TokenKind::begin_group
+                                          ? "`{` is not closed in this display"
+                                          : "`}` closes nothing"});
       } else {
         parsed.chains = parse_chains(*tokens, display.environment, notes_.syntax, parsed.diagnostics);
       }
@@ -90,13 +99,16 @@ class NotesReader {
     if (anchor.kind == AnchorKind::start) return {notes_.file, 0, 0};
     if (anchor.kind != AnchorKind::line) return place;
     const std::uint32_t begin = sources_.line_start(notes_.file, anchor.line);
-    return {notes_.file, begin, begin + static_cast<std::uint32_t>(sources_.line_text(notes_.file, anchor.line).size())};
+    return {notes_.file, begin,
+            begin + static_cast<std::uint32_t>(sources_.line_text(notes_.file, anchor.line).size())};
   }
 
   bool matches(const Event& event, const Anchor& anchor) const {
-    if (const auto* heading = std::get_if<Heading>(&event)) return anchor.kind == AnchorKind::section && heading->title == anchor.text;
+    if (const auto* heading = std::get_if<Heading>(&event))
+      return anchor.kind == AnchorKind::section && heading->title == anchor.text;
     const auto* display = std::get_if<ParsedDisplay>(&event);
-    if (display == nullptr || (anchor.kind != AnchorKind::tag && anchor.kind != AnchorKind::label)) return false;
+    if (display == nullptr || (anchor.kind != AnchorKind::tag && anchor.kind != AnchorKind::label))
+      return false;
     return std::any_of(display->chains.begin(), display->chains.end(), [&](const ParsedChain& chain) {
       return (anchor.kind == AnchorKind::tag ? chain.written.tag : chain.written.label) == anchor.text;
     });
@@ -108,7 +120,8 @@ class NotesReader {
       if (anchor.line > sources_.line_count(notes_.file)) return unknown(anchor, {});
       for (std::size_t k = 0; k < notes_.events.size(); ++k) {
         const Span span = rigor::span_of(notes_.events[k]);
-        if (span.file == notes_.file && sources_.line_column(span.file, span.begin).line >= anchor.line) return k;
+        if (span.file == notes_.file && sources_.line_column(span.file, span.begin).line >= anchor.line)
+          return k;
       }
       return notes_.events.size();
     }
@@ -121,16 +134,20 @@ class NotesReader {
   }
 
   static void note_names(const Event& event, AnchorKind kind, std::vector<std::string>& names) {
-    if (const auto* heading = std::get_if<Heading>(&event); heading != nullptr && kind == AnchorKind::section) names.push_back(heading->title);
+    if (const auto* heading = std::get_if<Heading>(&event); heading != nullptr && kind == AnchorKind::section)
+      names.push_back(heading->title);
     const auto* display = std::get_if<ParsedDisplay>(&event);
     if (display == nullptr || kind == AnchorKind::section) return;
-    for (const ParsedChain& chain : display->chains) names.push_back(kind == AnchorKind::tag ? chain.written.tag : chain.written.label);
+    for (const ParsedChain& chain : display->chains)
+      names.push_back(kind == AnchorKind::tag ? chain.written.tag : chain.written.label);
   }
 
   std::optional<std::size_t> unknown(const Anchor& anchor, const std::vector<std::string>& known) {
     if (!reported_.insert(anchor.span.begin).second) return std::nullopt;
-    Diagnostic diagnostic{DiagnosticKind::unknown_anchor, anchor.span, fmt::format("`{}` is nowhere in the notes", sources_.text(anchor.span))};
-    if (const auto near = suggest(anchor.text, known)) diagnostic.help = {fmt::format("did you mean `{}`?", *near)};
+    Diagnostic diagnostic{DiagnosticKind::unknown_anchor, anchor.span,
+                          fmt::format("`{}` is nowhere in the notes", sources_.text(anchor.span))};
+    if (const auto near = suggest(anchor.text, known))
+      diagnostic.help = {fmt::format("did you mean `{}`?", *near)};
     diagnostics_.push_back(std::move(diagnostic));
     return std::nullopt;
   }

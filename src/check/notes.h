@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notes read as far as syntax goes: what happens in them, in order, with the sidecar's directives at their places.
+// Notes read as far as syntax goes: what happens in them, in order, with the sidecar's directives at their
+// places.
 #pragma once
 
 #include <string>
@@ -19,7 +20,8 @@ struct ParsedDisplay {
   bool unread = false;      // too long, or its macros never end: no chain was read
 };
 
-/// A directive at its place; `place` is where its statements are reported (for a sidecar: its anchor in the notes).
+/// A directive at its place; `place` is where its statements are reported (for a sidecar: its anchor in the
+/// notes).
 struct PlacedDirective {
   Directive directive;
   Span place;
@@ -38,7 +40,8 @@ struct Notes {
 inline constexpr std::uint32_t max_display_bytes = 64 * 1024;
 
 /// `file` is in `sources` and mended. `sidecar`, if given, as well.
-[[nodiscard]] Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar, Diagnostics& diagnostics);
+[[nodiscard]] Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar,
+                               Diagnostics& diagnostics);
 
 [[nodiscard]] Span span_of(const Event& event);
 

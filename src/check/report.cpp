@@ -6,8 +6,8 @@
 namespace rigor {
 
 std::string_view name_of(Verdict verdict) {
-  static constexpr std::array<std::string_view, verdict_count> names{"proved",    "refuted",        "given",  "definition",
-                                                                     "undecided", "not-understood", "skipped"};
+  static constexpr std::array<std::string_view, verdict_count> names{
+      "proved", "refuted", "given", "definition", "undecided", "not-understood", "skipped"};
   return names[static_cast<std::size_t>(verdict)];
 }
 
@@ -27,7 +27,8 @@ Tally tally(const Report& report, bool strict) {
     for (const Step& step : file.steps) {
       note(step.diagnostics, step.expected_refuted);
       total.wrong = total.wrong || (step.verdict == Verdict::refuted && !step.expected_refuted);
-      total.open = total.open || step.verdict == Verdict::undecided || step.verdict == Verdict::not_understood;
+      total.open =
+          total.open || step.verdict == Verdict::undecided || step.verdict == Verdict::not_understood;
     }
   }
   return total;

@@ -22,8 +22,8 @@ inline constexpr std::size_t verdict_count = 7;
 /// An exact sample on which a step's sides differ, in the notes' own symbols.
 struct Counterexample {
   struct Value {
-    std::string symbol;              // LaTeX: `\mathbf{r}_{\alpha}`
-    std::uint32_t particle = 0;      // from 1; 0: no particle label
+    std::string symbol;          // LaTeX: `\mathbf{r}_{\alpha}`
+    std::uint32_t particle = 0;  // from 1; 0: no particle label
     int rank = 0;
     std::vector<std::string> components;  // exact, row by row
   };

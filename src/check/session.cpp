@@ -10,7 +10,8 @@
 
 namespace rigor {
 
-Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report) : sources_(sources), notes_(notes), report_(report) {}
+Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report)
+    : sources_(sources), notes_(notes), report_(report) {}
 
 void Session::run(const std::function<void(std::size_t, std::size_t)>& progress) {
   sight_all();
@@ -33,7 +34,8 @@ void Session::sight_all() {
     if (const auto* placed = std::get_if<PlacedDirective>(&event)) {
       take(placed->directive.chains);
       if (placed->directive.kind == DirectiveKind::particles) {
-        for (const SyntaxId symbol : placed->directive.symbols) latin_particles.push_back(notes_.syntax.symbol(symbol).letter);
+        for (const SyntaxId symbol : placed->directive.symbols)
+          latin_particles.push_back(notes_.syntax.symbol(symbol).letter);
       } else {
         for (const SyntaxId symbol : placed->directive.symbols) statements.push_back({symbol});
       }
@@ -87,12 +89,15 @@ void Session::follow(const PlacedDirective& placed) {
 void Session::follow(const ParsedDisplay& display) {
   const Directive* skip = std::exchange(skip_, nullptr);
   if (skip != nullptr) names_.mark_used(skip->number);
-  const bool no_relation = std::none_of(display.chains.begin(), display.chains.end(), [](const ParsedChain& parsed) { return !parsed.written.relations.empty(); });
+  const bool no_relation =
+      std::none_of(display.chains.begin(), display.chains.end(),
+                   [](const ParsedChain& parsed) { return !parsed.written.relations.empty(); });
   if (display.unread || display.chains.empty() || (skip != nullptr && no_relation)) {
     Step step;
     step.span = step.relation_span = display.span;
     step.section = section_;
-    step.source = written({display.span.file, display.span.begin, std::min(display.span.end, display.span.begin + 200)});
+    step.source = written(
+        {display.span.file, display.span.begin, std::min(display.span.end, display.span.begin + 200)});
     step.verdict = skip != nullptr ? Verdict::skipped : Verdict::not_understood;
     step.diagnostics = display.diagnostics;
     if (skip != nullptr) step.route = skip->text;
@@ -100,7 +105,8 @@ void Session::follow(const ParsedDisplay& display) {
     add(std::move(step));
     return;
   }
-  report_.diagnostics.insert(report_.diagnostics.end(), display.diagnostics.begin(), display.diagnostics.end());
+  report_.diagnostics.insert(report_.diagnostics.end(), display.diagnostics.begin(),
+                             display.diagnostics.end());
   for (const ParsedChain& parsed : display.chains) {
     if (skip == nullptr) {
       chain(parsed, {});
@@ -128,7 +134,8 @@ void Session::declare(const Directive& directive) {
 void Session::declare_symbol(const Directive& directive, SyntaxId id) {
   const WrittenSymbol& symbol = notes_.syntax.symbol(id);
   const WrittenName name = take_apart(symbol, Letters{}, names_);
-  const bool digits = std::all_of(name.axes.begin(), name.axes.end(), [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; });
+  const bool digits = std::all_of(name.axes.begin(), name.axes.end(),
+                                  [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; });
   NameKey key{digits ? with_labels(name.base, name.axes) : name.base, 0, name.per_particle()};
   const int axes = digits ? 0 : static_cast<int>(name.axes.size());
   switch (directive.kind) {
@@ -145,7 +152,9 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
       break;
   }
   if (directive.kind == DirectiveKind::constant) {
-    constants_.emplace_back(directive.number, names_.resolve(tree_, key, std::string(written(notes_.syntax[id].span)), notes_.syntax[id].span));
+    constants_.emplace_back(
+        directive.number,
+        names_.resolve(tree_, key, std::string(written(notes_.syntax[id].span)), notes_.syntax[id].span));
     return;
   }
   Symbol declared;
@@ -167,23 +176,30 @@ void Session::report_unused() {
     const bool pending = directive == expectation_ || directive == skip_;
     const bool standing = directive->kind != DirectiveKind::expect && directive->kind != DirectiveKind::skip;
     if (standing ? names_.is_used(directive->number) : !pending) continue;
-    report_.diagnostics.push_back({DiagnosticKind::unused_directive, directive->span, fmt::format("nothing uses `{}`", directive->text), {},
+    report_.diagnostics.push_back({DiagnosticKind::unused_directive,
+                                   directive->span,
+                                   fmt::format("nothing uses `{}`", directive->text),
+                                   {},
                                    {"take the line away, or move it before what it is for"}});
   }
 }
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
-  const Directive* expectation = context.role == Role::display || context.role == Role::claim ? std::exchange(expectation_, nullptr) : nullptr;
+  const Directive* expectation = context.role == Role::display || context.role == Role::claim
+                                     ? std::exchange(expectation_, nullptr)
+                                     : nullptr;
   const std::size_t first_step = report_.steps.size();
   if (parsed.written.relations.empty() && !reads(parsed)) return;
   if (parsed.written.relations.empty()) {
-    report_.diagnostics.push_back({DiagnosticKind::no_relation, parsed.written.span, "no relation stands here, so there is nothing to decide"});
+    report_.diagnostics.push_back({DiagnosticKind::no_relation, parsed.written.span,
+                                   "no relation stands here, so there is nothing to decide"});
     return;
   }
   Diagnostics own;
   Elaborator elaborator(notes_.syntax, tree_, names_, read_letters(notes_.syntax, parsed.sides, names_), own);
   std::vector<Side> sides = elaborate_sides(parsed, elaborator, own);
-  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, sides, elaborator, context);
+  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k)
+    step(parsed, k, sides, elaborator, context);
   mark_seen(sides);
   if (expectation == nullptr) return;
   bool any = false;
@@ -192,11 +208,14 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
     any = any || report_.steps[k].expected_refuted;
   }
   if (any) return;
-  report_.diagnostics.push_back({DiagnosticKind::unexpected_verdict, expectation->span, "the next statement was expected to be refuted and is not",
+  report_.diagnostics.push_back({DiagnosticKind::unexpected_verdict,
+                                 expectation->span,
+                                 "the next statement was expected to be refuted and is not",
                                  {{parsed.written.span, "this statement"}}});
 }
 
-/// An expression without a relation is passed over with a warning, unless it cannot even be read: then it is a step not understood.
+/// An expression without a relation is passed over with a warning, unless it cannot even be read: then it is
+/// a step not understood.
 bool Session::reads(const ParsedChain& parsed) {
   Step step;
   step.span = step.relation_span = parsed.written.span;
@@ -218,7 +237,8 @@ bool Session::reads(const ParsedChain& parsed) {
   return false;
 }
 
-std::vector<Session::Side> Session::elaborate_sides(const ParsedChain& parsed, Elaborator& elaborator, Diagnostics& own) {
+std::vector<Session::Side> Session::elaborate_sides(const ParsedChain& parsed, Elaborator& elaborator,
+                                                    Diagnostics& own) {
   std::vector<Side> sides;
   for (const SyntaxId id : parsed.sides) {
     Side side;
@@ -254,10 +274,13 @@ Step Session::new_step(const ParsedChain& parsed, std::size_t which, const Conte
 }
 
 void Session::add(Step step) {
-  const auto same = [](const Diagnostic& a, const Diagnostic& b) { return a.kind == b.kind && a.span == b.span && a.message == b.message; };
+  const auto same = [](const Diagnostic& a, const Diagnostic& b) {
+    return a.kind == b.kind && a.span == b.span && a.message == b.message;
+  };
   Diagnostics once;
   for (Diagnostic& diagnostic : step.diagnostics) {
-    const bool known = std::any_of(once.begin(), once.end(), [&](const Diagnostic& old) { return same(old, diagnostic); });
+    const bool known =
+        std::any_of(once.begin(), once.end(), [&](const Diagnostic& old) { return same(old, diagnostic); });
     if (!known) once.push_back(std::move(diagnostic));
   }
   step.diagnostics = std::move(once);
@@ -280,7 +303,8 @@ std::string Session::written(Span span) const {
 
 std::string Session::place_name(const ParsedChain& parsed) const {
   if (!parsed.written.tag.empty()) return parsed.written.tag;
-  return fmt::format("in line {}", sources_.line_column(parsed.written.span.file, parsed.written.span.begin).line);
+  return fmt::format("in line {}",
+                     sources_.line_column(parsed.written.span.file, parsed.written.span.begin).line);
 }
 
 }  // namespace rigor

@@ -44,13 +44,18 @@ class Session {
   };
   bool reads(const ParsedChain& parsed);
   std::vector<Side> elaborate_sides(const ParsedChain& parsed, Elaborator& elaborator, Diagnostics& own);
-  void step(const ParsedChain& parsed, std::size_t which, std::vector<Side>& sides, Elaborator& elaborator, const Context& context);
-  void decide_step(const ParsedChain& parsed, std::size_t which, const std::vector<Side>& sides, Elaborator& elaborator,
-                   const Context& context, Step& step);
-  bool defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context, Step& step);
-  bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right, Step& step);
-  void add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed, const Context& context, Step& step);
-  void add_assumption(const Equation& equation, const ParsedChain& parsed, const Context& context, Step& step);
+  void step(const ParsedChain& parsed, std::size_t which, std::vector<Side>& sides, Elaborator& elaborator,
+            const Context& context);
+  void decide_step(const ParsedChain& parsed, std::size_t which, const std::vector<Side>& sides,
+                   Elaborator& elaborator, const Context& context, Step& step);
+  bool defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context,
+               Step& step);
+  bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right,
+                 Step& step);
+  void add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
+                      const Context& context, Step& step);
+  void add_assumption(const Equation& equation, const ParsedChain& parsed, const Context& context,
+                      Step& step);
   bool is_circular(const Typed& left, const Typed& right) const;
   std::optional<Definition> as_definition(const Typed& left, const Typed& right) const;
   void mark_seen(const std::vector<Side>& sides);

@@ -67,8 +67,12 @@ std::vector<SidecarLine> read_sidecar(const SourceMap& sources, FileId file, Dia
       anchor = *found;
       continue;
     }
-    diagnostics.push_back({DiagnosticKind::unknown_anchor, bare, fmt::format("`{}` names no place", text), {},
-                           {"places are `at (6)`, `at label eq:name`, `at section \"Title\"`, `at line 57`"}});
+    diagnostics.push_back(
+        {DiagnosticKind::unknown_anchor,
+         bare,
+         fmt::format("`{}` names no place", text),
+         {},
+         {"places are `at (6)`, `at label eq:name`, `at section \"Title\"`, `at line 57`"}});
   }
   return lines;
 }

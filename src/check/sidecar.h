@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sidecar: directives for notes that must not be touched, below lines that say where in the notes they stand.
+// A sidecar: directives for notes that must not be touched, below lines that say where in the notes they
+// stand.
 //
 //   particles \alpha                # from the start of the notes
 //   at (6)                          # an equation's number; also: at label eq:lagrange
@@ -32,6 +33,7 @@ struct SidecarLine {
   Span directive;
 };
 
-[[nodiscard]] std::vector<SidecarLine> read_sidecar(const SourceMap& sources, FileId file, Diagnostics& diagnostics);
+[[nodiscard]] std::vector<SidecarLine> read_sidecar(const SourceMap& sources, FileId file,
+                                                    Diagnostics& diagnostics);
 
 }  // namespace rigor

@@ -9,7 +9,8 @@ namespace rigor {
 
 std::optional<Typed> Elaborator::cases(SyntaxId id) {
   const Span span = syntax_[id].span;
-  if (slot_letters_.empty() || slot_letters_.size() > 4) return unsupported(span, "cases are read in the definition of a symbol with index letters only");
+  if (slot_letters_.empty() || slot_letters_.size() > 4)
+    return unsupported(span, "cases are read in the definition of a symbol with index letters only");
   std::vector<std::string> letters;
   std::vector<Slot> slots;
   for (const FreeIndex& free : slot_letters_) {
@@ -25,10 +26,14 @@ std::optional<Typed> Elaborator::cases(SyntaxId id) {
   for (std::size_t k = 0; k + 1 < children.size(); k += 2) {
     const Maybe value = expression(children[k].id);
     if (!value) return std::nullopt;
-    if (value->rank != 0 || !value->free.empty()) return unsupported(syntax_[children[k].id].span, "a case with indices or vectors of its own is not read");
+    if (value->rank != 0 || !value->free.empty())
+      return unsupported(syntax_[children[k].id].span,
+                         "a case with indices or vectors of its own is not read");
     const std::string& words = syntax_.text(children[k + 1].id);
     const auto holds = read_index_condition(words, letters);
-    if (!holds) return unsupported(syntax_[children[k + 1].id].span, fmt::format("the condition `{}` is not understood", words));
+    if (!holds)
+      return unsupported(syntax_[children[k + 1].id].span,
+                         fmt::format("the condition `{}` is not understood", words));
     if (values.size() >= 100) return unsupported(span, "more than 100 cases are not read");
     for (std::size_t at = 0; at < size; ++at) {
       if ((*holds)[at] && table.entry[at] == open) table.entry[at] = static_cast<std::uint8_t>(values.size());

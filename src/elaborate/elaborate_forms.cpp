@@ -31,7 +31,8 @@ std::optional<int> Elaborator::integer(SyntaxId id) const {
 }
 
 std::optional<int> Elaborator::half_integer(SyntaxId id) const {
-  if (const auto whole = integer(id)) return std::abs(*whole) <= largest_exponent ? std::optional(2 * *whole) : std::nullopt;
+  if (const auto whole = integer(id))
+    return std::abs(*whole) <= largest_exponent ? std::optional(2 * *whole) : std::nullopt;
   const SyntaxNode& node = syntax_[id];
   if (node.kind == SyntaxKind::group) return half_integer(syntax_.child(id, 0));
   if (node.kind == SyntaxKind::sum && node.count == 1 && syntax_.children(id)[0].joint == Joint::minus) {
@@ -39,7 +40,8 @@ std::optional<int> Elaborator::half_integer(SyntaxId id) const {
     return value ? std::optional(-*value) : std::nullopt;
   }
   const bool fraction = node.kind == SyntaxKind::fraction;
-  const bool slash = node.kind == SyntaxKind::term && node.count == 2 && syntax_.children(id)[1].joint == Joint::slash;
+  const bool slash =
+      node.kind == SyntaxKind::term && node.count == 2 && syntax_.children(id)[1].joint == Joint::slash;
   if (!fraction && !slash) return std::nullopt;
   const auto above = integer(syntax_.child(id, 0));
   const auto below = integer(syntax_.child(id, 1));
@@ -53,19 +55,23 @@ std::optional<Typed> Elaborator::power(SyntaxId id) {
   if (!base) return std::nullopt;
   const auto halves = half_integer(syntax_.child(id, 1));
   if (!halves) {
-    return unsupported(syntax_[syntax_.child(id, 1)].span, fmt::format("only whole and half exponents up to {} are read", largest_exponent));
+    return unsupported(syntax_[syntax_.child(id, 1)].span,
+                       fmt::format("only whole and half exponents up to {} are read", largest_exponent));
   }
   if (*halves == 2) return base;
   if (!base->free.empty()) {
     const std::string& letter = base->free[0].letter;
     return fail(DiagnosticKind::ambiguous_reading, span,
-                fmt::format("a power of a component with the free index `{}` can be summed over `{}` or not", letter, letter),
+                fmt::format("a power of a component with the free index `{}` can be summed over `{}` or not",
+                            letter, letter),
                 {"write the factors out, or the sum"});
   }
   if (base->rank > 1) return unsupported(span, "a power of a tensor is not decided");
   if (base->rank == 1) {
     if (*halves == 4) return make(Op::dot, span, 0, {&*base, &*base});
-    if (*halves % 4 != 0) return unsupported(span, "an odd power of a vector is not defined, and matrices in bold are not read", {"a power of its length is written without bold"});
+    if (*halves % 4 != 0)
+      return unsupported(span, "an odd power of a vector is not defined, and matrices in bold are not read",
+                         {"a power of its length is written without bold"});
     const Typed length = make(Op::length, span, 0, {&*base});
     return make(Op::power, span, 0, {&length}, *halves / 2);
   }
@@ -77,8 +83,11 @@ std::optional<Typed> Elaborator::power(SyntaxId id) {
 std::optional<Typed> Elaborator::square_root(SyntaxId id) {
   const Maybe radicand = expression(syntax_.child(id, 0));
   if (!radicand) return std::nullopt;
-  if (radicand->rank != 0) return fail(DiagnosticKind::rank_mismatch, syntax_[id].span, "the root of a vector or tensor is not defined");
-  if (!radicand->free.empty()) return unsupported(syntax_[id].span, "a root of a component with a free index is not decided");
+  if (radicand->rank != 0)
+    return fail(DiagnosticKind::rank_mismatch, syntax_[id].span,
+                "the root of a vector or tensor is not defined");
+  if (!radicand->free.empty())
+    return unsupported(syntax_[id].span, "a root of a component with a free index is not decided");
   return make(Op::root, syntax_[id].span, 0, {&*radicand});
 }
 
@@ -87,9 +96,13 @@ std::optional<Typed> Elaborator::bars(SyntaxId id, bool norm) {
   const Maybe inside = expression(syntax_.child(id, 0));
   if (!inside) return std::nullopt;
   if (inside->rank == 1) return make(Op::length, span, 0, {&*inside});
-  if (inside->rank > 1) return unsupported(span, norm ? "the norm of a tensor is not decided" : "the determinant of a tensor is not decided yet");
-  if (norm) return fail(DiagnosticKind::rank_mismatch, span, "a norm of a scalar", {"`|…|` is the absolute value"});
-  if (inside->free.size() > 1) return unsupported(span, "the determinant of a matrix of components is not decided yet");
+  if (inside->rank > 1)
+    return unsupported(span, norm ? "the norm of a tensor is not decided"
+                                  : "the determinant of a tensor is not decided yet");
+  if (norm)
+    return fail(DiagnosticKind::rank_mismatch, span, "a norm of a scalar", {"`|…|` is the absolute value"});
+  if (inside->free.size() > 1)
+    return unsupported(span, "the determinant of a matrix of components is not decided yet");
   return make(Op::absolute, span, 0, {&*inside});
 }
 
@@ -99,7 +112,9 @@ bool Elaborator::is_matrix_product(SyntaxId id) const {
   while (!pending.empty()) {
     const SyntaxId each = pending.back();
     pending.pop_back();
-    if (syntax_[each].kind == SyntaxKind::symbol && names_.sightings.indexed.contains({syntax_.symbol(each).letter, 2, false})) return true;
+    if (syntax_[each].kind == SyntaxKind::symbol &&
+        names_.sightings.indexed.contains({syntax_.symbol(each).letter, 2, false}))
+      return true;
     for (const SyntaxChild& child : syntax_.children(each)) pending.push_back(child.id);
   }
   return false;
@@ -112,21 +127,27 @@ std::optional<Typed> Elaborator::component(SyntaxId id) {
   const std::vector<WrittenIndex>& axes = syntax_.indices(id);
   for (const WrittenIndex& axis : axes) {
     if (axis.primes > 0) return unsupported(axis.span, "primed axes are not decided yet");
-    const bool letter = axis.form == IndexForm::letter && (letters_.is_index(axis.text) || axis_of_letter(axis.text) != 0);
+    const bool letter =
+        axis.form == IndexForm::letter && (letters_.is_index(axis.text) || axis_of_letter(axis.text) != 0);
     if (axis.form != IndexForm::digit && !letter) {
       return unsupported(axis.span, fmt::format("the label `{}` on a bracket is not read yet", axis.text));
     }
   }
   if (static_cast<int>(axes.size()) != base->rank) {
     if (base->rank == 0 && is_matrix_product(syntax_.child(id, 0))) {
-      return fail(DiagnosticKind::ambiguous_reading, span, "letters that carry two indices elsewhere stand here without: a product of matrices is not read");
+      return fail(
+          DiagnosticKind::ambiguous_reading, span,
+          "letters that carry two indices elsewhere stand here without: a product of matrices is not read");
     }
-    const char* what = base->rank == 0 ? "a scalar has no components" : "the subscript has another number of indices than the bracket has axes";
+    const char* what = base->rank == 0
+                           ? "a scalar has no components"
+                           : "the subscript has another number of indices than the bracket has axes";
     return fail(DiagnosticKind::rank_mismatch, span, what);
   }
   std::vector<Slot> slots;
   Typed subscript;
-  if (!read_slots(axes, slots, subscript.free)) return unsupported(span, "this subscript is not one of index letters or axes");
+  if (!read_slots(axes, slots, subscript.free))
+    return unsupported(span, "this subscript is not one of index letters or axes");
   std::vector<Typed> parts{*base, std::move(subscript)};
   std::vector<FreeIndex> to_sum;
   Typed typed;
@@ -144,22 +165,27 @@ std::optional<Typed> Elaborator::tuple(SyntaxId id) {
     Maybe entry = expression(child.id);
     if (!entry) return std::nullopt;
     entries.push_back(std::move(*entry));
-    if (entries.back().rank != 0) return fail(DiagnosticKind::rank_mismatch, syntax_[child.id].span, "a component of a tuple is not a scalar");
-    if (!entries.back().free.empty()) return unsupported(syntax_[child.id].span, "a free index inside a tuple is not decided");
+    if (entries.back().rank != 0)
+      return fail(DiagnosticKind::rank_mismatch, syntax_[child.id].span,
+                  "a component of a tuple is not a scalar");
+    if (!entries.back().free.empty())
+      return unsupported(syntax_[child.id].span, "a free index inside a tuple is not decided");
   }
   return make(Op::tuple, span, 1, {&entries[0], &entries[1], &entries[2]});
 }
 
 std::optional<Typed> Elaborator::matrix(SyntaxId id) {
   const Span span = syntax_[id].span;
-  if (syntax_[id].count != 9 || syntax_[id].payload != 3) return unsupported(span, "only matrices of three rows and three columns are read");
+  if (syntax_[id].count != 9 || syntax_[id].payload != 3)
+    return unsupported(span, "only matrices of three rows and three columns are read");
   std::vector<Typed> rows;
   for (std::size_t row = 0; row < 3; ++row) {
     std::vector<Typed> entries;
     for (std::size_t column = 0; column < 3; ++column) {
       Maybe entry = expression(syntax_.child(id, 3 * row + column));
       if (!entry) return std::nullopt;
-      if (entry->rank != 0 || !entry->free.empty()) return unsupported(span, "an entry of this matrix is not a plain scalar");
+      if (entry->rank != 0 || !entry->free.empty())
+        return unsupported(span, "an entry of this matrix is not a plain scalar");
       entries.push_back(std::move(*entry));
     }
     rows.push_back(make(Op::tuple, span, 1, {&entries[0], &entries[1], &entries[2]}));
@@ -169,7 +195,8 @@ std::optional<Typed> Elaborator::matrix(SyntaxId id) {
 
 std::optional<Typed> Elaborator::determinant(SyntaxId id) {
   const Span span = syntax_[id].span;
-  if (syntax_[id].count != 9 || syntax_[id].payload != 3) return unsupported(span, "only determinants of three rows are read");
+  if (syntax_[id].count != 9 || syntax_[id].payload != 3)
+    return unsupported(span, "only determinants of three rows are read");
   Typed typed;
   std::vector<ExprId> children;
   int rank = 0;
@@ -177,21 +204,26 @@ std::optional<Typed> Elaborator::determinant(SyntaxId id) {
     const Maybe entry = expression(syntax_.child(id, k));
     if (!entry) return std::nullopt;
     if (!entry->free.empty() || !entry->bound.empty()) {
-      // Each entry occurs in several products, so a letter's place in them is not that of the summation convention.
+      // Each entry occurs in several products, so a letter's place in them is not that of the summation
+      // convention.
       for (const FreeIndex& free : entry->free) {
-        const bool known = std::any_of(typed.free.begin(), typed.free.end(), [&](const FreeIndex& old) { return old.letter == free.letter; });
+        const bool known = std::any_of(typed.free.begin(), typed.free.end(),
+                                       [&](const FreeIndex& old) { return old.letter == free.letter; });
         if (!known) typed.free.push_back(free);
       }
     }
     if (entry->rank > 1) return unsupported(span, "an entry of this determinant is a tensor");
-    if (entry->rank == 1 && k >= 3) return unsupported(span, "vectors are read in the first row of a determinant only");
+    if (entry->rank == 1 && k >= 3)
+      return unsupported(span, "vectors are read in the first row of a determinant only");
     if (k == 0) rank = entry->rank;
-    if (k < 3 && entry->rank != rank) return fail(DiagnosticKind::rank_mismatch, span, "the first row mixes scalars and vectors");
+    if (k < 3 && entry->rank != rank)
+      return fail(DiagnosticKind::rank_mismatch, span, "the first row mixes scalars and vectors");
     merge_free(typed.particles, entry->particles);
     children.push_back(entry->id);
   }
   typed.rank = rank;
-  typed.id = tree_.add({.op = Op::determinant, .rank = static_cast<std::uint8_t>(rank), .span = span}, children);
+  typed.id =
+      tree_.add({.op = Op::determinant, .rank = static_cast<std::uint8_t>(rank), .span = span}, children);
   return typed;
 }
 

@@ -26,11 +26,13 @@ std::optional<Typed> Elaborator::sum(SyntaxId id) {
       failed = true;
       continue;
     }
-    if (child.joint == Joint::minus) *addend = make(Op::negate, tree_[addend->id].span, addend->rank, {&*addend});
+    if (child.joint == Joint::minus)
+      *addend = make(Op::negate, tree_[addend->id].span, addend->rank, {&*addend});
     addends.push_back(std::move(*addend));
   }
   if (failed || addends.empty()) return std::nullopt;
-  std::erase_if(addends, [&](const Typed& addend) { return addends.size() > 1 && is_literal_zero(tree_, addend); });
+  std::erase_if(addends,
+                [&](const Typed& addend) { return addends.size() > 1 && is_literal_zero(tree_, addend); });
   if (addends.empty()) {
     Typed zero;
     zero.id = tree_.add_number(span, "0");
@@ -48,22 +50,28 @@ std::optional<Typed> Elaborator::sum(SyntaxId id) {
     merge_free(total.bound, addend.bound);
   }
   if (failed) return std::nullopt;
-  total.id = tree_.add({.op = Op::add, .rank = static_cast<std::uint8_t>(total.rank), .span = span}, children);
+  total.id =
+      tree_.add({.op = Op::add, .rank = static_cast<std::uint8_t>(total.rank), .span = span}, children);
   return total;
 }
 
-/// Terms of a sum, and the sides of a relation, have one rank and the same free indices; `place` is where `other` disagrees.
-bool Elaborator::same_type(const Typed& first, const Typed& other, const char* what, Mismatch mismatch) const {
+/// Terms of a sum, and the sides of a relation, have one rank and the same free indices; `place` is where
+/// `other` disagrees.
+bool Elaborator::same_type(const Typed& first, const Typed& other, const char* what,
+                           Mismatch mismatch) const {
   const Span first_span = tree_[first.id].span;
   const Span other_span = tree_[other.id].span;
   if (first.rank != other.rank && dyad_) {
-    mismatch.diagnostics.push_back({DiagnosticKind::ambiguous_reading, *dyad_, guess_->message, {}, guess_->help});
+    mismatch.diagnostics.push_back(
+        {DiagnosticKind::ambiguous_reading, *dyad_, guess_->message, {}, guess_->help});
     return false;
   }
   if (first.rank != other.rank) {
-    mismatch.diagnostics.push_back({DiagnosticKind::rank_mismatch, mismatch.relation,
-                            fmt::format("{} stands against {}", kind_of(other.rank), kind_of(first.rank)),
-                            {{first_span, kind_of(first.rank)}}});
+    mismatch.diagnostics.push_back(
+        {DiagnosticKind::rank_mismatch,
+         mismatch.relation,
+         fmt::format("{} stands against {}", kind_of(other.rank), kind_of(first.rank)),
+         {{first_span, kind_of(first.rank)}}});
     return false;
   }
   const auto missing = [](const auto& from, const auto& in) {
@@ -73,17 +81,25 @@ bool Elaborator::same_type(const Typed& first, const Typed& other, const char* w
   };
   const auto report = [&](const auto& entry, Span without) {
     const bool shown = letters_.evidence || what == std::string_view("term");
-    const DiagnosticKind kind = shown ? DiagnosticKind::free_index_mismatch : DiagnosticKind::ambiguous_reading;
-    mismatch.diagnostics.push_back({kind, entry.span,
-                            shown ? fmt::format("the free index `{}` stands on one {} only", entry.letter, what)
-                                  : fmt::format("`{}` can be a free index, which then stands on one {} only, or a label", entry.letter, what),
-                            {{without, fmt::format("no free `{}` here", entry.letter)}}});
+    const DiagnosticKind kind =
+        shown ? DiagnosticKind::free_index_mismatch : DiagnosticKind::ambiguous_reading;
+    mismatch.diagnostics.push_back(
+        {kind,
+         entry.span,
+         shown ? fmt::format("the free index `{}` stands on one {} only", entry.letter, what)
+               : fmt::format("`{}` can be a free index, which then stands on one {} only, or a label",
+                             entry.letter, what),
+         {{without, fmt::format("no free `{}` here", entry.letter)}}});
     return false;
   };
-  if (const auto extra = missing(other.free, first.free); extra != other.free.end()) return report(*extra, first_span);
-  if (const auto extra = missing(first.free, other.free); extra != first.free.end()) return report(*extra, other_span);
-  if (const auto extra = missing(other.particles, first.particles); extra != other.particles.end()) return report(*extra, first_span);
-  if (const auto extra = missing(first.particles, other.particles); extra != first.particles.end()) return report(*extra, other_span);
+  if (const auto extra = missing(other.free, first.free); extra != other.free.end())
+    return report(*extra, first_span);
+  if (const auto extra = missing(first.free, other.free); extra != first.free.end())
+    return report(*extra, other_span);
+  if (const auto extra = missing(other.particles, first.particles); extra != other.particles.end())
+    return report(*extra, first_span);
+  if (const auto extra = missing(first.particles, other.particles); extra != first.particles.end())
+    return report(*extra, other_span);
   return true;
 }
 
@@ -95,18 +111,25 @@ std::optional<Typed> Elaborator::big_sum(SyntaxId id) {
     if (index.primes > 0 || index.form == IndexForm::digit || index.form == IndexForm::word) {
       return unsupported(index.span, fmt::format("a sum over `{}` is not read", index.text));
     }
-    const bool three = (written.from.empty() && written.to.empty()) || (written.from == "1" && written.to == "3");
-    const bool all = (written.from.empty() && written.to.empty()) || (written.from == "1" && written.to == "N");
-    if (particle && !all) return unsupported(index.span, "a sum over some of the particles is not decided", {"a sum over all has no limits, or `1` and `N`"});
+    const bool three =
+        (written.from.empty() && written.to.empty()) || (written.from == "1" && written.to == "3");
+    const bool all =
+        (written.from.empty() && written.to.empty()) || (written.from == "1" && written.to == "N");
+    if (particle && !all)
+      return unsupported(index.span, "a sum over some of the particles is not decided",
+                         {"a sum over all has no limits, or `1` and `N`"});
     if (particle && !written.to.empty() && letters_.bare.contains("N")) {
       guess_ = Obstacle{DiagnosticKind::unsupported, "`N` was not taken for the number of particles", {}};
     }
     if (bound_indices_.contains(index.text) || bound_particles_.contains(index.text)) {
-      return fail(DiagnosticKind::index_clash, index.span, fmt::format("`{}` is summed inside a sum over `{}`", index.text, index.text), {"rename one of the two"});
+      return fail(DiagnosticKind::index_clash, index.span,
+                  fmt::format("`{}` is summed inside a sum over `{}`", index.text, index.text),
+                  {"rename one of the two"});
     }
     if (!particle && !three) {
-      return unsupported(index.span, fmt::format("the sum over `{}` does not run over the axes 1 to 3", index.text),
-                         {fmt::format("if `{}` labels particles, say `rigor: particles {}`", index.text, index.text)});
+      return unsupported(
+          index.span, fmt::format("the sum over `{}` does not run over the axes 1 to 3", index.text),
+          {fmt::format("if `{}` labels particles, say `rigor: particles {}`", index.text, index.text)});
     }
     if (particle) {
       bound_particles_[index.text].push_back(tree_.add_particle(index.text));

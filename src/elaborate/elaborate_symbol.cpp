@@ -59,12 +59,15 @@ std::optional<Typed> Elaborator::symbol(SyntaxId id) {
     return unsupported(span, "two Greek subscripts, as of space-time, are not decided");
   }
   const bool capital = written.letter.size() == 1 && written.letter[0] >= 'A' && written.letter[0] <= 'Z';
-  if (written.accent == Accent::hat && written.face == Face::plain && capital && !names_.is_declared({name.base, 1, false})) {
-    return fail(DiagnosticKind::ambiguous_reading, span, fmt::format("`{}` can be a unit vector or an operator", name.base),
+  if (written.accent == Accent::hat && written.face == Face::plain && capital &&
+      !names_.is_declared({name.base, 1, false})) {
+    return fail(DiagnosticKind::ambiguous_reading, span,
+                fmt::format("`{}` can be a unit vector or an operator", name.base),
                 {fmt::format("`rigor: vector {}` or a bold letter settles it", name.base)});
   }
   if (name.particles.size() > 1) return unsupported(span, "a quantity of two particles is not decided yet");
-  if (written.face != Face::plain || written.accent == Accent::hat) return vector_symbol(written, std::move(name), span);
+  if (written.face != Face::plain || written.accent == Accent::hat)
+    return vector_symbol(written, std::move(name), span);
   return plain_symbol(written, std::move(name), span);
 }
 
@@ -74,7 +77,8 @@ std::optional<Typed> Elaborator::special_symbol(const WrittenSymbol& written, Sp
   if (is_kronecker(written) || is_levi_civita(written)) {
     std::vector<Slot> slots;
     Typed typed;
-    if (!read_slots(written.lower, slots, typed.free)) return unsupported(span, "this subscript is not one of index letters or axes");
+    if (!read_slots(written.lower, slots, typed.free))
+      return unsupported(span, "this subscript is not one of index letters or axes");
     typed.id = tree_.add({.op = is_kronecker(written) ? Op::delta : Op::epsilon, .span = span}, {}, slots);
     return contract(std::move(typed));
   }
@@ -82,18 +86,23 @@ std::optional<Typed> Elaborator::special_symbol(const WrittenSymbol& written, Sp
   if (is_basis_family(written) && !e_declared) {
     std::vector<Slot> slots;
     Typed typed;
-    if (read_slots(written.lower, slots, typed.free)) return basis_vector(span, slots[0], std::move(typed.free));
+    if (read_slots(written.lower, slots, typed.free))
+      return basis_vector(span, slots[0], std::move(typed.free));
   }
   const NameKey hatted{"\\hat{" + written.letter + "}", 1, false};
-  if (const std::uint8_t axis = hatted_axis(written, names_.sightings); axis != 0 && !names_.is_declared(hatted)) {
+  if (const std::uint8_t axis = hatted_axis(written, names_.sightings);
+      axis != 0 && !names_.is_declared(hatted)) {
     return basis_vector(span, Slot{axis, {}}, {});
   }
   if (written.lower.empty() && written.face == Face::plain && written.accent == Accent::none &&
       !names_.is_declared({written.letter, 0, false})) {
     if (written.letter == "\\delta" || written.letter == "\\Delta" || written.letter == "\\mathrm{d}") {
-      return unsupported(span, fmt::format("`{}` without indices reads as a small change, which is not decided yet", written.letter));
+      return unsupported(span,
+                         fmt::format("`{}` without indices reads as a small change, which is not decided yet",
+                                     written.letter));
     }
-    if (written.letter == "\\pi") guess_ = Obstacle{DiagnosticKind::unsupported, "`\\pi` was taken as any number", {}};
+    if (written.letter == "\\pi")
+      guess_ = Obstacle{DiagnosticKind::unsupported, "`\\pi` was taken as any number", {}};
   }
   handled = false;
   return std::nullopt;
@@ -114,42 +123,52 @@ std::optional<Typed> Elaborator::vector_symbol(const WrittenSymbol& written, Wri
   if (name.axes.empty()) {
     const bool declared_vector = names_.is_declared({name.base, 1, particle});
     const bool declared_tensor = names_.is_declared({name.base, 2, particle});
-    if (!tensor && !declared_vector && !declared_tensor && names_.sightings.indexed.contains({name.base, 2, particle}) &&
+    if (!tensor && !declared_vector && !declared_tensor &&
+        names_.sightings.indexed.contains({name.base, 2, particle}) &&
         !names_.sightings.crossed.contains(name.base) &&
         !names_.sightings.indexed.contains({name.base, 1, particle})) {
       return fail(DiagnosticKind::ambiguous_reading, span,
-                  fmt::format("`{}` can be a vector, or the tensor with components `{}_{{ij}}`", bold(name.base), name.base),
-                  {fmt::format("`rigor: tensor {}` or `rigor: vector {}` settles it", bold(name.base), bold(name.base))});
+                  fmt::format("`{}` can be a vector, or the tensor with components `{}_{{ij}}`",
+                              bold(name.base), name.base),
+                  {fmt::format("`rigor: tensor {}` or `rigor: vector {}` settles it", bold(name.base),
+                               bold(name.base))});
     }
-    return make_symbol(written, name.base, tensor || (declared_tensor && !declared_vector) ? 2 : 1, name, {}, span);
+    return make_symbol(written, name.base, tensor || (declared_tensor && !declared_vector) ? 2 : 1, name, {},
+                       span);
   }
-  if (tensor) return make_symbol(written, name.base, static_cast<int>(name.axes.size()), name, name.axes, span);
+  if (tensor)
+    return make_symbol(written, name.base, static_cast<int>(name.axes.size()), name, name.axes, span);
   if (all_of_form(name.axes, IndexForm::digit)) {
     return make_symbol(written, with_labels(name.base, name.axes), 1, name, {}, span);
   }
   const bool hatted = written.accent == Accent::hat && written.face == Face::plain;
-  const bool whole_vector_known = names_.is_declared({name.base, 1, particle}) || names_.sightings.bold.contains({name.base, particle});
+  const bool whole_vector_known =
+      names_.is_declared({name.base, 1, particle}) || names_.sightings.bold.contains({name.base, particle});
   if (name.axes.size() == 1 && (whole_vector_known || hatted) && !is_bound_letter(name.axes[0].text)) {
     if (!hatted) {
-      diagnostics_.push_back({DiagnosticKind::bold_index, span,
-                              fmt::format("`{}` is a vector, yet it carries the index `{}`; read as the component", bold(name.base),
-                                          name.axes[0].text),
-                              {},
-                              {fmt::format("write `{}_{}`", name.base, name.axes[0].text)}});
+      diagnostics_.push_back(
+          {DiagnosticKind::bold_index,
+           span,
+           fmt::format("`{}` is a vector, yet it carries the index `{}`; read as the component",
+                       bold(name.base), name.axes[0].text),
+           {},
+           {fmt::format("write `{}_{}`", name.base, name.axes[0].text)}});
     }
     return make_symbol(written, name.base, 1, name, name.axes, span);
   }
   return fail(DiagnosticKind::ambiguous_reading, span,
               fmt::format("the index on `{}` can name a particle, a component or a label", bold(name.base)),
-              {fmt::format("`rigor: particles {}` makes it a particle; a component is written `{}_{}`", name.axes[0].text, name.base,
-                           name.axes[0].text)});
+              {fmt::format("`rigor: particles {}` makes it a particle; a component is written `{}_{}`",
+                           name.axes[0].text, name.base, name.axes[0].text)});
 }
 
 std::optional<Typed> Elaborator::plain_symbol(const WrittenSymbol& written, WrittenName name, Span span) {
   if (name.axes.empty()) return length_or_scalar(written, name, span);
   const bool particle = name.per_particle();
-  if (name.axes.size() == 2 && name.axes[0].form == IndexForm::digit && name.axes[1].form == IndexForm::letter &&
-      names_.sightings.bold.contains({with_labels(name.base, {name.axes[0]}), particle})) {  // p_{1x} of \mathbf{p}_1
+  if (name.axes.size() == 2 && name.axes[0].form == IndexForm::digit &&
+      name.axes[1].form == IndexForm::letter &&
+      names_.sightings.bold.contains(
+          {with_labels(name.base, {name.axes[0]}), particle})) {  // p_{1x} of \mathbf{p}_1
     name.base = with_labels(name.base, {name.axes[0]});
     name.axes.erase(name.axes.begin());
   }
@@ -157,40 +176,49 @@ std::optional<Typed> Elaborator::plain_symbol(const WrittenSymbol& written, Writ
   if (all_variables(name.axes)) return make_symbol(written, name.base, rank, name, name.axes, span);
   const bool known = is_known(name.base, rank, particle);
   const std::string labelled = with_labels(name.base, name.axes);
-  const bool labelled_known = names_.sightings.bold.contains({labelled, particle}) || names_.is_declared({labelled, 0, particle});
+  const bool labelled_known =
+      names_.sightings.bold.contains({labelled, particle}) || names_.is_declared({labelled, 0, particle});
   if (known && labelled_known && rank == 1 && !names_.is_declared({labelled, 0, particle})) {
     return fail(DiagnosticKind::ambiguous_reading, span,
-                fmt::format("`{}` can be a component of `{}` or the length of `{}`", labelled, bold(name.base), bold(labelled)),
+                fmt::format("`{}` can be a component of `{}` or the length of `{}`", labelled,
+                            bold(name.base), bold(labelled)),
                 {fmt::format("write `|{}|` for the length", bold(labelled))});
   }
   const bool mixed = !all_of_form(name.axes, IndexForm::digit) &&
                      !std::all_of(name.axes.begin(), name.axes.end(), is_axis_letter);
   if (known && !labelled_known && rank == 1) guess_vector(name, false);
-  if ((known && !labelled_known) || mixed) return make_symbol(written, name.base, rank, name, name.axes, span);
+  if ((known && !labelled_known) || mixed)
+    return make_symbol(written, name.base, rank, name, name.axes, span);
   name.base = labelled;
   name.axes.clear();
   return length_or_scalar(written, name, span);
 }
 
-std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, const WrittenName& name, Span span) {
+std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, const WrittenName& name,
+                                                  Span span) {
   const bool particle = name.per_particle();
   const NameKey scalar{name.base, 0, particle};
   const bool defined = names_.find(scalar) && names_.definition_of(*names_.find(scalar)) != nullptr;
   for (const int rank : {1, 2}) {
-    if (names_.is_plain({name.base, rank, particle})) return make_symbol(written, name.base, rank, name, {}, span);
+    if (names_.is_plain({name.base, rank, particle}))
+      return make_symbol(written, name.base, rank, name, {}, span);
   }
   if (!names_.is_declared(scalar) && !defined) {
-    const bool bold_seen = names_.sightings.bold.contains({name.base, particle}) || names_.is_declared({name.base, 1, particle});
-    const bool by_company = !bold_seen && written.lower.size() == name.particles.size() && letters_.indexed_vectors.contains(name.base);
+    const bool bold_seen =
+        names_.sightings.bold.contains({name.base, particle}) || names_.is_declared({name.base, 1, particle});
+    const bool by_company = !bold_seen && written.lower.size() == name.particles.size() &&
+                            letters_.indexed_vectors.contains(name.base);
     if (bold_seen || by_company) {
       Maybe vector = make_symbol(written, name.base, 1, name, {}, span);
       if (!vector) return vector;
       note(fmt::format("`{}` is the length of `{}`", name.base, bold(name.base)));
       if (bold_seen) guess_vector(name, true);
       if (by_company) {
-        guess_ = Obstacle{DiagnosticKind::ambiguous_reading,
-                          fmt::format("`{}` can be the length of the vector with components `{}_i`, or a symbol of its own", name.base, name.base),
-                          {fmt::format("`rigor: vector {}` or `rigor: scalar {}` settles it", bold(name.base), name.base)}};
+        guess_ = Obstacle{
+            DiagnosticKind::ambiguous_reading,
+            fmt::format("`{}` can be the length of the vector with components `{}_i`, or a symbol of its own",
+                        name.base, name.base),
+            {fmt::format("`rigor: vector {}` or `rigor: scalar {}` settles it", bold(name.base), name.base)}};
       }
       Typed length = make(Op::length, span, 0, {&*vector});
       return length;
@@ -199,17 +227,23 @@ std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, 
   return make_symbol(written, name.base, 0, name, {}, span);
 }
 
-std::optional<Typed> Elaborator::make_symbol(const WrittenSymbol& written, const std::string& base, int rank, const WrittenName& name,
-                                             const std::vector<WrittenIndex>& axes, Span span) {
+std::optional<Typed> Elaborator::make_symbol(const WrittenSymbol& written, const std::string& base, int rank,
+                                             const WrittenName& name, const std::vector<WrittenIndex>& axes,
+                                             Span span) {
   const NameKey key{base, rank, name.per_particle()};
   const bool fresh = !names_.find(key).has_value();
-  const bool vector_face = rank == 1 && (written.face == Face::vector || names_.sightings.bold.contains({base, key.per_particle}));
+  const bool vector_face =
+      rank == 1 && (written.face == Face::vector || names_.sightings.bold.contains({base, key.per_particle}));
   const SymbolId symbol = names_.resolve(tree_, key, vector_face ? bold(base) : base, span);
   if (fresh && written.accent == Accent::hat && rank == 1) tree_.symbols[symbol].unit = true;
   Typed typed;
   std::vector<Slot> slots;
-  if (!read_slots(axes, slots, typed.free)) return unsupported(span, "this subscript is not one of index letters or axes");
-  ExprNode node{.op = Op::symbol, .rank = static_cast<std::uint8_t>(axes.empty() ? rank : 0), .span = span, .symbol = symbol};
+  if (!read_slots(axes, slots, typed.free))
+    return unsupported(span, "this subscript is not one of index letters or axes");
+  ExprNode node{.op = Op::symbol,
+                .rank = static_cast<std::uint8_t>(axes.empty() ? rank : 0),
+                .span = span,
+                .symbol = symbol};
   if (key.per_particle) {
     node.particle = particle(name.particles[0].text);
     if (!bound_particles_.contains(name.particles[0].text)) {
@@ -222,7 +256,8 @@ std::optional<Typed> Elaborator::make_symbol(const WrittenSymbol& written, const
   return contract(std::move(typed));
 }
 
-bool Elaborator::read_slots(const std::vector<WrittenIndex>& axes, std::vector<Slot>& slots, std::vector<FreeIndex>& free) {
+bool Elaborator::read_slots(const std::vector<WrittenIndex>& axes, std::vector<Slot>& slots,
+                            std::vector<FreeIndex>& free) {
   for (const WrittenIndex& axis : axes) {
     if (axis.form == IndexForm::digit) {
       if (axis.text < "1" || axis.text > "3") return false;
@@ -241,17 +276,19 @@ bool Elaborator::read_slots(const std::vector<WrittenIndex>& axes, std::vector<S
   return true;
 }
 
-/// Bold somewhere else in the notes makes a letter a vector, yet nothing in the statement says so: `R_1` may be a resistance.
-/// A length is settled by the vector's use in this section.
+/// Bold somewhere else in the notes makes a letter a vector, yet nothing in the statement says so: `R_1` may
+/// be a resistance. A length is settled by the vector's use in this section.
 void Elaborator::guess_vector(const WrittenName& name, bool as_length) {
   const NameKey key{name.base, 1, name.per_particle()};
   const auto symbol = names_.find(key);
-  const bool settled = name.per_particle() || names_.is_declared(key) || letters_.bold_vectors.contains(name.base) || letters_.indexed_vectors.contains(name.base) ||
-                       (symbol && names_.definition_of(*symbol) != nullptr) ||
-                       (symbol && as_length && names_.seen_in_equation(*symbol));
+  const bool settled =
+      name.per_particle() || names_.is_declared(key) || letters_.bold_vectors.contains(name.base) ||
+      letters_.indexed_vectors.contains(name.base) || (symbol && names_.definition_of(*symbol) != nullptr) ||
+      (symbol && as_length && names_.seen_in_equation(*symbol));
   if (settled) return;
   guess_ = Obstacle{DiagnosticKind::ambiguous_reading,
-                    fmt::format("`{}` can belong to the vector `{}`, or be a symbol of its own", name.base, bold(name.base)),
+                    fmt::format("`{}` can belong to the vector `{}`, or be a symbol of its own", name.base,
+                                bold(name.base)),
                     {fmt::format("`rigor: vector {}` or `rigor: scalar …` settles it", bold(name.base))}};
 }
 

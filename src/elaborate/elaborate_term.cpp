@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Products. Among vectors `\times` binds tighter than `\cdot`, and `\cdot` tighter than juxtaposition; scalars stand anywhere.
-// Where that leaves two readings (A×B×C, a/bc) the answer is a diagnostic.
+// Products. Among vectors `\times` binds tighter than `\cdot`, and `\cdot` tighter than juxtaposition;
+// scalars stand anywhere. Where that leaves two readings (A×B×C, a/bc) the answer is a diagnostic.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,16 +30,22 @@ std::optional<Typed> Elaborator::term(SyntaxId id) {
     slash = slash || child.joint == Joint::slash;
     if (typed) operands.push_back({std::move(*typed), child.joint, child.joint_span});
   }
-  if (failed || reads_as_application(factors) || repeats_greek(factors) || runs_numbers_together(factors)) return std::nullopt;
-  return slash ? with_slashes(std::move(operands), syntax_[id].span) : product(std::move(operands), syntax_[id].span);
+  if (failed || reads_as_application(factors) || repeats_greek(factors) || runs_numbers_together(factors))
+    return std::nullopt;
+  return slash ? with_slashes(std::move(operands), syntax_[id].span)
+               : product(std::move(operands), syntax_[id].span);
 }
 
 /// `f(x-ct)`, `V(2r)`: a bracket of plain coordinates behind a letter that is no usual coefficient.
 bool Elaborator::looks_like_argument(const WrittenSymbol& symbol, SyntaxId bracket) const {
-  static const std::set<std::string> coefficients{"a", "b", "c", "d", "k", "m", "M", "n", "N", "p", "q", "\\alpha", "\\beta", "\\gamma", "\\lambda", "\\mu"};
-  static const std::set<std::string> coordinates{"t", "x", "y", "z", "r", "s", "u", "\\theta", "\\phi", "\\tau"};
+  static const std::set<std::string> coefficients{"a",      "b",       "c",        "d",   "k", "m",
+                                                  "M",      "n",       "N",        "p",   "q", "\\alpha",
+                                                  "\\beta", "\\gamma", "\\lambda", "\\mu"};
+  static const std::set<std::string> coordinates{"t", "x", "y",       "z",     "r",
+                                                 "s", "u", "\\theta", "\\phi", "\\tau"};
   if (syntax_[bracket].kind != SyntaxKind::group || coefficients.contains(symbol.letter)) return false;
-  if (names_.is_declared({symbol.letter, 0, false}) || names_.is_declared({symbol.letter, 1, false})) return false;
+  if (names_.is_declared({symbol.letter, 0, false}) || names_.is_declared({symbol.letter, 1, false}))
+    return false;
   bool coordinate = false;
   std::vector<SyntaxId> pending{syntax_.child(bracket, 0)};
   while (!pending.empty()) {
@@ -47,7 +53,9 @@ bool Elaborator::looks_like_argument(const WrittenSymbol& symbol, SyntaxId brack
     pending.pop_back();
     if (syntax_[id].kind == SyntaxKind::symbol) {
       const WrittenSymbol& inside = syntax_.symbol(id);
-      const bool labelled = std::any_of(inside.lower.begin(), inside.lower.end(), [](const WrittenIndex& index) { return index.form == IndexForm::letter; });
+      const bool labelled =
+          std::any_of(inside.lower.begin(), inside.lower.end(),
+                      [](const WrittenIndex& index) { return index.form == IndexForm::letter; });
       if (inside.face != Face::plain || labelled || is_kronecker(inside)) return false;
       coordinate = coordinate || coordinates.contains(inside.letter);
     }
@@ -56,7 +64,8 @@ bool Elaborator::looks_like_argument(const WrittenSymbol& symbol, SyntaxId brack
   return coordinate;
 }
 
-/// A Greek subscript that labels no particle, twice in a term: a label, or an index of space-time that is summed.
+/// A Greek subscript that labels no particle, twice in a term: a label, or an index of space-time that is
+/// summed.
 bool Elaborator::repeats_greek(std::span<const SyntaxChild> factors) {
   std::set<std::string> seen;
   for (const SyntaxChild& child : factors) {
@@ -67,8 +76,10 @@ bool Elaborator::repeats_greek(std::span<const SyntaxChild> factors) {
     }
     for (const std::string& letter : own) {
       if (seen.insert(letter).second) continue;
-      fail(DiagnosticKind::ambiguous_reading, syntax_[child.id].span, fmt::format("`{}` twice in a term can be a label or an index that is summed", letter),
-           {fmt::format("`rigor: particles {}` makes it a particle's label, which is summed only by `\\sum`", letter)});
+      fail(DiagnosticKind::ambiguous_reading, syntax_[child.id].span,
+           fmt::format("`{}` twice in a term can be a label or an index that is summed", letter),
+           {fmt::format("`rigor: particles {}` makes it a particle's label, which is summed only by `\\sum`",
+                        letter)});
       return true;
     }
   }
@@ -83,19 +94,24 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
     if (syntax_[id].kind != SyntaxKind::symbol || factors[k + 1].joint != Joint::juxtaposed) continue;
     const WrittenSymbol& symbol = syntax_.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol)) continue;
-    if (holds_one_symbol(syntax_, next) || looks_like_argument(symbol, next) || (syntax_[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
+    if (holds_one_symbol(syntax_, next) || looks_like_argument(symbol, next) ||
+        (syntax_[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
       const SyntaxId argument = syntax_.child(next, 0);
-      const bool declared = syntax_[argument].kind == SyntaxKind::symbol && syntax_[next].kind == SyntaxKind::group &&
+      const bool declared = syntax_[argument].kind == SyntaxKind::symbol &&
+                            syntax_[next].kind == SyntaxKind::group &&
                             names_.is_declared({syntax_.symbol(argument).letter, 0, false});
       if (declared) continue;
       fail(DiagnosticKind::ambiguous_reading, cover(syntax_[id].span, syntax_[next].span),
            "this can be a product or the value of a function",
-           {"a function's argument is not written in definitions and claims; `rigor: scalar …` for what is in the bracket makes it a product"});
+           {"a function's argument is not written in definitions and claims; `rigor: scalar …` for what is "
+            "in the bracket makes it a product"});
       return true;
     }
-    const bool bare_d = symbol.letter == "d" && symbol.lower.empty() && symbol.face == Face::plain && symbol.primes == 0;
+    const bool bare_d =
+        symbol.letter == "d" && symbol.lower.empty() && symbol.face == Face::plain && symbol.primes == 0;
     if (bare_d && syntax_[next].kind == SyntaxKind::symbol && !names_.is_declared({"d", 0, false})) {
-      fail(DiagnosticKind::ambiguous_reading, syntax_[id].span, "`d` can be a differential or a factor", {"`rigor: scalar d` makes it a factor"});
+      fail(DiagnosticKind::ambiguous_reading, syntax_[id].span, "`d` can be a differential or a factor",
+           {"`rigor: scalar d` makes it a factor"});
       return true;
     }
   }
@@ -106,7 +122,8 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
 bool Elaborator::runs_numbers_together(std::span<const SyntaxChild> factors) {
   const auto is_number_sign = [&](SyntaxId id) { return syntax_[id].kind == SyntaxKind::number; };
   const auto is_numeric_fraction = [&](SyntaxId id) {
-    return syntax_[id].kind == SyntaxKind::fraction && is_number_sign(syntax_.child(id, 0)) && is_number_sign(syntax_.child(id, 1));
+    return syntax_[id].kind == SyntaxKind::fraction && is_number_sign(syntax_.child(id, 0)) &&
+           is_number_sign(syntax_.child(id, 1));
   };
   for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
     const SyntaxId next = factors[k + 1].id;
@@ -121,11 +138,12 @@ bool Elaborator::runs_numbers_together(std::span<const SyntaxChild> factors) {
 
 std::optional<Typed> Elaborator::divide(const Typed& dividend, const Typed& divisor, Span span) {
   if (divisor.rank != 0) {
-    return fail(DiagnosticKind::rank_mismatch, tree_[divisor.id].span, "a vector or tensor stands in a denominator",
-                {"divide by its length or by a component"});
+    return fail(DiagnosticKind::rank_mismatch, tree_[divisor.id].span,
+                "a vector or tensor stands in a denominator", {"divide by its length or by a component"});
   }
   if (!divisor.free.empty()) {
-    return unsupported(divisor.free[0].span, fmt::format("the index `{}` in a denominator is not decided", divisor.free[0].letter));
+    return unsupported(divisor.free[0].span,
+                       fmt::format("the index `{}` in a denominator is not decided", divisor.free[0].letter));
   }
   return make(Op::divide, span, dividend.rank, {&dividend, &divisor});
 }
@@ -138,11 +156,13 @@ std::optional<Typed> Elaborator::with_slashes(std::vector<Operand> operands, Spa
     const bool numbers = is_number(operands[k - 1].typed) && is_number(divisor);
     const bool last = k + 1 == operands.size();
     if (!numbers && !last) {
-      return fail(DiagnosticKind::ambiguous_reading, operands[k].joint_span, "what stands behind the divisor can belong to it or not",
+      return fail(DiagnosticKind::ambiguous_reading, operands[k].joint_span,
+                  "what stands behind the divisor can belong to it or not",
                   {"write `\\frac{…}{…}` or a bracket"});
     }
     if (numbers) {
-      const Maybe quotient = divide(operands[k - 1].typed, divisor, cover(tree_[operands[k - 1].typed.id].span, tree_[divisor.id].span));
+      const Maybe quotient = divide(operands[k - 1].typed, divisor,
+                                    cover(tree_[operands[k - 1].typed.id].span, tree_[divisor.id].span));
       if (!quotient) return std::nullopt;
       operands[k - 1].typed = *quotient;
       operands.erase(operands.begin() + static_cast<std::ptrdiff_t>(k));
@@ -167,7 +187,8 @@ std::optional<Typed> Elaborator::product(std::vector<Operand> operands, Span spa
   if (!sum_repeated(factors, to_sum, free, bound)) return std::nullopt;
   std::vector<Typed> scalars;
   std::vector<Operand> vectors;
-  if (!separate_scalars(operands, scalars, vectors) || !cross_products(vectors) || !dot_products(vectors)) return std::nullopt;
+  if (!separate_scalars(operands, scalars, vectors) || !cross_products(vectors) || !dot_products(vectors))
+    return std::nullopt;
   Maybe result = outer_product(std::move(scalars), vectors, span);
   if (!result) return std::nullopt;
   result->free = std::move(free);
@@ -176,7 +197,8 @@ std::optional<Typed> Elaborator::product(std::vector<Operand> operands, Span spa
 }
 
 /// A scalar between a product sign and a vector belongs to the vector: `\mathbf R\times m\mathbf V`.
-bool Elaborator::separate_scalars(const std::vector<Operand>& operands, std::vector<Typed>& scalars, std::vector<Operand>& vectors) {
+bool Elaborator::separate_scalars(const std::vector<Operand>& operands, std::vector<Typed>& scalars,
+                                  std::vector<Operand>& vectors) {
   Joint carried = Joint::none;
   const Operand* crossed = nullptr;  // a scalar that a `\times` leads to
   const Operand* previous = nullptr;
@@ -184,10 +206,13 @@ bool Elaborator::separate_scalars(const std::vector<Operand>& operands, std::vec
     const bool after_scalar = previous != nullptr && previous->typed.rank == 0;
     const bool by_number = is_number(operand.typed) || (after_scalar && is_number(previous->typed));
     const bool dotted = operand.joint == Joint::dot && previous != nullptr;
-    const bool product_dotted = dotted && ((operand.typed.rank == 0 && previous->typed.rank == 1 && tree_[operand.typed.id].op == Op::dot) ||
-                                           (operand.typed.rank == 1 && after_scalar && tree_[previous->typed.id].op == Op::dot));
+    const bool product_dotted =
+        dotted &&
+        ((operand.typed.rank == 0 && previous->typed.rank == 1 && tree_[operand.typed.id].op == Op::dot) ||
+         (operand.typed.rank == 1 && after_scalar && tree_[previous->typed.id].op == Op::dot));
     if (product_dotted) {
-      fail(DiagnosticKind::rank_mismatch, operand.joint_span, "a dot product of a vector and a scalar", {"leave `\\cdot` out, if a multiple is meant"});
+      fail(DiagnosticKind::rank_mismatch, operand.joint_span, "a dot product of a vector and a scalar",
+           {"leave `\\cdot` out, if a multiple is meant"});
       return false;
     }
     if (operand.typed.rank == 0) {
@@ -195,7 +220,8 @@ bool Elaborator::separate_scalars(const std::vector<Operand>& operands, std::vec
       if (operand.joint == Joint::cross && !by_number) crossed = &operand;
       scalars.push_back(operand.typed);
     } else {
-      const bool from_scalar_only = vectors.empty() && operand.joint == Joint::cross && after_scalar && !by_number;
+      const bool from_scalar_only =
+          vectors.empty() && operand.joint == Joint::cross && after_scalar && !by_number;
       if (from_scalar_only) {
         fail(DiagnosticKind::rank_mismatch, operand.joint_span, "a cross product of a scalar and a vector",
              {"write the product without `\\times`, or declare the scalar as a vector"});
@@ -213,7 +239,8 @@ bool Elaborator::separate_scalars(const std::vector<Operand>& operands, std::vec
   if (crossed != nullptr) {
     const bool any_vector = !vectors.empty();
     fail(any_vector ? DiagnosticKind::rank_mismatch : DiagnosticKind::ambiguous_reading, crossed->joint_span,
-         any_vector ? "a cross product of a vector and a scalar" : "`\\times` between scalars can be a product, or a cross product of vectors",
+         any_vector ? "a cross product of a vector and a scalar"
+                    : "`\\times` between scalars can be a product, or a cross product of vectors",
          {"bold or `\\vec` letters are vectors, and so is what `rigor: vector …` declares"});
     return false;
   }
@@ -228,7 +255,8 @@ bool Elaborator::cross_products(std::vector<Operand>& vectors) {
     }
     if (k + 1 < vectors.size() && vectors[k + 1].joint == Joint::cross) {
       fail(DiagnosticKind::ambiguous_reading, vectors[k + 1].joint_span,
-           "a cross product is not associative, so `A × B × C` has two readings", {"put one of the two products in brackets"});
+           "a cross product is not associative, so `A × B × C` has two readings",
+           {"put one of the two products in brackets"});
       return false;
     }
     if (vectors[k - 1].typed.rank != 1 || vectors[k].typed.rank != 1) {
@@ -250,7 +278,8 @@ bool Elaborator::dot_products(std::vector<Operand>& vectors) {
     }
     Typed& left = vectors[k - 1].typed;
     if (left.rank == 0) {
-      fail(DiagnosticKind::ambiguous_reading, vectors[k].joint_span, "`A · B · C` has two readings", {"put one of the two products in brackets"});
+      fail(DiagnosticKind::ambiguous_reading, vectors[k].joint_span, "`A · B · C` has two readings",
+           {"put one of the two products in brackets"});
       return false;
     }
     const Typed& right = vectors[k].typed;
@@ -261,11 +290,13 @@ bool Elaborator::dot_products(std::vector<Operand>& vectors) {
   return true;
 }
 
-std::optional<Typed> Elaborator::outer_product(std::vector<Typed> scalars, const std::vector<Operand>& vectors, Span span) {
+std::optional<Typed> Elaborator::outer_product(std::vector<Typed> scalars,
+                                               const std::vector<Operand>& vectors, Span span) {
   int rank = 0;
   for (const Operand& vector : vectors) {
     if (rank > 0 && vector.typed.rank > 0 && rank + vector.typed.rank > 2) {
-      return fail(DiagnosticKind::ambiguous_reading, tree_[vector.typed.id].span, "a tensor next to a vector can be their contraction or their outer product",
+      return fail(DiagnosticKind::ambiguous_reading, tree_[vector.typed.id].span,
+                  "a tensor next to a vector can be their contraction or their outer product",
                   {"write `\\cdot` for the contraction"});
     }
     if (rank > 0 && vector.typed.rank > 0) guess_dyad(vectors, span);
@@ -294,13 +325,14 @@ void Elaborator::guess_dyad(const std::vector<Operand>& vectors, Span span) {
   note("two vectors side by side are their dyad");
   if (!undeclared) return;
   dyad_ = span;
-  guess_ = Obstacle{DiagnosticKind::ambiguous_reading, "bold letters side by side can be a dyad of vectors or a product of matrices",
+  guess_ = Obstacle{DiagnosticKind::ambiguous_reading,
+                    "bold letters side by side can be a dyad of vectors or a product of matrices",
                     {"`rigor: vector …` settles it"}};
 }
 
 /// The summation convention: a letter twice in a product is summed, once is free, more often is a mistake.
-bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum, std::vector<FreeIndex>& free,
-                              std::vector<FreeIndex>& bound) {
+bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum,
+                              std::vector<FreeIndex>& free, std::vector<FreeIndex>& bound) {
   std::map<std::string, std::vector<FreeIndex>> places;
   std::vector<std::string> order;
   for (const Typed& factor : factors) {
@@ -316,13 +348,17 @@ bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<Fre
       Diagnostic diagnostic{DiagnosticKind::index_repeats, where[2].span,
                             fmt::format("index `{}` occurs {} times in one term", letter, where.size())};
       diagnostic.labels = {{where[0].span, ""}, {where[1].span, ""}};
-      diagnostic.help = {"the summation convention allows a letter at most twice in a term; rename a pair, or write the sum out"};
+      diagnostic.help = {
+          "the summation convention allows a letter at most twice in a term; rename a pair, or write the sum "
+          "out"};
       diagnostics_.push_back(std::move(diagnostic));
       return false;
     }
-    const auto clash = std::find_if(bound.begin(), bound.end(), [&](const FreeIndex& entry) { return entry.letter == letter; });
+    const auto clash = std::find_if(bound.begin(), bound.end(),
+                                    [&](const FreeIndex& entry) { return entry.letter == letter; });
     if (clash != bound.end()) {
-      diagnostics_.push_back({DiagnosticKind::index_clash, where[0].span,
+      diagnostics_.push_back({DiagnosticKind::index_clash,
+                              where[0].span,
                               fmt::format("index `{}` is summed inside a factor of the same term", letter),
                               {{clash->span, "summed here"}},
                               {"rename one of the two"}});
@@ -336,7 +372,10 @@ bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<Fre
 Typed Elaborator::sum_over(Typed body, const std::vector<FreeIndex>& letters) {
   for (auto letter = letters.rbegin(); letter != letters.rend(); ++letter) {
     const Span span = tree_[body.id].span;
-    body.id = tree_.add({.op = Op::index_sum, .rank = static_cast<std::uint8_t>(body.rank), .span = span, .index = letter->id},
+    body.id = tree_.add({.op = Op::index_sum,
+                         .rank = static_cast<std::uint8_t>(body.rank),
+                         .span = span,
+                         .index = letter->id},
                         std::span(&body.id, 1));
     body.bound.push_back(*letter);
   }

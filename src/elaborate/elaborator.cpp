@@ -7,14 +7,16 @@
 
 namespace rigor {
 
-Elaborator::Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters, Diagnostics& diagnostics)
+Elaborator::Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters,
+                       Diagnostics& diagnostics)
     : syntax_(syntax), tree_(tree), names_(names), letters_(std::move(letters)), diagnostics_(diagnostics) {}
 
 std::optional<Typed> Elaborator::expression(SyntaxId id) {
   const SyntaxNode& node = syntax_[id];
   switch (node.kind) {
     case SyntaxKind::number: {
-      if (syntax_.text(id).size() > 300) return unsupported(node.span, "a number of more than 300 digits is not read");
+      if (syntax_.text(id).size() > 300)
+        return unsupported(node.span, "a number of more than 300 digits is not read");
       Typed typed;
       typed.id = tree_.add_number(node.span, syntax_.text(id));
       return typed;
@@ -81,18 +83,21 @@ ExprId Elaborator::zero_of(const Typed& written, int rank) {
   ExprId zero = written.id;
   for (int axes = 1; axes <= rank; ++axes) {
     const ExprId entries[] = {zero, zero, zero};
-    zero = tree_.add({.op = Op::tuple, .rank = static_cast<std::uint8_t>(axes), .span = tree_[written.id].span}, entries);
+    zero = tree_.add(
+        {.op = Op::tuple, .rank = static_cast<std::uint8_t>(axes), .span = tree_[written.id].span}, entries);
   }
   return zero;
 }
 
-std::optional<Typed> Elaborator::fail(DiagnosticKind kind, Span span, std::string message, std::vector<std::string> help) {
+std::optional<Typed> Elaborator::fail(DiagnosticKind kind, Span span, std::string message,
+                                      std::vector<std::string> help) {
   diagnostics_.push_back({kind, span, std::move(message), {}, std::move(help)});
   return std::nullopt;
 }
 
 void Elaborator::note(std::string convention) {
-  if (std::find(conventions_.begin(), conventions_.end(), convention) == conventions_.end()) conventions_.push_back(std::move(convention));
+  if (std::find(conventions_.begin(), conventions_.end(), convention) == conventions_.end())
+    conventions_.push_back(std::move(convention));
 }
 
 Typed Elaborator::make(Op op, Span span, int rank, std::initializer_list<const Typed*> parts, int exponent) {
@@ -105,20 +110,23 @@ Typed Elaborator::make(Op op, Span span, int rank, std::initializer_list<const T
     merge_free(typed.particles, part->particles);
     merge_free(typed.bound, part->bound);
   }
-  typed.id = tree_.add({.op = op, .rank = static_cast<std::uint8_t>(rank), .span = span, .exponent = exponent}, children);
+  typed.id = tree_.add(
+      {.op = op, .rank = static_cast<std::uint8_t>(rank), .span = span, .exponent = exponent}, children);
   return typed;
 }
 
 void merge_free(std::vector<FreeIndex>& into, const std::vector<FreeIndex>& from) {
   for (const FreeIndex& entry : from) {
-    const bool known = std::any_of(into.begin(), into.end(), [&](const FreeIndex& old) { return old.letter == entry.letter; });
+    const bool known = std::any_of(into.begin(), into.end(),
+                                   [&](const FreeIndex& old) { return old.letter == entry.letter; });
     if (!known) into.push_back(entry);
   }
 }
 
 void merge_free(std::vector<FreeParticle>& into, const std::vector<FreeParticle>& from) {
   for (const FreeParticle& entry : from) {
-    const bool known = std::any_of(into.begin(), into.end(), [&](const FreeParticle& old) { return old.letter == entry.letter; });
+    const bool known = std::any_of(into.begin(), into.end(),
+                                   [&](const FreeParticle& old) { return old.letter == entry.letter; });
     if (!known) into.push_back(entry);
   }
 }

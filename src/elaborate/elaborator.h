@@ -37,11 +37,12 @@ struct Typed {
   std::vector<FreeIndex> bound;         // letters summed inside
 };
 
-/// Elaborates the sides of one statement (all sides share their free letters). A side with a mistake gives nothing and a diagnostic for
-/// each mistake found. Recursion is bounded by the parser's `max_nesting`.
+/// Elaborates the sides of one statement (all sides share their free letters). A side with a mistake gives
+/// nothing and a diagnostic for each mistake found. Recursion is bounded by the parser's `max_nesting`.
 class Elaborator {
  public:
-  Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters, Diagnostics& diagnostics);
+  Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters,
+             Diagnostics& diagnostics);
 
   std::optional<Typed> expression(SyntaxId id);
 
@@ -80,7 +81,8 @@ class Elaborator {
   Maybe length_or_scalar(const WrittenSymbol& written, const WrittenName& name, Span span);
   Maybe make_symbol(const WrittenSymbol& written, const std::string& base, int rank, const WrittenName& name,
                     const std::vector<WrittenIndex>& axes, Span span);
-  bool read_slots(const std::vector<WrittenIndex>& axes, std::vector<Slot>& slots, std::vector<FreeIndex>& free);
+  bool read_slots(const std::vector<WrittenIndex>& axes, std::vector<Slot>& slots,
+                  std::vector<FreeIndex>& free);
   void guess_vector(const WrittenName& name, bool as_length);
   bool is_known(const std::string& base, int rank, bool per_particle) const;
   Maybe contract(Typed typed);  // repeated letters on one symbol: `I_{ii}`
@@ -100,13 +102,14 @@ class Elaborator {
   Maybe divide(const Typed& dividend, const Typed& divisor, Span span);
   Maybe with_slashes(std::vector<Operand> operands, Span span);
   Maybe product(std::vector<Operand> operands, Span span);
-  bool separate_scalars(const std::vector<Operand>& operands, std::vector<Typed>& scalars, std::vector<Operand>& vectors);
+  bool separate_scalars(const std::vector<Operand>& operands, std::vector<Typed>& scalars,
+                        std::vector<Operand>& vectors);
   bool cross_products(std::vector<Operand>& vectors);
   bool dot_products(std::vector<Operand>& vectors);
   Maybe outer_product(std::vector<Typed> scalars, const std::vector<Operand>& vectors, Span span);
   bool is_number(const Typed& typed) const { return tree_[typed.id].op == Op::number; }
-  bool sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum, std::vector<FreeIndex>& free,
-                    std::vector<FreeIndex>& bound);
+  bool sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum,
+                    std::vector<FreeIndex>& free, std::vector<FreeIndex>& bound);
   Typed sum_over(Typed body, const std::vector<FreeIndex>& letters);
 
   // elaborate_sum.cpp
@@ -138,7 +141,7 @@ class Elaborator {
   Letters letters_;
   Diagnostics& diagnostics_;
   std::map<std::string, IndexId> free_indices_;
-  std::map<std::string, std::vector<IndexId>> bound_indices_;      // innermost explicit sum last
+  std::map<std::string, std::vector<IndexId>> bound_indices_;  // innermost explicit sum last
   std::map<std::string, std::vector<ParticleId>> bound_particles_;
   std::map<std::string, ParticleId> free_particles_;
   std::vector<FreeIndex> slot_letters_;

@@ -14,23 +14,25 @@ using Axes = std::vector<int>;  // one axis 1..3 for each letter, in the letters
 /// Without LaTeX, blanks and capitals: `\text{if } i = j` is `ifi=j`.
 std::string bare(const std::string& words) {
   std::string text = words;
-  for (const char* mark : {"\\text", "\\mbox", "\\mathrm", "\\textrm", "\\quad", "\\qquad", "\\left", "\\right", "\\ ", "\\,", "\\;", "~"}) {
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark)) text.replace(at, std::string(mark).size(), " ");
+  for (const char* mark : {"\\text", "\\mbox", "\\mathrm", "\\textrm", "\\quad", "\\qquad", "\\left",
+                           "\\right", "\\ ", "\\,", "\\;", "~"}) {
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark))
+      text.replace(at, std::string(mark).size(), " ");
   }
   for (const char* sign : {"\\neq", "\\ne", "\\not="}) {
-    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign)) text.replace(at, std::string(sign).size(), "#");
+    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign))
+      text.replace(at, std::string(sign).size(), "#");
   }
   std::string result;
   for (const char c : text) {
-    if (c == '{' || c == '}' || c == '$' || c == '.' || std::isspace(static_cast<unsigned char>(c)) != 0) continue;
+    if (c == '{' || c == '}' || c == '$' || c == '.' || std::isspace(static_cast<unsigned char>(c)) != 0)
+      continue;
     result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
   return result;
 }
 
-bool has(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
-}
+bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 /// Tuples such as `123`, `(2,3,1)` or `xyz` in the text, each of exactly `count` axes.
 std::vector<Axes> tuples_in(const std::string& text, std::size_t count) {
@@ -100,14 +102,18 @@ std::vector<bool> select(std::size_t count, Predicate predicate) {
   std::size_t all = 1;
   for (std::size_t k = 0; k < count; ++k) all *= 3;
   std::vector<bool> selected(all);
-  for (std::size_t position = 0; position < all; ++position) selected[position] = predicate(axes_of(position, count));
+  for (std::size_t position = 0; position < all; ++position)
+    selected[position] = predicate(axes_of(position, count));
   return selected;
 }
 
-std::optional<std::vector<bool>> pair_condition(const std::string& text, const std::vector<std::string>& letters) {
+std::optional<std::vector<bool>> pair_condition(const std::string& text,
+                                                const std::vector<std::string>& letters) {
   const auto sign = text.find_first_of("=#");
   if (sign != 1 || text.size() != 3) return std::nullopt;
-  const auto place = [&](char c) { return std::find(letters.begin(), letters.end(), std::string(1, c)) - letters.begin(); };
+  const auto place = [&](char c) {
+    return std::find(letters.begin(), letters.end(), std::string(1, c)) - letters.begin();
+  };
   const auto first = static_cast<std::size_t>(place(text[0]));
   const auto second = static_cast<std::size_t>(place(text[2]));
   if (first >= letters.size() || second >= letters.size()) return std::nullopt;
@@ -117,7 +123,8 @@ std::optional<std::vector<bool>> pair_condition(const std::string& text, const s
 
 }  // namespace
 
-std::optional<std::vector<bool>> read_index_condition(const std::string& words, const std::vector<std::string>& letters) {
+std::optional<std::vector<bool>> read_index_condition(const std::string& words,
+                                                      const std::vector<std::string>& letters) {
   std::string text = bare(words);
   while (!text.empty() && (text.back() == ',' || text.back() == ';')) text.pop_back();
   const std::size_t count = letters.size();
@@ -129,7 +136,8 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words, 
   }
   if (auto pair = pair_condition(text, letters)) return pair;
   const bool permutation = has(text, "permutation") || has(text, "cyclic");
-  if (!permutation && (has(text, "equal") || has(text, "repeated") || has(text, "thesame")) && !has(text, "not") && !has(text, "=")) {
+  if (!permutation && (has(text, "equal") || has(text, "repeated") || has(text, "thesame")) &&
+      !has(text, "not") && !has(text, "=")) {
     return select(count, [](Axes axes) {
       std::sort(axes.begin(), axes.end());
       return std::adjacent_find(axes.begin(), axes.end()) != axes.end();
@@ -148,7 +156,8 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words, 
   const bool even = has(text, "even");
   const bool odd = has(text, "odd");
   if (even || odd) {
-    if (count != 3 || (even && odd) || (tuples.size() > 1) || (!tuples.empty() && tuples[0] != Axes{1, 2, 3})) return std::nullopt;
+    if (count != 3 || (even && odd) || (tuples.size() > 1) || (!tuples.empty() && tuples[0] != Axes{1, 2, 3}))
+      return std::nullopt;
     tuples = cyclic({even ? Axes{1, 2, 3} : Axes{1, 3, 2}});
   } else if (permutation) {
     if (!has(text, "cyclic")) return std::nullopt;

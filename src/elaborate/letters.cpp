@@ -13,11 +13,13 @@ bool is_strong(const std::string& letter) {
 }
 
 bool is_small_latin(const WrittenIndex& index) {
-  return index.form == IndexForm::letter && index.text.size() == 1 && index.text[0] >= 'a' && index.text[0] <= 'z';
+  return index.form == IndexForm::letter && index.text.size() == 1 && index.text[0] >= 'a' &&
+         index.text[0] <= 'z';
 }
 
 /// Every node below the roots, parents first.
-void for_each_node(const SyntaxTree& syntax, const std::vector<SyntaxId>& roots, const std::function<void(SyntaxId)>& visit) {
+void for_each_node(const SyntaxTree& syntax, const std::vector<SyntaxId>& roots,
+                   const std::function<void(SyntaxId)>& visit) {
   std::vector<SyntaxId> stack(roots.rbegin(), roots.rend());
   while (!stack.empty()) {
     const SyntaxId id = stack.back();
@@ -49,7 +51,8 @@ void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
   std::vector<std::string> found;
   if (kind == SyntaxKind::symbol) {
     const WrittenSymbol& symbol = syntax.symbol(id);
-    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol)) found = latin_letters(symbol.lower);
+    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol))
+      found = latin_letters(symbol.lower);
   } else if (kind == SyntaxKind::component) {
     found = latin_letters(syntax.indices(id));
   } else if (kind == SyntaxKind::big_sum) {
@@ -59,17 +62,23 @@ void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
   letters.indices.insert(found.begin(), found.end());
 }
 
-/// Letters on a symbol that is known to be a vector, and all letters of a subscript that has one index letter for sure.
+/// Letters on a symbol that is known to be a vector, and all letters of a subscript that has one index letter
+/// for sure.
 void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, Letters& letters) {
   if (syntax[id].kind != SyntaxKind::symbol) return;
   const WrittenSymbol& symbol = syntax.symbol(id);
   const std::vector<std::string> own = latin_letters(symbol.lower);
-  const bool labelled = std::any_of(own.begin(), own.end(), [&](const std::string& letter) { return letters.labels.contains(letter); });
+  const bool labelled = std::any_of(
+      own.begin(), own.end(), [&](const std::string& letter) { return letters.labels.contains(letter); });
   if (own.empty() || labelled || (symbol.face == Face::vector && !is_basis_family(symbol))) return;
   const std::string base = bare_base(symbol);
-  const bool known_vector = own.size() == 1 && (names.sightings.bold.contains({base, false}) || names.sightings.bold.contains({base, true}) ||
-                                                names.is_declared({base, 1, false}) || names.is_declared({base, 1, true}));
-  const bool company = own.size() > 1 && std::any_of(own.begin(), own.end(), [&](const std::string& letter) { return letters.is_index(letter); });
+  const bool known_vector =
+      own.size() == 1 &&
+      (names.sightings.bold.contains({base, false}) || names.sightings.bold.contains({base, true}) ||
+       names.is_declared({base, 1, false}) || names.is_declared({base, 1, true}));
+  const bool company = own.size() > 1 && std::any_of(own.begin(), own.end(), [&](const std::string& letter) {
+                         return letters.is_index(letter);
+                       });
   const bool tensor = names.is_declared({base, static_cast<int>(own.size()), false});
   if (!known_vector && !company && !tensor) return;
   letters.evidence = true;
@@ -113,7 +122,8 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
   });
   letters.bare = bare;
   for (const auto& [base, own] : on_base) {
-    if (own.contains("i") && own.contains("f") && !letters.indices.contains("i")) letters.labels.insert({"i", "f"});
+    if (own.contains("i") && own.contains("f") && !letters.indices.contains("i"))
+      letters.labels.insert({"i", "f"});
     for (const std::string& letter : own) {
       if (bare.contains(letter) && !letters.indices.contains(letter)) letters.labels.insert(letter);
     }
@@ -148,7 +158,8 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
     if (syntax.symbol(id).face == Face::vector) letters.bold_vectors.insert(bare_base(syntax.symbol(id)));
-    if (own.size() == 1 && letters.is_index(own[0]) && !names.labels_particles(own[0])) letters.indexed_vectors.insert(bare_base(syntax.symbol(id)));
+    if (own.size() == 1 && letters.is_index(own[0]) && !names.labels_particles(own[0]))
+      letters.indexed_vectors.insert(bare_base(syntax.symbol(id)));
   });
   return letters;
 }
@@ -168,14 +179,16 @@ void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names) {
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const WrittenSymbol& symbol = syntax.symbol(id);
     const bool hat = symbol.accent == Accent::hat;
-    if (hat && (symbol.letter == "i" || symbol.letter == "j" || symbol.letter == "\\imath" || symbol.letter == "\\jmath")) {
+    if (hat && (symbol.letter == "i" || symbol.letter == "j" || symbol.letter == "\\imath" ||
+                symbol.letter == "\\jmath")) {
       names.sightings.hatted_ij = true;
     }
     if (symbol.face != Face::vector && !hat) return;
     const WrittenName name = take_apart(symbol, Letters{}, names);
     if (name.axes.empty()) {
       names.sightings.bold.insert({name.base, name.per_particle()});
-    } else if (std::all_of(name.axes.begin(), name.axes.end(), [](const WrittenIndex& index) { return index.form == IndexForm::digit; })) {
+    } else if (std::all_of(name.axes.begin(), name.axes.end(),
+                           [](const WrittenIndex& index) { return index.form == IndexForm::digit; })) {
       names.sightings.bold.insert({with_labels(name.base, name.axes), name.per_particle()});
     } else {
       names.sightings.bold_indexed.insert(name.base);
@@ -192,7 +205,8 @@ void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
     const bool any_letter = std::any_of(name.axes.begin(), name.axes.end(), [](const WrittenIndex& index) {
       return index.form == IndexForm::letter && axis_of_letter(index.text) == 0;
     });
-    if (any_letter) names.sightings.indexed.insert({name.base, static_cast<int>(name.axes.size()), name.per_particle()});
+    if (any_letter)
+      names.sightings.indexed.insert({name.base, static_cast<int>(name.axes.size()), name.per_particle()});
   });
 }
 
@@ -202,7 +216,8 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Name
   for (const WrittenIndex& index : symbol.lower) {
     const bool particle = names.is_particle_letter(index.text) && index.form != IndexForm::word;
     const bool axis_digit = index.form == IndexForm::digit && index.text >= "1" && index.text <= "3";
-    const bool axis_letter = is_small_latin(index) && (letters.is_index(index.text) || axis_of_letter(index.text) != 0);
+    const bool axis_letter =
+        is_small_latin(index) && (letters.is_index(index.text) || axis_of_letter(index.text) != 0);
     if (particle) {
       name.particles.push_back(index);
     } else if (axis_digit || axis_letter) {
@@ -219,18 +234,21 @@ std::string with_labels(const std::string& base, const std::vector<WrittenIndex>
   if (labels.empty()) return base;
   std::string text = base + "_{";
   for (const WrittenIndex& label : labels) {
-    text += label.form == IndexForm::word && !label.text.starts_with('\\') ? "\\text{" + label.text + "}" : label.text;
+    text += label.form == IndexForm::word && !label.text.starts_with('\\') ? "\\text{" + label.text + "}"
+                                                                           : label.text;
     text += std::string(label.primes, '\'');
   }
   return text + "}";
 }
 
 bool is_kronecker(const WrittenSymbol& symbol) {
-  return symbol.letter == "\\delta" && symbol.face == Face::plain && symbol.accent == Accent::none && symbol.lower.size() == 2;
+  return symbol.letter == "\\delta" && symbol.face == Face::plain && symbol.accent == Accent::none &&
+         symbol.lower.size() == 2;
 }
 
 bool is_levi_civita(const WrittenSymbol& symbol) {
-  return symbol.letter == "\\epsilon" && symbol.face == Face::plain && symbol.accent == Accent::none && symbol.lower.size() == 3;
+  return symbol.letter == "\\epsilon" && symbol.face == Face::plain && symbol.accent == Accent::none &&
+         symbol.lower.size() == 3;
 }
 
 bool is_basis_family(const WrittenSymbol& symbol) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of a statement's subscript letters are indices and which are labels. `v_i` next to `v_f` is an initial velocity;
+// Which of a statement's subscript letters are indices and which are labels. `v_i` next to `v_f` is an
+// initial velocity;
 // `\epsilon_{abc}` makes a, b, c indices; i … n are indices unless the statement says otherwise.
 #pragma once
 
@@ -18,20 +19,24 @@ struct Letters {
   std::set<std::string> indexed_vectors;  // bases that occur with one index letter in this statement
   std::set<std::string> bold_vectors;     // bases that occur in bold or under an arrow in this statement
   std::set<std::string> bare;             // plain letters that stand without a subscript
-  bool evidence = false;                  // something shows that index notation is meant: δ, ε, a component of a vector, a repetition
+  bool evidence =
+      false;  // something shows that index notation is meant: δ, ε, a component of a vector, a repetition
 
   [[nodiscard]] bool is_index(const std::string& letter) const;
 };
 
 /// Looks at all sides of one statement.
-[[nodiscard]] Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names);
+[[nodiscard]] Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
+                                   const Names& names);
 
-/// Notes how every symbol of a statement is written. Passes in this order over the whole file: sums, then faces, then indices.
+/// Notes how every symbol of a statement is written. Passes in this order over the whole file: sums, then
+/// faces, then indices.
 void sight_sums(const SyntaxTree& syntax, SyntaxId root, Sightings& sightings);
 void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names);
 void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Names& names);
 
-/// A written symbol taken apart: its base (letter, accent, primes, labels), and the subscripts that may be indices.
+/// A written symbol taken apart: its base (letter, accent, primes, labels), and the subscripts that may be
+/// indices.
 struct WrittenName {
   std::string base;                     // `r`, `T_{rot}`, `\hat{n}`, `r'`: the same for every face
   std::vector<WrittenIndex> axes;       // digits, index letters and x, y, z, in order

@@ -53,7 +53,9 @@ bool Names::is_particle_letter(const std::string& letter) {
 
 void Names::define(NamedDefinition definition) {
   definition.depth = definition.origin.directive ? depth_ : 0;
-  std::erase_if(definitions_, [&](const NamedDefinition& old) { return old.definition.symbol == definition.definition.symbol; });
+  std::erase_if(definitions_, [&](const NamedDefinition& old) {
+    return old.definition.symbol == definition.definition.symbol;
+  });
   definitions_.push_back(std::move(definition));
 }
 
@@ -63,33 +65,35 @@ void Names::assume(NamedAssumption assumption) {
 }
 
 const NamedDefinition* Names::definition_of(SymbolId symbol) const {
-  const auto found = std::find_if(definitions_.begin(), definitions_.end(),
-                                  [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
+  const auto found =
+      std::find_if(definitions_.begin(), definitions_.end(),
+                   [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
   return found == definitions_.end() ? nullptr : &*found;
 }
 
 void Names::forget_definition(SymbolId symbol) {
-  std::erase_if(definitions_, [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
+  std::erase_if(definitions_,
+                [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
 }
 
 void Names::open_section(int level) {
   const auto closed = [&](const auto& entry) { return entry.depth >= level; };
   std::erase_if(entries_, [&](const auto& entry) { return entry.second.directive && closed(entry.second); });
   std::erase_if(particle_letters_, [&](const auto& entry) { return closed(entry.second); });
-  std::erase_if(definitions_, [&](const NamedDefinition& entry) { return entry.origin.directive && closed(entry); });
+  std::erase_if(definitions_,
+                [&](const NamedDefinition& entry) { return entry.origin.directive && closed(entry); });
   std::erase_if(assumptions_, closed);
   std::erase_if(seen_, [&](const auto& entry) { return entry.second >= level; });
   depth_ = level;
 }
 
-void Names::mark_used(std::size_t directive) {
-  used_.insert(directive);
-}
+void Names::mark_used(std::size_t directive) { used_.insert(directive); }
 
 std::vector<std::string> Names::known_names(const ExprTree& tree) const {
   std::vector<std::string> names;
   for (const auto& [key, entry] : entries_) {
-    const bool known = entry.directive.has_value() || definition_of(entry.symbol) != nullptr || seen_in_equation(entry.symbol);
+    const bool known = entry.directive.has_value() || definition_of(entry.symbol) != nullptr ||
+                       seen_in_equation(entry.symbol);
     if (known) names.push_back(tree.symbols[entry.symbol].name);
   }
   return names;

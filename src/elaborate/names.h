@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the letters of one file stand for: which symbols were seen, declared, defined and assumed, and where each holds.
+// What the letters of one file stand for: which symbols were seen, declared, defined and assumed, and where
+// each holds.
 #pragma once
 
 #include <compare>
@@ -15,7 +16,8 @@
 
 namespace rigor {
 
-/// A symbol's name apart from indices: `r`, `T_{\text{rot}}`, `\hat{n}`. `A_i` and `\mathbf{A}` share one key, `I` and `I_{ij}` do not.
+/// A symbol's name apart from indices: `r`, `T_{\text{rot}}`, `\hat{n}`. `A_i` and `\mathbf{A}` share one
+/// key, `I` and `I_{ij}` do not.
 struct NameKey {
   std::string base;
   int rank = 0;
@@ -25,12 +27,12 @@ struct NameKey {
 
 /// How a symbol was written somewhere in the file.
 struct Sightings {
-  std::set<std::pair<std::string, bool>> bold;          // base, per particle: `\mathbf{A}` without a letter index
-  std::set<std::string> bold_indexed;                   // `\boldsymbol\omega_i`
-  std::set<NameKey> indexed;                            // rank = number of letter indices: `I_{ij}`
-  std::set<std::string> summed_greek;                   // `\alpha` of some \sum_\alpha
-  std::set<std::string> crossed;                        // bases of bold factors of a cross product
-  bool hatted_ij = false;                               // \hat\imath or \hat\jmath: then \hat k is an axis as well
+  std::set<std::pair<std::string, bool>> bold;  // base, per particle: `\mathbf{A}` without a letter index
+  std::set<std::string> bold_indexed;           // `\boldsymbol\omega_i`
+  std::set<NameKey> indexed;                    // rank = number of letter indices: `I_{ij}`
+  std::set<std::string> summed_greek;           // `\alpha` of some \sum_\alpha
+  std::set<std::string> crossed;                // bases of bold factors of a cross product
+  bool hatted_ij = false;                       // \hat\imath or \hat\jmath: then \hat k is an axis as well
 };
 
 /// A directive or an equation that brought something into scope.
@@ -63,7 +65,8 @@ class Names {
   [[nodiscard]] std::optional<SymbolId> find(const NameKey& key) const;
   [[nodiscard]] bool is_declared(const NameKey& key) const;
 
-  /// Declares kind and properties from here to the end of the section; an earlier symbol of this key is forgotten.
+  /// Declares kind and properties from here to the end of the section; an earlier symbol of this key is
+  /// forgotten.
   SymbolId declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::size_t directive);
   void declare_particles(const std::string& letter, std::size_t directive);
   [[nodiscard]] bool is_particle_letter(const std::string& letter);
@@ -71,7 +74,9 @@ class Names {
   [[nodiscard]] bool labels_particles(const std::string& letter) const {
     return particle_letters_.contains(letter) || sightings.summed_greek.contains(letter);
   }
-  [[nodiscard]] bool is_declared_particle(const std::string& letter) const { return particle_letters_.contains(letter); }
+  [[nodiscard]] bool is_declared_particle(const std::string& letter) const {
+    return particle_letters_.contains(letter);
+  }
 
   void define(NamedDefinition definition);
   void assume(NamedAssumption assumption);
@@ -87,7 +92,8 @@ class Names {
   /// A heading of this level closes all sections of its level and below, with what their directives declared.
   void open_section(int level);
 
-  /// Was the symbol part of an equation before, in this section or one around it? (A declaration alone is not.)
+  /// Was the symbol part of an equation before, in this section or one around it? (A declaration alone is
+  /// not.)
   [[nodiscard]] bool seen_in_equation(SymbolId symbol) const { return seen_.contains(symbol); }
   void mark_seen(SymbolId symbol) { seen_.emplace(symbol, depth_); }
 

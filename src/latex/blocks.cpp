@@ -13,26 +13,31 @@ namespace {
 enum class Remark { connective, condition, quantifier, remark, doubt };
 
 std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
 bool has_word(const std::string& text, std::string_view word) {
-  const auto letter = [&](std::size_t at) { return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0; };
+  const auto letter = [&](std::size_t at) {
+    return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
+  };
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
     if ((at == 0 || !letter(at - 1)) && !letter(at + word.size())) return true;
   }
   return false;
 }
 
-/// Words that name an equation, its parts or its source, and restrict nothing. A capital begins a name: `Lagrange`.
+/// Words that name an equation, its parts or its source, and restrict nothing. A capital begins a name:
+/// `Lagrange`.
 bool names_only(const std::string& words) {
-  static constexpr std::array harmless{"identity", "theorem", "rule",   "law",    "definition", "by",     "using",   "from",
-                                       "see",      "eq",      "eqs",    "equation", "proof",    "check",  "qed",     "the",
-                                       "a",        "of",      "this",   "is",     "we",         "have",   "get",     "find",
-                                       "recall",   "note",    "orbital", "spin",  "kinetic",    "energy", "total",   "mass",
-                                       "torque",   "momentum", "angular", "inertia", "tensor",  "moment", "scalar",  "vector",
-                                       "dot",      "cross",   "triple", "product", "expand",    "contract", "rename", "rearrange"};
+  static constexpr std::array harmless{
+      "identity", "theorem",  "rule",    "law",      "definition", "by",       "using",  "from",
+      "see",      "eq",       "eqs",     "equation", "proof",      "check",    "qed",    "the",
+      "a",        "of",       "this",    "is",       "we",         "have",     "get",    "find",
+      "recall",   "note",     "orbital", "spin",     "kinetic",    "energy",   "total",  "mass",
+      "torque",   "momentum", "angular", "inertia",  "tensor",     "moment",   "scalar", "vector",
+      "dot",      "cross",    "triple",  "product",  "expand",     "contract", "rename", "rearrange"};
   std::string word;
   const auto is_harmless = [&] {
     if (word.empty() || std::isupper(static_cast<unsigned char>(word[0])) != 0) return true;
@@ -52,12 +57,15 @@ bool names_only(const std::string& words) {
 /// What words beside an equation do to it: join the next, restrict it, quantify it, or nothing.
 Remark classify(const std::string& words) {
   const std::string text = lowered(words);
-  static constexpr std::array conditions{"if",   "when", "where",  "whenever", "unless", "provided", "only",  "no sum", "not summed",
-                                         "with", "since", "given", "assuming", "limit",  "sum",      "summed", "let",   "suppose",
-                                         "except", "as",  "near", "until", "otherwise", "modulo", "mod", "not", "approximately", "cyclic", "permutations", "etc"};
+  static constexpr std::array conditions{
+      "if",         "when",    "where",         "whenever", "unless",       "provided", "only",      "no sum",
+      "not summed", "with",    "since",         "given",    "assuming",     "limit",    "sum",       "summed",
+      "let",        "suppose", "except",        "as",       "near",         "until",    "otherwise", "modulo",
+      "mod",        "not",     "approximately", "cyclic",   "permutations", "etc"};
   static constexpr std::array quantifiers{"for all", "for any", "for every", "for each"};
-  static constexpr std::array connectives{"and", "or", "so", "thus", "hence", "therefore", "i.e", "that is", "also", "while", "but",
-                                          "so that", "giving", "gives", "similarly", "likewise"};
+  static constexpr std::array connectives{"and",    "or",      "so",        "thus",    "hence", "therefore",
+                                          "i.e",    "that is", "also",      "while",   "but",   "so that",
+                                          "giving", "gives",   "similarly", "likewise"};
   for (const char* word : quantifiers) {
     if (has_word(text, word)) return Remark::quantifier;
   }
@@ -79,12 +87,14 @@ struct Block {
 /// A block in brackets that is an equation number: `(6)`, `(2.3a)`, `(A1')`.
 bool is_tag(TokenView block) {
   block = trim(block);
-  if (block.size() < 3 || block.size() > 10 || !is_sign(block.front(), "(") || !is_sign(block.back(), ")")) return false;
+  if (block.size() < 3 || block.size() > 10 || !is_sign(block.front(), "(") || !is_sign(block.back(), ")"))
+    return false;
   bool digit = false;
   for (const Token& token : block.subspan(1, block.size() - 2)) {
     digit = digit || token.kind == TokenKind::digit;
-    const bool fits = token.kind == TokenKind::digit || is_sign(token, ".") || is_sign(token, "'") || is_sign(token, "-") ||
-                      is_sign(token, "*") || (token.kind == TokenKind::letter && token.text.size() == 1);
+    const bool fits = token.kind == TokenKind::digit || is_sign(token, ".") || is_sign(token, "'") ||
+                      is_sign(token, "-") || is_sign(token, "*") ||
+                      (token.kind == TokenKind::letter && token.text.size() == 1);
     if (!fits) return false;
   }
   return digit;
@@ -103,15 +113,16 @@ bool is_index_range(TokenView block) {
     if (i % 2 == 0 ? std::islower(static_cast<unsigned char>(text[i])) == 0 : text[i] != ',') return false;
   }
   const std::string range = text.substr(equal + 1);
-  return range == "1,2,3" || range == "1,2,3." || range == "1\\ldots3" || range == "1,\\ldots,3" || range == "1,\\dots,3" ||
-         range == "x,y,z" || range == "x,y,z.";
+  return range == "1,2,3" || range == "1,2,3." || range == "1\\ldots3" || range == "1,\\ldots,3" ||
+         range == "1,\\dots,3" || range == "x,y,z" || range == "x,y,z.";
 }
 
 bool is_ornament(TokenView block) {
   return std::all_of(block.begin(), block.end(), [](const Token& token) {
-    return is_blank(token) || is_spacing(token) || is_sign(token, ".") || is_sign(token, ",") || is_sign(token, ";") || is_sign(token, ":") ||
-           is_control(token, "checkmark") || is_control(token, "blacksquare") || is_control(token, "qed") ||
-           is_control(token, "Box") || is_control(token, "therefore") || is_control(token, "because");
+    return is_blank(token) || is_spacing(token) || is_sign(token, ".") || is_sign(token, ",") ||
+           is_sign(token, ";") || is_sign(token, ":") || is_control(token, "checkmark") ||
+           is_control(token, "blacksquare") || is_control(token, "qed") || is_control(token, "Box") ||
+           is_control(token, "therefore") || is_control(token, "because");
   });
 }
 
@@ -142,7 +153,10 @@ class StatementSplitter {
 
   void set_doubt(const std::string& words) {
     if (doubt_) return;
-    doubt_ = Obstacle{DiagnosticKind::unsupported, fmt::format("the words `{}` beside the equation may restrict it and are not read", words), {}};
+    doubt_ =
+        Obstacle{DiagnosticKind::unsupported,
+                 fmt::format("the words `{}` beside the equation may restrict it and are not read", words),
+                 {}};
   }
 
   /// Boundaries: wide space, words, implications; each only where an equation stands complete before it.
@@ -169,7 +183,8 @@ class StatementSplitter {
         continue;
       }
       if (depth == 0 && relation_kind(token) == RelationKind::implies) {
-        set_condition(token.span, fmt::format("`{}` between equations is not decided yet", text_of({&token, 1})));
+        set_condition(token.span,
+                      fmt::format("`{}` between equations is not decided yet", text_of({&token, 1})));
         cut();
         ++at;
         continue;
@@ -187,13 +202,12 @@ class StatementSplitter {
   }
 
   /// `\text{…}` where an operand is due is part of the expression: `\text{torque} = …`, `m = \text{const}`.
-  static bool wants_operand(TokenView block) {
-    return ends_open(block) && !trim(block).empty();
-  }
+  static bool wants_operand(TokenView block) { return ends_open(block) && !trim(block).empty(); }
 
   /// Behind an equation, a remark in brackets ends at a wide space as well: `(\text{Kronecker}) \quad (17)`.
   bool is_remark_end(TokenView block, std::size_t next) const {
-    return !blocks_.empty() && !has_relation(block) && !ends_open(block) && !trim(block).empty() && goes_on_elsewhere(next);
+    return !blocks_.empty() && !has_relation(block) && !ends_open(block) && !trim(block).empty() &&
+           goes_on_elsewhere(next);
   }
 
   bool may_end(TokenView block, std::size_t next) const {
@@ -212,7 +226,9 @@ class StatementSplitter {
   void note_words(Span span, const std::string& words) {
     switch (classify(words)) {
       case Remark::condition:
-        set_condition(span, fmt::format("the words `{}` beside the equation change what it says and are not read", words));
+        set_condition(
+            span,
+            fmt::format("the words `{}` beside the equation change what it says and are not read", words));
         return;
       case Remark::doubt:
         set_doubt(words);
@@ -232,7 +248,8 @@ class StatementSplitter {
       return;
     }
     if (!chains_.empty() && relates_index_letters(tokens)) {
-      set_condition(block.span(), fmt::format("the condition `{}` beside the equation is not read yet", text_of(tokens)));
+      set_condition(block.span(),
+                    fmt::format("the condition `{}` beside the equation is not read yet", text_of(tokens)));
       return;
     }
     if (!has_relation(tokens) && !chains_.empty()) {
@@ -253,14 +270,17 @@ class StatementSplitter {
         at = argument.next;
         continue;
       }
-      only_words = only_words && (is_sign(tokens[at], "(") || is_sign(tokens[at], ")") || is_sign(tokens[at], "[") ||
-                                  is_sign(tokens[at], "]") || is_ornament(tokens.subspan(at, 1)));
+      only_words =
+          only_words && (is_sign(tokens[at], "(") || is_sign(tokens[at], ")") || is_sign(tokens[at], "[") ||
+                         is_sign(tokens[at], "]") || is_ornament(tokens.subspan(at, 1)));
       ++at;
     }
     const Remark kind = classify(words);
     if (only_words && kind == Remark::doubt) set_doubt(trim(tokens).empty() ? words : text_of(tokens));
     if (only_words && kind != Remark::condition) return;
-    set_condition(span_of(tokens), fmt::format("`{}` beside the equation may change what it says and is not read", text_of(tokens)));
+    set_condition(
+        span_of(tokens),
+        fmt::format("`{}` beside the equation may change what it says and is not read", text_of(tokens)));
   }
 
   /// Commas separate equations where every piece is one; `a = b, i = 1, 2, 3` keeps its range out.
@@ -286,7 +306,8 @@ class StatementSplitter {
     if (!separate) pieces = {tokens};
     for (const TokenView piece : pieces) {
       if (!chains_.empty() && relates_index_letters(piece)) {
-        set_condition(span_of(piece), fmt::format("the condition `{}` beside the equation is not read yet", text_of(piece)));
+        set_condition(span_of(piece),
+                      fmt::format("the condition `{}` beside the equation is not read yet", text_of(piece)));
       } else {
         chains_.push_back(chain_of(piece));
       }
@@ -306,8 +327,9 @@ class StatementSplitter {
 
 TokenView without_punctuation(TokenView tokens) {
   tokens = trim(tokens);
-  while (!tokens.empty() && (is_spacing(tokens.back()) || is_sign(tokens.back(), ".") || is_sign(tokens.back(), ",") ||
-                             is_sign(tokens.back(), ";") || is_sign(tokens.back(), ":"))) {
+  while (!tokens.empty() &&
+         (is_spacing(tokens.back()) || is_sign(tokens.back(), ".") || is_sign(tokens.back(), ",") ||
+          is_sign(tokens.back(), ";") || is_sign(tokens.back(), ":"))) {
     tokens = trim(tokens.first(tokens.size() - 1));
   }
   while (!tokens.empty() && is_spacing(tokens.front())) tokens = tokens.subspan(1);
@@ -331,13 +353,17 @@ std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
     const std::string mark = text_of(above.content);
     RelationKind kind = relation_kind(trim(below.content).front()).value_or(RelationKind::equal);
     if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
-    if (mark.find("def") != std::string::npos || mark.find("triangle") != std::string::npos) kind = RelationKind::defines;
-    return RelationAt{{kind, cover(token.span, span_of(below.content)), text_of(tokens.subspan(at, below.next - at))}, below.next};
+    if (mark.find("def") != std::string::npos || mark.find("triangle") != std::string::npos)
+      kind = RelationKind::defines;
+    return RelationAt{
+        {kind, cover(token.span, span_of(below.content)), text_of(tokens.subspan(at, below.next - at))},
+        below.next};
   }
   if (is_control(token, "not") && at + 1 < tokens.size() && relation_kind(tokens[at + 1])) {
     return RelationAt{{RelationKind::other, cover(token.span, tokens[at + 1].span), "\\not="}, at + 2};
   }
-  if (const auto kind = relation_kind(token)) return RelationAt{{*kind, token.span, text_of({&token, 1})}, at + 1};
+  if (const auto kind = relation_kind(token))
+    return RelationAt{{*kind, token.span, text_of({&token, 1})}, at + 1};
   return std::nullopt;
 }
 
@@ -377,9 +403,7 @@ WrittenChain StatementSplitter::chain_of(TokenView tokens) {
 
 }  // namespace
 
-std::vector<WrittenChain> split_statement(TokenView tokens) {
-  return StatementSplitter(tokens).split();
-}
+std::vector<WrittenChain> split_statement(TokenView tokens) { return StatementSplitter(tokens).split(); }
 
 std::size_t first_significant(TokenView tokens, std::size_t at) {
   while (at < tokens.size() && (is_blank(tokens[at]) || is_spacing(tokens[at]))) ++at;
@@ -388,7 +412,9 @@ std::size_t first_significant(TokenView tokens, std::size_t at) {
 
 bool is_stacked_relation(TokenView tokens, std::size_t at) {
   if (at >= tokens.size()) return false;
-  if (!is_control(tokens[at], "overset") && !is_control(tokens[at], "stackrel") && !is_control(tokens[at], "underset")) return false;
+  if (!is_control(tokens[at], "overset") && !is_control(tokens[at], "stackrel") &&
+      !is_control(tokens[at], "underset"))
+    return false;
   const Argument above = argument_at(tokens, at + 1);
   const TokenView below = trim(argument_at(tokens, above.next).content);
   return below.size() == 1 && relation_kind(below.front()).has_value() &&
@@ -408,23 +434,29 @@ bool has_relation(TokenView tokens) {
 bool relates_index_letters(TokenView block) {
   bool relation = false;
   for (const Token& token : block) {
-    if (is_blank(token) || is_spacing(token) || is_sign(token, "(") || is_sign(token, ")") || is_sign(token, ",")) continue;
+    if (is_blank(token) || is_spacing(token) || is_sign(token, "(") || is_sign(token, ")") ||
+        is_sign(token, ","))
+      continue;
     if (relation_kind(token).has_value()) {
       relation = true;
       continue;
     }
-    if (token.kind != TokenKind::letter || token.text.size() != 1 || token.text[0] < 'i' || token.text[0] > 'n') return false;
+    if (token.kind != TokenKind::letter || token.text.size() != 1 || token.text[0] < 'i' ||
+        token.text[0] > 'n')
+      return false;
   }
   return relation;
 }
 
 bool ends_open(TokenView tokens) {
   tokens = trim(tokens);
-  while (!tokens.empty() && (is_spacing(tokens.back()) || is_wide_space(tokens.back()))) tokens = trim(tokens.first(tokens.size() - 1));
+  while (!tokens.empty() && (is_spacing(tokens.back()) || is_wide_space(tokens.back())))
+    tokens = trim(tokens.first(tokens.size() - 1));
   if (tokens.empty()) return false;
   if (is_script_argument(tokens, tokens.size() - 1)) return false;
   const Token& last = tokens.back();
-  return relation_kind(last).has_value() || is_sign(last, "+") || is_sign(last, "-") || factor_joint(last) != Joint::none;
+  return relation_kind(last).has_value() || is_sign(last, "+") || is_sign(last, "-") ||
+         factor_joint(last) != Joint::none;
 }
 
 }  // namespace rigor

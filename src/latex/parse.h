@@ -7,11 +7,13 @@
 
 namespace rigor {
 
-/// How deep brackets may nest; more is `nesting_too_deep`. The recursion of every later pass is bounded by this.
+/// How deep brackets may nest; more is `nesting_too_deep`. The recursion of every later pass is bounded by
+/// this.
 inline constexpr int max_nesting = 200;
 
-/// Always gives a node. What cannot be read is an opaque node with its reason and place; the rest of the side is read all the same.
-/// Products: juxtaposition, `\cdot`, `\times` and `/` are kept in a row as written (SyntaxKind::term); precedence is a matter of meaning.
+/// Always gives a node. What cannot be read is an opaque node with its reason and place; the rest of the side
+/// is read all the same. Products: juxtaposition, `\cdot`, `\times` and `/` are kept in a row as written
+/// (SyntaxKind::term); precedence is a matter of meaning.
 /// `\sum` takes the rest of its term. Cost: linear in the tokens, times the nesting.
 [[nodiscard]] SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree);
 

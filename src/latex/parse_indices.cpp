@@ -32,8 +32,10 @@ TokenView letter_run(TokenView tokens, std::size_t at) {
 
 /// `A_\perp`, `n_+`, `M_\odot`: signs that name a quantity.
 bool is_label_sign(const Token& token) {
-  static constexpr std::string_view controls[] = {"perp", "parallel", "pm", "mp", "infty", "odot", "oplus", "circ", "ast", "star"};
-  if (token.kind == TokenKind::control) return std::find(std::begin(controls), std::end(controls), token.text) != std::end(controls);
+  static constexpr std::string_view controls[] = {"perp", "parallel", "pm",   "mp",  "infty",
+                                                  "odot", "oplus",    "circ", "ast", "star"};
+  if (token.kind == TokenKind::control)
+    return std::find(std::begin(controls), std::end(controls), token.text) != std::end(controls);
   return false;
 }
 
@@ -47,7 +49,9 @@ class IndexReader {
   }
 
  private:
-  void add(std::string text, IndexForm form, Span span) { reading_.indices.push_back({std::move(text), form, 0, span}); }
+  void add(std::string text, IndexForm form, Span span) {
+    reading_.indices.push_back({std::move(text), form, 0, span});
+  }
 
   void step() {
     const Token& token = tokens_[at_];
@@ -88,8 +92,9 @@ class IndexReader {
   void superscript() {
     const Argument argument = argument_at(tokens_, at_ + 1);
     const bool primes = !trim(argument.content).empty() &&
-                        std::all_of(argument.content.begin(), argument.content.end(),
-                                    [](const Token& token) { return is_control(token, "prime") || is_sign(token, "'"); });
+                        std::all_of(argument.content.begin(), argument.content.end(), [](const Token& token) {
+                          return is_control(token, "prime") || is_sign(token, "'");
+                        });
     if (!primes || reading_.indices.empty()) {
       refuse("a superscript inside a subscript is not read");
       return;
@@ -106,7 +111,8 @@ class IndexReader {
       return;
     }
     const std::string letter = letter_of(token);
-    const bool lone_sign = tokens_.size() == 1 && (is_sign(token, "+") || is_sign(token, "-") || is_sign(token, "*"));
+    const bool lone_sign =
+        tokens_.size() == 1 && (is_sign(token, "+") || is_sign(token, "-") || is_sign(token, "*"));
     if (letter.empty() && (lone_sign || is_label_sign(token))) {
       add(text_of({&token, 1}), IndexForm::word, token.span);
       ++at_;
@@ -114,7 +120,7 @@ class IndexReader {
     }
     if (letter.empty()) {
       refuse(is_sign(token, ",") ? "a comma in a subscript can separate indices or be a derivative"
-                                             : fmt::format("`{}` in a subscript is not read", text_of({&token, 1})));
+                                 : fmt::format("`{}` in a subscript is not read", text_of({&token, 1})));
       return;
     }
     add(letter, is_greek(letter) ? IndexForm::greek : IndexForm::letter, token.span);
@@ -134,25 +140,28 @@ class IndexReader {
 
 }  // namespace
 
-IndexReading read_indices(TokenView tokens) {
-  return IndexReader(tokens).read();
-}
+IndexReading read_indices(TokenView tokens) { return IndexReader(tokens).read(); }
 
 SumReading read_sum_bounds(TokenView lower, TokenView upper) {
   SumReading reading;
-  const auto equal = std::find_if(lower.begin(), lower.end(), [](const Token& token) { return is_sign(token, "="); });
+  const auto equal =
+      std::find_if(lower.begin(), lower.end(), [](const Token& token) { return is_sign(token, "="); });
   const TokenView names = lower.first(static_cast<std::size_t>(equal - lower.begin()));
   if (equal != lower.end()) reading.sum.from = text_of(lower.subspan(names.size() + 1));
   reading.sum.to = text_of(upper);
   Tokens letters;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(letters), [](const Token& token) { return !is_sign(token, ","); });
+  std::copy_if(names.begin(), names.end(), std::back_inserter(letters),
+               [](const Token& token) { return !is_sign(token, ","); });
   IndexReading indices = read_indices(letters);
   if (indices.obstacle) {
-    reading.obstacle = Obstacle{DiagnosticKind::unsupported, fmt::format("a sum over `{}` is not read", text_of(lower)), {}};
+    reading.obstacle =
+        Obstacle{DiagnosticKind::unsupported, fmt::format("a sum over `{}` is not read", text_of(lower)), {}};
   }
   reading.sum.indices = std::move(indices.indices);
   if (reading.sum.indices.empty() && !reading.obstacle) {
-    reading.obstacle = Obstacle{DiagnosticKind::unsupported, "the sum does not say over which index", {"write `\\sum_\\alpha` or `\\sum_i`"}};
+    reading.obstacle = Obstacle{DiagnosticKind::unsupported,
+                                "the sum does not say over which index",
+                                {"write `\\sum_\\alpha` or `\\sum_i`"}};
   }
   return reading;
 }

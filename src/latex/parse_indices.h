@@ -15,7 +15,8 @@ struct IndexReading {
   std::optional<Obstacle> obstacle;
 };
 
-/// The contents of a subscript: `ijk`, `\alpha i`, `i'j`, `12`, `\text{rot}`, `cm`. A comma, a sign or a bold letter is an obstacle.
+/// The contents of a subscript: `ijk`, `\alpha i`, `i'j`, `12`, `\text{rot}`, `cm`. A comma, a sign or a bold
+/// letter is an obstacle.
 [[nodiscard]] IndexReading read_indices(TokenView tokens);
 
 /// The contents of a sum's subscript: `i`, `i=1`, `i,j`, `\alpha`; conditions such as `i<j` are obstacles.

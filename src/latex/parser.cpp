@@ -26,7 +26,8 @@ void skip_empty_group(Parser::Cursor& cursor) {
   if (cursor.done() || cursor.token().kind != TokenKind::begin_group) return;
   const Argument group = argument_at(cursor.tokens, cursor.at);
   const std::size_t behind = skip_blank(cursor.tokens, group.next);
-  if (trim(group.content).empty() && behind < cursor.tokens.size() && is_script(cursor.tokens[behind])) cursor.at = behind;
+  if (trim(group.content).empty() && behind < cursor.tokens.size() && is_script(cursor.tokens[behind]))
+    cursor.at = behind;
 }
 
 /// Behind an empty group: does a sum go on (then the group is 0), or a product (then it is 1)?
@@ -47,7 +48,8 @@ SyntaxId Parser::opaque(Span span, std::string message, DiagnosticKind kind, std
 
 SyntaxId Parser::inner(TokenView tokens, Span place) {
   if (depth_ >= max_nesting) {
-    return opaque(place, fmt::format("brackets nest deeper than {} levels", max_nesting), DiagnosticKind::nesting_too_deep);
+    return opaque(place, fmt::format("brackets nest deeper than {} levels", max_nesting),
+                  DiagnosticKind::nesting_too_deep);
   }
   return Parser(tree_, depth_ + 1).expression(tokens, place);
 }
@@ -73,7 +75,9 @@ SyntaxId Parser::expression(TokenView tokens, Span place) {
       cursor.skip_spacing();
     }
     if (cursor.done()) {
-      terms.push_back({opaque(joint_span, "an operand is missing behind the sign", DiagnosticKind::bad_syntax), joint, joint_span});
+      terms.push_back(
+          {opaque(joint_span, "an operand is missing behind the sign", DiagnosticKind::bad_syntax), joint,
+           joint_span});
       break;
     }
     const SyntaxId node = term(cursor);
@@ -96,7 +100,9 @@ SyntaxId Parser::term(Cursor& cursor) {
     if (ends && (joint == Joint::none || joint == Joint::juxtaposed || cursor.done())) break;
     if (const Joint sign = factor_joint(cursor.token()); sign != Joint::none) {
       if (joint == Joint::dot || joint == Joint::cross || joint == Joint::slash || factors.empty()) {
-        factors.push_back({opaque(cursor.token().span, "an operand is missing before this sign", DiagnosticKind::bad_syntax), joint});
+        factors.push_back({opaque(cursor.token().span, "an operand is missing before this sign",
+                                  DiagnosticKind::bad_syntax),
+                           joint});
       }
       joint = sign;
       joint_span = cursor.token().span;
@@ -108,7 +114,9 @@ SyntaxId Parser::term(Cursor& cursor) {
     if (!cursor.done()) joint_span = cursor.token().span;
   }
   if (joint == Joint::dot || joint == Joint::cross || joint == Joint::slash || factors.empty()) {
-    factors.push_back({opaque(joint_span, "an operand is missing behind this sign", DiagnosticKind::bad_syntax), joint, joint_span});
+    factors.push_back(
+        {opaque(joint_span, "an operand is missing behind this sign", DiagnosticKind::bad_syntax), joint,
+         joint_span});
   }
   if (factors.size() == 1) return factors[0].id;
   Span span = tree_[factors.front().id].span;
@@ -120,7 +128,8 @@ SyntaxId Parser::factor(Cursor& cursor) {
   if (depth_ >= max_nesting) {
     const Span place = cursor.token().span;
     cursor.at = cursor.tokens.size();
-    return opaque(place, fmt::format("this nests deeper than {} levels", max_nesting), DiagnosticKind::nesting_too_deep);
+    return opaque(place, fmt::format("this nests deeper than {} levels", max_nesting),
+                  DiagnosticKind::nesting_too_deep);
   }
   ++depth_;
   const SyntaxId node = sign_joint(cursor.token()) ? signed_factor(cursor) : scripts(cursor, primary(cursor));
@@ -133,7 +142,8 @@ SyntaxId Parser::signed_factor(Cursor& cursor) {
   const Joint sign = *sign_joint(cursor.token());
   ++cursor.at;
   cursor.skip_spacing();
-  if (cursor.done()) return opaque(place, "an operand is missing behind the sign", DiagnosticKind::bad_syntax);
+  if (cursor.done())
+    return opaque(place, "an operand is missing behind the sign", DiagnosticKind::bad_syntax);
   const SyntaxChild child{factor(cursor), sign, place};
   return tree_.add(SyntaxKind::sum, cover(place, tree_[child.id].span), {&child, 1});
 }
@@ -156,7 +166,8 @@ SyntaxId Parser::primary(Cursor& cursor) {
         cursor.at = script_argument_at(cursor.tokens, behind + 1).next;
         return opaque(token.span, "a script before its symbol is not read");
       }
-      if (trim(group.content).empty()) return tree_.add_text(SyntaxKind::number, token.span, cursor_wants_zero(cursor) ? "0" : "1");
+      if (trim(group.content).empty())
+        return tree_.add_text(SyntaxKind::number, token.span, cursor_wants_zero(cursor) ? "0" : "1");
       return inner(group.content, token.span);
     }
     default:
@@ -164,7 +175,8 @@ SyntaxId Parser::primary(Cursor& cursor) {
   }
   if (is_sign(token, "(") || is_sign(token, "[")) return bracketed(cursor);
   if (is_sign(token, "|")) return bars(cursor);
-  if (is_sign(token, ".") && cursor.at + 1 < cursor.tokens.size() && cursor.tokens[cursor.at + 1].kind == TokenKind::digit) {
+  if (is_sign(token, ".") && cursor.at + 1 < cursor.tokens.size() &&
+      cursor.tokens[cursor.at + 1].kind == TokenKind::digit) {
     return number(cursor);
   }
   ++cursor.at;
@@ -191,15 +203,18 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
       continue;
     }
     const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at);
-    const Span place = cover(script.span, span_of(cursor.tokens.subspan(cursor.at, argument.next - cursor.at)));
+    const Span place =
+        cover(script.span, span_of(cursor.tokens.subspan(cursor.at, argument.next - cursor.at)));
     cursor.at = argument.next;
-    base = script.kind == TokenKind::subscript ? add_indices(base, argument.content, place) : exponent(base, argument.content, place);
+    base = script.kind == TokenKind::subscript ? add_indices(base, argument.content, place)
+                                               : exponent(base, argument.content, place);
   }
 }
 
 SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {
   const Span span = cover(tree_[base].span, place);
-  if (tree_[base].kind != SyntaxKind::symbol) return opaque(span, "a prime behind this expression is not read");
+  if (tree_[base].kind != SyntaxKind::symbol)
+    return opaque(span, "a prime behind this expression is not read");
   WrittenSymbol symbol = tree_.symbol(base);
   symbol.primes = static_cast<std::uint8_t>(symbol.primes + primes);
   return tree_.add_symbol(span, std::move(symbol));
@@ -208,8 +223,10 @@ SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {
 SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind == SyntaxKind::opaque) return base;
-  if (tree_[base].kind == SyntaxKind::power && tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol) {  // v^2_x
-    const SyntaxChild children[] = {{add_indices(tree_.child(base, 0), content, place)}, {tree_.child(base, 1)}};
+  if (tree_[base].kind == SyntaxKind::power &&
+      tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol) {  // v^2_x
+    const SyntaxChild children[] = {{add_indices(tree_.child(base, 0), content, place)},
+                                    {tree_.child(base, 1)}};
     return tree_.add(SyntaxKind::power, span, children);
   }
   IndexReading reading = read_indices(content);

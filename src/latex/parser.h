@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recursive descent behind parse_side. Every method reads a stretch of tokens whose end is already known: brackets are matched before
-// their contents are read, so that a bracket left open spoils one node and not the rest.
+// The recursive descent behind parse_side. Every method reads a stretch of tokens whose end is already known:
+// brackets are matched before their contents are read, so that a bracket left open spoils one node and not
+// the rest.
 #pragma once
 
 #include <optional>

@@ -25,12 +25,8 @@ bool are_a_pair(const Token& open, const Token& closing) {
   return is_control(closing, "}") || is_control(closing, "rbrace");
 }
 
-bool is_bar(const Token& token) {
-  return is_sign(token, "|") || is_control(token, "vert");
-}
-bool is_double_bar(const Token& token) {
-  return is_control(token, "|") || is_control(token, "Vert");
-}
+bool is_bar(const Token& token) { return is_sign(token, "|") || is_control(token, "vert"); }
+bool is_double_bar(const Token& token) { return is_control(token, "|") || is_control(token, "Vert"); }
 
 /// Does an operand end with this token? Then a bar behind it closes.
 bool ends_operand(const Token& token) {
@@ -106,7 +102,8 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
   const Span span = cover(open.span, closing.span);
   cursor.at = close + 1;
   if (!are_a_pair(open, closing)) {
-    return opaque(closing.span, fmt::format("`{}` does not close `{}`", closing.text, open.text), DiagnosticKind::unbalanced);
+    return opaque(closing.span, fmt::format("`{}` does not close `{}`", closing.text, open.text),
+                  DiagnosticKind::unbalanced);
   }
   return bracket_contents(content, span);
 }
@@ -130,7 +127,8 @@ SyntaxId Parser::bars(Cursor& cursor) {
   const Token open = cursor.token();
   const bool sized = is_control(open, "lvert") || is_control(open, "lVert");
   const bool norm = is_control(open, "lVert") || is_double_bar(open);
-  const std::size_t close = sized ? closing_bracket(cursor.tokens, cursor.at) : closing_bar(cursor.tokens, cursor.at);
+  const std::size_t close =
+      sized ? closing_bracket(cursor.tokens, cursor.at) : closing_bar(cursor.tokens, cursor.at);
   if (close >= cursor.tokens.size()) {
     cursor.at = cursor.tokens.size();
     return opaque(open.span, "this bar is not closed", DiagnosticKind::unbalanced);
@@ -156,8 +154,9 @@ SyntaxId Parser::environment(Cursor& cursor) {
   cursor.at = argument_at(cursor.tokens, end + 1).next;
   if (name == "cases" || name == "dcases" || name == "rcases") return cases(body, span);
   if (name == "array") body = body.subspan(argument_at(body, optional_argument_at(body, 0).next).next);
-  const bool brackets = name == "pmatrix" || name == "bmatrix" || name == "matrix" || name == "smallmatrix" || name == "array" ||
-                        name == "Bmatrix" || name == "psmallmatrix" || name == "bsmallmatrix";
+  const bool brackets = name == "pmatrix" || name == "bmatrix" || name == "matrix" || name == "smallmatrix" ||
+                        name == "array" || name == "Bmatrix" || name == "psmallmatrix" ||
+                        name == "bsmallmatrix";
   if (brackets) return matrix(body, span, false);
   if (name == "vmatrix") return matrix(body, span, true);
   return opaque(span, fmt::format("the environment `{}` is not read inside an expression", name));
@@ -173,9 +172,11 @@ SyntaxId Parser::cases(TokenView body, Span span) {
       while (!tokens.empty() && is_sign(tokens.back(), ",")) tokens = trim(tokens.first(tokens.size() - 1));
       children.push_back({inner(tokens, span)});
     } else {
-      children.push_back({tree_.add_text(SyntaxKind::text, tokens.empty() ? span : span_of(tokens), text_of(tokens))});
+      children.push_back(
+          {tree_.add_text(SyntaxKind::text, tokens.empty() ? span : span_of(tokens), text_of(tokens))});
     }
-    if (value_next && cell.ends_row) children.push_back({tree_.add_text(SyntaxKind::text, span, "otherwise")});
+    if (value_next && cell.ends_row)
+      children.push_back({tree_.add_text(SyntaxKind::text, span, "otherwise")});
     value_next = cell.ends_row;
   }
   return tree_.add(SyntaxKind::cases, span, children);
@@ -194,7 +195,8 @@ SyntaxId Parser::matrix(TokenView body, Span span, bool determinant) {
     columns = in_row;
     in_row = 0;
   }
-  if (ragged || entries.empty()) return opaque(span, "the rows of this matrix have different lengths", DiagnosticKind::bad_syntax);
+  if (ragged || entries.empty())
+    return opaque(span, "the rows of this matrix have different lengths", DiagnosticKind::bad_syntax);
   if (determinant) return tree_.add(SyntaxKind::determinant, span, entries, columns);
   const bool vector = columns == 1 || columns == entries.size();
   return tree_.add(vector ? SyntaxKind::tuple : SyntaxKind::matrix, span, entries, columns);

@@ -29,13 +29,16 @@ bool is_derivative(TokenView numerator, TokenView denominator) {
 SyntaxId Parser::control(Cursor& cursor) {
   const Token token = cursor.token();
   const std::string_view name = token.text;
-  if (name == "frac" || name == "tfrac" || name == "dfrac" || name == "cfrac" || name == "nicefrac" || name == "sfrac") {
+  if (name == "frac" || name == "tfrac" || name == "dfrac" || name == "cfrac" || name == "nicefrac" ||
+      name == "sfrac") {
     return fraction(cursor);
   }
   if (name == "sqrt") return root(cursor);
   if (name == "sum") return big_sum(cursor);
-  if (name == "abs" || name == "norm" || name == "qty" || name == "quantity" || name == "absolutevalue") return braced_bracket(cursor);
-  if (name == "lvert" || name == "lVert" || name == "|" || name == "Vert" || name == "vert") return bars(cursor);
+  if (name == "abs" || name == "norm" || name == "qty" || name == "quantity" || name == "absolutevalue")
+    return braced_bracket(cursor);
+  if (name == "lvert" || name == "lVert" || name == "|" || name == "Vert" || name == "vert")
+    return bars(cursor);
   if (name == "{" || name == "lbrace") return bracketed(cursor);
   if (name == "begin") return environment(cursor);
   if (!letter_of(token).empty()) return letter(cursor);
@@ -49,13 +52,15 @@ SyntaxId Parser::control(Cursor& cursor) {
     cursor.at = argument.next;
     return inner(argument.content, token.span);
   }
-  if (name == "underbrace" || name == "overbrace" || name == "underset" || name == "overset" || name == "stackrel") {
+  if (name == "underbrace" || name == "overbrace" || name == "underset" || name == "overset" ||
+      name == "stackrel") {
     return annotated(cursor);
   }
   if (is_words(token)) {
     const Argument words = argument_at(cursor.tokens, cursor.at + 1);
     cursor.at = words.next;
-    return opaque(cover(token.span, span_of(words.content)), fmt::format("the words `{}` stand for a quantity", text_of(words.content)));
+    return opaque(cover(token.span, span_of(words.content)),
+                  fmt::format("the words `{}` stand for a quantity", text_of(words.content)));
   }
   ++cursor.at;
   if (name == "rvert" || name == "rVert" || name == "}" || name == "rbrace") {
@@ -63,13 +68,15 @@ SyntaxId Parser::control(Cursor& cursor) {
   }
   const std::string_view reason = unread_reason(name);
   // The argument of an accent such as \dot goes with it; one obstacle is enough.
-  if (name == "dot" || name == "ddot" || name == "dddot" || name.ends_with("cancel")) cursor.at = argument_at(cursor.tokens, cursor.at).next;
+  if (name == "dot" || name == "ddot" || name == "dddot" || name.ends_with("cancel"))
+    cursor.at = argument_at(cursor.tokens, cursor.at).next;
   if (!reason.empty()) return opaque(token.span, fmt::format("`\\{}`: {}", name, reason));
   return opaque(token.span, fmt::format("`\\{}` is not known", name), DiagnosticKind::unsupported,
                 {"if it is a macro of your own, its definition was not seen"});
 }
 
-/// What is written over or under an expression never changes it, except arrows over a letter: those are a tensor's.
+/// What is written over or under an expression never changes it, except arrows over a letter: those are a
+/// tensor's.
 SyntaxId Parser::annotated(Cursor& cursor) {
   const Token token = cursor.token();
   const Argument first = argument_at(cursor.tokens, cursor.at + 1);
@@ -77,8 +84,8 @@ SyntaxId Parser::annotated(Cursor& cursor) {
     cursor.at = first.next;
     const SyntaxId inside = inner(first.content, token.span);
     const std::size_t script = skip_blank(cursor.tokens, cursor.at);
-    if (script < cursor.tokens.size() &&
-        (cursor.tokens[script].kind == TokenKind::subscript || cursor.tokens[script].kind == TokenKind::superscript)) {
+    if (script < cursor.tokens.size() && (cursor.tokens[script].kind == TokenKind::subscript ||
+                                          cursor.tokens[script].kind == TokenKind::superscript)) {
       cursor.at = script_argument_at(cursor.tokens, script + 1).next;
     }
     return tree_.add(SyntaxKind::group, tree_[inside].span, std::vector<SyntaxChild>{{inside}});
@@ -98,8 +105,9 @@ SyntaxId Parser::fraction(Cursor& cursor) {
   Span span = cover(token.span, span_of(cursor.tokens.subspan(cursor.at, denominator.next - cursor.at)));
   cursor.at = denominator.next;
   if (is_derivative(numerator.content, denominator.content)) {
-    return opaque(span, is_control(trim(denominator.content).front(), "partial") ? "derivatives of fields are not decided yet"
-                                                                                  : "time derivatives are not decided yet");
+    return opaque(span, is_control(trim(denominator.content).front(), "partial")
+                            ? "derivatives of fields are not decided yet"
+                            : "time derivatives are not decided yet");
   }
   const SyntaxChild children[] = {{inner(numerator.content, span)}, {inner(denominator.content, span)}};
   return tree_.add(SyntaxKind::fraction, span, children);
@@ -111,7 +119,8 @@ SyntaxId Parser::root(Cursor& cursor) {
   const Argument radicand = argument_at(cursor.tokens, degree.next);
   const Span span = cover(token.span, span_of(cursor.tokens.subspan(cursor.at, radicand.next - cursor.at)));
   cursor.at = radicand.next;
-  if (!degree.content.empty() && text_of(degree.content) != "2") return opaque(span, "only square roots are read");
+  if (!degree.content.empty() && text_of(degree.content) != "2")
+    return opaque(span, "only square roots are read");
   const SyntaxChild child{inner(radicand.content, span)};
   return tree_.add(SyntaxKind::root, span, {&child, 1});
 }
@@ -141,14 +150,17 @@ SyntaxId Parser::braced_bracket(Cursor& cursor) {
   const Token token = cursor.token();
   std::size_t at = skip_blank(cursor.tokens, cursor.at + 1);
   if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) at = skip_blank(cursor.tokens, at + 1);
-  if (at < cursor.tokens.size() && cursor.tokens[at].kind != TokenKind::begin_group && token.text.starts_with("q")) {
+  if (at < cursor.tokens.size() && cursor.tokens[at].kind != TokenKind::begin_group &&
+      token.text.starts_with("q")) {
     cursor.at = at;
     return factor(cursor);  // \qty(…): the bracket is an ordinary one
   }
   const Argument argument = argument_at(cursor.tokens, at);
   const Span span = cover(token.span, span_of(cursor.tokens.subspan(cursor.at, argument.next - cursor.at)));
   cursor.at = argument.next;
-  const SyntaxKind kind = token.text.starts_with("a") ? SyntaxKind::bars : token.text == "norm" ? SyntaxKind::norm : SyntaxKind::group;
+  const SyntaxKind kind = token.text.starts_with("a") ? SyntaxKind::bars
+                          : token.text == "norm"      ? SyntaxKind::norm
+                                                      : SyntaxKind::group;
   const SyntaxChild child{inner(argument.content, span)};
   return tree_.add(kind, span, {&child, 1});
 }

@@ -11,7 +11,9 @@ namespace rigor {
 namespace {
 
 bool is_differential(TokenView tokens, std::size_t at) {
-  const auto plain_d = [&](std::size_t i) { return i < tokens.size() && tokens[i].kind == TokenKind::letter && tokens[i].text == "d"; };
+  const auto plain_d = [&](std::size_t i) {
+    return i < tokens.size() && tokens[i].kind == TokenKind::letter && tokens[i].text == "d";
+  };
   if (!plain_d(at)) return false;
   std::size_t slash = skip_blank(tokens, at + 1);
   return slash < tokens.size() && is_sign(tokens[slash], "/") && plain_d(skip_blank(tokens, slash + 1));
@@ -19,8 +21,8 @@ bool is_differential(TokenView tokens, std::size_t at) {
 
 bool all_plain_letters(TokenView tokens) {
   return tokens.size() > 1 && std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
-    return token.kind == TokenKind::letter && token.text.size() == 1;
-  });
+           return token.kind == TokenKind::letter && token.text.size() == 1;
+         });
 }
 
 }  // namespace
@@ -63,7 +65,8 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
   std::size_t at = cursor.at + 1;
   if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) ++at;  // \vb*{…}: italic bold
   at = skip_blank(cursor.tokens, at);
-  if (at < cursor.tokens.size() && cursor.tokens[at].kind == TokenKind::control && style_of(cursor.tokens[at])) {
+  if (at < cursor.tokens.size() && cursor.tokens[at].kind == TokenKind::control &&
+      style_of(cursor.tokens[at])) {
     Cursor nested{cursor.tokens, at};  // \hat\mathbf n
     if (++depth_ > max_nesting) {
       cursor.at = cursor.tokens.size();
@@ -78,8 +81,10 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
   cursor.at = argument.next;
   const TokenView content = trim(argument.content);
   Span span = content.empty() ? token.span : cover(token.span, span_of(content));
-  if (argument.next > 0 && argument.next <= cursor.tokens.size()) span = cover(span, cursor.tokens[argument.next - 1].span);
-  if (content.empty()) return opaque(token.span, fmt::format("`\\{}` has no argument", token.text), DiagnosticKind::bad_syntax);
+  if (argument.next > 0 && argument.next <= cursor.tokens.size())
+    span = cover(span, cursor.tokens[argument.next - 1].span);
+  if (content.empty())
+    return opaque(token.span, fmt::format("`\\{}` has no argument", token.text), DiagnosticKind::bad_syntax);
   if (all_plain_letters(content) && (style.face != Face::plain || style.upright)) {
     const std::string word = text_of(content);
     if (style.upright) {
@@ -98,10 +103,12 @@ SyntaxId Parser::restyle(SyntaxId inside, Style style, Span span) {
   const SyntaxKind kind = tree_[inside].kind;
   if (kind == SyntaxKind::opaque) return inside;
   if (kind == SyntaxKind::number) {
-    if (tree_.text(inside) == "0" || style.upright) return tree_.add_text(SyntaxKind::number, span, tree_.text(inside));
+    if (tree_.text(inside) == "0" || style.upright)
+      return tree_.add_text(SyntaxKind::number, span, tree_.text(inside));
     return opaque(span, "a number in bold (a unit tensor, say) is not read yet");
   }
-  if (kind != SyntaxKind::symbol) return opaque(span, "a style or accent over a whole expression is not read");
+  if (kind != SyntaxKind::symbol)
+    return opaque(span, "a style or accent over a whole expression is not read");
   WrittenSymbol symbol = tree_.symbol(inside);
   if (style.face != Face::plain) symbol.face = style.face;
   if (style.accent != Accent::none) {

@@ -14,7 +14,8 @@ namespace {
 /// Controls that vanish together with their arguments, and how many they take.
 int vanishing_arguments(const Token& token) {
   if (token.kind != TokenKind::control) return 0;
-  for (const char* one : {"phantom", "vphantom", "vspace", "color", "footnote", "hypertarget", "index", "setcounter", "footnotemark"}) {
+  for (const char* one : {"phantom", "vphantom", "vspace", "color", "footnote", "hypertarget", "index",
+                          "setcounter", "footnotemark"}) {
     if (token.text == one) return 1;
   }
   if (token.text == "textcolor") return 1;  // the colour; what is coloured stays
@@ -28,7 +29,8 @@ bool is_length(TokenView tokens) {
   const auto letters = text.find_first_not_of("-+.0123456789 ");
   if (letters == std::string::npos || letters == 0) return false;
   static constexpr std::string_view units[] = {"pt", "em", "ex", "mm", "cm", "in", "mu"};
-  return std::find(std::begin(units), std::end(units), std::string_view(text).substr(letters)) != std::end(units);
+  return std::find(std::begin(units), std::end(units), std::string_view(text).substr(letters)) !=
+         std::end(units);
 }
 
 class RowReader {
@@ -57,11 +59,13 @@ class RowReader {
 
   /// Nested in braces or in an environment that is one piece of an expression (a matrix, cases).
   bool inside() const {
-    return braces_ > 0 || std::any_of(open_.begin(), open_.end(), [](const Open& open) { return !open.transparent; });
+    return braces_ > 0 ||
+           std::any_of(open_.begin(), open_.end(), [](const Open& open) { return !open.transparent; });
   }
 
   void finish_row() {
-    const bool empty = std::all_of(row_.cells.begin(), row_.cells.end(), [](const Tokens& tokens) { return trim(tokens).empty(); });
+    const bool empty = std::all_of(row_.cells.begin(), row_.cells.end(),
+                                   [](const Tokens& tokens) { return trim(tokens).empty(); });
     if (empty && !rows_.empty() && rows_.back().tag.empty()) rows_.back().tag = row_.tag;
     if (empty && !rows_.empty() && rows_.back().label.empty()) rows_.back().label = row_.label;
     const bool after_text = empty && row_.after_text;
@@ -124,7 +128,9 @@ class RowReader {
     return false;
   }
 
-  std::size_t skip_star(std::size_t at) const { return at < tokens_.size() && is_sign(tokens_[at], "*") ? at + 1 : at; }
+  std::size_t skip_star(std::size_t at) const {
+    return at < tokens_.size() && is_sign(tokens_[at], "*") ? at + 1 : at;
+  }
 
   bool tag_or_label(bool tag) {
     std::size_t at = at_ + 1;
@@ -174,7 +180,8 @@ class RowReader {
     std::size_t next = argument.next;
     if (token.text == "begin") {
       const bool row_is_empty = row_.cells.size() == 1 && trim(row_.cells[0]).empty();
-      const bool system = (name == "cases" || name == "dcases") && row_is_empty && !inside() && is_whole_row(next, name);
+      const bool system =
+          (name == "cases" || name == "dcases") && row_is_empty && !inside() && is_whole_row(next, name);
       const bool transparent = !inside() && (is_transparent_environment(name) || system);
       open_.push_back({name, transparent, cover(token.span, span_of(argument.content))});
       if (transparent) {
@@ -191,7 +198,8 @@ class RowReader {
       copy_until(next);
       return true;
     } else {
-      diagnostics_.push_back({DiagnosticKind::unbalanced, token.span, fmt::format("`\\end{{{}}}` closes nothing here", name)});
+      diagnostics_.push_back(
+          {DiagnosticKind::unbalanced, token.span, fmt::format("`\\end{{{}}}` closes nothing here", name)});
     }
     if (!open_.empty() && token.text == "begin" && open_.back().transparent) {
       at_ = next;
@@ -214,11 +222,13 @@ class RowReader {
       const Argument argument = argument_at(tokens_, i + 1);
       if (text_of(argument.content) != name) continue;
       std::size_t behind = skip_blank(tokens_, argument.next);
-      while (behind < tokens_.size() && (is_sign(tokens_[behind], ".") || is_sign(tokens_[behind], ",") || is_blank(tokens_[behind]))) {
+      while (behind < tokens_.size() &&
+             (is_sign(tokens_[behind], ".") || is_sign(tokens_[behind], ",") || is_blank(tokens_[behind]))) {
         ++behind;
       }
-      return behind >= tokens_.size() || is_control(tokens_[behind], "\\") || is_wide_space(tokens_[behind]) ||
-             is_control(tokens_[behind], "tag") || is_control(tokens_[behind], "label") || is_control(tokens_[behind], "end");
+      return behind >= tokens_.size() || is_control(tokens_[behind], "\\") ||
+             is_wide_space(tokens_[behind]) || is_control(tokens_[behind], "tag") ||
+             is_control(tokens_[behind], "label") || is_control(tokens_[behind], "end");
     }
     return false;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First half of splitting a display: from tokens to rows of cells, without tags, labels, sizes and spacing arguments.
+// First half of splitting a display: from tokens to rows of cells, without tags, labels, sizes and spacing
+// arguments.
 #pragma once
 
 #include <string>
@@ -18,8 +19,9 @@ struct Row {
   bool after_text = false;  // \intertext stands above: no chain runs across
 };
 
-/// Rows of `aligned`, `split` and their kind inside the display become rows of the display, and so does a `cases` that is a whole row
-/// (a system). `\left|` becomes the control `lvert`, `\left.` vanishes. Unmatched environments are `unbalanced`.
+/// Rows of `aligned`, `split` and their kind inside the display become rows of the display, and so does a
+/// `cases` that is a whole row (a system). `\left|` becomes the control `lvert`, `\left.` vanishes. Unmatched
+/// environments are `unbalanced`.
 [[nodiscard]] std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics);
 
 }  // namespace rigor

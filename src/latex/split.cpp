@@ -27,20 +27,21 @@ std::size_t first_sign(TokenView tokens) {
   return at;
 }
 
-bool is_empty(TokenView tokens) {
-  return first_sign(tokens) == tokens.size();
-}
+bool is_empty(TokenView tokens) { return first_sign(tokens) == tokens.size(); }
 
 bool starts_with_relation(TokenView tokens) {
   const std::size_t at = first_sign(tokens);
-  return at < tokens.size() && (relation_kind(tokens[at]).has_value() || is_stacked_relation(tokens, at) ||
-                                is_control(tokens[at], "mathrel") || (is_sign(tokens[at], ":") && at + 1 < tokens.size() && is_sign(tokens[at + 1], "=")));
+  return at < tokens.size() &&
+         (relation_kind(tokens[at]).has_value() || is_stacked_relation(tokens, at) ||
+          is_control(tokens[at], "mathrel") ||
+          (is_sign(tokens[at], ":") && at + 1 < tokens.size() && is_sign(tokens[at + 1], "=")));
 }
 
 bool starts_with_operator(TokenView tokens) {
   const std::size_t at = first_sign(tokens);
   if (at >= tokens.size()) return false;
-  return is_sign(tokens[at], "+") || is_sign(tokens[at], "-") || (tokens[at].kind == TokenKind::letter && tokens[at].text == "−") ||
+  return is_sign(tokens[at], "+") || is_sign(tokens[at], "-") ||
+         (tokens[at].kind == TokenKind::letter && tokens[at].text == "−") ||
          factor_joint(tokens[at]) != Joint::none;
 }
 
@@ -64,10 +65,12 @@ bool continues(const Statement& above, TokenView row, bool first_cell_empty, boo
 
 std::size_t cells_per_equation(std::string_view environment, const std::vector<Row>& rows) {
   if (environment.starts_with("eqnarray") || environment == "IEEEeqnarray") return 3;
-  const bool pairs = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.cells.size() > 2; });
-  const bool middle_relation = pairs && std::all_of(rows.begin(), rows.end(), [](const Row& row) {
-    return row.cells.size() == 3 && starts_with_relation(row.cells[1]) && trim(row.cells[1]).size() == 1;
-  });
+  const bool pairs =
+      std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.cells.size() > 2; });
+  const bool middle_relation =
+      pairs && std::all_of(rows.begin(), rows.end(), [](const Row& row) {
+        return row.cells.size() == 3 && starts_with_relation(row.cells[1]) && trim(row.cells[1]).size() == 1;
+      });
   if (middle_relation) return 3;  // `a &=& b` written in align
   return pairs ? 2 : 1000;
 }
@@ -76,16 +79,20 @@ std::size_t cells_per_equation(std::string_view environment, const std::vector<R
 class RowJoiner {
  public:
   RowJoiner(const std::vector<Row>& rows, std::string_view environment)
-      : rows_(rows), width_(cells_per_equation(environment, rows)), by_layout_(environment.starts_with("multline")) {}
+      : rows_(rows),
+        width_(cells_per_equation(environment, rows)),
+        by_layout_(environment.starts_with("multline")) {}
 
   std::vector<Statement> join() {
     for (const Row& row : rows_) {
       if (row.after_text) close_all();
-      for (std::size_t begin = 0, column = 0; begin < row.cells.size(); begin += width_, ++column) add(row, begin, column);
+      for (std::size_t begin = 0, column = 0; begin < row.cells.size(); begin += width_, ++column)
+        add(row, begin, column);
     }
     close_all();
-    std::stable_sort(done_.begin(), done_.end(),
-                     [](const Statement& a, const Statement& b) { return span_of(a.tokens).begin < span_of(b.tokens).begin; });
+    std::stable_sort(done_.begin(), done_.end(), [](const Statement& a, const Statement& b) {
+      return span_of(a.tokens).begin < span_of(b.tokens).begin;
+    });
     return std::move(done_);
   }
 
@@ -134,7 +141,8 @@ class RowJoiner {
   static void doubt(Statement& above, TokenView row) {
     const bool open_end = !has_relation(row) || starts_with_operator(row);
     if (!open_end || is_empty(above.tokens)) return;
-    above.condition = Obstacle{DiagnosticKind::ambiguous_reading, "the row below can go on with this equation, or stand for itself",
+    above.condition = Obstacle{DiagnosticKind::ambiguous_reading,
+                               "the row below can go on with this equation, or stand for itself",
                                {"begin the row with `&` and a sign if it goes on"}};
     above.condition_span = span_of(row);
   }
@@ -163,7 +171,8 @@ void share_single_tag(std::vector<WrittenChain>& chains) {
 
 }  // namespace
 
-std::vector<WrittenChain> split_display(TokenView tokens, std::string_view environment, Diagnostics& diagnostics) {
+std::vector<WrittenChain> split_display(TokenView tokens, std::string_view environment,
+                                        Diagnostics& diagnostics) {
   std::string name(environment);
   if (!name.empty() && name.back() == '*') name.pop_back();
   std::vector<WrittenChain> chains;

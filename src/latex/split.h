@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Second half of splitting a display: from rows to chains `a = b = c`, each with its tag and with what stands beside it.
+// Second half of splitting a display: from rows to chains `a = b = c`, each with its tag and with what stands
+// beside it.
 #pragma once
 
 #include <optional>
@@ -30,7 +31,8 @@ struct WrittenChain {
   std::vector<WrittenRelation> relations;
   std::string tag;
   std::string label;
-  /// Words or signs beside the equation that change what it says ("no sum", "if i ≠ j", an implication) and are not read.
+  /// Words or signs beside the equation that change what it says ("no sum", "if i ≠ j", an implication) and
+  /// are not read.
   std::optional<Obstacle> condition;
   Span condition_span;
   /// Words beside the equation that may restrict it ("to first order"): it may be proved, never refuted.
@@ -38,8 +40,9 @@ struct WrittenChain {
   Span span;
 };
 
-/// A stretch without a relation that is neither a tag nor a remark makes a chain with one side and no relation.
-/// `environment` is the display's own (empty for `$$`): it says what `&` separates.
-[[nodiscard]] std::vector<WrittenChain> split_display(TokenView tokens, std::string_view environment, Diagnostics& diagnostics);
+/// A stretch without a relation that is neither a tag nor a remark makes a chain with one side and no
+/// relation. `environment` is the display's own (empty for `$$`): it says what `&` separates.
+[[nodiscard]] std::vector<WrittenChain> split_display(TokenView tokens, std::string_view environment,
+                                                      Diagnostics& diagnostics);
 
 }  // namespace rigor

@@ -14,7 +14,8 @@ std::uint32_t append(std::vector<T>& list, T value) {
 
 }  // namespace
 
-SyntaxId SyntaxTree::add(SyntaxKind kind, Span span, std::span<const SyntaxChild> children, std::uint32_t payload) {
+SyntaxId SyntaxTree::add(SyntaxKind kind, Span span, std::span<const SyntaxChild> children,
+                         std::uint32_t payload) {
   for (const SyntaxChild& child : children) {
     RIGOR_CHECK(static_cast<std::size_t>(child.id) < nodes_.size(), static_cast<std::size_t>(child.id));
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was WRITTEN: a syntax tree of one file's expressions. It knows signs, scripts and brackets, not what they mean:
-// whether `r_{\alpha i}` is a component of a particle's vector is decided one floor up.
-// Nodes lie in one vector, children before parents; every node has the span that its author typed.
+// What was WRITTEN: a syntax tree of one file's expressions. It knows signs, scripts and brackets, not what
+// they mean: whether `r_{\alpha i}` is a component of a particle's vector is decided one floor up. Nodes lie
+// in one vector, children before parents; every node has the span that its author typed.
 #pragma once
 
 #include <cstdint>
@@ -90,14 +90,17 @@ struct Obstacle {
 
 class SyntaxTree {
  public:
-  SyntaxId add(SyntaxKind kind, Span span, std::span<const SyntaxChild> children = {}, std::uint32_t payload = 0);
+  SyntaxId add(SyntaxKind kind, Span span, std::span<const SyntaxChild> children = {},
+               std::uint32_t payload = 0);
   SyntaxId add_symbol(Span span, WrittenSymbol symbol);
   SyntaxId add_component(Span span, SyntaxId base, std::vector<WrittenIndex> indices);
   SyntaxId add_big_sum(Span span, WrittenSum sum, SyntaxId body);
   SyntaxId add_text(SyntaxKind kind, Span span, std::string text);  // number and text
   SyntaxId add_opaque(Span span, Obstacle obstacle);
 
-  [[nodiscard]] const SyntaxNode& operator[](SyntaxId id) const { return nodes_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const SyntaxNode& operator[](SyntaxId id) const {
+    return nodes_[static_cast<std::size_t>(id)];
+  }
   [[nodiscard]] std::span<const SyntaxChild> children(SyntaxId id) const;
   [[nodiscard]] SyntaxId child(SyntaxId id, std::size_t which) const { return children(id)[which].id; }
   [[nodiscard]] const WrittenSymbol& symbol(SyntaxId id) const;

@@ -24,7 +24,8 @@ std::size_t skip_blank(TokenView tokens, std::size_t at) {
 
 bool is_script_argument(TokenView tokens, std::size_t at) {
   while (at > 0 && is_blank(tokens[at - 1])) --at;
-  return at > 0 && (tokens[at - 1].kind == TokenKind::subscript || tokens[at - 1].kind == TokenKind::superscript);
+  return at > 0 &&
+         (tokens[at - 1].kind == TokenKind::subscript || tokens[at - 1].kind == TokenKind::superscript);
 }
 
 Argument argument_at(TokenView tokens, std::size_t at) {
@@ -34,7 +35,8 @@ Argument argument_at(TokenView tokens, std::size_t at) {
   int depth = 0;
   for (std::size_t i = at; i < tokens.size(); ++i) {
     if (tokens[i].kind == TokenKind::begin_group) ++depth;
-    if (tokens[i].kind == TokenKind::end_group && --depth == 0) return {tokens.subspan(at + 1, i - at - 1), i + 1};
+    if (tokens[i].kind == TokenKind::end_group && --depth == 0)
+      return {tokens.subspan(at + 1, i - at - 1), i + 1};
   }
   return {tokens.subspan(at + 1), tokens.size()};
 }
@@ -46,10 +48,12 @@ ScriptArgument script_argument_at(TokenView tokens, std::size_t at) {
   if (at >= tokens.size() || tokens[at].kind != TokenKind::control) return script;
   const std::string_view name = tokens[at].text;
   const bool two = name == "frac" || name == "tfrac" || name == "dfrac" || name == "textcolor";
-  const bool one = name == "sqrt" || name.starts_with("math") || name.starts_with("text") || name == "mbox" || name == "bm" ||
-                   name == "boldsymbol" || name == "vec" || name == "hat" || name == "operatorname" || name == "bar" || name == "tilde" || name == "vb";
+  const bool one = name == "sqrt" || name.starts_with("math") || name.starts_with("text") || name == "mbox" ||
+                   name == "bm" || name == "boldsymbol" || name == "vec" || name == "hat" ||
+                   name == "operatorname" || name == "bar" || name == "tilde" || name == "vb";
   for (int k = 0; k < (two ? 2 : one ? 1 : 0); ++k) script.next = argument_at(tokens, script.next).next;
-  script.content.assign(tokens.begin() + static_cast<std::ptrdiff_t>(at), tokens.begin() + static_cast<std::ptrdiff_t>(script.next));
+  script.content.assign(tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                        tokens.begin() + static_cast<std::ptrdiff_t>(script.next));
   if (!two && !one) script.content.resize(1);
   return script;
 }
@@ -59,7 +63,8 @@ Argument optional_argument_at(TokenView tokens, std::size_t at) {
   if (open >= tokens.size() || !is_sign(tokens[open], "[")) return {{}, at};
   Nesting nesting(true);
   for (std::size_t i = open + 1; i < tokens.size(); ++i) {
-    if (nesting.enter(tokens[i]) == 0 && is_sign(tokens[i], "]")) return {tokens.subspan(open + 1, i - open - 1), i + 1};
+    if (nesting.enter(tokens[i]) == 0 && is_sign(tokens[i], "]"))
+      return {tokens.subspan(open + 1, i - open - 1), i + 1};
   }
   return {{}, at};
 }
@@ -87,8 +92,10 @@ int Nesting::enter(const Token& token) {
       if (token.text == "begin") return open();
       if (token.text == "end") return close();
       if (braces_only_) return depth_;
-      if (token.text == "{" || token.text == "lbrace" || token.text == "lvert" || token.text == "lVert") return open();
-      if (token.text == "}" || token.text == "rbrace" || token.text == "rvert" || token.text == "rVert") return close();
+      if (token.text == "{" || token.text == "lbrace" || token.text == "lvert" || token.text == "lVert")
+        return open();
+      if (token.text == "}" || token.text == "rbrace" || token.text == "rvert" || token.text == "rVert")
+        return close();
       return depth_;
     case TokenKind::other:
       if (braces_only_) return depth_;

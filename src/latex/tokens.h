@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions that every pass over tokens asks: where a group ends, how deep a token lies, what a stretch covers.
+// Questions that every pass over tokens asks: where a group ends, how deep a token lies, what a stretch
+// covers.
 #pragma once
 
 #include <cstddef>
@@ -21,13 +22,15 @@ using TokenView = std::span<const Token>;
 /// The first place at or after `at` that is not blank; the size at the end.
 [[nodiscard]] std::size_t skip_blank(TokenView tokens, std::size_t at);
 
-/// A macro argument: the contents of a brace group, or one token. `next` is the place behind it; nothing left: empty, next = size.
+/// A macro argument: the contents of a brace group, or one token. `next` is the place behind it; nothing
+/// left: empty, next = size.
 struct Argument {
   TokenView content;
   std::size_t next;
 };
 [[nodiscard]] Argument argument_at(TokenView tokens, std::size_t at);
-/// The argument of `_` or `^`: as above, but a control that takes arguments comes with them (`_\mathrm{c}`, `^\frac12`).
+/// The argument of `_` or `^`: as above, but a control that takes arguments comes with them (`_\mathrm{c}`,
+/// `^\frac12`).
 struct ScriptArgument {
   Tokens content;
   std::size_t next;

@@ -18,19 +18,53 @@ bool is_control(const Token& token, const Words& words) {
 const std::unordered_map<std::string_view, RelationKind>& relations() {
   static const std::unordered_map<std::string_view, RelationKind> table = [] {
     std::unordered_map<std::string_view, RelationKind> relation{
-        {"equiv", RelationKind::identical}, {"coloneqq", RelationKind::defines}, {"coloneq", RelationKind::defines},
-        {"triangleq", RelationKind::defines}, {"eqdef", RelationKind::defines},  {"eqcolon", RelationKind::other},
+        {"equiv", RelationKind::identical}, {"coloneqq", RelationKind::defines},
+        {"coloneq", RelationKind::defines}, {"triangleq", RelationKind::defines},
+        {"eqdef", RelationKind::defines},   {"eqcolon", RelationKind::other},
         {"doteq", RelationKind::other}};
-    for (const char* word :
-         {"approx", "simeq",  "sim",     "cong",      "propto",  "neq",        "ne",         "leq",       "le",
-          "leqslant", "geq",  "ge",      "geqslant",  "ll",      "gg",         "lt",         "gt",        "in",
-          "notin",    "ni",   "subset",  "subseteq",  "supset",  "perp",       "parallel",   "to",        "rightarrow",
-          "mapsto",   "longrightarrow",  "leftrightarrow", "lesssim", "gtrsim", "prec",      "succ",      "asymp",
-          "longmapsto", "approxeq", "leftarrow", "gets"}) {
+    for (const char* word : {"approx",
+                             "simeq",
+                             "sim",
+                             "cong",
+                             "propto",
+                             "neq",
+                             "ne",
+                             "leq",
+                             "le",
+                             "leqslant",
+                             "geq",
+                             "ge",
+                             "geqslant",
+                             "ll",
+                             "gg",
+                             "lt",
+                             "gt",
+                             "in",
+                             "notin",
+                             "ni",
+                             "subset",
+                             "subseteq",
+                             "supset",
+                             "perp",
+                             "parallel",
+                             "to",
+                             "rightarrow",
+                             "mapsto",
+                             "longrightarrow",
+                             "leftrightarrow",
+                             "lesssim",
+                             "gtrsim",
+                             "prec",
+                             "succ",
+                             "asymp",
+                             "longmapsto",
+                             "approxeq",
+                             "leftarrow",
+                             "gets"}) {
       relation.emplace(word, RelationKind::other);
     }
-    for (const char* word : {"Rightarrow", "implies", "Longrightarrow", "iff", "Leftrightarrow", "Longleftrightarrow",
-                             "impliedby", "Leftarrow", "Longleftarrow"}) {
+    for (const char* word : {"Rightarrow", "implies", "Longrightarrow", "iff", "Leftrightarrow",
+                             "Longleftrightarrow", "impliedby", "Leftarrow", "Longleftarrow"}) {
       relation.emplace(word, RelationKind::implies);
     }
     return relation;
@@ -41,20 +75,24 @@ const std::unordered_map<std::string_view, RelationKind>& relations() {
 const std::unordered_map<std::string_view, Style>& styles() {
   static const std::unordered_map<std::string_view, Style> table = [] {
     std::unordered_map<std::string_view, Style> style;
-    for (const char* word : {"mathbf", "boldsymbol", "bm", "pmb", "vec", "overrightarrow", "vb", "va", "vectorbold",
-                             "vectorarrow", "mathbfit", "symbf", "symbfit", "bold", "bf", "vv"}) {
+    for (const char* word :
+         {"mathbf", "boldsymbol", "bm", "pmb", "vec", "overrightarrow", "vb", "va", "vectorbold",
+          "vectorarrow", "mathbfit", "symbf", "symbfit", "bold", "bf", "vv"}) {
       style.emplace(word, Style{.face = Face::vector});
     }
     for (const char* word : {"hat", "widehat"}) style.emplace(word, Style{.accent = Accent::hat});
-    for (const char* word : {"vu", "vectorunit"}) style.emplace(word, Style{.face = Face::vector, .accent = Accent::hat});
+    for (const char* word : {"vu", "vectorunit"})
+      style.emplace(word, Style{.face = Face::vector, .accent = Accent::hat});
     for (const char* word : {"overleftrightarrow", "tensor", "mathsf", "mathbfsf"}) {
       style.emplace(word, Style{.face = Face::tensor});
     }
     for (const char* word : {"bar", "overline"}) style.emplace(word, Style{.accent = Accent::bar});
     for (const char* word : {"tilde", "widetilde"}) style.emplace(word, Style{.accent = Accent::tilde});
-    for (const char* word : {"mathrm", "operatorname", "mathup", "rm"}) style.emplace(word, Style{.upright = true});
+    for (const char* word : {"mathrm", "operatorname", "mathup", "rm"})
+      style.emplace(word, Style{.upright = true});
     for (const char* word : {"mathit", "mathnormal"}) style.emplace(word, Style{});
-    for (const char* word : {"mathcal", "mathscr", "mathfrak", "mathbb"}) style.emplace(word, Style{.alphabet = word});
+    for (const char* word : {"mathcal", "mathscr", "mathfrak", "mathbb"})
+      style.emplace(word, Style{.alphabet = word});
     return style;
   }();
   return table;
@@ -66,15 +104,18 @@ struct GreekLetter {
 };
 
 constexpr std::array greek_letters{
-    GreekLetter{"alpha", "α"},   GreekLetter{"beta", "β"},   GreekLetter{"gamma", "γ"},  GreekLetter{"delta", "δ"},
-    GreekLetter{"epsilon", "ε"}, GreekLetter{"zeta", "ζ"},   GreekLetter{"eta", "η"},    GreekLetter{"theta", "θ"},
-    GreekLetter{"iota", "ι"},    GreekLetter{"kappa", "κ"},  GreekLetter{"lambda", "λ"}, GreekLetter{"mu", "μ"},
-    GreekLetter{"nu", "ν"},      GreekLetter{"xi", "ξ"},     GreekLetter{"pi", "π"},     GreekLetter{"rho", "ρ"},
-    GreekLetter{"sigma", "σ"},   GreekLetter{"tau", "τ"},    GreekLetter{"upsilon", "υ"}, GreekLetter{"phi", "φ"},
-    GreekLetter{"chi", "χ"},     GreekLetter{"psi", "ψ"},    GreekLetter{"omega", "ω"},  GreekLetter{"Gamma", "Γ"},
-    GreekLetter{"Delta", "Δ"},   GreekLetter{"Theta", "Θ"},  GreekLetter{"Lambda", "Λ"}, GreekLetter{"Xi", "Ξ"},
-    GreekLetter{"Pi", "Π"},      GreekLetter{"Sigma", "Σ"},  GreekLetter{"Upsilon", "Υ"}, GreekLetter{"Phi", "Φ"},
-    GreekLetter{"Psi", "Ψ"},     GreekLetter{"Omega", "Ω"},  GreekLetter{"epsilon", "ϵ"}, GreekLetter{"varphi", "ϕ"},
+    GreekLetter{"alpha", "α"},   GreekLetter{"beta", "β"},    GreekLetter{"gamma", "γ"},
+    GreekLetter{"delta", "δ"},   GreekLetter{"epsilon", "ε"}, GreekLetter{"zeta", "ζ"},
+    GreekLetter{"eta", "η"},     GreekLetter{"theta", "θ"},   GreekLetter{"iota", "ι"},
+    GreekLetter{"kappa", "κ"},   GreekLetter{"lambda", "λ"},  GreekLetter{"mu", "μ"},
+    GreekLetter{"nu", "ν"},      GreekLetter{"xi", "ξ"},      GreekLetter{"pi", "π"},
+    GreekLetter{"rho", "ρ"},     GreekLetter{"sigma", "σ"},   GreekLetter{"tau", "τ"},
+    GreekLetter{"upsilon", "υ"}, GreekLetter{"phi", "φ"},     GreekLetter{"chi", "χ"},
+    GreekLetter{"psi", "ψ"},     GreekLetter{"omega", "ω"},   GreekLetter{"Gamma", "Γ"},
+    GreekLetter{"Delta", "Δ"},   GreekLetter{"Theta", "Θ"},   GreekLetter{"Lambda", "Λ"},
+    GreekLetter{"Xi", "Ξ"},      GreekLetter{"Pi", "Π"},      GreekLetter{"Sigma", "Σ"},
+    GreekLetter{"Upsilon", "Υ"}, GreekLetter{"Phi", "Φ"},     GreekLetter{"Psi", "Ψ"},
+    GreekLetter{"Omega", "Ω"},   GreekLetter{"epsilon", "ϵ"}, GreekLetter{"varphi", "ϕ"},
     GreekLetter{"vartheta", "ϑ"}};
 
 constexpr std::string_view time_derivative = "time derivatives are not decided yet";
@@ -101,25 +142,64 @@ std::optional<RelationKind> relation_kind(const Token& token) {
 }
 
 bool is_spacing(const Token& token) {
-  static const Words words{",",           ":",          ";",           "!",        " ",         ">",          "/",
-                           "thinspace",   "medspace",   "thickspace",  "negthinspace", "enspace",  "displaystyle", "textstyle",
-                           "scriptstyle", "nonumber",   "notag",       "limits",   "nolimits",  "mathstrut",  "strut",
-                           "hfill",       "allowbreak", "nobreak",     "relax",    "hskip",     "mathop",     "mathbin",
-                           "mathrel",     "mathord",    "mathopen",    "mathclose", "mathinner", "null",       "noindent",
-                           "displaybreak", "smash",     "centering",   "small",    "footnotesize", "normalsize", "large",
-                           "protect",     "qedhere",    "-"};
+  static const Words words{",",
+                           ":",
+                           ";",
+                           "!",
+                           " ",
+                           ">",
+                           "/",
+                           "thinspace",
+                           "medspace",
+                           "thickspace",
+                           "negthinspace",
+                           "enspace",
+                           "displaystyle",
+                           "textstyle",
+                           "scriptstyle",
+                           "nonumber",
+                           "notag",
+                           "limits",
+                           "nolimits",
+                           "mathstrut",
+                           "strut",
+                           "hfill",
+                           "allowbreak",
+                           "nobreak",
+                           "relax",
+                           "hskip",
+                           "mathop",
+                           "mathbin",
+                           "mathrel",
+                           "mathord",
+                           "mathopen",
+                           "mathclose",
+                           "mathinner",
+                           "null",
+                           "noindent",
+                           "displaybreak",
+                           "smash",
+                           "centering",
+                           "small",
+                           "footnotesize",
+                           "normalsize",
+                           "large",
+                           "protect",
+                           "qedhere",
+                           "-"};
   if (token.kind == TokenKind::space || token.kind == TokenKind::paragraph) return true;
   if (token.kind == TokenKind::other && token.text == "~") return true;
   if (token.kind == TokenKind::control && !token.text.empty()) {
     const char first = token.text.front();
-    if (token.text.size() == 1 && (first == ' ' || first == '\n' || first == '\t' || first == '\r')) return true;
+    if (token.text.size() == 1 && (first == ' ' || first == '\n' || first == '\t' || first == '\r'))
+      return true;
   }
   return is_control(token, words);
 }
 
 bool is_bracket_size(const Token& token) {
-  static const Words words{"left", "right",  "middle", "big",  "Big",   "bigg",  "Bigg",  "bigl", "bigr",
-                           "Bigl", "Bigr",   "biggl",  "biggr", "Biggl", "Biggr", "bigm", "Bigm"};
+  static const Words words{"left", "right", "middle", "big",   "Big",   "bigg",  "Bigg", "bigl", "bigr",
+                           "Bigl", "Bigr",  "biggl",  "biggr", "Biggl", "Biggr", "bigm", "Bigm"};
   return is_control(token, words);
 }
 
@@ -129,8 +209,9 @@ bool is_wide_space(const Token& token) {
 }
 
 bool is_words(const Token& token) {
-  static const Words words{"text",   "mbox",   "textrm", "textit", "textbf", "textnormal", "hbox", "textsf", "emph",
-                           "fbox",   "intertext", "shortintertext", "qq", "texttt", "textsc", "mathrel"};
+  static const Words words{"text", "mbox",   "textrm", "textit", "textbf",    "textnormal",
+                           "hbox", "textsf", "emph",   "fbox",   "intertext", "shortintertext",
+                           "qq",   "texttt", "textsc", "mathrel"};
   return is_control(token, words);
 }
 
@@ -140,9 +221,10 @@ bool is_transparent(const Token& token) {
 }
 
 bool is_transparent_environment(std::string_view name) {
-  static const Words words{"aligned", "split",  "gathered", "alignedat", "align",    "align*",    "gather", "gather*",
-                           "equation", "equation*", "multline", "multline*", "eqnarray", "eqnarray*", "alignat", "alignat*",
-                           "multlined", "flalign", "flalign*", "dcases-system", "subequations", "lgathered", "rgathered"};
+  static const Words words{"aligned",  "split",         "gathered",     "alignedat", "align",     "align*",
+                           "gather",   "gather*",       "equation",     "equation*", "multline",  "multline*",
+                           "eqnarray", "eqnarray*",     "alignat",      "alignat*",  "multlined", "flalign",
+                           "flalign*", "dcases-system", "subequations", "lgathered", "rgathered"};
   return words.contains(name);
 }
 
@@ -150,8 +232,8 @@ std::string letter_of(const Token& token) {
   if (token.kind == TokenKind::control) {
     if (token.text == "varepsilon") return "\\epsilon";
     if (token.text == "imath" || token.text == "jmath" || token.text == "ell" || token.text == "hbar" ||
-        token.text == "varphi" || token.text == "vartheta" || token.text == "varrho" || token.text == "varsigma" ||
-        token.text == "varkappa") {
+        token.text == "varphi" || token.text == "vartheta" || token.text == "varrho" ||
+        token.text == "varsigma" || token.text == "varkappa") {
       return "\\" + std::string(token.text);
     }
     for (const GreekLetter& letter : greek_letters) {
@@ -168,8 +250,8 @@ std::string letter_of(const Token& token) {
 }
 
 bool is_greek(std::string_view letter) {
-  return letter.size() > 1 && letter.front() == '\\' && letter != "\\ell" && letter != "\\imath" && letter != "\\jmath" &&
-         letter != "\\hbar";
+  return letter.size() > 1 && letter.front() == '\\' && letter != "\\ell" && letter != "\\imath" &&
+         letter != "\\jmath" && letter != "\\hbar";
 }
 
 std::optional<Style> style_of(const Token& token) {
@@ -192,27 +274,35 @@ Joint factor_joint(const Token& token) {
 std::string_view unread_reason(std::string_view control) {
   static const std::unordered_map<std::string_view, std::string_view> table = [] {
     std::unordered_map<std::string_view, std::string_view> reason;
-    for (const char* word : {"dot", "ddot", "dddot", "dv", "derivative"}) reason.emplace(word, time_derivative);
-    for (const char* word : {"partial", "nabla", "pdv", "grad", "div", "curl", "laplacian", "gradient", "divergence",
-                             "fdv", "square", "Box"}) {
+    for (const char* word : {"dot", "ddot", "dddot", "dv", "derivative"})
+      reason.emplace(word, time_derivative);
+    for (const char* word : {"partial", "nabla", "pdv", "grad", "div", "curl", "laplacian", "gradient",
+                             "divergence", "fdv", "square", "Box"}) {
       reason.emplace(word, field_derivative);
     }
-    for (const char* word : {"sin", "cos", "tan", "cot", "sec", "csc", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh",
-                             "exp", "log", "ln", "det", "tr", "Tr", "max", "min", "arg", "sgn", "operatorname"}) {
+    for (const char* word : {"sin",    "cos",  "tan",  "cot",  "sec", "csc", "arcsin",      "arccos",
+                             "arctan", "sinh", "cosh", "tanh", "exp", "log", "ln",          "det",
+                             "tr",     "Tr",   "max",  "min",  "arg", "sgn", "operatorname"}) {
       reason.emplace(word, transcendental);
     }
-    for (const char* word : {"int", "iint", "iiint", "oint", "dd", "differential"}) reason.emplace(word, "integrals are not decided yet");
-    for (const char* word : {"prod", "bigcup", "bigcap", "bigoplus"}) reason.emplace(word, "this operator is not read");
-    for (const char* word : {"lim", "sup", "inf", "limsup"}) reason.emplace(word, "limits are not decided yet");
-    for (const char* word : {"pm", "mp"}) reason.emplace(word, "`\\pm` and `\\mp` stand for two statements, which are not read yet");
+    for (const char* word : {"int", "iint", "iiint", "oint", "dd", "differential"})
+      reason.emplace(word, "integrals are not decided yet");
+    for (const char* word : {"prod", "bigcup", "bigcap", "bigoplus"})
+      reason.emplace(word, "this operator is not read");
+    for (const char* word : {"lim", "sup", "inf", "limsup"})
+      reason.emplace(word, "limits are not decided yet");
+    for (const char* word : {"pm", "mp"})
+      reason.emplace(word, "`\\pm` and `\\mp` stand for two statements, which are not read yet");
     for (const char* word : {"dots", "ldots", "cdots", "dotsb", "dotsc", "vdots", "ddots"}) {
       reason.emplace(word, "an ellipsis does not say what is left out");
     }
     for (const char* word : {"wedge", "otimes", "oplus", "circ", "star", "ast"}) {
       reason.emplace(word, "this product is not read; write `\\times` or `\\cdot`");
     }
-    for (const char* word : {"cancel", "bcancel", "xcancel", "cancelto"}) reason.emplace(word, "a cancelled term is not read");
-    for (const char* word : {"langle", "rangle", "bra", "ket", "braket", "expval"}) reason.emplace(word, "brackets of states or averages are not read");
+    for (const char* word : {"cancel", "bcancel", "xcancel", "cancelto"})
+      reason.emplace(word, "a cancelled term is not read");
+    for (const char* word : {"langle", "rangle", "bra", "ket", "braket", "expval"})
+      reason.emplace(word, "brackets of states or averages are not read");
     for (const char* word : {"infty"}) reason.emplace(word, "infinity is not a number");
     return reason;
   }();
@@ -221,11 +311,13 @@ std::string_view unread_reason(std::string_view control) {
 }
 
 bool is_subscript_word(std::string_view letters) {
-  static const Words words{"rot",  "trans", "tot",  "cm",   "com", "out", "ext", "int",  "kin", "pot",  "max",  "min",
-                           "eff",  "spin",  "orb",  "lab",  "rel", "net", "avg", "rms",  "body", "sys",  "orbital",
-                           "total", "ref",  "grav", "elec", "mag", "new", "old", "crit", "init", "final", "stat"};
+  static const Words words{"rot", "trans", "tot",  "cm",   "com",     "out",   "ext", "int",  "kin",
+                           "pot", "max",   "min",  "eff",  "spin",    "orb",   "lab", "rel",  "net",
+                           "avg", "rms",   "body", "sys",  "orbital", "total", "ref", "grav", "elec",
+                           "mag", "new",   "old",  "crit", "init",    "final", "stat"};
   if (letters.size() < 2) return false;
-  const bool capitals = std::all_of(letters.begin(), letters.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+  const bool capitals =
+      std::all_of(letters.begin(), letters.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
   return capitals || words.contains(letters);
 }
 

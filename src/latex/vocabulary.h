@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of LaTeX mathematics that Rigor knows: one table for each class, so that a new notation is a new line here.
+// The words of LaTeX mathematics that Rigor knows: one table for each class, so that a new notation is a new
+// line here.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +15,12 @@
 namespace rigor {
 
 enum class RelationKind : std::uint8_t {
-  equal,       // = and what is written over it
-  identical,   // \equiv
-  defines,     // :=
-  demanded,    // = with ! above it: a condition that is imposed
-  other,       // <, \approx, \propto…: read as a relation, not decided
-  implies,     // \Rightarrow, \iff…: between equations
+  equal,      // = and what is written over it
+  identical,  // \equiv
+  defines,    // :=
+  demanded,   // = with ! above it: a condition that is imposed
+  other,      // <, \approx, \propto…: read as a relation, not decided
+  implies,    // \Rightarrow, \iff…: between equations
 };
 
 /// The relation that a control word (`leq`) or a sign (`<`) writes.
@@ -38,16 +39,17 @@ enum class RelationKind : std::uint8_t {
 /// Environments whose rows are rows of the display around them: `aligned`, `split`, `gathered`…
 [[nodiscard]] bool is_transparent_environment(std::string_view name);
 
-/// `\alpha` for the control `alpha` or the letter α; `\epsilon` for every form of epsilon; the letter itself otherwise.
-/// Empty where the token writes no letter.
+/// `\alpha` for the control `alpha` or the letter α; `\epsilon` for every form of epsilon; the letter itself
+/// otherwise. Empty where the token writes no letter.
 [[nodiscard]] std::string letter_of(const Token& token);
 [[nodiscard]] bool is_greek(std::string_view letter);
 
-/// A face that a control gives to its argument: `\mathbf`, `\vec`, `\overleftrightarrow`; `\hat` gives an accent.
+/// A face that a control gives to its argument: `\mathbf`, `\vec`, `\overleftrightarrow`; `\hat` gives an
+/// accent.
 struct Style {
   Face face = Face::plain;
   Accent accent = Accent::none;
-  bool upright = false;  // \mathrm: a word, or a letter of its own kind
+  bool upright = false;            // \mathrm: a word, or a letter of its own kind
   std::string_view alphabet = {};  // `mathcal`: another letter than the plain one
 };
 [[nodiscard]] std::optional<Style> style_of(const Token& token);
