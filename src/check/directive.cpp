@@ -216,8 +216,14 @@ std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environ
   std::vector<ParsedChain> chains;
   for (WrittenChain& written : split_display(tokens, environment, diagnostics)) {
     ParsedChain chain;
-    for (const WrittenSide& side : written.sides)
-      chain.sides.push_back(parse_side(side.tokens, side.span, syntax));
+    for (const WrittenSide& side : written.sides) {
+      const bool left_elsewhere = chain.sides.empty() && side.tokens.empty();
+      chain.sides.push_back(
+          left_elsewhere ? syntax.add_opaque(side.span, {DiagnosticKind::unsupported,
+                                                         "the left side of this equation stands elsewhere",
+                                                         {}})
+                         : parse_side(side.tokens, side.span, syntax));
+    }
     chain.written = std::move(written);
     chains.push_back(std::move(chain));
   }

@@ -135,6 +135,9 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words,
     if (text.starts_with(opening)) text = text.substr(std::string(opening).size());
   }
   if (auto pair = pair_condition(text, letters)) return pair;
+  if (text.starts_with("no") || has(text, "noind") || has(text, "notwo") || has(text, "distinct") ||
+      has(text, "different"))
+    return std::nullopt;
   const bool permutation = has(text, "permutation") || has(text, "cyclic");
   if (!permutation && (has(text, "equal") || has(text, "repeated") || has(text, "thesame")) &&
       !has(text, "not") && !has(text, "=")) {

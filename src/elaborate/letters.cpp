@@ -157,7 +157,10 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   for_each_node(syntax, sides, [&](SyntaxId id) {
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
-    if (syntax.symbol(id).face == Face::vector) letters.bold_vectors.insert(bare_base(syntax.symbol(id)));
+    if (syntax.symbol(id).face == Face::vector) {
+      letters.bold_vectors.insert(bare_base(syntax.symbol(id)));
+      letters.bold_vectors.insert(with_labels(bare_base(syntax.symbol(id)), syntax.symbol(id).lower));
+    }
     if (own.size() == 1 && letters.is_index(own[0]) && !names.labels_particles(own[0]))
       letters.indexed_vectors.insert(bare_base(syntax.symbol(id)));
   });
@@ -213,6 +216,8 @@ void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
 WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Names& names) {
   WrittenName name;
   std::vector<WrittenIndex> labels;
+  std::vector<WrittenIndex> labels_behind;  // behind an axis: `T_{i\text{x}}` is not `T_{\text{x}i}`
+  bool bare_label = false;                  // a digit or letter that is no axis
   for (const WrittenIndex& index : symbol.lower) {
     const bool particle = names.is_particle_letter(index.text) && index.form != IndexForm::word;
     const bool axis_digit = index.form == IndexForm::digit && index.text >= "1" && index.text <= "3";
@@ -223,10 +228,21 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Name
     } else if (axis_digit || axis_letter) {
       name.axes.push_back(index);
     } else {
-      labels.push_back(index);
+      (name.axes.empty() ? labels : labels_behind).push_back(index);
+      bare_label = bare_label || index.form == IndexForm::digit || index.form == IndexForm::letter;
     }
   }
+  if (bare_label && !name.axes.empty()) {  // `x_{10}`, `k_{1a}`: one label of several signs
+    labels.clear();
+    std::copy_if(symbol.lower.begin(), symbol.lower.end(), std::back_inserter(labels),
+                 [&](const WrittenIndex& index) {
+                   return !names.is_particle_letter(index.text) || index.form == IndexForm::word;
+                 });
+    labels_behind.clear();
+    name.axes.clear();
+  }
   name.base = with_labels(bare_base(symbol), labels);
+  if (!labels_behind.empty()) name.base += with_labels("{}", labels_behind);
   return name;
 }
 

@@ -4,80 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+
+#include "latex/remarks.h"
 
 namespace rigor {
 namespace {
-
-enum class Remark { connective, condition, quantifier, remark, doubt };
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-bool has_word(const std::string& text, std::string_view word) {
-  const auto letter = [&](std::size_t at) {
-    return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
-  };
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    if ((at == 0 || !letter(at - 1)) && !letter(at + word.size())) return true;
-  }
-  return false;
-}
-
-/// Words that name an equation, its parts or its source, and restrict nothing. A capital begins a name:
-/// `Lagrange`.
-bool names_only(const std::string& words) {
-  static constexpr std::array harmless{
-      "identity", "theorem",  "rule",    "law",      "definition", "by",       "using",  "from",
-      "see",      "eq",       "eqs",     "equation", "proof",      "check",    "qed",    "the",
-      "a",        "of",       "this",    "is",       "we",         "have",     "get",    "find",
-      "recall",   "note",     "orbital", "spin",     "kinetic",    "energy",   "total",  "mass",
-      "torque",   "momentum", "angular", "inertia",  "tensor",     "moment",   "scalar", "vector",
-      "dot",      "cross",    "triple",  "product",  "expand",     "contract", "rename", "rearrange"};
-  std::string word;
-  const auto is_harmless = [&] {
-    if (word.empty() || std::isupper(static_cast<unsigned char>(word[0])) != 0) return true;
-    return std::find(harmless.begin(), harmless.end(), word) != harmless.end();
-  };
-  for (const char c : words + " ") {
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-      word += c;
-      continue;
-    }
-    if (!is_harmless()) return false;
-    word.clear();
-  }
-  return true;
-}
-
-/// What words beside an equation do to it: join the next, restrict it, quantify it, or nothing.
-Remark classify(const std::string& words) {
-  const std::string text = lowered(words);
-  static constexpr std::array conditions{
-      "if",         "when",    "where",         "whenever", "unless",       "provided", "only",      "no sum",
-      "not summed", "with",    "since",         "given",    "assuming",     "limit",    "sum",       "summed",
-      "let",        "suppose", "except",        "as",       "near",         "until",    "otherwise", "modulo",
-      "mod",        "not",     "approximately", "cyclic",   "permutations", "etc"};
-  static constexpr std::array quantifiers{"for all", "for any", "for every", "for each"};
-  static constexpr std::array connectives{"and",    "or",      "so",        "thus",    "hence", "therefore",
-                                          "i.e",    "that is", "also",      "while",   "but",   "so that",
-                                          "giving", "gives",   "similarly", "likewise"};
-  for (const char* word : quantifiers) {
-    if (has_word(text, word)) return Remark::quantifier;
-  }
-  for (const char* word : conditions) {
-    if (has_word(text, word)) return Remark::condition;
-  }
-  if (has_word(text, "for") || has_word(text, "at") || has_word(text, "about")) return Remark::condition;
-  for (const char* word : connectives) {
-    if (has_word(text, word)) return Remark::connective;
-  }
-  return names_only(words) ? Remark::remark : Remark::doubt;
-}
 
 struct Block {
   Tokens tokens;
@@ -177,6 +109,19 @@ class StatementSplitter {
       }
       if (depth == 0 && is_words(token) && !is_script_argument(tokens_, at) && !wants_operand(block.tokens)) {
         const Argument words = argument_at(tokens_, at + 1);
+        const std::size_t behind = first_significant(tokens_, words.next);
+        if (trim(block.tokens).empty() && behind < tokens_.size() &&
+            relation_kind(tokens_[behind])) {  // \text{torque} = …
+          block.tokens.insert(block.tokens.end(), tokens_.begin() + static_cast<std::ptrdiff_t>(at),
+                              tokens_.begin() + static_cast<std::ptrdiff_t>(words.next));
+          at = words.next;
+          continue;
+        }
+        if (remark_of(text_of(words.content)) == Remark::quantifier &&
+            !has_relation(tokens_.subspan(words.next))) {
+          cut();
+          return;  // what follows only names the symbols
+        }
         note_words(cover(token.span, span_of(words.content)), text_of(words.content));
         cut();
         at = words.next;
@@ -224,7 +169,7 @@ class StatementSplitter {
   }
 
   void note_words(Span span, const std::string& words) {
-    switch (classify(words)) {
+    switch (remark_of(words)) {
       case Remark::condition:
         set_condition(
             span,
@@ -275,7 +220,7 @@ class StatementSplitter {
                          is_sign(tokens[at], "]") || is_ornament(tokens.subspan(at, 1)));
       ++at;
     }
-    const Remark kind = classify(words);
+    const Remark kind = remark_of(words);
     if (only_words && kind == Remark::doubt) set_doubt(trim(tokens).empty() ? words : text_of(tokens));
     if (only_words && kind != Remark::condition) return;
     set_condition(

@@ -115,9 +115,16 @@ class RowJoiner {
     if (is_empty(tokens)) return;
     tokens.erase(tokens.begin(), tokens.begin() + static_cast<std::ptrdiff_t>(first_sign(tokens)));
     const bool first_cell_empty = row.cells.size() > 1 && is_empty(row.cells[begin]);
+    const bool column_is_new = column >= open_.size() || is_empty(open_[column].tokens);
+    if (column > 0 && column <= open_.size() && column_is_new &&
+        starts_with_relation(tokens)) {  // `a &= b &= c`
+      Statement& before = open_[column - 1];
+      before.tokens.insert(before.tokens.end(), tokens.begin(), tokens.end());
+      return;
+    }
     // `a &= b & \text{if } i \ne j`: what stands beside an equation belongs to it.
     const bool beside = column > 0 && column <= open_.size() && !starts_with_relation(tokens) &&
-                        (!has_relation(tokens) || relates_index_letters(tokens));
+                        (!has_relation(tokens) || relates_index_letters(tokens) || is_words(tokens.front()));
     if (beside) {
       Token space = tokens.front();
       space.kind = TokenKind::control;

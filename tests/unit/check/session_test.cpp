@@ -107,7 +107,7 @@ TEST_CASE("a plain letter that is declared a vector is one") {
 
 TEST_CASE("a declared plain letter is the vector, not its length") {
   CHECK(lines_of(rigor_says("vector A, B") + "$$A\\times B = -B\\times A$$\n") == "proved\n");
-  CHECK(lines_of(rigor_says("vector A, B") + "$$A\\times B = B\\times A$$\n") == "refuted 2:14 refuted\n");
+  CHECK(lines_of(rigor_says("vector A, B") + "$$A\\times B = B\\times A$$\n") == "refuted 2:13 refuted\n");
 }
 
 TEST_CASE("letters that label particles by a directive are no indices") {

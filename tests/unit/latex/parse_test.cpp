@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums, products, letters and scripts; brackets and environments are in parse_brackets_test.cpp.
+// Sums, products, letters and scripts; brackets and environments are in parser_brackets_test.cpp.
 #include "latex/parse.h"
 
 #include "catch.h"

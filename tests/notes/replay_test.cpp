@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A refutation can be replayed from the JSON alone: its values become `let` directives, and each side is
+// claimed to be the number that the JSON states. The claims go through the whole program again.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "catch.h"
+#include "check/check.h"
+#include "report/json.h"
+
+namespace rigor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(const std::string& exact) {
+  const auto slash = exact.find('/');
+  if (slash == std::string::npos) return exact;
+  const bool negative = exact[0] == '-';
+  return fmt::format("{}\\frac{{{}}}{{{}}}", negative ? "-" : "",
+                     exact.substr(negative ? 1 : 0, slash - (negative ? 1 : 0)), exact.substr(slash + 1));
+}
+
+std::string value_of(const Json& value) {
+  const auto component = [&](std::size_t k) { return number(value["components"][k].get<std::string>()); };
+  if (value["rank"] == 0) return component(0);
+  return fmt::format("({}, {}, {})", component(0), component(1), component(2));
+}
+
+/// Scalars and vectors, no particles, no free index: what `let` and `claim` can say in one line each.
+bool is_plain(const Json& example) {
+  if (example["particles"] != 0 || !example["component"].empty()) return false;
+  for (const Json& value : example["values"]) {
+    if (value["rank"] > 1) return false;
+  }
+  return true;
+}
+
+std::string replayed(const Json& step) {
+  const Json& example = step["counterexample"];
+  std::string note = "<!-- rigor:\n";
+  for (const Json& value : example["values"]) {
+    note += fmt::format("let {} = {}\n", value["symbol"].get<std::string>(), value_of(value));
+  }
+  for (const char* side : {"left", "right"}) {
+    note += fmt::format("claim {} = {}\n", step[side].get<std::string>(),
+                        number(example[side].get<std::string>()));
+  }
+  return note + "-->\n";
+}
+
+}  // namespace
+
+TEST_CASE("every plain refutation in the small notes can be replayed from the JSON") {
+  int replays = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("fail")) {
+    if (entry.path().extension() != ".md") continue;
+    SourceMap sources;
+    Report report;
+    report.files.push_back(check_file(sources, entry.path().string()));
+    const Json json = Json::parse(to_json(report, sources));
+    for (const Json& step : json["files"][0]["steps"]) {
+      if (step["verdict"] != "refuted" || !is_plain(step["counterexample"])) continue;
+      const std::string note = replayed(step);
+      INFO(entry.path().filename().string() << "\n" << note);
+      const FileReport again = check_text(sources, "replay.md", note);
+      REQUIRE(again.steps.size() >= 2);
+      CHECK(again.steps[again.steps.size() - 2].verdict == Verdict::proved);
+      CHECK(again.steps.back().verdict == Verdict::proved);
+      ++replays;
+    }
+  }
+  CHECK(replays >= 5);
+}
+
+}  // namespace rigor

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/remarks.h"
+
+#include "catch.h"
+
+namespace rigor {
+namespace {
+
+TEST_CASE("words that restrict an equation are conditions") {
+  CHECK(remark_of("if ") == Remark::condition);
+  CHECK(remark_of("(no sum)") == Remark::condition);
+  CHECK(remark_of("when the axes are principal") == Remark::condition);
+}
+
+TEST_CASE("words that name an equation or its source say nothing about it") {
+  CHECK(remark_of("(orbital + spin)") == Remark::remark);
+  CHECK(remark_of("Lagrange's identity") == Remark::remark);
+  CHECK(remark_of("by Jacobi") == Remark::remark);
+}
+
+TEST_CASE("any other words leave a doubt") {
+  CHECK(remark_of("to first order") == Remark::doubt);
+  CHECK(remark_of("in vacuo") == Remark::doubt);
+}
+
+TEST_CASE("a quantifier over everything is harmless, one over some is not") {
+  CHECK(remark_of("for all vectors") == Remark::quantifier);
+  CHECK(remark_of("for all perpendicular vectors") == Remark::doubt);
+}
+
+TEST_CASE("words between two equations join them") {
+  CHECK(remark_of("and") == Remark::connective);
+  CHECK(remark_of("so that") == Remark::connective);
+}
+
+}  // namespace
+}  // namespace rigor
