@@ -28,6 +28,21 @@ namespace {
   return fmt::format("{} free axes are more than the {} that are evaluated", axes, largest_free_indices);
 }
 
+/// Is there a quotient in the claim or in what it unfolds to? Then a proof says nothing where a denominator
+/// is zero for all values.
+[[nodiscard]] bool divides(const Scope& scope) {
+  const ExprTree& tree = scope.tree();
+  std::vector<ExprId> pending{scope.question().claim.left, scope.question().claim.right};
+  for (const Definition& definition : scope.question().definitions) pending.push_back(definition.body);
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    if (tree[id].op == Op::divide || (tree[id].op == Op::power && tree[id].exponent < 0)) return true;
+    for (const ExprId child : tree.children(id)) pending.push_back(child);
+  }
+  return false;
+}
+
 /// A proof, and under what it was found.
 struct Found {
   Proof proof;
@@ -177,6 +192,11 @@ Decision Decider::decide() {
   if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
   auto found = try_all_proofs(Effort::plain);
   if (!found && last_proof_.radicals) found = try_all_proofs(Effort::factored);
+  if (found && divides(unfolded_) && refuter_.points_compared() == 0) {
+    static_cast<void>(look([this] { return refuter_.search(); }));
+    if (refuter_.points_compared() == 0)
+      return undecided("no sample was found at which both sides have a value");
+  }
   if (found) {
     drop_needless_assumptions(*found);
     return proved(*found);

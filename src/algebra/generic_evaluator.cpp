@@ -12,8 +12,10 @@ using GiNaC::ex;
 Fraction GenericDomain::number(const std::string& digits) { return to_fraction(from_digits(digits)); }
 
 Fraction GenericDomain::divide(const Fraction& a, const Fraction& b) {
+  const Fraction inverse =
+      arithmetic_.reciprocal(b);  // throws where b is zero for all values, even for a = 0
   if (a.numerator.is_zero()) return {};
-  Fraction quotient = arithmetic_.multiply(a, arithmetic_.reciprocal(b));
+  Fraction quotient = arithmetic_.multiply(a, inverse);
   radicals_.rationalize(quotient);
   return quotient;
 }

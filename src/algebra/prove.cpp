@@ -21,6 +21,12 @@ namespace {
     evaluator.bind(claim.particles[i], first_free_frame + static_cast<Frame>(i));
   }
   const auto is_zero = [&](const Fraction& left, const Fraction& right) {
+    for (const Fraction* side : {&left, &right}) {
+      for (const Divisor& divisor : side->divisors) {
+        if (constraints.reduced(divisor.base).is_zero())
+          throw Undecidable("a denominator is zero under the assumptions");
+      }
+    }
     return constraints.reduced(domain.difference(left, right)).is_zero();
   };
   Proof proof;

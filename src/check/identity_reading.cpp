@@ -72,11 +72,36 @@ bool holds_without(const Question& question, const std::vector<SymbolId>& symbol
   return decision.outcome == Outcome::proved && !decision.vanishes;
 }
 
+/// The terms of a sum without their signs.
+std::vector<ExprId> bare_terms(const ExprTree& tree, ExprId id) {
+  if (tree[id].op != Op::add) return {};
+  std::vector<ExprId> terms;
+  for (ExprId term : tree.children(id)) {
+    while (tree[term].op == Op::negate) term = tree.children(term)[0];
+    terms.push_back(term);
+  }
+  return terms;
+}
+
+/// `\sigma_x\sigma_y + \sigma_y\sigma_x = 0`, `F_{ij} + F_{ji} = 0`: one term, said twice, is to vanish; or
+/// one symbol is to have a property.
+bool is_condition_on_zero(const Question& question, ExprId side, const Degrees& degrees) {
+  if (degrees.size() == 1 && degrees.begin()->second == 1) return true;
+  const std::vector<ExprId> terms = bare_terms(*question.tree, side);
+  return !terms.empty() && std::all_of(terms.begin(), terms.end(), [&](ExprId term) {
+    Question same = question;
+    same.claim.left = term;
+    same.claim.right = terms.front();
+    return decide(same).outcome == Outcome::proved;
+  });
+}
+
 std::vector<SymbolId> law_against_zero(const Question& question, ExprId side,
                                        const std::vector<SymbolId>& open) {
-  const bool homogeneous =
-      term_count(*question.tree, side) > 1 && degrees_of(*question.tree, side).has_value();
-  return homogeneous ? std::vector<SymbolId>{} : open;
+  const auto degrees = degrees_of(*question.tree, side);
+  const bool identity =
+      term_count(*question.tree, side) > 1 && degrees && !is_condition_on_zero(question, side, *degrees);
+  return identity ? std::vector<SymbolId>{} : open;
 }
 
 }  // namespace

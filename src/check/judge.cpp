@@ -84,9 +84,14 @@ Counterexample describe(const ExprTree& tree, const Equation& equation, const Sa
 
 std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symbols) {
   std::string text;
-  for (std::size_t k = 0; k < symbols.size(); ++k) {
-    if (k > 0) text += k + 1 == symbols.size() ? " and " : ", ";
-    text += "`" + tree.symbols[symbols[k]].name + "`";
+  std::vector<std::string> names;
+  for (const SymbolId symbol : symbols) {
+    const std::string& name = tree.symbols[symbol].name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (k > 0) text += k + 1 == names.size() ? " and " : ", ";
+    text += "`" + names[k] + "`";
   }
   return text;
 }

@@ -146,7 +146,7 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
       key.rank = axes > 0 ? axes : 2;
       break;
     case DirectiveKind::constant:
-      key.rank = symbol.face == Face::vector ? 1 : axes;
+      key.rank = symbol.face == Face::vector || symbol.accent == Accent::hat ? 1 : axes;
       break;
     default:
       break;
@@ -161,7 +161,7 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
   declared.name = name.axes.empty() && name.particles.empty() ? written(notes_.syntax[id].span) : key.base;
   if (key.rank == 1 && !name.particles.empty()) declared.name = fmt::format("\\mathbf{{{}}}", key.base);
   declared.symmetric = directive.symmetric && key.rank == 2;
-  declared.unit = directive.unit && key.rank == 1;
+  declared.unit = key.rank == 1 && (directive.unit || symbol.accent == Accent::hat);
   declared.first_seen = notes_.syntax[id].span;
   names_.declare(tree_, key, std::move(declared), directive.number);
   const bool whole = symbol.face == Face::plain && symbol.accent == Accent::none && axes == 0;

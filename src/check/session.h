@@ -35,7 +35,6 @@ class Session {
   void declare(const Directive& directive);
   void declare_symbol(const Directive& directive, SyntaxId id);
   void report_unused();
-  void expect_met(Span place);
 
   void chain(const ParsedChain& parsed, const Context& context);
   struct Side {

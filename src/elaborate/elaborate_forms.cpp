@@ -16,7 +16,6 @@ constexpr int largest_exponent = 64;
 
 std::optional<int> Elaborator::integer(SyntaxId id) const {
   const SyntaxNode& node = syntax_[id];
-  if (node.kind == SyntaxKind::group) return integer(syntax_.child(id, 0));
   if (node.kind == SyntaxKind::number) {
     const std::string& digits = syntax_.text(id);
     int value = 0;
@@ -34,7 +33,6 @@ std::optional<int> Elaborator::half_integer(SyntaxId id) const {
   if (const auto whole = integer(id))
     return std::abs(*whole) <= largest_exponent ? std::optional(2 * *whole) : std::nullopt;
   const SyntaxNode& node = syntax_[id];
-  if (node.kind == SyntaxKind::group) return half_integer(syntax_.child(id, 0));
   if (node.kind == SyntaxKind::sum && node.count == 1 && syntax_.children(id)[0].joint == Joint::minus) {
     const auto value = half_integer(syntax_.child(id, 0));
     return value ? std::optional(-*value) : std::nullopt;
@@ -56,7 +54,8 @@ std::optional<Typed> Elaborator::power(SyntaxId id) {
   const auto halves = half_integer(syntax_.child(id, 1));
   if (!halves) {
     return unsupported(syntax_[syntax_.child(id, 1)].span,
-                       fmt::format("only whole and half exponents up to {} are read", largest_exponent));
+                       fmt::format("only whole and half exponents up to {} are read, and no upper indices",
+                                   largest_exponent));
   }
   if (*halves == 2) return base;
   if (!base->free.empty()) {
@@ -166,8 +165,8 @@ std::optional<Typed> Elaborator::tuple(SyntaxId id) {
     if (!entry) return std::nullopt;
     entries.push_back(std::move(*entry));
     if (entries.back().rank != 0)
-      return fail(DiagnosticKind::rank_mismatch, syntax_[child.id].span,
-                  "a component of a tuple is not a scalar");
+      return unsupported(syntax_[child.id].span,
+                         "a bracket of vectors is not read; write a triple product out");
     if (!entries.back().free.empty())
       return unsupported(syntax_[child.id].span, "a free index inside a tuple is not decided");
   }
@@ -215,11 +214,21 @@ std::optional<Typed> Elaborator::determinant(SyntaxId id) {
     if (entry->rank > 1) return unsupported(span, "an entry of this determinant is a tensor");
     if (entry->rank == 1 && k >= 3)
       return unsupported(span, "vectors are read in the first row of a determinant only");
+    merge_free(typed.bound, entry->bound);
     if (k == 0) rank = entry->rank;
     if (k < 3 && entry->rank != rank)
       return fail(DiagnosticKind::rank_mismatch, span, "the first row mixes scalars and vectors");
     merge_free(typed.particles, entry->particles);
     children.push_back(entry->id);
+  }
+  for (const FreeIndex& bound : typed.bound) {
+    const bool free_too = std::any_of(typed.free.begin(), typed.free.end(),
+                                      [&](const FreeIndex& free) { return free.letter == bound.letter; });
+    if (free_too) {
+      return unsupported(
+          span,
+          fmt::format("`{}` is summed in one entry of the determinant and free in another", bound.letter));
+    }
   }
   typed.rank = rank;
   typed.id =

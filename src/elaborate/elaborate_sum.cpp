@@ -96,10 +96,6 @@ bool Elaborator::same_type(const Typed& first, const Typed& other, const char* w
     return report(*extra, first_span);
   if (const auto extra = missing(first.free, other.free); extra != first.free.end())
     return report(*extra, other_span);
-  if (const auto extra = missing(other.particles, first.particles); extra != other.particles.end())
-    return report(*extra, first_span);
-  if (const auto extra = missing(first.particles, other.particles); extra != first.particles.end())
-    return report(*extra, other_span);
   return true;
 }
 
@@ -120,11 +116,6 @@ std::optional<Typed> Elaborator::big_sum(SyntaxId id) {
                          {"a sum over all has no limits, or `1` and `N`"});
     if (particle && !written.to.empty() && letters_.bare.contains("N")) {
       guess_ = Obstacle{DiagnosticKind::unsupported, "`N` was not taken for the number of particles", {}};
-    }
-    if (bound_indices_.contains(index.text) || bound_particles_.contains(index.text)) {
-      return fail(DiagnosticKind::index_clash, index.span,
-                  fmt::format("`{}` is summed inside a sum over `{}`", index.text, index.text),
-                  {"rename one of the two"});
     }
     if (!particle && !three) {
       return unsupported(

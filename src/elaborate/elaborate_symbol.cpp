@@ -101,6 +101,13 @@ std::optional<Typed> Elaborator::special_symbol(const WrittenSymbol& written, Sp
                          fmt::format("`{}` without indices reads as a small change, which is not decided yet",
                                      written.letter));
     }
+    if ((written.letter == "i" || written.letter == "j") && written.primes == 0) {
+      return unsupported(
+          span,
+          fmt::format("`{}` without a subscript can be the imaginary unit, which is not decided with",
+                      written.letter),
+          {fmt::format("`rigor: scalar {}` makes it a quantity", written.letter)});
+    }
     if (written.letter == "\\pi")
       guess_ = Obstacle{DiagnosticKind::unsupported, "`\\pi` was taken as any number", {}};
   }

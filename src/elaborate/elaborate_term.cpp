@@ -320,7 +320,7 @@ std::optional<Typed> Elaborator::outer_product(std::vector<Typed> scalars,
 void Elaborator::guess_dyad(const std::vector<Operand>& vectors, Span span) {
   const bool undeclared = std::any_of(vectors.begin(), vectors.end(), [&](const Operand& vector) {
     const ExprNode& node = tree_[vector.typed.id];
-    return node.op == Op::symbol && !tree_.symbols[node.symbol].declared;
+    return node.op == Op::tuple || (node.op == Op::symbol && !tree_.symbols[node.symbol].declared);
   });
   note("two vectors side by side are their dyad");
   if (!undeclared) return;

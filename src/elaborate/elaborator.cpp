@@ -74,7 +74,9 @@ std::optional<Equation> Elaborator::equation(const Typed& left, const Typed& rig
   equation.right = right_zero ? zero_of(right, left.rank) : right.id;
   const Typed& whole = left_zero ? right : left;
   for (const FreeIndex& free : whole.free) equation.indices.push_back(free.id);
-  for (const FreeParticle& free : whole.particles) equation.particles.push_back(free.id);
+  std::vector<FreeParticle> particles = left.particles;
+  merge_free(particles, right.particles);
+  for (const FreeParticle& free : particles) equation.particles.push_back(free.id);
   return equation;
 }
 

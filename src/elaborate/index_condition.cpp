@@ -107,6 +107,37 @@ std::vector<bool> select(std::size_t count, Predicate predicate) {
   return selected;
 }
 
+/// "any two indices are equal", "if any index is repeated": whole phrases, since a word before them can turn
+/// them round.
+bool says_repeated(const std::string& text, const std::vector<std::string>& letters) {
+  std::string list;
+  for (const std::string& letter : letters) list += letter + ",";
+  if (!list.empty()) list.pop_back();
+  std::string bare_text = text;
+  const auto at = bare_text.find(list);
+  if (at != std::string::npos) bare_text.replace(at, list.size(), "indices");
+  static constexpr std::array phrases{"anytwoindicesareequal",
+                                      "twoindicesareequal",
+                                      "anytwoindicesarethesame",
+                                      "twoindicesarethesame",
+                                      "anytwoofindicesareequal",
+                                      "twoofindicesareequal",
+                                      "anytwoareequal",
+                                      "anyindexisrepeated",
+                                      "anindexisrepeated",
+                                      "anyindicesareequal",
+                                      "anyindicesarerepeated",
+                                      "twoormoreindicesareequal",
+                                      "twoormoreindicesarethesame",
+                                      "anytwooftheindicesareequal",
+                                      "twooftheindicesareequal",
+                                      "atleasttwoindicesareequal",
+                                      "anyofindicesareequal",
+                                      "indicesarerepeated",
+                                      "therearerepeatedindices"};
+  return std::find(phrases.begin(), phrases.end(), bare_text) != phrases.end();
+}
+
 std::optional<std::vector<bool>> pair_condition(const std::string& text,
                                                 const std::vector<std::string>& letters) {
   const auto sign = text.find_first_of("=#");
@@ -135,18 +166,17 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words,
     if (text.starts_with(opening)) text = text.substr(std::string(opening).size());
   }
   if (auto pair = pair_condition(text, letters)) return pair;
-  if (text.starts_with("no") || has(text, "noind") || has(text, "notwo") || has(text, "distinct") ||
-      has(text, "different"))
-    return std::nullopt;
   const bool permutation = has(text, "permutation") || has(text, "cyclic");
-  if (!permutation && (has(text, "equal") || has(text, "repeated") || has(text, "thesame")) &&
-      !has(text, "not") && !has(text, "=")) {
+  if (!permutation && says_repeated(text, letters)) {
     return select(count, [](Axes axes) {
       std::sort(axes.begin(), axes.end());
       return std::adjacent_find(axes.begin(), axes.end()) != axes.end();
     });
   }
-  if (has(text, "not") || has(text, "anti") || has(text, "#")) return std::nullopt;
+  for (const char* negation : {"no", "un", "anti", "except", "all", "distinct", "different"}) {
+    if (has(text, negation)) return std::nullopt;
+  }
+  if (has(text, "#")) return std::nullopt;
   const std::size_t split = std::min(text.find('='), text.find("is"));
   if (split == std::string::npos) return std::nullopt;
   const std::string head = text.substr(0, split);

@@ -16,7 +16,9 @@ SymbolId Names::resolve(ExprTree& tree, const NameKey& key, const std::string& n
   symbol.rank = key.rank;
   symbol.per_particle = key.per_particle;
   symbol.first_seen = span;
-  const SymbolId id = tree.symbols.add(std::move(symbol));
+  const auto before =
+      declared_before_.find(key);  // its section is over: the same symbol, for which nothing is said any more
+  const SymbolId id = before != declared_before_.end() ? before->second : tree.symbols.add(std::move(symbol));
   entries_[key] = Entry{id, std::nullopt, 0};
   return id;
 }
@@ -35,7 +37,16 @@ SymbolId Names::declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::
   symbol.rank = key.rank;
   symbol.per_particle = key.per_particle;
   symbol.declared = true;
+  const auto before = declared_before_.find(key);
+  if (before != declared_before_.end()) {
+    const Symbol& known = tree.symbols[before->second];
+    if (known.symmetric == symbol.symmetric && known.unit == symbol.unit) {
+      entries_[key] = Entry{before->second, directive, depth_};
+      return before->second;
+    }
+  }
   const SymbolId id = tree.symbols.add(std::move(symbol));
+  declared_before_[key] = id;
   entries_[key] = Entry{id, directive, depth_};
   return id;
 }

@@ -113,6 +113,8 @@ class Names {
     int depth;
   };
   std::map<NameKey, Entry> entries_;
+  std::map<NameKey, SymbolId>
+      declared_before_;  // a declaration that says the same again means the same symbol
   std::map<std::string, ParticleLetter> particle_letters_;
   std::vector<NamedDefinition> definitions_;
   std::vector<NamedAssumption> assumptions_;

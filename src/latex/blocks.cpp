@@ -58,6 +58,20 @@ bool is_ornament(TokenView block) {
   });
 }
 
+TokenView without_empty_end(TokenView tokens) {
+  tokens = trim(tokens);
+  while (tokens.size() > 1 && tokens.back().kind == TokenKind::end_group) {
+    const TokenView open = trim(tokens.first(tokens.size() - 1));
+    const bool empty = !open.empty() && open.back().kind == TokenKind::begin_group &&
+                       (open.size() == 1 || (open[open.size() - 2].kind != TokenKind::control &&
+                                             open[open.size() - 2].kind != TokenKind::end_group &&
+                                             !is_script_argument(open, open.size() - 1)));
+    if (!empty) break;
+    tokens = trim(open.first(open.size() - 1));
+  }
+  return tokens;
+}
+
 class StatementSplitter {
  public:
   explicit StatementSplitter(TokenView tokens) : tokens_(tokens) {}
@@ -136,7 +150,15 @@ class StatementSplitter {
       }
       if (depth == 0 && (is_control(token, "therefore") || is_control(token, "forall"))) {
         cut();
-        if (is_control(token, "forall")) return;  // what follows only names the symbols
+        if (is_control(token, "forall")) {
+          const TokenView rest = tokens_.subspan(at);
+          if (has_relation(rest) || blocks_.empty()) {
+            set_condition(span_of(rest), "what `\\forall` says of the equation is not read");
+            at = next_wide_space(at);
+            continue;
+          }
+          return;  // what follows only names the symbols
+        }
         ++at;
         continue;
       }
@@ -144,6 +166,11 @@ class StatementSplitter {
       ++at;
     }
     cut();
+  }
+
+  std::size_t next_wide_space(std::size_t at) const {
+    while (at < tokens_.size() && !is_wide_space(tokens_[at])) ++at;
+    return at;
   }
 
   /// `\text{…}` where an operand is due is part of the expression: `\text{torque} = …`, `m = \text{const}`.
@@ -178,8 +205,8 @@ class StatementSplitter {
       case Remark::doubt:
         set_doubt(words);
         return;
-      case Remark::quantifier:
       case Remark::connective:
+      case Remark::quantifier:
       case Remark::remark:
         return;
     }
@@ -238,7 +265,7 @@ class StatementSplitter {
       if (!is_sign(tokens[at], ",") && !is_sign(tokens[at], ";")) continue;
       const TokenView rest = tokens.subspan(at + 1);
       const TokenView piece = trim(tokens.subspan(begin, at - begin));
-      if (!piece.empty() && has_relation(piece) && is_index_range(rest)) {
+      if (!piece.empty() && has_relation(piece) && rest.size() <= 24 && is_index_range(rest)) {
         tokens = tokens.first(at);
         break;
       }
@@ -271,14 +298,13 @@ class StatementSplitter {
 };
 
 TokenView without_punctuation(TokenView tokens) {
-  tokens = trim(tokens);
+  tokens = without_empty_end(tokens);
   while (!tokens.empty() &&
          (is_spacing(tokens.back()) || is_sign(tokens.back(), ".") || is_sign(tokens.back(), ",") ||
           is_sign(tokens.back(), ";") || is_sign(tokens.back(), ":"))) {
     tokens = trim(tokens.first(tokens.size() - 1));
   }
-  while (!tokens.empty() && is_spacing(tokens.front())) tokens = tokens.subspan(1);
-  return tokens;
+  return tokens.subspan(first_significant(tokens, 0));
 }
 
 /// The relation at `at`, and the place behind it.
@@ -286,6 +312,16 @@ struct RelationAt {
   WrittenRelation relation;
   std::size_t next;
 };
+
+/// The words in what is written on a relation; a `?` where there are other signs.
+std::string mark_words(TokenView mark) {
+  mark = trim(mark);
+  if (mark.size() > 1 && is_words(mark[0])) {
+    const Argument words = argument_at(mark, 1);
+    if (words.next == mark.size()) return text_of(words.content);
+  }
+  return "?unknown";
+}
 
 std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
   const Token& token = tokens[at];
@@ -297,6 +333,10 @@ std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
     const Argument below = argument_at(tokens, above.next);
     const std::string mark = text_of(above.content);
     RelationKind kind = relation_kind(trim(below.content).front()).value_or(RelationKind::equal);
+    if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
+    const bool harmless = mark.find_first_not_of("0123456789().ab") == std::string::npos ||
+                          remark_of(mark_words(above.content)) == Remark::remark;
+    if (!harmless && kind == RelationKind::equal) kind = RelationKind::other;
     if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
     if (mark.find("def") != std::string::npos || mark.find("triangle") != std::string::npos)
       kind = RelationKind::defines;
@@ -351,7 +391,11 @@ WrittenChain StatementSplitter::chain_of(TokenView tokens) {
 std::vector<WrittenChain> split_statement(TokenView tokens) { return StatementSplitter(tokens).split(); }
 
 std::size_t first_significant(TokenView tokens, std::size_t at) {
-  while (at < tokens.size() && (is_blank(tokens[at]) || is_spacing(tokens[at]))) ++at;
+  while (at < tokens.size()) {
+    const std::size_t behind = skip_empty_group(tokens, at);
+    if (behind == at && !is_blank(tokens[at]) && !is_spacing(tokens[at])) return at;
+    at = std::max(at + 1, behind);
+  }
   return at;
 }
 
@@ -378,23 +422,29 @@ bool has_relation(TokenView tokens) {
 
 bool relates_index_letters(TokenView block) {
   bool relation = false;
+  bool only_equal = true;
+  bool index_letter = false;
+  bool index_letters_only = true;
   for (const Token& token : block) {
     if (is_blank(token) || is_spacing(token) || is_sign(token, "(") || is_sign(token, ")") ||
         is_sign(token, ","))
       continue;
-    if (relation_kind(token).has_value()) {
+    if (const auto kind = relation_kind(token)) {
       relation = true;
+      only_equal = only_equal && kind == RelationKind::equal;
       continue;
     }
-    if (token.kind != TokenKind::letter || token.text.size() != 1 || token.text[0] < 'i' ||
-        token.text[0] > 'n')
-      return false;
+    const bool letter = token.kind == TokenKind::letter && token.text.size() == 1;
+    if (!letter && token.kind != TokenKind::digit) return false;
+    const bool strong = letter && token.text[0] >= 'i' && token.text[0] <= 'n';
+    index_letter = index_letter || strong;
+    index_letters_only = index_letters_only && (strong || !letter);
   }
-  return relation;
+  return relation && (only_equal ? index_letter && index_letters_only : true);
 }
 
 bool ends_open(TokenView tokens) {
-  tokens = trim(tokens);
+  tokens = without_empty_end(tokens);
   while (!tokens.empty() && (is_spacing(tokens.back()) || is_wide_space(tokens.back())))
     tokens = trim(tokens.first(tokens.size() - 1));
   if (tokens.empty()) return false;

@@ -64,6 +64,10 @@ class IndexReader {
       reading_.indices.insert(reading_.indices.end(), inner.indices.begin(), inner.indices.end());
       if (inner.obstacle) reading_.obstacle = inner.obstacle;
       at_ = group.next;
+    } else if (is_control(token, "rm") || is_control(token, "sf") || is_control(token, "it")) {  // {\\rm in}
+      const TokenView words = trim(tokens_.subspan(at_ + 1));
+      if (!words.empty()) add(text_of(words), IndexForm::word, cover(token.span, span_of(words)));
+      at_ = tokens_.size();
     } else if (holds_words(token)) {
       const Argument words = argument_at(tokens_, at_ + 1);
       add(text_of(words.content), IndexForm::word, cover(token.span, span_of(words.content)));

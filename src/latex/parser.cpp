@@ -22,7 +22,7 @@ bool is_script(const Token& token) {
 }
 
 /// `v_x{}^2`: an empty group between a symbol and its script means nothing.
-void skip_empty_group(Parser::Cursor& cursor) {
+void skip_group_before_script(Parser::Cursor& cursor) {
   if (cursor.done() || cursor.token().kind != TokenKind::begin_group) return;
   const Argument group = argument_at(cursor.tokens, cursor.at);
   const std::size_t behind = skip_blank(cursor.tokens, group.next);
@@ -30,16 +30,19 @@ void skip_empty_group(Parser::Cursor& cursor) {
     cursor.at = behind;
 }
 
-/// Behind an empty group: does a sum go on (then the group is 0), or a product (then it is 1)?
-bool cursor_wants_zero(Parser::Cursor cursor) {
-  cursor.skip_spacing();
-  return cursor.done() || sign_joint(cursor.token()).has_value();
-}
-
 }  // namespace
 
 void Parser::Cursor::skip_spacing() {
-  while (!done() && (is_blank(token()) || is_spacing(token()) || is_wide_space(token()))) ++at;
+  while (!done()) {
+    const std::size_t behind = skip_empty_group(tokens, at);
+    if (behind != at) {
+      at = behind;
+    } else if (is_blank(token()) || is_spacing(token()) || is_wide_space(token())) {
+      ++at;
+    } else {
+      return;
+    }
+  }
 }
 
 SyntaxId Parser::opaque(Span span, std::string message, DiagnosticKind kind, std::vector<std::string> help) {
@@ -166,8 +169,6 @@ SyntaxId Parser::primary(Cursor& cursor) {
         cursor.at = script_argument_at(cursor.tokens, behind + 1).next;
         return opaque(token.span, "a script before its symbol is not read");
       }
-      if (trim(group.content).empty())
-        return tree_.add_text(SyntaxKind::number, token.span, cursor_wants_zero(cursor) ? "0" : "1");
       return inner(group.content, token.span);
     }
     default:
@@ -194,7 +195,7 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
   while (true) {
     Cursor ahead = cursor;
     while (!ahead.done() && (is_blank(ahead.token()) || is_control(ahead.token(), "limits"))) ++ahead.at;
-    skip_empty_group(ahead);
+    skip_group_before_script(ahead);
     if (ahead.done() || !is_script(ahead.token())) return base;
     const Token script = ahead.token();
     cursor.at = ahead.at + 1;

@@ -39,7 +39,7 @@ class Parser {
   SyntaxId add_indices(SyntaxId base, TokenView content, Span place);
   SyntaxId exponent(SyntaxId base, TokenView content, Span place);
 
-  // brackets.cpp
+  // parser_brackets.cpp
   SyntaxId bracketed(Cursor& cursor);
   SyntaxId bars(Cursor& cursor);
   SyntaxId bracket_contents(TokenView content, Span span);
@@ -47,13 +47,14 @@ class Parser {
   SyntaxId cases(TokenView body, Span span);
   SyntaxId matrix(TokenView body, Span span, bool determinant);
 
-  // names.cpp
+  // parser_names.cpp
   SyntaxId letter(Cursor& cursor);
   SyntaxId styled(Cursor& cursor, Style style);
+  SyntaxId switched(Cursor& cursor, Style style, std::size_t at);
   SyntaxId restyle(SyntaxId inner, Style style, Span span);
   SyntaxId number(Cursor& cursor);
 
-  // controls.cpp
+  // parser_controls.cpp
   SyntaxId control(Cursor& cursor);
   SyntaxId annotated(Cursor& cursor);  // \underbrace, \overset
   SyntaxId fraction(Cursor& cursor);

@@ -81,7 +81,8 @@ std::vector<Cell> cells_of(TokenView body) {
     if (!row && body[at].kind != TokenKind::align) continue;
     cells.push_back({body.subspan(begin, at - begin), row});
     begin = at + 1;
-    if (row) begin = std::max(begin, optional_argument_at(body, begin).next);
+    if (row && is_length(optional_argument_at(body, begin).content))
+      begin = optional_argument_at(body, begin).next;
   }
   if (!trim(body.subspan(begin)).empty()) cells.push_back({body.subspan(begin), true});
   if (!cells.empty()) cells.back().ends_row = true;
@@ -134,8 +135,12 @@ SyntaxId Parser::bars(Cursor& cursor) {
     return opaque(open.span, "this bar is not closed", DiagnosticKind::unbalanced);
   }
   const TokenView content = cursor.tokens.subspan(cursor.at + 1, close - cursor.at - 1);
-  const Span span = cover(open.span, cursor.tokens[close].span);
+  const Token closing = cursor.tokens[close];
+  const Span span = cover(open.span, closing.span);
   cursor.at = close + 1;
+  if (sized && !is_control(closing, norm ? "rVert" : "rvert")) {
+    return opaque(closing.span, "this does not close the bar before it", DiagnosticKind::unbalanced);
+  }
   const SyntaxChild child{inner(content, span)};
   return tree_.add(norm ? SyntaxKind::norm : SyntaxKind::bars, span, {&child, 1});
 }

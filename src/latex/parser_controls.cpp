@@ -75,8 +75,8 @@ SyntaxId Parser::control(Cursor& cursor) {
                 {"if it is a macro of your own, its definition was not seen"});
 }
 
-/// What is written over or under an expression never changes it, except arrows over a letter: those are a
-/// tensor's.
+/// What is written under a brace never changes an expression. Arrows over a letter make a vector or a tensor;
+/// other signs over a letter are not read.
 SyntaxId Parser::annotated(Cursor& cursor) {
   const Token token = cursor.token();
   const Argument first = argument_at(cursor.tokens, cursor.at + 1);
@@ -93,9 +93,13 @@ SyntaxId Parser::annotated(Cursor& cursor) {
   const Argument second = argument_at(cursor.tokens, first.next);
   cursor.at = second.next;
   const SyntaxId inside = inner(second.content, token.span);
-  const bool arrows = text_of(first.content).find("leftrightarrow") != std::string::npos;
-  if (arrows) return restyle(inside, {.face = Face::tensor}, cover(token.span, tree_[inside].span));
-  return inside;
+  const std::string sign = text_of(first.content);
+  const Span span = cover(token.span, tree_[inside].span);
+  if (token.text != "underset" && sign == "\\leftrightarrow")
+    return restyle(inside, {.face = Face::tensor}, span);
+  if (token.text != "underset" && (sign == "\\rightarrow" || sign == "\\to"))
+    return restyle(inside, {.face = Face::vector}, span);
+  return opaque(span, fmt::format("`{}` over or under an expression is not read", sign));
 }
 
 SyntaxId Parser::fraction(Cursor& cursor) {

@@ -77,6 +77,7 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
     cursor.at = nested.at;
     return restyle(inside, style, cover(token.span, tree_[inside].span));
   }
+  if (token.text == "bf" || token.text == "rm" || token.text == "bold") return switched(cursor, style, at);
   const Argument argument = argument_at(cursor.tokens, at);
   cursor.at = argument.next;
   const TokenView content = trim(argument.content);
@@ -97,6 +98,18 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
     return tree_.add_symbol(span, std::move(symbol));
   }
   return restyle(inner(content, span), style, span);
+}
+
+/// `{\bf A}`: a switch holds to the end of its group, which must be one symbol.
+SyntaxId Parser::switched(Cursor& cursor, Style style, std::size_t at) {
+  const Token token = cursor.token();
+  const TokenView rest = cursor.tokens.subspan(at);
+  cursor.at = cursor.tokens.size();
+  const Span span = cover(token.span, span_of(rest));
+  const SyntaxId inside = inner(rest, span);
+  if (tree_[inside].kind != SyntaxKind::symbol)
+    return opaque(span, fmt::format("`\\{}` over more than one symbol is not read", token.text));
+  return restyle(inside, style, span);
 }
 
 SyntaxId Parser::restyle(SyntaxId inside, Style style, Span span) {

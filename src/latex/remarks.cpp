@@ -37,9 +37,18 @@ bool names_only(const std::string& words) {
       "vectors",  "values",   "indices",  "numbers",  "and",        "dot",    "cross",  "triple",
       "product",  "expand",   "contract", "rename",   "rearrange"};
   std::string word;
+  bool harmless_noun =
+      false;  // a capital begins a name only beside a noun: `Lagrange's identity`, not `Orthogonal`
+  bool any_name = false;
   const auto is_harmless = [&] {
-    if (word.size() < 2 || std::isupper(static_cast<unsigned char>(word[0])) != 0) return true;
-    return std::find(harmless.begin(), harmless.end(), word) != harmless.end();
+    if (word.size() < 2) return true;
+    if (std::isupper(static_cast<unsigned char>(word[0])) != 0) {
+      any_name = true;
+      return true;
+    }
+    const bool known = std::find(harmless.begin(), harmless.end(), word) != harmless.end();
+    harmless_noun = harmless_noun || known;
+    return known;
   };
   for (const char c : words + " ") {
     if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
@@ -49,7 +58,7 @@ bool names_only(const std::string& words) {
     if (!is_harmless()) return false;
     word.clear();
   }
-  return true;
+  return harmless_noun || !any_name;
 }
 
 }  // namespace

@@ -22,17 +22,6 @@ int vanishing_arguments(const Token& token) {
   return 0;
 }
 
-/// `\\[2pt]`: only a length is an argument of the line break, `\\ [A, B]` is not.
-bool is_length(TokenView tokens) {
-  const std::string text = text_of(tokens);
-  if (text.find("skip") != std::string::npos || text.find("jot") != std::string::npos) return true;
-  const auto letters = text.find_first_not_of("-+.0123456789 ");
-  if (letters == std::string::npos || letters == 0) return false;
-  static constexpr std::string_view units[] = {"pt", "em", "ex", "mm", "cm", "in", "mu"};
-  return std::find(std::begin(units), std::end(units), std::string_view(text).substr(letters)) !=
-         std::end(units);
-}
-
 class RowReader {
  public:
   RowReader(TokenView tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}

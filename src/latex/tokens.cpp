@@ -69,6 +69,27 @@ Argument optional_argument_at(TokenView tokens, std::size_t at) {
   return {{}, at};
 }
 
+std::size_t skip_empty_group(TokenView tokens, std::size_t at) {
+  if (at >= tokens.size() || tokens[at].kind != TokenKind::begin_group) return at;
+  const std::size_t close = skip_blank(tokens, at + 1);
+  if (close >= tokens.size() || tokens[close].kind != TokenKind::end_group) return at;
+  const std::size_t behind = skip_blank(tokens, close + 1);
+  const bool script = behind < tokens.size() &&
+                      (tokens[behind].kind == TokenKind::subscript ||
+                       tokens[behind].kind == TokenKind::superscript || is_sign(tokens[behind], "'"));
+  return script ? at : close + 1;
+}
+
+bool is_length(TokenView tokens) {
+  const std::string text = text_of(tokens);
+  if (text.find("skip") != std::string::npos || text.find("jot") != std::string::npos) return true;
+  const auto letters = text.find_first_not_of("-+.0123456789 ");
+  if (letters == std::string::npos || letters == 0) return false;
+  static constexpr std::string_view units[] = {"pt", "em", "ex", "mm", "cm", "in", "mu"};
+  return std::find(std::begin(units), std::end(units), std::string_view(text).substr(letters)) !=
+         std::end(units);
+}
+
 const Token* unbalanced_brace(TokenView tokens) {
   std::vector<const Token*> open;
   for (const Token& token : tokens) {

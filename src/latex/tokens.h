@@ -42,6 +42,13 @@ struct ScriptArgument {
 /// Is the token the argument of a `_` or `^` before it? `A_\perp` holds no relation.
 [[nodiscard]] bool is_script_argument(TokenView tokens, std::size_t at);
 
+/// The place behind an empty group `{}` that stands at `at` and carries no script; `at` itself otherwise.
+/// Such a group means nothing.
+[[nodiscard]] std::size_t skip_empty_group(TokenView tokens, std::size_t at);
+
+/// `2pt`, `\smallskip`: only a length is an optional argument of `\\`; `\\ [A, B]` is not one.
+[[nodiscard]] bool is_length(TokenView tokens);
+
 /// The first brace that nothing closes or opens, if any.
 [[nodiscard]] const Token* unbalanced_brace(TokenView tokens);
 

@@ -77,7 +77,7 @@ const std::unordered_map<std::string_view, Style>& styles() {
     std::unordered_map<std::string_view, Style> style;
     for (const char* word :
          {"mathbf", "boldsymbol", "bm", "pmb", "vec", "overrightarrow", "vb", "va", "vectorbold",
-          "vectorarrow", "mathbfit", "symbf", "symbfit", "bold", "bf", "vv"}) {
+          "vectorarrow", "mathbfit", "symbf", "symbfit", "bold", "bf", "vv", "underline"}) {
       style.emplace(word, Style{.face = Face::vector});
     }
     for (const char* word : {"hat", "widehat"}) style.emplace(word, Style{.accent = Accent::hat});
@@ -167,18 +167,11 @@ bool is_spacing(const Token& token) {
                            "allowbreak",
                            "nobreak",
                            "relax",
-                           "hskip",
-                           "mathop",
-                           "mathbin",
-                           "mathrel",
-                           "mathord",
                            "mathopen",
                            "mathclose",
-                           "mathinner",
                            "null",
                            "noindent",
                            "displaybreak",
-                           "smash",
                            "centering",
                            "small",
                            "footnotesize",
@@ -209,22 +202,23 @@ bool is_wide_space(const Token& token) {
 }
 
 bool is_words(const Token& token) {
-  static const Words words{"text", "mbox",   "textrm", "textit", "textbf",    "textnormal",
-                           "hbox", "textsf", "emph",   "fbox",   "intertext", "shortintertext",
-                           "qq",   "texttt", "textsc", "mathrel"};
+  static const Words words{"text",       "mbox",           "textrm", "textit", "textbf",
+                           "textnormal", "hbox",           "textsf", "emph",   "fbox",
+                           "intertext",  "shortintertext", "qq",     "texttt", "textsc"};
   return is_control(token, words);
 }
 
 bool is_transparent(const Token& token) {
-  static const Words words{"boxed", "ensuremath", "mathord", "mathinner", "Aboxed", "underline", "colorbox"};
+  static const Words words{"boxed",   "ensuremath", "mathord", "mathinner", "Aboxed",
+                           "mathrel", "mathbin",    "mathop",  "smash"};
   return is_control(token, words);
 }
 
 bool is_transparent_environment(std::string_view name) {
-  static const Words words{"aligned",  "split",         "gathered",     "alignedat", "align",     "align*",
-                           "gather",   "gather*",       "equation",     "equation*", "multline",  "multline*",
-                           "eqnarray", "eqnarray*",     "alignat",      "alignat*",  "multlined", "flalign",
-                           "flalign*", "dcases-system", "subequations", "lgathered", "rgathered"};
+  static const Words words{"aligned",  "split",        "gathered",  "alignedat", "align",     "align*",
+                           "gather",   "gather*",      "equation",  "equation*", "multline",  "multline*",
+                           "eqnarray", "eqnarray*",    "alignat",   "alignat*",  "multlined", "flalign",
+                           "flalign*", "subequations", "lgathered", "rgathered"};
   return words.contains(name);
 }
 
