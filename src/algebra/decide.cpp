@@ -192,7 +192,7 @@ Decision Decider::decide() {
   if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
   auto found = try_all_proofs(Effort::plain);
   if (!found && last_proof_.radicals) found = try_all_proofs(Effort::factored);
-  if (found && divides(unfolded_) && refuter_.points_compared() == 0) {
+  if (found && !found->proof.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
     static_cast<void>(look([this] { return refuter_.search(); }));
     if (refuter_.points_compared() == 0)
       return undecided("no sample was found at which both sides have a value");

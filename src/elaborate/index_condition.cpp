@@ -173,8 +173,9 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words,
       return std::adjacent_find(axes.begin(), axes.end()) != axes.end();
     });
   }
-  for (const char* negation : {"no", "un", "anti", "except", "all", "distinct", "different"}) {
-    if (has(text, negation)) return std::nullopt;
+  for (const char* negation :
+       {"not", "non", "anti", "unequal", "unless", "except", "all", "distinct", "different"}) {
+    if (has(text, negation) || text.starts_with("no")) return std::nullopt;
   }
   if (has(text, "#")) return std::nullopt;
   const std::size_t split = std::min(text.find('='), text.find("is"));

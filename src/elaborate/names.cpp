@@ -16,9 +16,13 @@ SymbolId Names::resolve(ExprTree& tree, const NameKey& key, const std::string& n
   symbol.rank = key.rank;
   symbol.per_particle = key.per_particle;
   symbol.first_seen = span;
-  const auto before =
-      declared_before_.find(key);  // its section is over: the same symbol, for which nothing is said any more
-  const SymbolId id = before != declared_before_.end() ? before->second : tree.symbols.add(std::move(symbol));
+  // A declaration whose section is over leaves the same symbol, for which nothing is said any more; one with
+  // properties of its own is another symbol.
+  const auto before = declared_before_.find(key);
+  const bool same = before != declared_before_.end() && !tree.symbols[before->second].symmetric &&
+                    !tree.symbols[before->second].unit;
+  const SymbolId id = same ? before->second : tree.symbols.add(std::move(symbol));
+  tree.symbols[id].declared = false;
   entries_[key] = Entry{id, std::nullopt, 0};
   return id;
 }
@@ -41,6 +45,7 @@ SymbolId Names::declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::
   if (before != declared_before_.end()) {
     const Symbol& known = tree.symbols[before->second];
     if (known.symmetric == symbol.symmetric && known.unit == symbol.unit) {
+      tree.symbols[before->second].declared = true;
       entries_[key] = Entry{before->second, directive, depth_};
       return before->second;
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/check.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -13,7 +16,8 @@ using namespace rigor;
 
 /// A folder of its own that goes with the test.
 struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "rigor-check-test";
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("rigor-check-test-{}", ::getpid());
 
   Folder() {
     std::filesystem::remove_all(path);

@@ -191,7 +191,7 @@ TEST_CASE("words that may restrict an equation stop its refutation only") {
   const std::string words = " \\quad \\text{to first order}";
   CHECK(verdicts(display("(a+b)^2 = a^2 + 2ab + b^2" + words)) == "proved");
   CHECK(verdicts(display("(a+b)^2 = a^2 + 2ab" + words)) == "not-understood");
-  CHECK(verdicts(display("(a+b)^2 = a^2 + 2ab \\quad \\text{(Newton)}")) == "refuted");
+  CHECK(verdicts(display("(a+b)^2 = a^2 + 2ab \\quad \\text{(Newton's identity)}")) == "refuted");
 }
 
 TEST_CASE("ranks and free indices that differ are mistakes, not refutations") {

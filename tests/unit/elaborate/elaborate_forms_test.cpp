@@ -84,7 +84,7 @@ TEST_CASE("three scalars in brackets are a vector") {
   CHECK(meaning("\\begin{pmatrix}a\\\\b\\\\c\\end{pmatrix} + \\mathbf{A}") ==
         "(add (tuple a b c) \\mathbf{A})");
   CHECK(meaning("(a,b)") == "1 unsupported: ?");
-  CHECK(meaning("(a,\\mathbf{b},c)") == "4 rank-mismatch: ?");
+  CHECK(meaning("(a,\\mathbf{b},c)") == "4 unsupported: ?");
 }
 
 TEST_CASE("three rows of three scalars are a tensor") {

@@ -148,9 +148,9 @@ TEST_CASE("an operand that is missing is bad syntax at its sign") {
   CHECK(parsed("") == "<bad-syntax>");
 }
 
-TEST_CASE("an empty group holds the place of a number") {
-  CHECK(parsed("{}-a") == "(sum +0 -a)");
-  CHECK(parsed("{}a") == "(term 1 a)");
+TEST_CASE("an empty group means nothing") {
+  CHECK(parsed("{}-a") == "(sum -a)");
+  CHECK(parsed("{}a") == "a");
 }
 
 TEST_CASE("a node has the span that its author typed") {
