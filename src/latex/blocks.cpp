@@ -152,8 +152,13 @@ class StatementSplitter {
         cut();
         if (is_control(token, "forall")) {
           const TokenView rest = tokens_.subspan(at);
-          if (has_relation(rest) || blocks_.empty()) {
+          if (blocks_.empty() || has_relation(rest))
             set_condition(span_of(rest), "what `\\forall` says of the equation is not read");
+          if (blocks_.empty()) {
+            ++at;
+            continue;
+          }
+          if (has_relation(rest)) {
             at = next_wide_space(at);
             continue;
           }
