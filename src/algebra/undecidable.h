@@ -26,6 +26,6 @@ inline constexpr std::size_t largest_free_indices = 6;
 inline constexpr std::size_t largest_digits = 1000;
 inline constexpr double largest_bits = 3322;  // of 1000 decimal digits
 inline constexpr std::uint32_t largest_depth =
-    2000;  // of nodes and unfolded definitions, one inside the other
+    800;  // of nodes and unfolded definitions, one inside the other
 
 }  // namespace rigor

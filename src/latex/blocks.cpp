@@ -13,6 +13,7 @@ namespace {
 
 struct Block {
   Tokens tokens;
+  bool related = false;  // a relation stands outside all brackets
   Span span() const { return span_of(trim(tokens)); }
 };
 
@@ -117,7 +118,7 @@ class StatementSplitter {
       const Token& token = tokens_[at];
       const int depth = nesting.enter(token);
       if (depth == 0 && is_wide_space(token)) {
-        if (may_end(block.tokens, at + 1) || is_remark_end(block.tokens, at + 1)) cut();
+        if (may_end(block, at + 1) || is_remark_end(block, at + 1)) cut();
         ++at;
         continue;
       }
@@ -167,6 +168,9 @@ class StatementSplitter {
         ++at;
         continue;
       }
+      block.related =
+          block.related || (depth == 0 && !is_script_argument(tokens_, at) &&
+                            (relation_kind(token).has_value() || is_stacked_relation(tokens_, at)));
       block.tokens.push_back(token);
       ++at;
     }
@@ -182,13 +186,13 @@ class StatementSplitter {
   static bool wants_operand(TokenView block) { return ends_open(block) && !trim(block).empty(); }
 
   /// Behind an equation, a remark in brackets ends at a wide space as well: `(\text{Kronecker}) \quad (17)`.
-  bool is_remark_end(TokenView block, std::size_t next) const {
-    return !blocks_.empty() && !has_relation(block) && !ends_open(block) && !trim(block).empty() &&
+  bool is_remark_end(const Block& block, std::size_t next) const {
+    return !blocks_.empty() && !block.related && !ends_open(block.tokens) && !trim(block.tokens).empty() &&
            goes_on_elsewhere(next);
   }
 
-  bool may_end(TokenView block, std::size_t next) const {
-    return has_relation(block) && !ends_open(block) && goes_on_elsewhere(next);
+  bool may_end(const Block& block, std::size_t next) const {
+    return block.related && !ends_open(block.tokens) && goes_on_elsewhere(next);
   }
 
   /// Does what stands next begin anew, rather than go on with a sign?

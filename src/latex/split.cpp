@@ -14,6 +14,7 @@ namespace {
 /// The tokens of one statement with the tag and label of its rows.
 struct Statement {
   Tokens tokens;
+  int open_brackets = 0;  // how many brackets more open than close
   std::string tag;
   std::string label;
   std::optional<Obstacle> condition;
@@ -45,7 +46,7 @@ bool starts_with_operator(TokenView tokens) {
          factor_joint(tokens[at]) != Joint::none;
 }
 
-int open_brackets(TokenView tokens) {
+int count_open_brackets(TokenView tokens) {
   int depth = 0;
   for (const Token& token : tokens) {
     if (is_sign(token, "(") || is_sign(token, "[")) ++depth;
@@ -57,7 +58,7 @@ int open_brackets(TokenView tokens) {
 /// Does the row go on with the statement above it?
 bool continues(const Statement& above, TokenView row, bool first_cell_empty, bool continuation_by_layout) {
   if (above.tokens.empty()) return false;
-  if (starts_with_relation(row) || open_brackets(above.tokens) > 0 || ends_open(above.tokens)) return true;
+  if (starts_with_relation(row) || above.open_brackets > 0 || ends_open(above.tokens)) return true;
   if (continuation_by_layout) return true;
   if (starts_with_operator(row)) return first_cell_empty || !has_relation(row);
   return false;
@@ -120,6 +121,7 @@ class RowJoiner {
         starts_with_relation(tokens)) {  // `a &= b &= c`
       Statement& before = open_[column - 1];
       before.tokens.insert(before.tokens.end(), tokens.begin(), tokens.end());
+      before.open_brackets += count_open_brackets(tokens);
       return;
     }
     // `a &= b & \text{if } i \ne j`: what stands beside an equation belongs to it.
@@ -140,6 +142,7 @@ class RowJoiner {
     }
     Statement& current = open_[column];
     current.tokens.insert(current.tokens.end(), tokens.begin(), tokens.end());
+    current.open_brackets += count_open_brackets(tokens);
     if (!row.tag.empty()) current.tag = row.tag;
     if (!row.label.empty()) current.label = row.label;
   }
