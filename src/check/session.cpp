@@ -107,6 +107,7 @@ void Session::follow(const ParsedDisplay& display) {
   }
   report_.diagnostics.insert(report_.diagnostics.end(), display.diagnostics.begin(),
                              display.diagnostics.end());
+  const std::size_t first_step = report_.steps.size();
   for (const ParsedChain& parsed : display.chains) {
     if (skip == nullptr) {
       chain(parsed, {});
@@ -117,6 +118,44 @@ void Session::follow(const ParsedDisplay& display) {
       skipped.verdict = Verdict::skipped;
       skipped.route = skip->text;
       add(std::move(skipped));
+    }
+  }
+  if (skip == nullptr) heed_conditions(display, first_step);
+}
+
+/// `(A×B)² = A²B², A·B = 0`: a law beside an equation on its line may be the condition under which it holds.
+/// Then what was refuted without it is not understood.
+void Session::heed_conditions(const ParsedDisplay& display, std::size_t first_step) {
+  const auto chain_of = [&](const Step& step) -> const WrittenChain* {
+    for (const ParsedChain& parsed : display.chains) {
+      for (const WrittenRelation& relation : parsed.written.relations) {
+        if (relation.span == step.relation_span) return &parsed.written;
+      }
+    }
+    return nullptr;
+  };
+  for (std::size_t law = first_step; law < report_.steps.size(); ++law) {
+    const Diagnostics& reasons = report_.steps[law].diagnostics;
+    const bool is_law = std::any_of(reasons.begin(), reasons.end(), [](const Diagnostic& reason) {
+      return reason.kind == DiagnosticKind::undeclared_symbol;
+    });
+    if (!is_law) continue;
+    for (std::size_t k = first_step; k < report_.steps.size(); ++k) {
+      Step& step = report_.steps[k];
+      if (step.verdict != Verdict::refuted || step.expected_refuted) continue;
+      const WrittenChain* condition = chain_of(report_.steps[law]);
+      const WrittenChain* own = chain_of(step);
+      const bool beside = condition != nullptr && own != nullptr && condition != own &&
+                          condition->statement == own->statement;
+      if (!beside) continue;
+      --report_.counts[static_cast<std::size_t>(step.verdict)];
+      step.verdict = Verdict::not_understood;
+      ++report_.counts[static_cast<std::size_t>(step.verdict)];
+      step.counterexample.reset();
+      step.diagnostics = {{DiagnosticKind::unsupported,
+                           step.relation_span,
+                           "it does not hold for all values, and what stands beside it may be its condition",
+                           {{report_.steps[law].relation_span, "this condition is not read"}}}};
     }
   }
 }

@@ -35,6 +35,7 @@ class Session {
   void declare(const Directive& directive);
   void declare_symbol(const Directive& directive, SyntaxId id);
   void report_unused();
+  void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
 
   void chain(const ParsedChain& parsed, const Context& context);
   struct Side {

@@ -74,9 +74,6 @@ class Names {
   [[nodiscard]] bool labels_particles(const std::string& letter) const {
     return particle_letters_.contains(letter) || sightings.summed_greek.contains(letter);
   }
-  [[nodiscard]] bool is_declared_particle(const std::string& letter) const {
-    return particle_letters_.contains(letter);
-  }
 
   void define(NamedDefinition definition);
   void assume(NamedAssumption assumption);

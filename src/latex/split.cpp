@@ -187,10 +187,13 @@ std::vector<WrittenChain> split_display(TokenView tokens, std::string_view envir
   if (!name.empty() && name.back() == '*') name.pop_back();
   std::vector<WrittenChain> chains;
   const std::vector<Row> rows = read_rows(tokens, diagnostics);
+  std::size_t number = 0;
   for (Statement& statement : RowJoiner(rows, name).join()) {
+    ++number;
     for (WrittenChain& chain : split_statement(statement.tokens)) {
       if (chain.tag.empty()) chain.tag = statement.tag;
       chain.label = statement.label;
+      chain.statement = number;
       if (statement.condition && !chain.condition) {
         chain.condition = statement.condition;
         chain.condition_span = statement.condition_span;

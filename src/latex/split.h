@@ -37,6 +37,7 @@ struct WrittenChain {
   Span condition_span;
   /// Words beside the equation that may restrict it ("to first order"): it may be proved, never refuted.
   std::optional<Obstacle> doubt;
+  std::size_t statement = 0;  // which statement of the display; equations on one line share it
   Span span;
 };
 

@@ -75,14 +75,14 @@ TEST_CASE("a declaration holds to the end of its section and in those inside it"
   names.declare_particles("\\alpha", 1);
   names.open_section(2);
   CHECK(names.is_declared(scalar_a));
-  CHECK(names.is_declared_particle("\\alpha"));
+  CHECK(names.labels_particles("\\alpha"));
   names.declare(tree, vector_a, named("A"), 2);
   names.open_section(2);
   CHECK_FALSE(names.is_declared(vector_a));
   CHECK(names.is_declared(scalar_a));
   names.open_section(1);
   CHECK_FALSE(names.is_declared(scalar_a));
-  CHECK_FALSE(names.is_declared_particle("\\alpha"));
+  CHECK_FALSE(names.labels_particles("\\alpha"));
 }
 
 TEST_CASE("what is declared before the first heading holds everywhere") {
@@ -172,7 +172,6 @@ TEST_CASE("a letter labels particles if a directive or a sum over it says so") {
   CHECK_FALSE(names.is_particle_letter("\\alpha"));
   names.sightings.summed_greek.insert("\\alpha");
   CHECK(names.is_particle_letter("\\alpha"));
-  CHECK_FALSE(names.is_declared_particle("\\alpha"));
   names.declare_particles("n", 4);
   CHECK(names.labels_particles("n"));
   CHECK_FALSE(names.is_used(4));

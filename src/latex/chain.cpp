@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/chain.h"
+
+#include <optional>
+
+#include "latex/blocks.h"
+#include "latex/remarks.h"
+
+namespace rigor {
+namespace {
+
+TokenView without_punctuation(TokenView tokens) {
+  tokens = without_empty_end(tokens);
+  while (!tokens.empty() &&
+         (is_spacing(tokens.back()) || is_sign(tokens.back(), ".") || is_sign(tokens.back(), ",") ||
+          is_sign(tokens.back(), ";") || is_sign(tokens.back(), ":"))) {
+    tokens = trim(tokens.first(tokens.size() - 1));
+  }
+  return tokens.subspan(first_significant(tokens, 0));
+}
+
+/// The relation at `at`, and the place behind it.
+struct RelationAt {
+  WrittenRelation relation;
+  std::size_t next;
+};
+
+/// The words in what is written on a relation; a `?` where there are other signs.
+std::string mark_words(TokenView mark) {
+  mark = trim(mark);
+  if (mark.size() > 1 && is_words(mark[0])) {
+    const Argument words = argument_at(mark, 1);
+    if (words.next == mark.size()) return text_of(words.content);
+  }
+  return "?unknown";
+}
+
+std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
+  const Token& token = tokens[at];
+  if (is_sign(token, ":") && at + 1 < tokens.size() && is_sign(tokens[at + 1], "=")) {
+    return RelationAt{{RelationKind::defines, cover(token.span, tokens[at + 1].span), ":="}, at + 2};
+  }
+  if (is_stacked_relation(tokens, at)) {
+    const Argument above = argument_at(tokens, at + 1);
+    const Argument below = argument_at(tokens, above.next);
+    const std::string mark = text_of(above.content);
+    RelationKind kind = relation_kind(trim(below.content).front()).value_or(RelationKind::equal);
+    if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
+    const bool harmless = mark.find_first_not_of("0123456789().ab") == std::string::npos ||
+                          remark_of(mark_words(above.content)) == Remark::remark;
+    if (!harmless && kind == RelationKind::equal) kind = RelationKind::other;
+    if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
+    if (mark.find("def") != std::string::npos || mark.find("triangle") != std::string::npos)
+      kind = RelationKind::defines;
+    return RelationAt{
+        {kind, cover(token.span, span_of(below.content)), text_of(tokens.subspan(at, below.next - at))},
+        below.next};
+  }
+  if (is_control(token, "not") && at + 1 < tokens.size() && relation_kind(tokens[at + 1])) {
+    return RelationAt{{RelationKind::other, cover(token.span, tokens[at + 1].span), "\\not="}, at + 2};
+  }
+  if (const auto kind = relation_kind(token))
+    return RelationAt{{*kind, token.span, text_of({&token, 1})}, at + 1};
+  return std::nullopt;
+}
+
+}  // namespace
+
+TokenView without_empty_end(TokenView tokens) {
+  tokens = trim(tokens);
+  while (tokens.size() > 1 && tokens.back().kind == TokenKind::end_group) {
+    const TokenView open = trim(tokens.first(tokens.size() - 1));
+    const bool empty = !open.empty() && open.back().kind == TokenKind::begin_group &&
+                       (open.size() == 1 || (open[open.size() - 2].kind != TokenKind::control &&
+                                             open[open.size() - 2].kind != TokenKind::end_group &&
+                                             !is_script_argument(open, open.size() - 1)));
+    if (!empty) break;
+    tokens = trim(open.first(open.size() - 1));
+  }
+  return tokens;
+}
+
+WrittenChain chain_of(TokenView tokens) {
+  WrittenChain chain;
+  Nesting nesting(false);
+  std::size_t begin = 0;
+  const auto finish_side = [&](std::size_t end) {
+    const TokenView side = without_punctuation(tokens.subspan(begin, end - begin));
+    Span span = span_of(side);
+    if (side.empty() && !chain.relations.empty()) {
+      span = chain.relations.back().span;
+      span.begin = span.end;
+    }
+    chain.sides.push_back({Tokens(side.begin(), side.end()), span});
+  };
+  for (std::size_t at = 0; at < tokens.size();) {
+    const int depth = nesting.enter(tokens[at]);
+    const auto found = depth == 0 && !is_script_argument(tokens, at) ? relation_at(tokens, at) : std::nullopt;
+    if (!found) {
+      ++at;
+      continue;
+    }
+    finish_side(at);
+    chain.relations.push_back(found->relation);
+    at = begin = found->next;
+  }
+  finish_side(tokens.size());
+  if (chain.sides.front().tokens.empty() && !chain.relations.empty()) {
+    chain.sides.front().span = chain.relations.front().span;
+    chain.sides.front().span.end = chain.sides.front().span.begin;
+  }
+  chain.span = cover(chain.sides.front().span, chain.sides.back().span);
+  for (const WrittenSide& side : chain.sides) chain.span = cover(chain.span, side.span);
+  return chain;
+}
+
+}  // namespace rigor
