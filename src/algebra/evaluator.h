@@ -9,6 +9,7 @@
 //   void add(Number& total, const Number&)        void negate(Number&)
 //   Number multiply(const Number&, const Number&) Number divide(const Number&, const Number&)
 //   Number power(const Number&, int exponent)     Number root(const Number&)       (non-negative square root)
+//   Number function(Function, const Number&)
 //   Number value(SymbolId, std::uint32_t particle, std::size_t component)          (of a free symbol)
 //   std::vector<Number> particle_sum(std::size_t count, body)   body(particle) gives `count` numbers
 //   void settle(Number&)                          for a value that will be used again: brings it into its

@@ -50,6 +50,8 @@ auto Evaluator<Domain>::scalar(ExprId id) -> Number {
       for_each_index(chain, [&] { domain_->add(total, scalar(chain.body)); });
       return total;
     }
+    case Op::function:
+      return domain_->function(here.function, scalar(child(id)));
     case Op::table:
       return scalar(child(id, tree_->table(id).entry[slot_position(id)]));
     case Op::basis:

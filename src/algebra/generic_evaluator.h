@@ -38,6 +38,7 @@ class GenericDomain {
   [[nodiscard]] Fraction divide(const Fraction& a, const Fraction& b);
   [[nodiscard]] Fraction power(const Fraction& base, int exponent);
   [[nodiscard]] Fraction root(const Fraction& square) { return radicals_.root(square); }
+  [[nodiscard]] Fraction function(Function function, const Fraction& argument);
   [[nodiscard]] Fraction value(SymbolId symbol, std::uint32_t frame, std::size_t component);
   template <class Body>
   [[nodiscard]] std::vector<Fraction> particle_sum(std::size_t count, const Body& body) {

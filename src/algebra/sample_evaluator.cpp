@@ -35,6 +35,11 @@ Rational SampleDomain::power(const Rational& base, int exponent) {
   return power_of(base, exponent);
 }
 
+Rational SampleDomain::function(Function function, const Rational& argument) {
+  if (!cln::zerop(argument)) throw PointRejected("a value of a function is not rational");
+  return function == Function::sin ? 0 : 1;
+}
+
 Rational SampleDomain::root(const Rational& square) {
   std::optional<Rational> root = exact_root(square);
   if (!root) throw PointRejected("a root is not rational");

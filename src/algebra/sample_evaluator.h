@@ -30,6 +30,7 @@ class SampleDomain {
   [[nodiscard]] Rational divide(const Rational& a, const Rational& b);
   [[nodiscard]] Rational power(const Rational& base, int exponent);
   [[nodiscard]] Rational root(const Rational& square);
+  [[nodiscard]] Rational function(Function function, const Rational& argument);
   [[nodiscard]] const Rational& value(SymbolId symbol, std::uint32_t particle, std::size_t component) {
     return point_->value(symbol, particle, component);
   }

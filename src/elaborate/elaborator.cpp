@@ -55,6 +55,10 @@ std::optional<Typed> Elaborator::expression(SyntaxId id) {
       return big_sum(id);
     case SyntaxKind::cases:
       return cases(id);
+    case SyntaxKind::derivative:
+    case SyntaxKind::function:
+    case SyntaxKind::integral:
+      return unsupported(node.span, "this is not decided yet");
     case SyntaxKind::text:
       return unsupported(node.span, fmt::format("the words `{}` stand for a quantity", syntax_.text(id)));
     case SyntaxKind::opaque: {

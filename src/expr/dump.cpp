@@ -51,6 +51,20 @@ namespace {
       return "particle-sum";
     case Op::table:
       return "table";
+    case Op::function:
+      return "function";
+  }
+  return "?";
+}
+
+[[nodiscard]] std::string_view name_of(Function function) {
+  switch (function) {
+    case Function::sin:
+      return "sin";
+    case Function::cos:
+      return "cos";
+    case Function::exp:
+      return "exp";
   }
   return "?";
 }
@@ -68,6 +82,7 @@ namespace {
 [[nodiscard]] std::string head(const ExprTree& tree, ExprId id) {
   const ExprNode& node = tree[id];
   if (node.op == Op::number) return tree.digits(id);
+  if (node.op == Op::function) return std::string(name_of(node.function));
   std::string text{node.op == Op::symbol ? std::string_view(tree.symbols[node.symbol].name)
                                          : name_of(node.op)};
   if (node.op == Op::symbol && node.particle != no_particle) text += '{' + tree.name(node.particle) + '}';

@@ -22,12 +22,16 @@ struct Definition {
   ExprId body{};
 };
 
-/// left = right for all values of the free indices and free particles; both sides have one rank.
+enum class Relation : std::uint8_t { equal, less, less_or_equal, unequal };
+
+/// left = right (or <, ≤, ≠) for all values of the free indices and free particles; both sides have one rank,
+/// which is 0 for an order.
 struct Equation {
   ExprId left{};
   ExprId right{};
   std::vector<IndexId> indices = {};       // free
   std::vector<ParticleId> particles = {};  // free
+  Relation relation = Relation::equal;
 };
 
 struct Question {

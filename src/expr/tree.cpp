@@ -59,6 +59,7 @@ struct Shape {
     case Op::index_sum:
       return {1, 0};
     case Op::particle_sum:
+    case Op::function:
       return {1, 0};
     case Op::table:
       return {any_count, any_count};
@@ -110,6 +111,7 @@ constexpr int no_rank = -1;
     case Op::power:
     case Op::root:
     case Op::absolute:
+    case Op::function:
       return ranks[0] == 0 ? 0 : no_rank;
     case Op::length:
       return ranks[0] == 1 ? 0 : no_rank;

@@ -42,9 +42,12 @@ enum class Op : std::uint8_t {
   determinant,   // nine children row by row; all of rank 0, or one row of rank 1: ε_ijk a_1i a_2j a_3k
   index_sum,     // Σ over `index` = 1..3
   particle_sum,  // Σ over all particles
+  function,      // `function` of one child of rank 0; rank 0
   table,  // values by index tuple: children are the values; `entry` says for each tuple which child (see
           // Table)
 };
+
+enum class Function : std::uint8_t { sin, cos, exp };
 
 /// A place for an index: a literal axis 1..3, or a variable.
 struct Slot {
@@ -67,6 +70,7 @@ struct ExprNode {
   ParticleId particle = no_particle;  // symbol, particle_sum
   std::int32_t exponent = 0;          // power
   std::uint32_t payload = 0;          // number: text; table: table
+  Function function = Function::sin;  // function
 };
 
 /// A function of index values: `entry[9(i-1)+3(j-1)+(k-1)]` (one base-3 digit a slot, first slot most

@@ -37,6 +37,11 @@ struct WrittenChain {
   Span condition_span;
   /// Words beside the equation that may restrict it ("to first order"): it may be proved, never refuted.
   std::optional<Obstacle> doubt;
+  /// "(no sum)" beside the equation: no letter is summed but under an explicit sign.
+  bool no_sum = false;
+  /// "and cyclic permutations", "etc." beside the equation or right behind the display: it is said for
+  /// 1 → 2 → 3 → 1 (x → y → z → x), too.
+  bool cyclic = false;
   std::size_t statement = 0;  // which statement of the display; equations on one line share it
   Span span;
 };

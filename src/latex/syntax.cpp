@@ -41,6 +41,16 @@ SyntaxId SyntaxTree::add_big_sum(Span span, WrittenSum sum, SyntaxId body) {
   return add(SyntaxKind::big_sum, span, {&child, 1}, append(sums_, std::move(sum)));
 }
 
+SyntaxId SyntaxTree::add_derivative(Span span, WrittenDerivative derivative, SyntaxId operand) {
+  const SyntaxChild child{operand};
+  return add(SyntaxKind::derivative, span, {&child, 1}, append(derivatives_, std::move(derivative)));
+}
+
+SyntaxId SyntaxTree::add_named(SyntaxKind kind, Span span, std::string name, SyntaxId child) {
+  const SyntaxChild only{child};
+  return add(kind, span, {&only, 1}, append(texts_, std::move(name)));
+}
+
 SyntaxId SyntaxTree::add_text(SyntaxKind kind, Span span, std::string text) {
   return add(kind, span, {}, append(texts_, std::move(text)));
 }
@@ -69,9 +79,15 @@ const WrittenSum& SyntaxTree::big_sum(SyntaxId id) const {
   return sums_[(*this)[id].payload];
 }
 
+const WrittenDerivative& SyntaxTree::derivative(SyntaxId id) const {
+  RIGOR_CHECK((*this)[id].kind == SyntaxKind::derivative);
+  return derivatives_[(*this)[id].payload];
+}
+
 const std::string& SyntaxTree::text(SyntaxId id) const {
   const SyntaxKind kind = (*this)[id].kind;
-  RIGOR_CHECK(kind == SyntaxKind::number || kind == SyntaxKind::text);
+  RIGOR_CHECK(kind == SyntaxKind::number || kind == SyntaxKind::text || kind == SyntaxKind::function ||
+              kind == SyntaxKind::integral);
   return texts_[(*this)[id].payload];
 }
 

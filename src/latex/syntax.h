@@ -31,10 +31,14 @@ enum class SyntaxKind : std::uint8_t {
   tuple,      // (a, b, c), a column or a row: the entries
   matrix,     // entries row by row, `columns` of them in a row
   determinant,
-  big_sum,  // \sum_{…}^{…} body
-  cases,    // value, condition, value, condition…
-  text,     // \text{…}: words
-  opaque,   // not read: `message` says why
+  big_sum,     // \sum_{…}^{…} body
+  cases,       // value, condition, value, condition…
+  derivative,  // d/dt, ∂/∂x, ∂_i of one child (see WrittenDerivative); `\dot x` is a symbol with dots
+  function,    // \cos, \exp, grad…: `text` is the name, one child is the argument (two of them: a tuple)
+  integral,    // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the child what is
+               // integrated
+  text,        // \text{…}: words
+  opaque,      // not read: `message` says why
 };
 
 /// How a child is joined to what stands before it.
@@ -57,6 +61,9 @@ struct WrittenSymbol {
   Face face = Face::plain;
   Accent accent = Accent::none;
   std::uint8_t primes = 0;
+  std::uint8_t dots = 0;  // \dot, \ddot: time derivatives
+  std::string change =
+      {};  // `\delta` or `\Delta` before the letter: `\delta\mathbf{A}` is one symbol, a change of A
   std::vector<WrittenIndex> lower = {};
   Span letter_span = {};
 };
@@ -65,6 +72,17 @@ struct WrittenSum {
   std::vector<WrittenIndex> indices;
   std::string from;  // `1` in \sum_{i=1}^{3}; empty: no bound was written
   std::string to;    // `3`, `N`, `\infty`
+};
+
+/// What is differentiated by, and how often: `t`, `x`; `\partial_i` is by `x_i`.
+struct WrittenVariable {
+  WrittenSymbol symbol;
+  std::uint8_t times = 1;
+};
+
+struct WrittenDerivative {
+  bool partial = false;
+  std::vector<WrittenVariable> by;
 };
 
 struct SyntaxNode {
@@ -95,7 +113,9 @@ class SyntaxTree {
   SyntaxId add_symbol(Span span, WrittenSymbol symbol);
   SyntaxId add_component(Span span, SyntaxId base, std::vector<WrittenIndex> indices);
   SyntaxId add_big_sum(Span span, WrittenSum sum, SyntaxId body);
-  SyntaxId add_text(SyntaxKind kind, Span span, std::string text);  // number and text
+  SyntaxId add_derivative(Span span, WrittenDerivative derivative, SyntaxId operand);
+  SyntaxId add_named(SyntaxKind kind, Span span, std::string name, SyntaxId child);  // function and integral
+  SyntaxId add_text(SyntaxKind kind, Span span, std::string text);                   // number and text
   SyntaxId add_opaque(Span span, Obstacle obstacle);
 
   [[nodiscard]] const SyntaxNode& operator[](SyntaxId id) const {
@@ -106,7 +126,8 @@ class SyntaxTree {
   [[nodiscard]] const WrittenSymbol& symbol(SyntaxId id) const;
   [[nodiscard]] const std::vector<WrittenIndex>& indices(SyntaxId id) const;  // of a component
   [[nodiscard]] const WrittenSum& big_sum(SyntaxId id) const;
-  [[nodiscard]] const std::string& text(SyntaxId id) const;
+  [[nodiscard]] const WrittenDerivative& derivative(SyntaxId id) const;
+  [[nodiscard]] const std::string& text(SyntaxId id) const;  // of number, text, function, integral
   [[nodiscard]] const Obstacle& obstacle(SyntaxId id) const;
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
@@ -116,6 +137,7 @@ class SyntaxTree {
   std::vector<WrittenSymbol> symbols_;
   std::vector<std::vector<WrittenIndex>> index_lists_;
   std::vector<WrittenSum> sums_;
+  std::vector<WrittenDerivative> derivatives_;
   std::vector<std::string> texts_;
   std::vector<Obstacle> obstacles_;
 };

@@ -19,8 +19,16 @@ enum class RelationKind : std::uint8_t {
   identical,  // \equiv
   defines,    // :=
   demanded,   // = with ! above it: a condition that is imposed
-  other,      // <, \approx, \propto…: read as a relation, not decided
-  implies,    // \Rightarrow, \iff…: between equations
+  less,
+  less_or_equal,
+  greater,
+  greater_or_equal,
+  unequal,
+  nearly,        // \approx, \simeq: to first order in what is small
+  much_less,     // \ll
+  much_greater,  // \gg
+  other,         // \propto, \in…: read as a relation, not decided
+  implies,       // \Rightarrow, \iff…: between equations
 };
 
 /// The relation that a control word (`leq`) or a sign (`<`) writes.
