@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "latex/cyclic_image.h"
 #include "latex/parse.h"
 #include "source/suggest.h"
 
@@ -22,10 +23,17 @@ constexpr std::array directive_words{
     DirectiveWord{"tensor", DirectiveKind::tensor},     DirectiveWord{"particles", DirectiveKind::particles},
     DirectiveWord{"constant", DirectiveKind::constant}, DirectiveWord{"let", DirectiveKind::let},
     DirectiveWord{"given", DirectiveKind::given},       DirectiveWord{"claim", DirectiveKind::claim},
-    DirectiveWord{"expect", DirectiveKind::expect},     DirectiveWord{"skip", DirectiveKind::skip}};
+    DirectiveWord{"expect", DirectiveKind::expect},     DirectiveWord{"skip", DirectiveKind::skip},
+    DirectiveWord{"rotation", DirectiveKind::rotation}, DirectiveWord{"basis", DirectiveKind::basis},
+    DirectiveWord{"frame", DirectiveKind::frame},       DirectiveWord{"small", DirectiveKind::small},
+    DirectiveWord{"where", DirectiveKind::where},       DirectiveWord{"order", DirectiveKind::first_order}};
 
 /// Directives that the design names and this version does not decide with.
-constexpr std::array later_words{"rotation", "basis", "frame", "small", "units"};
+constexpr std::array later_words{"units"};
+
+bool is_adjective(const std::string& word) {
+  return word == "symmetric" || word == "unit" || word == "first";
+}
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -53,10 +61,10 @@ Opening read_opening(const SourceMap& sources, Span line) {
   while (true) {
     const std::size_t before = at;
     const std::string word = next_word(text, at);
-    const bool adjective = word == "symmetric" || word == "unit";
-    const bool kind_known =
-        std::any_of(opening.words.begin(), opening.words.end(),
-                    [](const std::string& known) { return known != "symmetric" && known != "unit"; });
+    const bool adjective =
+        word == "symmetric" || word == "unit" || (word == "first" && opening.words.empty());
+    const bool kind_known = std::any_of(opening.words.begin(), opening.words.end(),
+                                        [](const std::string& known) { return !is_adjective(known); });
     if (kind_known && !adjective) {
       at = before;
       break;
@@ -96,11 +104,17 @@ class DirectiveReader {
     if (!kind) return std::nullopt;
     directive.kind = *kind;
     if (directive.kind == DirectiveKind::skip) return directive;
+    if (directive.kind == DirectiveKind::first_order) {
+      if (opening.words.front() == "first") return directive;
+      return bad(line, "`order` is no directive by itself",
+                 "`first order` says how the next statement is meant");
+    }
+    if (directive.kind == DirectiveKind::frame) return frame(opening.rest, std::move(directive));
     if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
     const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
     const bool equations = directive.kind == DirectiveKind::let || directive.kind == DirectiveKind::given ||
-                           directive.kind == DirectiveKind::claim;
+                           directive.kind == DirectiveKind::where || directive.kind == DirectiveKind::claim;
     return equations ? with_chains(*tokens, std::move(directive))
                      : with_symbols(*tokens, std::move(directive));
   }
@@ -117,7 +131,7 @@ class DirectiveReader {
       const auto known = std::find_if(directive_words.begin(), directive_words.end(),
                                       [&](const DirectiveWord& entry) { return entry.word == word; });
       if (known != directive_words.end()) return known->kind;
-      if (word != "symmetric" && word != "unit") unknown = word;
+      if (!is_adjective(word)) unknown = word;
     }
     const Span place{line.file, line.begin,
                      std::min(line.end, line.begin + static_cast<std::uint32_t>(unknown.size()))};
@@ -150,6 +164,31 @@ class DirectiveReader {
     if (word == "refuted") return directive;
     return bad(directive.span, fmt::format("`expect {}` is not known", word),
                "`expect refuted` says that the next statement is false");
+  }
+
+  /// `frame rot rotates with \boldsymbol{\omega} in in`
+  std::optional<Directive> frame(Span rest, Directive directive) {
+    static constexpr std::string_view with = " rotates with ";
+    static constexpr std::string_view in = " in ";
+    const std::string_view text = sources_.text(rest);
+    const auto verb = text.find(with);
+    const auto last = text.rfind(in);
+    const bool fits =
+        verb != std::string_view::npos && last != std::string_view::npos && last >= verb + with.size();
+    std::size_t at = 0;
+    if (fits) {
+      directive.rotating = next_word(text, at);
+      at = last + in.size();
+      directive.fixed = next_word(text, at);
+    }
+    if (directive.rotating.empty() || directive.fixed.empty() || directive.rotating == directive.fixed)
+      return bad(directive.span, "the directive does not name two frames and an angular velocity",
+                 "e.g. `frame rot rotates with \\boldsymbol{\\omega} in in`");
+    const Span velocity{rest.file, rest.begin + static_cast<std::uint32_t>(verb + with.size()),
+                        rest.begin + static_cast<std::uint32_t>(last)};
+    const auto tokens = expand(lex(sources_, velocity), macros_, diagnostics_);
+    if (!tokens) return std::nullopt;
+    return with_symbols(*tokens, std::move(directive));
   }
 
   std::optional<Directive> with_symbols(TokenView tokens, Directive directive) {
@@ -211,6 +250,15 @@ std::optional<Directive> read_directive(const SourceMap& sources, Span line, Mac
   return DirectiveReader(sources, macros, syntax, diagnostics).read(bare);
 }
 
+void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax) {
+  for (int image = 1; image <= 2; ++image) {
+    ParsedChain next = chains.back();
+    for (SyntaxId& side : next.sides) side = cyclic_image(syntax, side);
+    next.image = image;
+    chains.push_back(std::move(next));
+  }
+}
+
 std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment, SyntaxTree& syntax,
                                       Diagnostics& diagnostics) {
   std::vector<ParsedChain> chains;
@@ -225,7 +273,9 @@ std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environ
                          : parse_side(side.tokens, side.span, syntax));
     }
     chain.written = std::move(written);
+    const bool cyclic = chain.written.cyclic;
     chains.push_back(std::move(chain));
+    if (cyclic) add_images(chains, syntax);
   }
   return chains;
 }

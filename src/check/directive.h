@@ -18,8 +18,14 @@ enum class DirectiveKind : std::uint8_t {
   tensor,
   particles,
   constant,
+  rotation,
+  basis,
+  frame,
+  small,
   let,
   given,
+  where,        // an assumption for the next statement only
+  first_order,  // the `=` of the next statement means "to first order in what is small"
   claim,
   expect,
   skip
@@ -29,6 +35,7 @@ enum class DirectiveKind : std::uint8_t {
 struct ParsedChain {
   WrittenChain written;
   std::vector<SyntaxId> sides;
+  int image = 0;  // of "and cyclic permutations": how often 1 → 2 → 3 → 1 was applied
 };
 
 struct Directive {
@@ -37,9 +44,12 @@ struct Directive {
   std::size_t number = 0;  // in the file, for "was it used?"
   bool symmetric = false;
   bool unit = false;
-  std::vector<SyntaxId> symbols;    // vector, scalar, tensor, particles, constant
-  std::vector<ParsedChain> chains;  // let, given, claim
-  std::string text;                 // as written, without comment
+  std::vector<SyntaxId>
+      symbols;  // vector, scalar, tensor, particles, constant, small…; frame: the angular velocity
+  std::vector<ParsedChain> chains;  // let, given, where, claim
+  std::string rotating;             // frame: the labels
+  std::string fixed;
+  std::string text;  // as written, without comment
 };
 
 /// Nothing where the line cannot be read (with a diagnostic), or holds only a comment.
@@ -49,6 +59,9 @@ struct Directive {
 /// Splits and parses; used for displays as well.
 [[nodiscard]] std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment,
                                                     SyntaxTree& syntax, Diagnostics& diagnostics);
+
+/// "and cyclic permutations": the two images of the last chain, behind it.
+void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax);
 
 /// The line without `# …` at its end and without blanks around it.
 [[nodiscard]] Span without_comment(const SourceMap& sources, Span line);

@@ -58,8 +58,10 @@ std::size_t term_count(const ExprTree& tree, ExprId id) {
 
 std::vector<SymbolId> undeclared(const ExprTree& tree, const std::set<SymbolId>& symbols) {
   std::vector<SymbolId> open;
-  std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open),
-               [&](SymbolId symbol) { return !tree.symbols[symbol].declared; });
+  std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open), [&](SymbolId symbol) {
+    const auto& derivation = tree.symbols[symbol].derivation;
+    return !tree.symbols[derivation ? derivation->base : symbol].declared;
+  });
   return open;
 }
 
@@ -104,6 +106,17 @@ std::vector<SymbolId> law_against_zero(const Question& question, ExprId side,
   return identity ? std::vector<SymbolId>{} : open;
 }
 
+/// What an order relation among the assumptions bounds is meant for all values within the bounds.
+std::vector<SymbolId> without_bounds(const Question& question, std::vector<SymbolId> open) {
+  for (const Equation& assumption : question.assumptions) {
+    if (assumption.relation == Relation::equal) continue;
+    for (const ExprId side : {assumption.left, assumption.right}) {
+      for (const SymbolId bounded : primitive_symbols(question, side)) std::erase(open, bounded);
+    }
+  }
+  return open;
+}
+
 }  // namespace
 
 std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
@@ -135,6 +148,7 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates) {
   all.insert(right.begin(), right.end());
   const std::vector<SymbolId> open = undeclared(tree, all);
   if (open.empty()) return {};
+  if (question.claim.relation != Relation::equal) return without_bounds(question, open);
   if (tree.is_zero_literal(question.claim.right))
     return law_against_zero(question, question.claim.left, open);
   if (tree.is_zero_literal(question.claim.left))

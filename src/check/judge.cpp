@@ -8,55 +8,11 @@
 
 #include "algebra/decide.h"
 #include "check/identity_reading.h"
+#include "check/question.h"
 #include "source/suggest.h"
 
 namespace rigor {
 namespace {
-
-/// The question, and which of the names' definitions and assumptions went into it.
-struct Prepared {
-  Question question;
-  std::vector<const NamedDefinition*> definitions;
-  std::vector<const NamedAssumption*> assumptions;
-};
-
-/// Everything that the claim can depend on: definitions of its symbols, and assumptions that share a symbol
-/// with it, until nothing is added.
-Prepared prepare(const ExprTree& tree, const Names& names, const Equation& claim) {
-  Prepared prepared;
-  prepared.question.tree = &tree;
-  prepared.question.claim = claim;
-  std::set<SymbolId> reached;
-  std::vector<ExprId> pending{claim.left, claim.right};
-  std::set<const NamedAssumption*> taken;
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    for (const SymbolId symbol : symbols_in(tree, id)) {
-      if (!reached.insert(symbol).second) continue;
-      if (const NamedDefinition* definition = names.definition_of(symbol)) {
-        prepared.definitions.push_back(definition);
-        prepared.question.definitions.push_back(definition->definition);
-        pending.push_back(definition->definition.body);
-      }
-    }
-    if (!pending.empty()) continue;
-    for (const NamedAssumption& assumption : names.assumptions()) {
-      if (taken.contains(&assumption)) continue;
-      std::vector<SymbolId> own = symbols_in(tree, assumption.equation.left);
-      const std::vector<SymbolId> right = symbols_in(tree, assumption.equation.right);
-      own.insert(own.end(), right.begin(), right.end());
-      if (std::none_of(own.begin(), own.end(), [&](SymbolId symbol) { return reached.contains(symbol); }))
-        continue;
-      taken.insert(&assumption);
-      prepared.assumptions.push_back(&assumption);
-      prepared.question.assumptions.push_back(assumption.equation);
-      pending.push_back(assumption.equation.left);
-      pending.push_back(assumption.equation.right);
-    }
-  }
-  return prepared;
-}
 
 void mark_used(Names& names, const Origin& origin) {
   if (origin.directive) names.mark_used(*origin.directive);
@@ -152,13 +108,20 @@ ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
 class Judging {
  public:
   Judging(ExprTree& tree, Names& names, const Claim& claim)
-      : tree_(tree), names_(names), claim_(claim), prepared_(prepare(tree, names, claim.equation)) {}
+      : tree_(tree),
+        names_(names),
+        claim_(claim),
+        prepared_(claim.nearly ? prepare(tree, names, claim.equation, Precision::small_order)
+                               : prepare(tree, names, claim.equation)) {}
 
   Judgement judge() {
-    for (const NamedDefinition* definition : prepared_.definitions) mark_used(names_, definition->origin);
-    const Decision decision = decide(prepared_.question);
-    for (const std::size_t which : decision.assumptions)
-      mark_used(names_, prepared_.assumptions[which]->origin);
+    Decision decision = decide_prepared();
+    if (claim_.nearly && decision.outcome == Outcome::proved) {
+      prepared_ = prepare(tree_, names_, claim_.equation, Precision::small_order, 1);
+      first_order_ = true;
+      decision = decide_prepared();
+      decision.vanishes = false;
+    }
     judgement_.route = decision.route;
     switch (decision.outcome) {
       case Outcome::proved:
@@ -168,8 +131,9 @@ class Judging {
         refuted(decision);
         break;
       case Outcome::undecided:
+        mark_all_assumptions();
+        if (doubts_change()) break;
         judgement_.verdict = Verdict::undecided;
-        for (const NamedAssumption* assumption : prepared_.assumptions) mark_used(names_, assumption->origin);
         add(DiagnosticKind::undecided,
             decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
         break;
@@ -183,22 +147,42 @@ class Judging {
     judgement_.diagnostics.push_back({kind, claim_.relation, std::move(message), {}, std::move(help)});
   }
 
-  void note_uses(const Decision& decision) {
-    for (const NamedDefinition* definition : prepared_.definitions) {
-      const auto& unfolded = decision.unfolded;
-      const bool used =
-          std::find(unfolded.begin(), unfolded.end(), definition->definition.symbol) != unfolded.end();
-      if (used) judgement_.uses.push_back(definition->origin.text);
+  Decision decide_prepared() {
+    for (const Origin* definition : prepared_.definitions) mark_used(names_, *definition);
+    Decision decision = decide(prepared_.question);
+    for (const std::size_t which : decision.assumptions) {
+      if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
-    for (const std::size_t which : decision.assumptions)
-      judgement_.uses.push_back(prepared_.assumptions[which]->origin.text);
-    for (const std::string& convention : claim_.reading->conventions())
-      judgement_.uses.push_back("convention: " + convention);
+    return decision;
+  }
+
+  void mark_all_assumptions() {
+    for (const NamedAssumption* assumption : prepared_.assumptions) {
+      if (assumption != nullptr) mark_used(names_, assumption->origin);
+    }
+  }
+
+  void add_use(const std::string& use) {
+    if (std::find(judgement_.uses.begin(), judgement_.uses.end(), use) == judgement_.uses.end())
+      judgement_.uses.push_back(use);
+  }
+
+  void note_uses(const Decision& decision) {
+    for (std::size_t k = 0; k < prepared_.definitions.size(); ++k) {
+      const auto& unfolded = decision.unfolded;
+      const SymbolId symbol = prepared_.question.definitions[k].symbol;
+      if (std::find(unfolded.begin(), unfolded.end(), symbol) != unfolded.end())
+        add_use(prepared_.definitions[k]->text);
+    }
+    for (const std::size_t which : decision.assumptions) {
+      if (prepared_.assumptions[which] != nullptr) add_use(prepared_.assumptions[which]->origin.text);
+    }
+    for (const std::string& convention : claim_.reading->conventions()) add_use("convention: " + convention);
   }
 
   void proved(const Decision& decision) {
     for (const std::size_t which : decision.assumptions) {
-      if (!prepared_.assumptions[which]->without_sample) continue;
+      if (prepared_.assumptions[which] == nullptr || !prepared_.assumptions[which]->without_sample) continue;
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
           "it follows from assumptions that no sample was found to satisfy, and from the impossible anything "
@@ -206,12 +190,43 @@ class Judging {
       return;
     }
     judgement_.verdict = Verdict::proved;
+    if (first_order_) note_neglected();
     const bool zero_written =
         tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);
     if (!decision.vanishes || zero_written) return;
     judgement_.route += ", 0 = 0";
     add(DiagnosticKind::zero_equals_zero,
         "both sides are zero for all values, so the step says less than it seems to");
+  }
+
+  /// The order of the first term that "nearly equal" leaves out.
+  void note_neglected() {
+    constexpr int highest = 4;
+    judgement_.route += ", to first order in what is small";
+    for (int order = 2; order <= highest; ++order) {
+      const Prepared higher = prepare(tree_, names_, claim_.equation, Precision::small_order, order);
+      const Decision decision = decide(higher.question);
+      if (decision.outcome == Outcome::proved) continue;
+      if (decision.outcome == Outcome::refuted)
+        judgement_.route += fmt::format("; the first term left out is of order {}", order);
+      return;
+    }
+    judgement_.route += fmt::format("; nothing is left out up to order {}", highest);
+  }
+
+  /// Something was differentiated of which nothing says whether it changes: then only a proof counts.
+  bool doubts_change() {
+    std::vector<SymbolId> unknown = prepared_.unknown_changes;
+    const std::vector<SymbolId>& written = claim_.reading->unknown_changes();
+    unknown.insert(unknown.end(), written.begin(), written.end());
+    if (unknown.empty()) return false;
+    judgement_.verdict = Verdict::not_understood;
+    add(DiagnosticKind::unknown_change,
+        fmt::format("nothing says whether {} {} constant", quoted_names(tree_, unknown),
+                    unknown.size() == 1 ? "is" : "are"),
+        {"`rigor: constant …` says so; a derivative that is written somewhere, or `rigor: given`, says how "
+         "it changes"});
+    return true;
   }
 
   /// `A·(A×B) = 1`: where neither side depends on anything, no law can make it true.
@@ -237,8 +252,7 @@ class Judging {
   std::optional<std::string> undeclared_negative(const Sample& sample) const {
     const auto has_root = [&](ExprId root) {
       std::vector<ExprId> pending{root};
-      for (const NamedDefinition* definition : prepared_.definitions)
-        pending.push_back(definition->definition.body);
+      for (const Definition& definition : prepared_.question.definitions) pending.push_back(definition.body);
       while (!pending.empty()) {
         const ExprId id = pending.back();
         pending.pop_back();
@@ -257,7 +271,8 @@ class Judging {
   }
 
   void refuted(const Decision& decision) {
-    for (const NamedAssumption* assumption : prepared_.assumptions) mark_used(names_, assumption->origin);
+    mark_all_assumptions();
+    if (doubts_change()) return;
     if (claim_.reading->guess() || claim_.doubt != nullptr) {
       const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
       judgement_.verdict = Verdict::not_understood;
@@ -266,7 +281,8 @@ class Judging {
       return;
     }
     const std::vector<SymbolId> law = law_symbols(prepared_.question, restates_definition());
-    if (!law.empty() && !both_constant(*decision.sample)) {
+    const bool order = claim_.equation.relation != Relation::equal;
+    if (!law.empty() && (order || !both_constant(*decision.sample))) {
       judgement_.verdict = Verdict::not_understood;
       judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law));
       return;
@@ -280,18 +296,27 @@ class Judging {
       return;
     }
     judgement_.verdict = Verdict::refuted;
-    judgement_.counterexample = describe(tree_, claim_.equation, *decision.sample);
-    judgement_.diagnostics.push_back({DiagnosticKind::refuted,
-                                      claim_.relation,
-                                      fmt::format("the sides differ: left is {}, right is {}",
-                                                  decision.sample->left, decision.sample->right),
-                                      {{claim_.left, ""}, {claim_.right, ""}}});
+    judgement_.counterexample = describe(tree_, prepared_.question.claim, *decision.sample);
+    Counterexample& example = *judgement_.counterexample;
+    if (claim_.swapped) std::swap(example.left, example.right);
+    judgement_.diagnostics.push_back(
+        {DiagnosticKind::refuted,
+         claim_.relation,
+         fmt::format("{}: left is {}, right is {}", difference(), example.left, example.right),
+         {{claim_.left, ""}, {claim_.right, ""}}});
+  }
+
+  std::string difference() const {
+    if (claim_.equation.relation != Relation::equal) return "the order does not hold";
+    if (!claim_.nearly) return "the sides differ";
+    return first_order_ ? "the first-order parts differ" : "the sides differ where all that is small is 0";
   }
 
   ExprTree& tree_;
   Names& names_;
   const Claim& claim_;
   Prepared prepared_;
+  bool first_order_ = false;
   Judgement judgement_;
 };
 

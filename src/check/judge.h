@@ -24,9 +24,11 @@ struct Judgement {
 /// What is judged, and where it stands.
 struct Claim {
   Equation equation;
-  Span relation;
-  Span left;
-  Span right;
+  bool nearly = false;   // equal to first order in what is small
+  bool swapped = false;  // `a > b` is asked as b < a
+  Span relation = {};
+  Span left = {};
+  Span right = {};
   const Elaborator* reading = nullptr;  // for its conventions and guesses
   const Obstacle* doubt = nullptr;      // words beside it that may restrict it
 };

@@ -61,6 +61,8 @@ class NotesReader {
                                           : "`}` closes nothing"});
       } else {
         parsed.chains = parse_chains(*tokens, display.environment, notes_.syntax, parsed.diagnostics);
+        const bool images = display.cyclic && !parsed.chains.empty() && parsed.chains.back().image == 0;
+        if (images) add_images(parsed.chains, notes_.syntax);
       }
     } else {
       parsed.unread = true;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/frame.h"
 #include "check/identity_reading.h"
 
 namespace rigor {
@@ -51,7 +52,26 @@ void Session::sight_all() {
     for (const SyntaxId side : sides) sight_faces(notes_.syntax, side, names_);
   }
   for (const auto& sides : statements) sight_indices(notes_.syntax, sides, names_);
+  for (const auto& sides : statements) {
+    for (const SyntaxId side : sides) sight_changes(notes_.syntax, side, names_);
+    sight_diagonals(notes_.syntax, sides, names_.sightings);
+  }
   summed = greek_only;
+  imply_primed_axes();
+}
+
+/// Without a directive, one symbol with mixed indices (`\\lambda_{i'j}`) gives the primed axes.
+void Session::imply_primed_axes() {
+  const bool told = std::any_of(notes_.events.begin(), notes_.events.end(), [](const Event& event) {
+    const auto* placed = std::get_if<PlacedDirective>(&event);
+    return placed != nullptr && (placed->directive.kind == DirectiveKind::rotation ||
+                                 placed->directive.kind == DirectiveKind::basis);
+  });
+  if (told || names_.sightings.mixed_axes.size() != 1) return;
+  const std::string& letter = *names_.sightings.mixed_axes.begin();
+  const SymbolId symbol = names_.resolve(tree_, {letter, 2, false}, letter, {});
+  tree_.symbols[symbol].rotation = true;
+  names_.set_primed_axes(symbol);
 }
 
 void Session::follow(const Heading& heading) {
@@ -62,7 +82,7 @@ void Session::follow(const Heading& heading) {
 void Session::follow(const PlacedDirective& placed) {
   const Directive& directive = placed.directive;
   directives_.push_back(&directive);
-  Context context{Role::claim, placed.place, directive.number};
+  Context context{.role = Role::claim, .place = placed.place, .directive = directive.number};
   switch (directive.kind) {
     case DirectiveKind::expect:
       expectation_ = &directive;
@@ -70,6 +90,13 @@ void Session::follow(const PlacedDirective& placed) {
     case DirectiveKind::skip:
       skip_ = &directive;
       return;
+    case DirectiveKind::first_order:
+      first_order_ = &directive;
+      return;
+    case DirectiveKind::where:
+      open_scene();
+      context.role = Role::given;
+      break;
     case DirectiveKind::claim:
       names_.mark_used(directive.number);
       break;
@@ -83,7 +110,9 @@ void Session::follow(const PlacedDirective& placed) {
       declare(directive);
       return;
   }
+  if (directive.kind == DirectiveKind::claim) context.first_order = take_first_order();
   for (const ParsedChain& parsed : directive.chains) chain(parsed, context);
+  if (directive.kind == DirectiveKind::claim) close_scene();
 }
 
 void Session::follow(const ParsedDisplay& display) {
@@ -108,9 +137,10 @@ void Session::follow(const ParsedDisplay& display) {
   report_.diagnostics.insert(report_.diagnostics.end(), display.diagnostics.begin(),
                              display.diagnostics.end());
   const std::size_t first_step = report_.steps.size();
+  const Context context{.role = Role::display, .first_order = take_first_order()};
   for (const ParsedChain& parsed : display.chains) {
     if (skip == nullptr) {
-      chain(parsed, {});
+      chain(parsed, context);
       continue;
     }
     for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) {
@@ -121,6 +151,21 @@ void Session::follow(const ParsedDisplay& display) {
     }
   }
   if (skip == nullptr) heed_conditions(display, first_step);
+  close_scene();
+}
+
+bool Session::take_first_order() {
+  const Directive* directive = std::exchange(first_order_, nullptr);
+  if (directive != nullptr) names_.mark_used(directive->number);
+  return directive != nullptr;
+}
+
+void Session::open_scene() {
+  if (!scene_) scene_ = names_.scene();
+}
+
+void Session::close_scene() {
+  if (scene_) names_.restore(*std::exchange(scene_, std::nullopt));
 }
 
 /// `(A×B)² = A²B², A·B = 0`: a law beside an equation on its line may be the condition under which it holds.
@@ -162,12 +207,111 @@ void Session::heed_conditions(const ParsedDisplay& display, std::size_t first_st
 
 void Session::declare(const Directive& directive) {
   for (const SyntaxId id : directive.symbols) {
-    if (directive.kind == DirectiveKind::particles) {
-      names_.declare_particles(notes_.syntax.symbol(id).letter, directive.number);
-    } else {
-      declare_symbol(directive, id);
+    switch (directive.kind) {
+      case DirectiveKind::particles:
+        names_.declare_particles(notes_.syntax.symbol(id).letter, directive.number);
+        break;
+      case DirectiveKind::constant:
+      case DirectiveKind::small:
+      case DirectiveKind::frame:
+        declare_elaborated(directive, id);
+        break;
+      case DirectiveKind::basis:
+        declare_basis(directive, id);
+        break;
+      default:
+        declare_symbol(directive, id);
     }
   }
+}
+
+/// A symbol, or a component, as it is read in an equation.
+void Session::declare_elaborated(const Directive& directive, SyntaxId id) {
+  Diagnostics own;
+  Elaborator elaborator(notes_.syntax, tree_, names_, read_letters(notes_.syntax, {id}, names_), own);
+  std::optional<Typed> typed = elaborator.expression(id);
+  if (typed && tree_[typed->id].op == Op::length) {
+    typed->id = tree_.children(typed->id)[0];  // a plain letter of a vector is its length
+    typed->rank = tree_[typed->id].rank;
+  }
+  if (typed && directive.kind == DirectiveKind::frame && typed->rank != 1) {
+    own.push_back({DiagnosticKind::bad_directive, notes_.syntax[id].span, "an angular velocity is a vector"});
+    typed.reset();
+  }
+  if (!typed || tree_[typed->id].op != Op::symbol) {
+    report_.diagnostics.insert(report_.diagnostics.end(), own.begin(), own.end());
+    if (own.empty())
+      report_.diagnostics.push_back(
+          {DiagnosticKind::bad_directive, notes_.syntax[id].span, "this is not a symbol"});
+    return;
+  }
+  if (directive.kind == DirectiveKind::frame) {
+    declare_frame(tree_, names_, directive.rotating, directive.fixed, typed->id, directive.number);
+  } else if (directive.kind == DirectiveKind::constant) {
+    declare_constant(directive, *typed);
+  } else {
+    SmallQuantity small{.quantity = typed->id, .directive = directive.number};
+    if (!typed->free.empty()) small.quantity = whole_symbol(*typed);
+    for (const FreeParticle& particle : typed->particles) small.particles.push_back(particle.id);
+    names_.declare_small(std::move(small));
+  }
+}
+
+/// `I_i` names the whole I.
+ExprId Session::whole_symbol(const Typed& typed) {
+  ExprNode node = tree_[typed.id];
+  node.rank = static_cast<std::uint8_t>(tree_.symbols[node.symbol].rank);
+  return tree_.add(node);
+}
+
+/// A symbol is constant as a whole; of a single component the rate is 0.
+void Session::declare_constant(const Directive& directive, const Typed& typed) {
+  const auto slots = tree_.slots(typed.id);
+  const bool component =
+      std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.axis != 0; });
+  const SymbolId symbol = tree_[typed.id].symbol;
+  constants_.emplace_back(directive.number, symbol);
+  if (!component) {
+    names_.declare_constant(symbol, directive.number);
+    return;
+  }
+  Equation equation;
+  const std::vector<Slot> at(slots.begin(), slots.end());
+  equation.left = tree_.add({.op = Op::symbol,
+                             .span = tree_[typed.id].span,
+                             .symbol = tree_.symbols.derivative(symbol, By::time),
+                             .particle = tree_[typed.id].particle},
+                            {}, at);
+  equation.right = tree_.add_number(tree_[typed.id].span, "0");
+  for (const FreeParticle& particle : typed.particles) equation.particles.push_back(particle.id);
+  names_.assume({equation, {directive.text, section_, directive.number}, 0});
+}
+
+/// `basis \\mathbf{e}_{i'}`: primed axes of any direction.
+void Session::declare_basis(const Directive& directive, SyntaxId id) {
+  const WrittenSymbol& symbol = notes_.syntax.symbol(id);
+  if (symbol.lower.size() != 1 || symbol.lower[0].primes == 0) {
+    report_.diagnostics.push_back({DiagnosticKind::bad_directive,
+                                   notes_.syntax[id].span,
+                                   "a basis has a primed index",
+                                   {},
+                                   {"e.g. `basis \\mathbf{e}_{i'}`"}});
+    return;
+  }
+  Symbol rotation;
+  rotation.name = "\\mathbf{e}'";
+  rotation.rotation = true;
+  names_.set_primed_axes(
+      names_.declare(tree_, {"\\mathbf{e}'", 2, false}, std::move(rotation), directive.number));
+  names_.mark_used(directive.number);
+}
+
+/// The primed axes are those of the rotation that is written with one primed index, or of the first.
+void Session::declare_rotation(const Directive& directive, const NameKey& key, SymbolId symbol) {
+  const auto& mixed = names_.sightings.mixed_axes;
+  if (!mixed.contains(key.base) && (!mixed.empty() || names_.primed_axes())) return;
+  names_.set_primed_axes(symbol);
+  if (mixed.contains(key.base)) names_.mark_used(directive.number);
 }
 
 void Session::declare_symbol(const Directive& directive, SyntaxId id) {
@@ -184,25 +328,21 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
     case DirectiveKind::tensor:
       key.rank = axes > 0 ? axes : 2;
       break;
-    case DirectiveKind::constant:
-      key.rank = symbol.face == Face::vector || symbol.accent == Accent::hat ? 1 : axes;
+    case DirectiveKind::rotation:
+      key.rank = 2;
       break;
     default:
       break;
-  }
-  if (directive.kind == DirectiveKind::constant) {
-    constants_.emplace_back(
-        directive.number,
-        names_.resolve(tree_, key, std::string(written(notes_.syntax[id].span)), notes_.syntax[id].span));
-    return;
   }
   Symbol declared;
   declared.name = name.axes.empty() && name.particles.empty() ? written(notes_.syntax[id].span) : key.base;
   if (key.rank == 1 && !name.particles.empty()) declared.name = fmt::format("\\mathbf{{{}}}", key.base);
   declared.symmetric = directive.symmetric && key.rank == 2;
+  declared.rotation = directive.kind == DirectiveKind::rotation;
   declared.unit = key.rank == 1 && (directive.unit || symbol.accent == Accent::hat);
   declared.first_seen = notes_.syntax[id].span;
-  names_.declare(tree_, key, std::move(declared), directive.number);
+  const SymbolId declared_symbol = names_.declare(tree_, key, std::move(declared), directive.number);
+  if (directive.kind == DirectiveKind::rotation) declare_rotation(directive, key, declared_symbol);
   const bool whole = symbol.face == Face::plain && symbol.accent == Accent::none && axes == 0;
   if (whole && key.rank > 0) names_.declare_plain(key);
 }
@@ -212,8 +352,10 @@ void Session::report_unused() {
     if (names_.seen_in_equation(symbol)) names_.mark_used(directive);
   }
   for (const Directive* directive : directives_) {
-    const bool pending = directive == expectation_ || directive == skip_;
-    const bool standing = directive->kind != DirectiveKind::expect && directive->kind != DirectiveKind::skip;
+    const bool pending = directive == expectation_ || directive == skip_ || directive == first_order_;
+    const bool standing = directive->kind != DirectiveKind::expect &&
+                          directive->kind != DirectiveKind::skip &&
+                          directive->kind != DirectiveKind::first_order;
     if (standing ? names_.is_used(directive->number) : !pending) continue;
     report_.diagnostics.push_back({DiagnosticKind::unused_directive,
                                    directive->span,
@@ -234,11 +376,19 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
                                    "no relation stands here, so there is nothing to decide"});
     return;
   }
-  Diagnostics own;
-  Elaborator elaborator(notes_.syntax, tree_, names_, read_letters(notes_.syntax, parsed.sides, names_), own);
-  std::vector<Side> sides = elaborate_sides(parsed, elaborator, own);
-  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k)
-    step(parsed, k, sides, elaborator, context);
+  const std::unique_ptr<Attempt> attempt = read(parsed);
+  for (const std::string& letter : attempt->reading.unsummed) {
+    attempt->sides[0].diagnostics.push_back(
+        {DiagnosticKind::unsummed_index,
+         parsed.written.span,
+         fmt::format(
+             "index `{}` stands twice in a term and is read as not summed, since it is free elsewhere",
+             letter),
+         {},
+         {"say `(\\text{no sum})` beside the equation"}});
+  }
+  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *attempt, context);
+  const std::vector<Side>& sides = attempt->sides;
   mark_seen(sides);
   if (expectation == nullptr) return;
   bool any = false;
@@ -251,6 +401,56 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
                                  expectation->span,
                                  "the next statement was expected to be refuted and is not",
                                  {{parsed.written.span, "this statement"}}});
+}
+
+Session::Attempt::Attempt(Session& session, const ParsedChain& parsed, const Reading& how)
+    : reading(how),
+      elaborator(session.notes_.syntax, session.tree_, session.names_, session.letters_of(parsed), own, how) {
+  for (const SyntaxId id : parsed.sides) {
+    Side side;
+    side.typed = elaborator.expression(id);
+    side.diagnostics = std::exchange(own, {});
+    if (sides.empty() && side.typed) elaborator.expect_slots(side.typed->free);
+    sides.push_back(std::move(side));
+  }
+}
+
+/// The plain reading, unless the indices of the sides only fit in another one: a letter that is free on one
+/// side is not summed on another, or a prime does not make another letter of it.
+std::unique_ptr<Session::Attempt> Session::read(const ParsedChain& parsed) {
+  const Reading plain{.no_sum = parsed.written.no_sum};
+  auto first = std::make_unique<Attempt>(*this, parsed, plain);
+  if (parsed.sides.size() < 2 || is_balanced(first->sides)) return first;
+  Reading unsummed = plain;
+  for (const Side& side : first->sides) {
+    if (!side.typed) continue;
+    for (const FreeIndex& free : side.typed->free) {
+      if (first->elaborator.summed_letters().contains(free.letter)) unsummed.unsummed.insert(free.letter);
+    }
+  }
+  Reading primes = plain;
+  primes.primes_on_axes = true;
+  for (const Reading& other : {unsummed, primes}) {
+    const bool differs = !other.unsummed.empty() || other.primes_on_axes;
+    if (!differs) continue;
+    auto attempt = std::make_unique<Attempt>(*this, parsed, other);
+    if (is_balanced(attempt->sides)) return attempt;
+  }
+  return first;
+}
+
+/// All sides are read, and have the same free letters (a number has none and fits all).
+bool Session::is_balanced(const std::vector<Side>& sides) const {
+  std::optional<std::set<std::string>> first;
+  for (const Side& side : sides) {
+    if (!side.typed) return false;
+    std::set<std::string> own;
+    for (const FreeIndex& free : side.typed->free) own.insert(free.letter);
+    if (is_literal_zero(tree_, *side.typed)) continue;
+    if (first && *first != own) return false;
+    first = own;
+  }
+  return true;
 }
 
 /// An expression without a relation is passed over with a warning, unless it cannot even be read: then it is
@@ -276,19 +476,6 @@ bool Session::reads(const ParsedChain& parsed) {
   return false;
 }
 
-std::vector<Session::Side> Session::elaborate_sides(const ParsedChain& parsed, Elaborator& elaborator,
-                                                    Diagnostics& own) {
-  std::vector<Side> sides;
-  for (const SyntaxId id : parsed.sides) {
-    Side side;
-    side.typed = elaborator.expression(id);
-    side.diagnostics = std::exchange(own, {});
-    if (sides.empty() && side.typed) elaborator.expect_slots(side.typed->free);
-    sides.push_back(std::move(side));
-  }
-  return sides;
-}
-
 void Session::mark_seen(const std::vector<Side>& sides) {
   for (const Side& side : sides) {
     if (!side.typed) continue;
@@ -309,6 +496,7 @@ Step Session::new_step(const ParsedChain& parsed, std::size_t which, const Conte
   step.right = written(chain.sides[which + 1].span);
   step.source = fmt::format("{} {} {}", step.left, step.relation, step.right);
   if (context.place) step.span = *context.place;
+  if (parsed.image > 0) step.source += fmt::format(" (cyclic image {})", parsed.image);
   return step;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ class Session {
   enum class Role : std::uint8_t { display, claim, given, let };
   struct Context {
     Role role = Role::display;
+    bool first_order = false;        // `=` means ≈
     std::optional<Span> place = {};  // where steps are reported, if not where they stand
     std::size_t directive = 0;
   };
@@ -34,6 +37,15 @@ class Session {
   void follow(const ParsedDisplay& display);
   void declare(const Directive& directive);
   void declare_symbol(const Directive& directive, SyntaxId id);
+  void declare_rotation(const Directive& directive, const NameKey& key, SymbolId symbol);
+  void declare_basis(const Directive& directive, SyntaxId id);
+  void declare_elaborated(const Directive& directive, SyntaxId id);  // constant, small, frame
+  void declare_constant(const Directive& directive, const Typed& typed);
+  void imply_primed_axes();
+  ExprId whole_symbol(const Typed& typed);
+  bool take_first_order();
+  void open_scene();  // what `where` assumes holds until the next statement is over
+  void close_scene();
   void report_unused();
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
 
@@ -43,21 +55,41 @@ class Session {
     Diagnostics diagnostics;
   };
   bool reads(const ParsedChain& parsed);
-  std::vector<Side> elaborate_sides(const ParsedChain& parsed, Elaborator& elaborator, Diagnostics& own);
-  void step(const ParsedChain& parsed, std::size_t which, std::vector<Side>& sides, Elaborator& elaborator,
-            const Context& context);
-  void decide_step(const ParsedChain& parsed, std::size_t which, const std::vector<Side>& sides,
-                   Elaborator& elaborator, const Context& context, Step& step);
+  /// The sides of a chain, read in one way.
+  struct Attempt {
+    Diagnostics own;
+    Reading reading;
+    Elaborator elaborator;
+    std::vector<Side> sides;
+    Attempt(Session& session, const ParsedChain& parsed, const Reading& how);
+  };
+  std::unique_ptr<Attempt> read(const ParsedChain& parsed);
+  bool is_balanced(const std::vector<Side>& sides) const;
+  Letters letters_of(const ParsedChain& parsed) const {
+    return read_letters(notes_.syntax, parsed.sides, names_);
+  }
+  bool proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t which, const Claim& claim,
+                                   Step& step);
+  std::optional<Claim> claim_of(const ParsedChain& parsed, std::size_t which, const Typed& left,
+                                const Typed& right, Elaborator& elaborator, const Context& context,
+                                Diagnostics& diagnostics);
+  void step(const ParsedChain& parsed, std::size_t which, Attempt& attempt, const Context& context);
+  void decide_step(const ParsedChain& parsed, std::size_t which, Attempt& attempt, const Context& context,
+                   Step& step);
   bool defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context,
                Step& step);
   bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right,
                  Step& step);
   void add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
                       const Context& context, Step& step);
-  void add_assumption(const Equation& equation, const ParsedChain& parsed, const Context& context,
-                      Step& step);
+  void add_assumption(const Typed& left, const Typed& right, const Equation& equation,
+                      const ParsedChain& parsed, const Context& context, Step& step);
+  bool is_rule(const Typed& left, const Typed& right);
+  std::optional<Definition> as_square(const Typed& left, const Typed& right);
+  void accept(Judgement judgement, Step& step);
+  void join_component_rules(const Typed& left);
   bool is_circular(const Typed& left, const Typed& right) const;
-  std::optional<Definition> as_definition(const Typed& left, const Typed& right) const;
+  std::optional<Definition> as_definition(const Typed& left, const Typed& right);
   void mark_seen(const std::vector<Side>& sides);
   Step new_step(const ParsedChain& parsed, std::size_t which, const Context& context) const;
   void add(Step step);
@@ -74,6 +106,8 @@ class Session {
   std::vector<std::pair<std::size_t, SymbolId>> constants_;  // directive, symbol
   const Directive* expectation_ = nullptr;
   const Directive* skip_ = nullptr;
+  const Directive* first_order_ = nullptr;
+  std::optional<Names::Scene> scene_;  // before the first `where`
 };
 
 }  // namespace rigor

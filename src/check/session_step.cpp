@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 
 #include "check/identity_reading.h"
@@ -19,11 +20,45 @@ bool contains(const std::vector<SymbolId>& symbols, SymbolId symbol) {
 
 }  // namespace
 
-void Session::step(const ParsedChain& parsed, std::size_t which, std::vector<Side>& sides,
-                   Elaborator& elaborator, const Context& context) {
+namespace {
+
+/// Why a relation is not decided, if so.
+std::optional<Diagnostic> why_not_decided(const WrittenRelation& relation) {
+  switch (relation.kind) {
+    case RelationKind::other:
+    case RelationKind::implies:
+      return Diagnostic{DiagnosticKind::unsupported, relation.span,
+                        fmt::format("the relation `{}` is not decided yet", relation.text)};
+    case RelationKind::much_less:
+    case RelationKind::much_greater:
+      return Diagnostic{DiagnosticKind::unsupported,
+                        relation.span,
+                        fmt::format("`{}` is no claim that can be decided", relation.text),
+                        {},
+                        {"`rigor: small …` says what is small"}};
+    case RelationKind::demanded:
+      return Diagnostic{DiagnosticKind::unsupported,
+                        relation.span,
+                        "an equation that is demanded is not a claim",
+                        {},
+                        {"`rigor: given` makes it an assumption"}};
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_order(RelationKind kind) {
+  return kind == RelationKind::less || kind == RelationKind::less_or_equal || kind == RelationKind::greater ||
+         kind == RelationKind::greater_or_equal || kind == RelationKind::unequal;
+}
+
+}  // namespace
+
+void Session::step(const ParsedChain& parsed, std::size_t which, Attempt& attempt, const Context& context) {
   const auto start = Clock::now();
   Step step = new_step(parsed, which, context);
   const WrittenRelation& relation = parsed.written.relations[which];
+  const std::vector<Side>& sides = attempt.sides;
   for (const std::size_t side : {which, which + 1}) {
     const bool first_mention = which == 0 || side == which + 1;
     const bool blocked_by_it_alone =
@@ -37,35 +72,94 @@ void Session::step(const ParsedChain& parsed, std::size_t which, std::vector<Sid
     const Obstacle& condition = *parsed.written.condition;
     step.diagnostics.push_back(
         {condition.kind, parsed.written.condition_span, condition.message, {}, condition.help});
-  } else if (relation.kind == RelationKind::other || relation.kind == RelationKind::implies) {
-    step.diagnostics.push_back({DiagnosticKind::unsupported, relation.span,
-                                fmt::format("the relation `{}` is not decided yet", relation.text)});
-  } else if (relation.kind == RelationKind::demanded) {
-    step.diagnostics.push_back({DiagnosticKind::unsupported,
-                                relation.span,
-                                "an equation that is demanded is not a claim",
-                                {},
-                                {"`rigor: given` makes it an assumption"}});
+  } else if (const auto reason = why_not_decided(relation)) {
+    step.diagnostics.push_back(*reason);
   } else if (readable) {
-    decide_step(parsed, which, sides, elaborator, context, step);
+    decide_step(parsed, which, attempt, context, step);
   }
   step.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   add(std::move(step));
 }
 
-void Session::decide_step(const ParsedChain& parsed, std::size_t which, const std::vector<Side>& sides,
-                          Elaborator& elaborator, const Context& context, Step& step) {
-  const Side& left = sides[which];
-  const Side& right = sides[which + 1];
-  if (which == 0 && defines(parsed, left, right, context, step)) return;
-  Diagnostics mismatches;
+/// The sides as one equation or order, greater turned into less.
+std::optional<Claim> Session::claim_of(const ParsedChain& parsed, std::size_t which, const Typed& left,
+                                       const Typed& right, Elaborator& elaborator, const Context& context,
+                                       Diagnostics& diagnostics) {
   const WrittenRelation& relation = parsed.written.relations[which];
-  Elaborator::Mismatch place{relation.span, mismatches};
-  const auto equation = elaborator.equation(*left.typed, *right.typed, place);
+  const bool swapped =
+      relation.kind == RelationKind::greater || relation.kind == RelationKind::greater_or_equal;
+  Elaborator::Mismatch place{relation.span, diagnostics};
+  auto equation = elaborator.equation(swapped ? right : left, swapped ? left : right, place);
+  if (!equation) return std::nullopt;
+  if (is_order(relation.kind) && relation.kind != RelationKind::unequal && tree_[equation->left].rank > 0) {
+    diagnostics.push_back(
+        {DiagnosticKind::rank_mismatch, relation.span, "vectors and tensors have no order"});
+    return std::nullopt;
+  }
+  if (relation.kind == RelationKind::less || relation.kind == RelationKind::greater)
+    equation->relation = Relation::less;
+  if (relation.kind == RelationKind::less_or_equal || relation.kind == RelationKind::greater_or_equal)
+    equation->relation = Relation::less_or_equal;
+  if (relation.kind == RelationKind::unequal) equation->relation = Relation::unequal;
+  const bool nearly =
+      relation.kind == RelationKind::nearly || (context.first_order && !is_order(relation.kind));
+  return Claim{.equation = *equation,
+               .nearly = nearly,
+               .swapped = swapped,
+               .relation = relation.span,
+               .left = parsed.written.sides[which].span,
+               .right = parsed.written.sides[which + 1].span,
+               .reading = &elaborator,
+               .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr};
+}
+
+/// `\\frac12 m\\dot r^2` where the velocity is meant: if the letter is wrong and the vector is right, it is
+/// read so.
+bool Session::proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t which, const Claim& claim,
+                                          Step& step) {
+  if (!claim.reading->has_dotted_length()) return false;
+  Attempt attempt(*this, parsed, Reading{.no_sum = parsed.written.no_sum, .dots_on_vectors = true});
+  const Side& left = attempt.sides[which];
+  const Side& right = attempt.sides[which + 1];
+  if (!left.typed || !right.typed) return false;
+  Diagnostics mismatches;
+  const auto other = claim_of(parsed, which, *left.typed, *right.typed, attempt.elaborator, {}, mismatches);
+  if (!other) return false;
+  Judgement judgement = judge(tree_, names_, *other);
+  if (judgement.verdict != Verdict::proved) return false;
+  judgement.diagnostics.push_back(
+      {DiagnosticKind::dotted_length,
+       claim.reading->dotted_length(),
+       fmt::format("`{}` is the rate of a length; read as the length of the vector's rate",
+                   written(claim.reading->dotted_length())),
+       {},
+       {"set the letter bold, or put an arrow on it"}});
+  accept(std::move(judgement), step);
+  return true;
+}
+
+void Session::accept(Judgement judgement, Step& step) {
+  step.verdict = judgement.verdict;
+  step.route = std::move(judgement.route);
+  step.uses = std::move(judgement.uses);
+  step.counterexample = std::move(judgement.counterexample);
+  step.diagnostics.insert(step.diagnostics.end(), judgement.diagnostics.begin(), judgement.diagnostics.end());
+}
+
+void Session::decide_step(const ParsedChain& parsed, std::size_t which, Attempt& attempt,
+                          const Context& context, Step& step) {
+  const Side& left = attempt.sides[which];
+  const Side& right = attempt.sides[which + 1];
+  const WrittenRelation& relation = parsed.written.relations[which];
+  const bool may_define = which == 0 && !is_order(relation.kind) && relation.kind != RelationKind::nearly;
+  if (may_define && defines(parsed, left, right, context, step)) return;
+  Diagnostics mismatches;
+  const auto claim =
+      claim_of(parsed, which, *left.typed, *right.typed, attempt.elaborator, context, mismatches);
   step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
-  if (!equation) return;
+  if (!claim) return;
   if (context.role == Role::given) {
-    add_assumption(*equation, parsed, context, step);
+    add_assumption(*left.typed, *right.typed, claim->equation, parsed, context, step);
     return;
   }
   if (context.role == Role::let) {
@@ -76,29 +170,32 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, const st
                                 {"`rigor: given` assumes an equation"}});
     return;
   }
-  Judgement judgement =
-      judge(tree_, names_,
-            {*equation, relation.span, parsed.written.sides[which].span, parsed.written.sides[which + 1].span,
-             &elaborator, parsed.written.doubt ? &*parsed.written.doubt : nullptr});
-  if (which == 0 && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
-  step.verdict = judgement.verdict;
+  Judgement judgement = judge(tree_, names_, *claim);
+  if (may_define && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
+  const bool open = judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided ||
+                    judgement.verdict == Verdict::not_understood;
+  if (open && proves_with_dots_on_vectors(parsed, which, *claim, step)) return;
+  if (judgement.verdict == Verdict::refuted && !attempt.reading.unsummed.empty()) {
+    step.diagnostics = {{DiagnosticKind::free_index_mismatch, relation.span,
+                         fmt::format("index `{}` is free on one side and summed on the other",
+                                     *attempt.reading.unsummed.begin())}};
+    return;
+  }
   const Op op = tree_[left.typed->id].op;
   const bool symbol_by_cases =
       (op == Op::delta || op == Op::epsilon) && tree_[right.typed->id].op == Op::table;
   if (symbol_by_cases && judgement.verdict == Verdict::proved) {
-    step.verdict = Verdict::definition;
+    judgement.verdict = Verdict::definition;
     judgement.route += ", agrees with the built-in symbol";
   }
-  step.route = std::move(judgement.route);
-  step.uses = std::move(judgement.uses);
-  step.counterexample = std::move(judgement.counterexample);
-  step.diagnostics.insert(step.diagnostics.end(), judgement.diagnostics.begin(), judgement.diagnostics.end());
+  accept(std::move(judgement), step);
 }
 
 /// The left side is one bare symbol with distinct index letters, or none, and nothing free on the right that
 /// it does not carry.
-std::optional<Definition> Session::as_definition(const Typed& left, const Typed& right) const {
-  const ExprNode& node = tree_[left.id];
+std::optional<Definition> Session::as_definition(const Typed& left, const Typed& right) {
+  const ExprNode node = tree_[left.id];
+  if (node.op == Op::power && node.exponent == 2) return as_square(left, right);
   if (node.op != Op::symbol || left.rank != right.rank) return std::nullopt;
   Definition definition;
   definition.symbol = node.symbol;
@@ -122,6 +219,19 @@ std::optional<Definition> Session::as_definition(const Typed& left, const Typed&
   if (!letters_fit || !particles_fit || !all_bound) return std::nullopt;
   if (!is_literal_zero(tree_, right) && right.free.size() != definition.indices.size()) return std::nullopt;
   return is_circular(left, right) ? std::nullopt : std::optional(definition);
+}
+
+/// `(\\Omega_1)^2 = …` says what a number is by its square; of the two, it is the one that is not negative.
+std::optional<Definition> Session::as_square(const Typed& left, const Typed& right) {
+  Typed base = left;
+  base.id = tree_.children(left.id)[0];
+  const bool plain = tree_[base.id].op == Op::symbol && tree_.slots(base.id).empty() &&
+                     tree_[base.id].particle == no_particle && right.free.empty() && right.particles.empty();
+  if (!plain || right.rank != 0 || is_circular(base, right)) return std::nullopt;
+  Definition definition;
+  definition.symbol = tree_[base.id].symbol;
+  definition.body = tree_.add({.op = Op::root, .span = tree_[right.id].span}, std::span(&right.id, 1));
+  return definition;
 }
 
 /// Does the right side lead back to the symbol on the left?
@@ -156,9 +266,10 @@ bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& r
   if (!definition) return false;
   const bool named_definition =
       parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let;
+  const bool rate = tree_.symbols[definition->symbol].derivation.has_value();  // a law, not a name
   const bool known = names_.definition_of(definition->symbol) != nullptr;
   const bool seen = names_.seen_in_equation(definition->symbol);
-  if (context.role == Role::display && (known || (seen && !named_definition))) return false;
+  if (context.role == Role::display && (known || rate || (seen && !named_definition))) return false;
   if (const NamedDefinition* earlier = names_.definition_of(definition->symbol)) {
     if (earlier->origin.directive) names_.mark_used(*earlier->origin.directive);
     step.diagnostics.push_back(
@@ -208,14 +319,53 @@ bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, c
   return true;
 }
 
-void Session::add_assumption(const Equation& equation, const ParsedChain& parsed, const Context& context,
-                             Step& step) {
-  names_.assume(
-      {equation,
-       {fmt::format("given {} {} {}", step.left, step.relation, step.right), section_, context.directive},
-       0});
+/// `given \\dot{\\mathbf r} = …`: a derivative is replaced wherever it stands.
+bool Session::is_rule(const Typed& left, const Typed& right) {
+  const auto definition = as_definition(left, right);
+  if (!definition || tree_[left.id].op != Op::symbol) return false;
+  return tree_.symbols[definition->symbol].derivation && names_.definition_of(definition->symbol) == nullptr;
+}
+
+/// Rules for the components 1, 2 and 3 of one derivative are a rule for the whole.
+void Session::join_component_rules(const Typed& left) {
+  const ExprNode node = tree_[left.id];
+  const bool component = node.op == Op::symbol && tree_.symbols[node.symbol].derivation &&
+                         tree_.symbols[node.symbol].rank == 1 && node.slot_count == 1 &&
+                         node.particle == no_particle;
+  if (!component || names_.definition_of(node.symbol) != nullptr) return;
+  std::array<const NamedAssumption*, 3> rules{};
+  for (const NamedAssumption& assumption : names_.assumptions()) {
+    const Equation& equation = assumption.equation;
+    const bool fits = equation.relation == Relation::equal && tree_[equation.left].op == Op::symbol &&
+                      tree_[equation.left].symbol == node.symbol && tree_[equation.left].slot_count == 1;
+    const std::uint8_t axis = fits ? tree_.slots(equation.left)[0].axis : std::uint8_t{0};
+    if (axis != 0) rules[axis - 1u] = &assumption;
+  }
+  std::array<ExprId, 3> components{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (rules[k] == nullptr) return;
+    components[k] = rules[k]->equation.right;
+    for (const SymbolId symbol : symbols_in(tree_, components[k])) {
+      if (symbol == node.symbol) return;
+    }
+  }
+  const Origin origin = rules[2]->origin;
+  const ExprId whole = tree_.add({.op = Op::tuple, .rank = 1, .span = node.span}, components);
+  names_.define({{node.symbol, {}, no_particle, whole}, origin, 0});
+}
+
+void Session::add_assumption(const Typed& left, const Typed& right, const Equation& equation,
+                             const ParsedChain& parsed, const Context& context, Step& step) {
+  Origin origin{fmt::format("given {} {} {}", step.left, step.relation, step.right), section_,
+                context.directive};
   step.verdict = Verdict::given;
   step.route = "assumption";
+  if (equation.relation == Relation::equal && is_rule(left, right)) {
+    names_.define({*as_definition(left, right), std::move(origin), 0});
+    return;
+  }
+  names_.assume({equation, std::move(origin), 0});
+  join_component_rules(left);
   if (assumptions_have_a_sample(tree_, names_)) return;
   names_.doubt_last_assumption();
   step.diagnostics.push_back(

@@ -47,8 +47,23 @@ std::optional<int> Elaborator::half_integer(SyntaxId id) const {
   return *above;
 }
 
+/// `e^{\\lambda t}`: Euler's number, unless e is declared, carries scripts or has a plain number above it.
+bool Elaborator::is_exponential(SyntaxId id) const {
+  const SyntaxId base = syntax_.child(id, 0);
+  if (syntax_[base].kind != SyntaxKind::symbol) return false;
+  const WrittenSymbol& symbol = syntax_.symbol(base);
+  const bool euler = symbol.letter == "e" || symbol.letter == "\\mathrm{e}";
+  return euler && symbol.face == Face::plain && symbol.accent == Accent::none && symbol.lower.empty() &&
+         symbol.primes == 0 && !names_.is_declared({symbol.letter, 0, false}) &&
+         !integer(syntax_.child(id, 1)).has_value();
+}
+
 std::optional<Typed> Elaborator::power(SyntaxId id) {
   const Span span = syntax_[id].span;
+  if (is_exponential(id)) {
+    const Maybe argument = expression(syntax_.child(id, 1));
+    return argument ? exponential(*argument, span) : std::nullopt;
+  }
   const Maybe base = expression(syntax_.child(id, 0));
   if (!base) return std::nullopt;
   const auto halves = half_integer(syntax_.child(id, 1));
@@ -96,12 +111,13 @@ std::optional<Typed> Elaborator::bars(SyntaxId id, bool norm) {
   if (!inside) return std::nullopt;
   if (inside->rank == 1) return make(Op::length, span, 0, {&*inside});
   if (inside->rank > 1)
-    return unsupported(span, norm ? "the norm of a tensor is not decided"
-                                  : "the determinant of a tensor is not decided yet");
+    return norm ? unsupported(span, "the norm of a tensor is not decided")
+                : determinant_of(id, *inside, span);
   if (norm)
     return fail(DiagnosticKind::rank_mismatch, span, "a norm of a scalar", {"`|…|` is the absolute value"});
-  if (inside->free.size() > 1)
-    return unsupported(span, "the determinant of a matrix of components is not decided yet");
+  if (inside->free.size() == 2) return determinant_of(syntax_.child(id, 0), *inside, span);
+  if (inside->free.size() > 2)
+    return unsupported(span, "bars around a quantity with more than two free indices are not read");
   return make(Op::absolute, span, 0, {&*inside});
 }
 
@@ -121,11 +137,14 @@ bool Elaborator::is_matrix_product(SyntaxId id) const {
 
 std::optional<Typed> Elaborator::component(SyntaxId id) {
   const Span span = syntax_[id].span;
+  const std::vector<WrittenIndex>& axes = syntax_.indices(id);
+  std::string label;
+  for (const WrittenIndex& axis : axes) label += axis.text;
+  if (const Frame* frame = frame_of(label))
+    return frame_derivative(syntax_.child(id, 0), *frame, label == frame->fixed);
   const Maybe base = expression(syntax_.child(id, 0));
   if (!base) return std::nullopt;
-  const std::vector<WrittenIndex>& axes = syntax_.indices(id);
   for (const WrittenIndex& axis : axes) {
-    if (axis.primes > 0) return unsupported(axis.span, "primed axes are not decided yet");
     const bool letter =
         axis.form == IndexForm::letter && (letters_.is_index(axis.text) || axis_of_letter(axis.text) != 0);
     if (axis.form != IndexForm::digit && !letter) {
@@ -143,6 +162,7 @@ std::optional<Typed> Elaborator::component(SyntaxId id) {
                            : "the subscript has another number of indices than the bracket has axes";
     return fail(DiagnosticKind::rank_mismatch, span, what);
   }
+  if (any_primed(axes)) return along_axes(*base, axes, span);
   std::vector<Slot> slots;
   Typed subscript;
   if (!read_slots(axes, slots, subscript.free))

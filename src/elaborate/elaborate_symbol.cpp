@@ -44,12 +44,9 @@ std::uint8_t hatted_axis(const WrittenSymbol& written, const Sightings& sighting
 
 }  // namespace
 
-std::optional<Typed> Elaborator::symbol(SyntaxId id) {
-  const WrittenSymbol& written = syntax_.symbol(id);
-  const Span span = syntax_[id].span;
-  for (const WrittenIndex& index : written.lower) {
-    if (index.primes > 0) return unsupported(index.span, "primed axes are not decided yet");
-  }
+std::optional<Typed> Elaborator::symbol(const WrittenSymbol& written, Span span) {
+  if (written.dots > 0) return rate(written, span);
+  if (written.letter == "\\nabla") return unsupported(span, "`\\nabla` has nothing to act on here");
   bool handled = false;
   Maybe special = special_symbol(written, span, handled);
   if (handled) return special;
@@ -74,18 +71,12 @@ std::optional<Typed> Elaborator::symbol(SyntaxId id) {
 /// δ, ε, basis vectors, and letters that stand for a change rather than a quantity.
 std::optional<Typed> Elaborator::special_symbol(const WrittenSymbol& written, Span span, bool& handled) {
   handled = true;
-  if (is_kronecker(written) || is_levi_civita(written)) {
-    std::vector<Slot> slots;
-    Typed typed;
-    if (!read_slots(written.lower, slots, typed.free))
-      return unsupported(span, "this subscript is not one of index letters or axes");
-    typed.id = tree_.add({.op = is_kronecker(written) ? Op::delta : Op::epsilon, .span = span}, {}, slots);
-    return contract(std::move(typed));
-  }
+  if (is_kronecker(written) || is_levi_civita(written)) return unit_tensor(written, span);
   const bool e_declared = names_.is_declared({"e", 1, false}) || names_.is_declared({"\\hat{e}", 1, false});
   if (is_basis_family(written) && !e_declared) {
     std::vector<Slot> slots;
     Typed typed;
+    if (any_primed(written.lower)) return primed_basis_vector(written.lower[0], span);
     if (read_slots(written.lower, slots, typed.free))
       return basis_vector(span, slots[0], std::move(typed.free));
   }
@@ -95,7 +86,7 @@ std::optional<Typed> Elaborator::special_symbol(const WrittenSymbol& written, Sp
     return basis_vector(span, Slot{axis, {}}, {});
   }
   if (written.lower.empty() && written.face == Face::plain && written.accent == Accent::none &&
-      !names_.is_declared({written.letter, 0, false})) {
+      written.change.empty() && !names_.is_declared({written.letter, 0, false})) {
     if (written.letter == "\\delta" || written.letter == "\\Delta" || written.letter == "\\mathrm{d}") {
       return unsupported(span,
                          fmt::format("`{}` without indices reads as a small change, which is not decided yet",
@@ -113,6 +104,27 @@ std::optional<Typed> Elaborator::special_symbol(const WrittenSymbol& written, Sp
   }
   handled = false;
   return std::nullopt;
+}
+
+/// δ or ε. Between primed and unprimed axes, δ is the direction cosine.
+std::optional<Typed> Elaborator::unit_tensor(const WrittenSymbol& written, Span span) {
+  const auto primed = static_cast<std::size_t>(std::count_if(
+      written.lower.begin(), written.lower.end(), [](const auto& axis) { return axis.primes > 0; }));
+  std::vector<Slot> slots;
+  Typed typed;
+  if (!read_slots(written.lower, slots, typed.free))
+    return unsupported(span, "this subscript is not one of index letters or axes");
+  if (primed == 0 || primed == written.lower.size()) {
+    typed.id = tree_.add({.op = is_kronecker(written) ? Op::delta : Op::epsilon, .span = span}, {}, slots);
+    return contract(std::move(typed));
+  }
+  const auto rotation = primed_axes(span);
+  if (!rotation) return std::nullopt;
+  if (!is_kronecker(written))
+    return unsupported(span, "an ε between primed and unprimed axes is not decided");
+  if (written.lower[1].primes > 0) std::swap(slots[0], slots[1]);
+  typed.id = tree_.add({.op = Op::symbol, .span = span, .symbol = *rotation}, {}, slots);
+  return contract(std::move(typed));
 }
 
 std::optional<Typed> Elaborator::basis_vector(Span span, Slot slot, std::vector<FreeIndex> free) {
@@ -237,7 +249,10 @@ std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, 
 std::optional<Typed> Elaborator::make_symbol(const WrittenSymbol& written, const std::string& base, int rank,
                                              const WrittenName& name, const std::vector<WrittenIndex>& axes,
                                              Span span) {
-  const NameKey key{base, rank, name.per_particle()};
+  bool known = true;
+  const bool in_body = !name.per_particle() && body_point_ && is_varying_in_body(name, rank, span, known);
+  if (!known) return std::nullopt;
+  const NameKey key{base, rank, name.per_particle() || in_body};
   const bool fresh = !names_.find(key).has_value();
   const bool vector_face =
       rank == 1 && (written.face == Face::vector || names_.sightings.bold.contains({base, key.per_particle}));
@@ -251,7 +266,9 @@ std::optional<Typed> Elaborator::make_symbol(const WrittenSymbol& written, const
                 .rank = static_cast<std::uint8_t>(axes.empty() ? rank : 0),
                 .span = span,
                 .symbol = symbol};
-  if (key.per_particle) {
+  if (in_body) {
+    node.particle = *body_point_;
+  } else if (key.per_particle) {
     node.particle = particle(name.particles[0].text);
     if (!bound_particles_.contains(name.particles[0].text)) {
       typed.particles.push_back({name.particles[0].text, node.particle, name.particles[0].span});
@@ -259,8 +276,39 @@ std::optional<Typed> Elaborator::make_symbol(const WrittenSymbol& written, const
   }
   if (rank > 4) return unsupported(span, "tensors of rank above 4 are not decided");
   typed.rank = node.rank;
+  if (tree_.symbols[symbol].rotation && names_.primed_axes() == symbol && axes.size() == 2)
+    return direction_cosine(node, axes, std::move(typed), span);
+  if (any_primed(axes)) {
+    node.rank = static_cast<std::uint8_t>(rank);
+    typed.free.clear();
+    typed.id = tree_.add(node);
+    typed.rank = rank;
+    return along_axes(std::move(typed), axes, span);
+  }
+  const bool principal = rank == 1 && axes.size() == 1 && names_.sightings.diagonal.contains(base);
+  for (FreeIndex& free : typed.free) free.rides = principal;
   typed.id = tree_.add(node, {}, slots);
   return contract(std::move(typed));
+}
+
+/// Index letters with their primes are letters of their own, unless a prime only names the axes.
+std::string Elaborator::letter_key(const WrittenIndex& axis) const {
+  return reading_.primes_on_axes ? axis.text : axis.text + std::string(axis.primes, '\'');
+}
+
+/// In an integral over the body: does a quantity belong to the point, as `\mathbf r` and the density do?
+bool Elaborator::is_varying_in_body(const WrittenName& name, int rank, Span span, bool& known) {
+  static const std::set<std::string> of_a_point{"r", "x", "y", "z", "\\rho"};
+  if (names_.sightings.bold.contains({name.base, true}) ||
+      names_.sightings.indexed.contains({name.base, rank, true}) || names_.find({name.base, rank, true}))
+    return true;
+  if (names_.is_declared({name.base, rank, false})) return false;
+  if (of_a_point.contains(name.base)) return true;
+  fail(DiagnosticKind::ambiguous_reading, span,
+       fmt::format("`{}` can be one number for the body, or differ from point to point", name.base),
+       {fmt::format("`rigor: scalar {0}` or `rigor: vector {0}` makes it one for the body", name.base)});
+  known = false;
+  return false;
 }
 
 bool Elaborator::read_slots(const std::vector<WrittenIndex>& axes, std::vector<Slot>& slots,
@@ -276,9 +324,14 @@ bool Elaborator::read_slots(const std::vector<WrittenIndex>& axes, std::vector<S
       slots.push_back({axis_of_letter(axis.text), {}});
       continue;
     }
-    const IndexId id = index(axis.text);
+    const std::string key = letter_key(axis);
+    if (const auto fixed = fixed_axes_.find(key); fixed != fixed_axes_.end()) {
+      slots.push_back({fixed->second, {}});
+      continue;
+    }
+    const IndexId id = index(key);
     slots.push_back({0, id});
-    if (!is_bound_letter(axis.text)) free.push_back({axis.text, id, axis.span});
+    if (!is_bound_letter(key)) free.push_back({key, id, axis.span});
   }
   return true;
 }

@@ -24,11 +24,14 @@ std::optional<Typed> Elaborator::term(SyntaxId id) {
   std::vector<Operand> operands;
   bool failed = false;
   bool slash = false;
-  for (const SyntaxChild& child : factors) {
-    Maybe typed = expression(child.id);
+  for (std::size_t k = 0; k < factors.size();) {
+    const SyntaxChild& child = factors[k];
+    std::size_t next = k + 1;
+    Maybe typed = is_operator(child.id) ? apply_operator(factors, k, next) : expression(child.id);
     failed = failed || !typed;
     slash = slash || child.joint == Joint::slash;
     if (typed) operands.push_back({std::move(*typed), child.joint, child.joint_span});
+    k = next;
   }
   if (failed || reads_as_application(factors) || repeats_greek(factors) || runs_numbers_together(factors))
     return std::nullopt;
@@ -93,7 +96,7 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
     const SyntaxId next = factors[k + 1].id;
     if (syntax_[id].kind != SyntaxKind::symbol || factors[k + 1].joint != Joint::juxtaposed) continue;
     const WrittenSymbol& symbol = syntax_.symbol(id);
-    if (is_kronecker(symbol) || is_levi_civita(symbol)) continue;
+    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax_, id)) continue;
     if (holds_one_symbol(syntax_, next) || looks_like_argument(symbol, next) ||
         (syntax_[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
       const SyntaxId argument = syntax_.child(next, 0);
@@ -344,6 +347,19 @@ bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<Fre
   }
   for (const std::string& letter : order) {
     const std::vector<FreeIndex>& where = places[letter];
+    if (reading_.no_sum || reading_.unsummed.contains(letter)) {
+      free.push_back(where[0]);
+      continue;
+    }
+    const auto riding = static_cast<std::size_t>(
+        std::count_if(where.begin(), where.end(), [](const FreeIndex& entry) { return entry.rides; }));
+    if (riding > 0 && where.size() - riding >= 1 && where.size() - riding <= 2) {
+      note_riding(letter, where, riding);
+      const auto own =
+          std::find_if(where.begin(), where.end(), [](const FreeIndex& entry) { return !entry.rides; });
+      (where.size() - riding == 2 ? to_sum : free).push_back(*own);
+      continue;
+    }
     if (where.size() > 2) {
       Diagnostic diagnostic{DiagnosticKind::index_repeats, where[2].span,
                             fmt::format("index `{}` occurs {} times in one term", letter, where.size())};
@@ -364,9 +380,30 @@ bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<Fre
                               {"rename one of the two"}});
       return false;
     }
+    if (where.size() == 2) summed_letters_.insert(letter);
     (where.size() == 2 ? to_sum : free).push_back(where[0]);
   }
   return true;
+}
+
+/// `I_i\\omega_i` with the principal value I_i is the i-th component of something; `I_k\\omega_k\\omega_k` is
+/// a sum.
+void Elaborator::note_riding(const std::string& letter, const std::vector<FreeIndex>& where,
+                             std::size_t riding) {
+  const bool summed = where.size() - riding == 2;
+  const auto rider =
+      std::find_if(where.begin(), where.end(), [](const FreeIndex& entry) { return entry.rides; });
+  diagnostics_.push_back(
+      {summed ? DiagnosticKind::index_rides : DiagnosticKind::unsummed_index,
+       rider->span,
+       summed
+           ? fmt::format(
+                 "index `{}` occurs {} times in one term; it is summed, and the principal value goes along",
+                 letter, where.size())
+           : fmt::format("index `{}` occurs twice in one term, once on a principal value, and is not summed",
+                         letter),
+       {},
+       {summed ? "write the sum out: `\\sum_k`" : "say `(\\text{no sum})` beside the equation"}});
 }
 
 Typed Elaborator::sum_over(Typed body, const std::vector<FreeIndex>& letters) {

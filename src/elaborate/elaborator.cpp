@@ -8,8 +8,13 @@
 namespace rigor {
 
 Elaborator::Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters,
-                       Diagnostics& diagnostics)
-    : syntax_(syntax), tree_(tree), names_(names), letters_(std::move(letters)), diagnostics_(diagnostics) {}
+                       Diagnostics& diagnostics, Reading reading)
+    : syntax_(syntax),
+      tree_(tree),
+      names_(names),
+      letters_(std::move(letters)),
+      diagnostics_(diagnostics),
+      reading_(std::move(reading)) {}
 
 std::optional<Typed> Elaborator::expression(SyntaxId id) {
   const SyntaxNode& node = syntax_[id];
@@ -22,7 +27,7 @@ std::optional<Typed> Elaborator::expression(SyntaxId id) {
       return typed;
     }
     case SyntaxKind::symbol:
-      return symbol(id);
+      return symbol(syntax_.symbol(id), node.span);
     case SyntaxKind::sum:
       return sum(id);
     case SyntaxKind::term:
@@ -56,9 +61,11 @@ std::optional<Typed> Elaborator::expression(SyntaxId id) {
     case SyntaxKind::cases:
       return cases(id);
     case SyntaxKind::derivative:
+      return derivative(id);
     case SyntaxKind::function:
+      return function(id);
     case SyntaxKind::integral:
-      return unsupported(node.span, "this is not decided yet");
+      return integral(id);
     case SyntaxKind::text:
       return unsupported(node.span, fmt::format("the words `{}` stand for a quantity", syntax_.text(id)));
     case SyntaxKind::opaque: {
@@ -86,13 +93,7 @@ std::optional<Equation> Elaborator::equation(const Typed& left, const Typed& rig
 
 /// A written 0 stands for the zero of whatever it is compared with.
 ExprId Elaborator::zero_of(const Typed& written, int rank) {
-  ExprId zero = written.id;
-  for (int axes = 1; axes <= rank; ++axes) {
-    const ExprId entries[] = {zero, zero, zero};
-    zero = tree_.add(
-        {.op = Op::tuple, .rank = static_cast<std::uint8_t>(axes), .span = tree_[written.id].span}, entries);
-  }
-  return zero;
+  return rank == 0 ? written.id : zero_of_rank(tree_, tree_[written.id].span, rank);
 }
 
 std::optional<Typed> Elaborator::fail(DiagnosticKind kind, Span span, std::string message,

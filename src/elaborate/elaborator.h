@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct FreeIndex {
   std::string letter;
   IndexId id{};
   Span span;
+  bool rides = false;  // on a principal value `I_i`, which is not counted as an occurrence
 };
 
 struct FreeParticle {
@@ -37,14 +39,24 @@ struct Typed {
   std::vector<FreeIndex> bound;         // letters summed inside
 };
 
+/// How a statement is read where the plain reading is not what is meant.
+struct Reading {
+  bool no_sum = false;                  // "(no sum)": no letter is summed but under an explicit sign
+  std::set<std::string> unsummed = {};  // nor are these
+  bool primes_on_axes = false;          // i' and i are one letter; the prime only says along which axes
+  bool dots_on_vectors = false;         // \dot r of the length r is |\dot{\mathbf r}|
+};
+
 /// Elaborates the sides of one statement (all sides share their free letters). A side with a mistake gives
 /// nothing and a diagnostic for each mistake found. Recursion is bounded by the parser's `max_nesting`.
 class Elaborator {
  public:
   Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters,
-             Diagnostics& diagnostics);
+             Diagnostics& diagnostics, Reading reading = {});
 
   std::optional<Typed> expression(SyntaxId id);
+  /// The derivative of an expression that is elaborated already, by the time.
+  Typed rate_of(Typed typed, int times = 1);
 
   /// Where a mismatch between sides is shown, and who is told.
   struct Mismatch {
@@ -61,6 +73,13 @@ class Elaborator {
   [[nodiscard]] const std::vector<std::string>& conventions() const { return conventions_; }
   /// A reading that nothing but the statement itself suggests: such a statement may be proved, never refuted.
   [[nodiscard]] const std::optional<Obstacle>& guess() const { return guess_; }
+  /// Symbols that were differentiated though nothing says whether they change: such a statement may be
+  /// proved, never refuted.
+  [[nodiscard]] const std::vector<SymbolId>& unknown_changes() const { return unknown_changes_; }
+  /// Letters that were summed because they stand twice.
+  [[nodiscard]] const std::set<std::string>& summed_letters() const { return summed_letters_; }
+  [[nodiscard]] bool has_dotted_length() const { return dotted_length_.has_value(); }
+  [[nodiscard]] Span dotted_length() const { return *dotted_length_; }
 
  private:
   using Maybe = std::optional<Typed>;
@@ -73,9 +92,10 @@ class Elaborator {
   ExprId zero_of(const Typed& written, int rank);
 
   // elaborate_symbol.cpp
-  Maybe symbol(SyntaxId id);
+  Maybe symbol(const WrittenSymbol& written, Span span);
   Maybe special_symbol(const WrittenSymbol& written, Span span, bool& handled);
   Maybe basis_vector(Span span, Slot slot, std::vector<FreeIndex> free);
+  Maybe unit_tensor(const WrittenSymbol& written, Span span);
   Maybe vector_symbol(const WrittenSymbol& written, WrittenName name, Span span);
   Maybe plain_symbol(const WrittenSymbol& written, WrittenName name, Span span);
   Maybe length_or_scalar(const WrittenSymbol& written, const WrittenName& name, Span span);
@@ -85,6 +105,42 @@ class Elaborator {
                   std::vector<FreeIndex>& free);
   void guess_vector(const WrittenName& name, bool as_length);
   bool is_known(const std::string& base, int rank, bool per_particle) const;
+  [[nodiscard]] std::string letter_key(const WrittenIndex& axis) const;
+  [[nodiscard]] bool is_varying_in_body(const WrittenName& name, int rank, Span span, bool& known);
+
+  // elaborate_axes.cpp
+  static bool any_primed(const std::vector<WrittenIndex>& axes);
+  std::optional<SymbolId> primed_axes(Span span);
+  Maybe along_axes(Typed whole, const std::vector<WrittenIndex>& axes, Span span);
+  Maybe direction_cosine(const ExprNode& node, const std::vector<WrittenIndex>& axes, Typed typed, Span span);
+  Maybe primed_basis_vector(const WrittenIndex& axis, Span span);
+  Maybe axis_direction(SyntaxId id);
+  Maybe angle_cosine(SyntaxId first, SyntaxId second, Span span);
+  const Frame* frame_of(const std::string& label) const;
+  Maybe frame_derivative(SyntaxId id, const Frame& frame, bool fixed);
+
+  // elaborate_change.cpp
+  Maybe rate(const WrittenSymbol& written, Span span);
+  Maybe derivative(SyntaxId id);
+  Maybe by_coordinate(Typed operand, const WrittenSymbol& variable, Span span);
+  Differentiator differentiator(By by, Slot axis = {});
+  bool frame_is_open(const Typed& typed, Span span);
+  bool is_operator(SyntaxId id) const;
+  Maybe apply_operator(std::span<const SyntaxChild> factors, std::size_t at, std::size_t& next);
+  Maybe apply_nabla(const std::string& what, const Typed& operand, Span span);
+  Maybe directional(const Typed& along, const Typed& operand, Span span);
+  ExprId partial(ExprId id, std::uint8_t axis);
+  ExprId at_axis(ExprId id, std::uint8_t axis);
+  ExprId sum_of(std::vector<ExprId> terms, int rank, Span span);
+
+  // elaborate_function.cpp
+  Maybe function(SyntaxId id);
+  Maybe elementary(const std::string& name, const Typed& argument, Span span);
+  Maybe exponential(const Typed& argument, Span span);
+  Maybe trace_or_determinant(SyntaxId id, bool trace);
+  Maybe determinant_of(SyntaxId id, const Typed& inside, Span span);
+  Maybe integral(SyntaxId id);
+
   Maybe contract(Typed typed);  // repeated letters on one symbol: `I_{ii}`
 
   // elaborate_term.cpp
@@ -110,6 +166,7 @@ class Elaborator {
   bool is_number(const Typed& typed) const { return tree_[typed.id].op == Op::number; }
   bool sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum,
                     std::vector<FreeIndex>& free, std::vector<FreeIndex>& bound);
+  void note_riding(const std::string& letter, const std::vector<FreeIndex>& where, std::size_t riding);
   Typed sum_over(Typed body, const std::vector<FreeIndex>& letters);
 
   // elaborate_sum.cpp
@@ -118,6 +175,7 @@ class Elaborator {
   bool same_type(const Typed& first, const Typed& other, const char* what, Mismatch mismatch) const;
 
   // elaborate_forms.cpp
+  bool is_exponential(SyntaxId id) const;
   Maybe power(SyntaxId id);
   Maybe bars(SyntaxId id, bool norm);
   Maybe component(SyntaxId id);
@@ -140,6 +198,12 @@ class Elaborator {
   Names& names_;
   Letters letters_;
   Diagnostics& diagnostics_;
+  Reading reading_;
+  std::vector<SymbolId> unknown_changes_;
+  std::set<std::string> summed_letters_;
+  std::optional<Span> dotted_length_;
+  std::map<std::string, std::uint8_t> fixed_axes_;  // letters that stand for one axis for now
+  std::optional<ParticleId> body_point_;            // inside an integral over the body
   std::map<std::string, IndexId> free_indices_;
   std::map<std::string, std::vector<IndexId>> bound_indices_;  // innermost explicit sum last
   std::map<std::string, std::vector<ParticleId>> bound_particles_;

@@ -42,6 +42,7 @@ std::string bare_base(const WrittenSymbol& symbol) {
   if (symbol.accent == Accent::hat) base = "\\hat{" + base + "}";
   if (symbol.accent == Accent::bar) base = "\\bar{" + base + "}";
   if (symbol.accent == Accent::tilde) base = "\\tilde{" + base + "}";
+  if (!symbol.change.empty()) base = symbol.change + (base[0] == '\\' ? "" : " ") + base;
   return base + std::string(symbol.primes, '\'');
 }
 

@@ -34,6 +34,9 @@ struct Letters {
 void sight_sums(const SyntaxTree& syntax, SyntaxId root, Sightings& sightings);
 void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names);
 void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Names& names);
+/// What is differentiated, which axes are primed, and which one-index quantities are a tensor's diagonal.
+void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names);
+void sight_diagonals(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Sightings& sightings);
 
 /// A written symbol taken apart: its base (letter, accent, primes, labels), and the subscripts that may be
 /// indices.
@@ -47,6 +50,7 @@ struct WrittenName {
 /// The base when the axes are labels after all: `m_1`, `v_{x}`.
 [[nodiscard]] std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels);
 
+[[nodiscard]] bool is_nabla(const SyntaxTree& syntax, SyntaxId id);
 [[nodiscard]] bool is_kronecker(const WrittenSymbol& symbol);
 [[nodiscard]] bool is_levi_civita(const WrittenSymbol& symbol);
 /// `\mathbf{e}_i`, `\hat{e}_x`: a vector of the basis.

@@ -20,9 +20,10 @@ SymbolId Names::resolve(ExprTree& tree, const NameKey& key, const std::string& n
   // properties of its own is another symbol.
   const auto before = declared_before_.find(key);
   const bool same = before != declared_before_.end() && !tree.symbols[before->second].symmetric &&
-                    !tree.symbols[before->second].unit;
+                    !tree.symbols[before->second].unit && !tree.symbols[before->second].rotation;
   const SymbolId id = same ? before->second : tree.symbols.add(std::move(symbol));
   tree.symbols[id].declared = false;
+  keys_.emplace(id, key);
   entries_[key] = Entry{id, std::nullopt, 0};
   return id;
 }
@@ -44,7 +45,8 @@ SymbolId Names::declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::
   const auto before = declared_before_.find(key);
   if (before != declared_before_.end()) {
     const Symbol& known = tree.symbols[before->second];
-    if (known.symmetric == symbol.symmetric && known.unit == symbol.unit) {
+    if (known.symmetric == symbol.symmetric && known.unit == symbol.unit &&
+        known.rotation == symbol.rotation) {
       tree.symbols[before->second].declared = true;
       entries_[key] = Entry{before->second, directive, depth_};
       return before->second;
@@ -52,6 +54,7 @@ SymbolId Names::declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::
   }
   const SymbolId id = tree.symbols.add(std::move(symbol));
   declared_before_[key] = id;
+  keys_.emplace(id, key);
   entries_[key] = Entry{id, directive, depth_};
   return id;
 }
@@ -99,8 +102,70 @@ void Names::open_section(int level) {
   std::erase_if(definitions_,
                 [&](const NamedDefinition& entry) { return entry.origin.directive && closed(entry); });
   std::erase_if(assumptions_, closed);
+  std::erase_if(constants_, closed);
+  std::erase_if(frames_, closed);
+  std::erase_if(small_, closed);
   std::erase_if(seen_, [&](const auto& entry) { return entry.second >= level; });
   depth_ = level;
+}
+
+void Names::restore(Scene scene) {
+  for (NamedDefinition& later : definitions_) {
+    const bool known = std::any_of(
+        scene.definitions.begin(), scene.definitions.end(),
+        [&](const NamedDefinition& entry) { return entry.definition.symbol == later.definition.symbol; });
+    if (!known && !later.origin.directive) scene.definitions.push_back(std::move(later));
+  }
+  definitions_ = std::move(scene.definitions);
+  assumptions_ = std::move(scene.assumptions);
+}
+
+void Names::declare_constant(SymbolId symbol, std::size_t directive) {
+  constants_.push_back({symbol, directive, depth_});
+}
+
+void Names::declare_frame(Frame frame) {
+  frame.depth = depth_;
+  frames_.push_back(std::move(frame));
+}
+
+void Names::declare_small(SmallQuantity small) {
+  small.depth = depth_;
+  small_.push_back(std::move(small));
+}
+
+const NameKey* Names::key_of(SymbolId symbol) const {
+  const auto found = keys_.find(symbol);
+  return found == keys_.end() ? nullptr : &found->second;
+}
+
+Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
+  using Kind = Dependence::Kind;
+  const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
+  for (const Constant& constant : constants_) {
+    if (constant.symbol != base) continue;
+    mark_used(constant.directive);
+    return {Kind::constant};
+  }
+  const NameKey* key = key_of(symbol);
+  if (key == nullptr || key->per_particle || definition_of(symbol) != nullptr) return {};
+  const bool time = *key == NameKey{"t", 0, false};
+  if (time) return {by == By::time ? Kind::variable : Kind::constant};
+  if (by != By::space) return {};
+  if (key->rank == 1 && (key->base == "r" || key->base == "x")) return {Kind::variable};
+  if (key->rank != 0) return {};
+  if (key->base == "x" || key->base == "y" || key->base == "z")
+    return {Kind::variable, static_cast<std::uint8_t>(key->base[0] - 'x' + 1)};
+  return {};
+}
+
+bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
+  const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
+  if (definition_of(base) != nullptr || definition_of(symbol) != nullptr) return true;
+  const NameKey* key = key_of(base);
+  if (key == nullptr || by == By::small) return true;
+  if (by == By::space) return sightings.fields.contains(key->base);
+  return sightings.rates.contains({key->base, key->per_particle});
 }
 
 void Names::mark_used(std::size_t directive) { used_.insert(directive); }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "expr/differentiate.h"
 #include "expr/statement.h"
 #include "latex/syntax.h"
 
@@ -27,12 +28,17 @@ struct NameKey {
 
 /// How a symbol was written somewhere in the file.
 struct Sightings {
-  std::set<std::pair<std::string, bool>> bold;  // base, per particle: `\mathbf{A}` without a letter index
-  std::set<std::string> bold_indexed;           // `\boldsymbol\omega_i`
-  std::set<NameKey> indexed;                    // rank = number of letter indices: `I_{ij}`
-  std::set<std::string> summed_greek;           // `\alpha` of some \sum_\alpha
-  std::set<std::string> crossed;                // bases of bold factors of a cross product
-  bool hatted_ij = false;                       // \hat\imath or \hat\jmath: then \hat k is an axis as well
+  std::set<std::pair<std::string, bool>> bold;   // base, per particle: `\mathbf{A}` without a letter index
+  std::set<std::string> bold_indexed;            // `\boldsymbol\omega_i`
+  std::set<NameKey> indexed;                     // rank = number of letter indices: `I_{ij}`
+  std::set<std::string> summed_greek;            // `\alpha` of some \sum_\alpha
+  std::set<std::string> crossed;                 // bases of bold factors of a cross product
+  std::set<std::pair<std::string, bool>> rates;  // base, per particle: a time derivative of it is written
+  std::set<std::string> fields;                  // bases that a ∂ or ∇ stands before
+  std::set<std::string> mixed_axes;              // `\lambda_{i'j}`: two indices, one of them primed
+  std::set<std::string>
+      diagonal;            // X where `X_i = X_{ii}` or `X_{ij} = X_i\delta_{ij}` is said: principal values
+  bool hatted_ij = false;  // \hat\imath or \hat\jmath: then \hat k is an axis as well
 };
 
 /// A directive or an equation that brought something into scope.
@@ -53,6 +59,24 @@ struct NamedAssumption {
   Origin origin;
   int depth = 0;
   bool without_sample = false;  // nothing was found that satisfies it: what is proved from it proves nothing
+};
+
+/// `frame rot rotates with \boldsymbol{\omega} in in`: components are along the axes of `rotating`; the
+/// rotation carries those axes' components to `fixed` ones.
+struct Frame {
+  std::string rotating;
+  std::string fixed;
+  SymbolId rotation{};
+  std::size_t directive = 0;
+  int depth = 0;
+};
+
+/// A symbol, or one component of it, that is small: this is 0 to zeroth order.
+struct SmallQuantity {
+  ExprId quantity{};
+  std::vector<ParticleId> particles = {};  // free
+  std::size_t directive = 0;
+  int depth = 0;
 };
 
 class Names {
@@ -77,6 +101,29 @@ class Names {
 
   void define(NamedDefinition definition);
   void assume(NamedAssumption assumption);
+  /// What was defined and assumed, to be taken back by `restore` (but for definitions by equations).
+  struct Scene {
+    std::vector<NamedDefinition> definitions;
+    std::vector<NamedAssumption> assumptions;
+  };
+  [[nodiscard]] Scene scene() const { return {definitions_, assumptions_}; }
+  void restore(Scene scene);
+
+  void declare_constant(SymbolId symbol, std::size_t directive);
+  /// How a symbol (or a derivative) changes; marks the directive that says so as used. What nothing is said
+  /// of varies.
+  [[nodiscard]] Dependence dependence(const ExprTree& tree, SymbolId symbol, By by);
+  /// Does anything say how a symbol changes: a declaration, a definition, a derivative that is written?
+  [[nodiscard]] bool knows_change(const ExprTree& tree, SymbolId symbol, By by) const;
+
+  void declare_frame(Frame frame);
+  [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
+  void declare_small(SmallQuantity small);
+  [[nodiscard]] const std::vector<SmallQuantity>& small() const { return small_; }
+  /// The rotation whose first axis is primed, if primed axes were spoken of.
+  [[nodiscard]] std::optional<SymbolId> primed_axes() const { return primed_axes_; }
+  void set_primed_axes(SymbolId rotation) { primed_axes_ = rotation; }
+
   void doubt_last_assumption() { assumptions_.back().without_sample = true; }
   /// `vector A`: the plain letter is the vector itself, not its length.
   void declare_plain(const NameKey& key) { plain_.insert(key); }
@@ -109,7 +156,19 @@ class Names {
     std::size_t directive;
     int depth;
   };
+  struct Constant {
+    SymbolId symbol{};
+    std::size_t directive = 0;
+    int depth = 0;
+  };
+  [[nodiscard]] const NameKey* key_of(SymbolId symbol) const;
+
   std::map<NameKey, Entry> entries_;
+  std::map<SymbolId, NameKey> keys_;
+  std::vector<Constant> constants_;
+  std::vector<Frame> frames_;
+  std::vector<SmallQuantity> small_;
+  std::optional<SymbolId> primed_axes_;
   std::map<NameKey, SymbolId>
       declared_before_;  // a declaration that says the same again means the same symbol
   std::map<std::string, ParticleLetter> particle_letters_;

@@ -46,6 +46,13 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {index_clash, "index-clash", error, "an index is bound twice"},
     {rank_mismatch, "rank-mismatch", error, "a scalar, a vector or a tensor stands where another is needed"},
     {bold_index, "bold-index", warning, "a bold symbol carries an index; it is read as the component"},
+    {dotted_length, "dotted-length", warning,
+     "a dot stands on a length; it is read as the length of the vector's derivative"},
+    {unsummed_index, "unsummed-index", warning, "an index stands twice in a term and is read as not summed"},
+    {index_rides, "index-rides", warning,
+     "an index stands three times in a term, once on a principal value; it is summed over the other two"},
+    {unknown_change, "unknown-change", not_understood,
+     "a quantity is differentiated, and nothing says whether it changes"},
     {circular_definition, "circular-definition", error, "a definition uses what it defines"},
     {redefinition, "redefinition", warning, "a symbol is defined a second time"},
 

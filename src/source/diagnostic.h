@@ -47,6 +47,10 @@ enum class DiagnosticKind : std::uint8_t {
   index_clash,
   rank_mismatch,
   bold_index,
+  dotted_length,
+  unsummed_index,
+  index_rides,
+  unknown_change,
   circular_definition,
   redefinition,
   // verdicts

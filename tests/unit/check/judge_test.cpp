@@ -44,8 +44,11 @@ struct Court {
   Judgement judge(const std::string& statement) {
     const Elaborated claim = elaborate(statement);
     return rigor::judge(tree, names,
-                        {claim.equation, claim.written.relations.at(0).span, claim.written.sides.at(0).span,
-                         claim.written.sides.at(1).span, claim.reading.get(), nullptr});
+                        {.equation = claim.equation,
+                         .relation = claim.written.relations.at(0).span,
+                         .left = claim.written.sides.at(0).span,
+                         .right = claim.written.sides.at(1).span,
+                         .reading = claim.reading.get()});
   }
 
   void given(const std::string& statement, std::size_t directive) {
@@ -144,7 +147,8 @@ TEST_CASE("words that may restrict an equation stop its refutation, not its proo
   const Obstacle doubt{DiagnosticKind::unsupported, "the words `nearly` may restrict it", {}};
   const auto judged = [&](const std::string& statement) {
     const Court::Elaborated claim = court.elaborate(statement);
-    return rigor::judge(court.tree, court.names, {claim.equation, {}, {}, {}, claim.reading.get(), &doubt});
+    return rigor::judge(court.tree, court.names,
+                        {.equation = claim.equation, .reading = claim.reading.get(), .doubt = &doubt});
   };
   CHECK(judged("\\mathbf{A}\\times\\mathbf{B} = -\\mathbf{B}\\times\\mathbf{A}").verdict == Verdict::proved);
   const Judgement judgement = judged("\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}");

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/question.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "expr/differentiate.h"
+
+namespace rigor {
+namespace {
+
+constexpr int largest_order = 6;             // of a derivative for which a definition is made
+constexpr int largest_assumption_order = 3;  // of an assumption's derivatives
+
+/// A definition that the notes give, or that follows for a derivative.
+struct Found {
+  Definition definition;
+  const Origin* origin;
+};
+
+struct Orders {
+  int time = 0;
+  int space = 0;
+};
+
+class Preparation {
+ public:
+  Preparation(ExprTree& tree, Names& names, Precision precision, int order)
+      : tree_(tree), names_(names), precision_(precision), order_(order) {}
+
+  Prepared prepare(Equation claim) {
+    for (int k = 0; k < order_; ++k) claim = derived(claim, By::small);
+    prepared_.question.tree = &tree_;
+    prepared_.question.claim = claim;
+    follow(claim);
+    if (precision_ == Precision::small_order) add_small();
+    for (bool grew = true; grew;) grew = add_assumptions();
+    add_lengths();
+    return std::move(prepared_);
+  }
+
+ private:
+  void follow(const Equation& equation) {
+    std::vector<ExprId> pending{equation.left, equation.right};
+    while (!pending.empty()) {
+      const ExprId id = pending.back();
+      pending.pop_back();
+      for (const SymbolId symbol : symbols_in(tree_, id)) {
+        if (!reached_.insert(symbol).second) continue;
+        const auto found = definition_of(symbol, 0);
+        if (found) {
+          prepared_.question.definitions.push_back(found->definition);
+          prepared_.definitions.push_back(found->origin);
+          pending.push_back(found->definition.body);
+        } else if (is_constant(symbol)) {
+          prepared_.question.zeroed.push_back(symbol);
+        }
+      }
+    }
+  }
+
+  // --- definitions
+
+  std::optional<Found> definition_of(SymbolId symbol, int depth) {
+    if (const NamedDefinition* named = names_.definition_of(symbol))
+      return Found{named->definition, &named->origin};
+    const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
+    if (!derivation || derivation->time + derivation->space + derivation->small > largest_order ||
+        depth > largest_order)
+      return std::nullopt;
+    if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
+    std::optional<Found> result;
+    for (const By by : {By::small, By::space, By::time}) {
+      if (result) break;
+      if (const auto parent = parent_of(*derivation, by)) {
+        if (const auto of = definition_of(*parent, depth + 1))
+          result = Found{differentiated(*of, symbol, by), of->origin};
+      }
+    }
+    derived_[symbol] = result;
+    return result;
+  }
+
+  /// The derivative of one order less.
+  std::optional<SymbolId> parent_of(Derivation derivation, By by) {
+    std::uint8_t& order = by == By::time    ? derivation.time
+                          : by == By::space ? derivation.space
+                                            : derivation.small;
+    if (order == 0) return std::nullopt;
+    --order;
+    SymbolId parent = derivation.base;
+    for (int k = 0; k < derivation.time; ++k) parent = tree_.symbols.derivative(parent, By::time);
+    for (int k = 0; k < derivation.space; ++k) parent = tree_.symbols.derivative(parent, By::space);
+    for (int k = 0; k < derivation.small; ++k) parent = tree_.symbols.derivative(parent, By::small);
+    return parent;
+  }
+
+  Definition differentiated(const Found& of, SymbolId symbol, By by) {
+    Definition result = of.definition;
+    result.symbol = symbol;
+    if (by != By::space) {
+      result.body = differentiator(by).derivative_or_zero(of.definition.body);
+      return result;
+    }
+    std::vector<Slot> slots;
+    if (result.indices.empty()) {
+      for (int axis = 0; axis < tree_[result.body].rank; ++axis) {
+        result.indices.push_back(tree_.add_index("i"));
+        slots.push_back({0, result.indices.back()});
+      }
+    }
+    result.indices.push_back(tree_.add_index("s"));
+    const ExprId body = differentiator(by, {0, result.indices.back()}).derivative_or_zero(of.definition.body);
+    result.body = component_of(tree_, body, slots);
+    return result;
+  }
+
+  Differentiator differentiator(By by, Slot axis = {}) {
+    const auto dependence_of = [this, by](SymbolId symbol) {
+      const Dependence dependence = names_.dependence(tree_, symbol, by);
+      const bool guessed =
+          dependence.kind == Dependence::Kind::varies && !names_.knows_change(tree_, symbol, by);
+      if (guessed) note_unknown(symbol);
+      return dependence;
+    };
+    return {tree_, by, dependence_of, axis};
+  }
+
+  void note_unknown(SymbolId symbol) {
+    auto& unknown = prepared_.unknown_changes;
+    if (std::find(unknown.begin(), unknown.end(), symbol) == unknown.end()) unknown.push_back(symbol);
+  }
+
+  /// A derivative of what does not change.
+  bool is_constant(SymbolId symbol) {
+    const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
+    if (!derivation) return false;
+    const auto constant_by = [&](By by) {
+      return names_.dependence(tree_, derivation->base, by).kind == Dependence::Kind::constant;
+    };
+    return (derivation->time > 0 && constant_by(By::time)) ||
+           (derivation->space > 0 && constant_by(By::space)) ||
+           (derivation->small > 0 && constant_by(By::small));
+  }
+
+  // --- assumptions
+
+  SymbolId base_of(SymbolId symbol) const {
+    const auto& derivation = tree_.symbols[symbol].derivation;
+    return derivation ? derivation->base : symbol;
+  }
+
+  Orders orders_of(SymbolId symbol) const {
+    const auto& derivation = tree_.symbols[symbol].derivation;
+    return derivation ? Orders{derivation->time, derivation->space} : Orders{};
+  }
+
+  std::vector<SymbolId> symbols_of(const Equation& equation) const {
+    std::vector<SymbolId> symbols = symbols_in(tree_, equation.left);
+    const std::vector<SymbolId> right = symbols_in(tree_, equation.right);
+    symbols.insert(symbols.end(), right.begin(), right.end());
+    return symbols;
+  }
+
+  /// One round over the assumptions; true if something was added.
+  bool add_assumptions() {
+    bool grew = false;
+    for (const NamedAssumption& assumption : names_.assumptions())
+      grew = add(assumption.equation, &assumption) || grew;
+    for (const SmallQuantity& small : names_.small()) {
+      if (precision_ == Precision::small_order) grew = add(vanishing(small), nullptr) || grew;
+    }
+    return grew;
+  }
+
+  Equation vanishing(const SmallQuantity& small) {
+    Equation& known = vanishing_[small.quantity];
+    if (known.left != small.quantity) {
+      const ExprNode node = tree_[small.quantity];
+      known.left = small.quantity;
+      known.right = zero_of_rank(tree_, node.span, node.rank);
+      known.particles = small.particles;
+    }
+    return known;
+  }
+
+  /// The assumption and those of its derivatives that speak of what was reached.
+  bool add(const Equation& equation, const NamedAssumption* named) {
+    const std::vector<SymbolId> symbols = symbols_of(equation);
+    Orders wanted{-1, -1};
+    for (const SymbolId own : symbols) {
+      for (const SymbolId reached : reached_) {
+        if (base_of(reached) != base_of(own)) continue;
+        wanted.time = std::max(wanted.time, orders_of(reached).time - orders_of(own).time);
+        wanted.space = std::max(wanted.space, orders_of(reached).space - orders_of(own).space);
+      }
+    }
+    if (wanted.time < 0 && wanted.space < 0) return false;
+    if (equation.relation != Relation::equal) wanted = {0, 0};
+    bool grew = false;
+    for (int time = 0; time <= std::clamp(wanted.time, 0, largest_assumption_order); ++time) {
+      for (int space = 0; space <= std::clamp(wanted.space, 0, largest_assumption_order); ++space)
+        grew = take(equation, named, {time, space}) || grew;
+    }
+    return grew;
+  }
+
+  bool take(const Equation& equation, const NamedAssumption* named, Orders orders) {
+    if (!taken_.insert({equation.left, equation.right, orders.time, orders.space}).second) return false;
+    const std::size_t unknown_before = prepared_.unknown_changes.size();
+    Equation changed = equation;
+    for (int k = 0; k < orders.time; ++k) changed = derived(changed, By::time);
+    for (int k = 0; k < orders.space; ++k) changed = derived(changed, By::space);
+    // true whether or not they change, since the derivative of what does not change is 0
+    prepared_.unknown_changes.resize(unknown_before);
+    push(changed, named);
+    const bool at_zero_only = named == nullptr;  // what is small vanishes to zeroth order only
+    for (int k = 0; k < order_ && !at_zero_only && changed.relation == Relation::equal; ++k) {
+      changed = derived(changed, By::small);
+      push(changed, named);
+    }
+    return true;
+  }
+
+  void push(const Equation& equation, const NamedAssumption* named) {
+    if (tree_.is_zero_literal(equation.left) && tree_.is_zero_literal(equation.right)) return;
+    prepared_.question.assumptions.push_back(equation);
+    prepared_.assumptions.push_back(named);
+    follow(equation);
+  }
+
+  Equation derived(const Equation& equation, By by) {
+    Equation result = equation;
+    Slot axis;
+    if (by == By::space) {
+      result.indices.insert(result.indices.begin(), tree_.add_index("s"));
+      axis = {0, result.indices.front()};
+    }
+    Differentiator differentiate = differentiator(by, axis);
+    result.left = differentiate.derivative_or_zero(equation.left);
+    result.right = differentiate.derivative_or_zero(equation.right);
+    return result;
+  }
+
+  /// Small quantities concern the claim through the question's definitions, too.
+  void add_small() {
+    for (const SmallQuantity& small : names_.small()) names_.mark_used(small.directive);
+  }
+
+  /// n·n = 1 for all times makes n·ṅ = 0. A rotation's rate is not reasoned about.
+  void add_lengths() {
+    std::map<SymbolId, Derivation> highest;
+    for (const SymbolId symbol : reached_) {
+      const auto derivation = tree_.symbols[symbol].derivation;
+      if (!derivation || definition_of(symbol, 0) || is_constant(symbol)) continue;
+      const Symbol& base = tree_.symbols[derivation->base];
+      if (base.rotation) note_unknown(derivation->base);
+      if (!base.unit || names_.definition_of(derivation->base) != nullptr) continue;
+      Derivation& known = highest[derivation->base];
+      known.time = std::max(known.time, derivation->time);
+      known.space = std::max(known.space, derivation->space);
+      known.small = std::max(known.small, derivation->small);
+    }
+    for (const auto& [base, orders] : highest) add_length(base, orders);
+  }
+
+  void add_length(SymbolId base, const Derivation& orders) {
+    const Span span = tree_.symbols[base].first_seen;
+    ExprNode node{.op = Op::symbol, .rank = 1, .span = span, .symbol = base};
+    Equation equation;
+    if (tree_.symbols[base].per_particle) {
+      node.particle = tree_.add_particle("p");
+      equation.particles.push_back(node.particle);
+    }
+    const ExprId vector = tree_.add(node);
+    const std::array sides{vector, vector};
+    equation.left = tree_.add({.op = Op::dot, .span = span}, sides);
+    equation.right = tree_.add_number(span, "1");
+    const auto add_up_to = [&](int order, By by) {
+      Equation changed = equation;
+      for (int k = 0; k < order; ++k) {
+        changed = derived(changed, by);
+        push(changed, nullptr);
+      }
+    };
+    add_up_to(orders.time, By::time);
+    add_up_to(orders.space, By::space);
+    add_up_to(orders.small, By::small);
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  Precision precision_;
+  int order_;
+  Prepared prepared_;
+  std::set<SymbolId> reached_;
+  std::map<SymbolId, std::optional<Found>> derived_;
+  std::map<ExprId, Equation> vanishing_;
+  std::set<std::tuple<ExprId, ExprId, int, int>> taken_;
+};
+
+}  // namespace
+
+Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, Precision precision, int order) {
+  return Preparation(tree, names, precision, order).prepare(claim);
+}
+
+}  // namespace rigor

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a claim to the question that the exact side is asked: with the definitions behind its symbols, those
+// of derivatives made on demand, and the assumptions that share a symbol with it. What is assumed holds at
+// all times and places, so that derivatives of assumptions are assumptions.
+#pragma once
+
+#include <vector>
+
+#include "elaborate/names.h"
+#include "expr/statement.h"
+
+namespace rigor {
+
+struct Prepared {
+  Question question;
+  std::vector<const Origin*> definitions;           // where each of the question's definitions comes from
+  std::vector<const NamedAssumption*> assumptions;  // the same; nullptr where a kind implies it (|n| = 1)
+  std::vector<SymbolId> unknown_changes;            // differentiated, though nothing says whether they change
+};
+
+/// How a claim is meant: exactly, or order by order in what is small.
+enum class Precision : std::uint8_t { exact, small_order };
+
+/// `order`: which derivative by the small parameter is asked for, where everything small is 0; 0 and 1 make
+/// "equal to first order".
+[[nodiscard]] Prepared prepare(ExprTree& tree, Names& names, const Equation& claim,
+                               Precision precision = Precision::exact, int order = 0);
+
+}  // namespace rigor

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Derivatives: by the time, by coordinates, and ∇ in front of what it acts on.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "elaborate/elaborator.h"
+
+namespace rigor {
+
+Differentiator Elaborator::differentiator(By by, Slot axis) {
+  const auto dependence_of = [this, by](SymbolId symbol) {
+    const Dependence dependence = names_.dependence(tree_, symbol, by);
+    const bool guessed =
+        dependence.kind == Dependence::Kind::varies && !names_.knows_change(tree_, symbol, by);
+    const bool noted =
+        std::find(unknown_changes_.begin(), unknown_changes_.end(), symbol) != unknown_changes_.end();
+    if (guessed && !noted) unknown_changes_.push_back(symbol);
+    return dependence;
+  };
+  return {tree_, by, dependence_of, axis};
+}
+
+Typed Elaborator::rate_of(Typed typed, int times) {
+  Differentiator by_time = differentiator(By::time);
+  for (int k = 0; k < times; ++k) typed.id = by_time.derivative_or_zero(typed.id);
+  return typed;
+}
+
+/// A vector changes in its own way in every frame.
+bool Elaborator::frame_is_open(const Typed& typed, Span span) {
+  if (typed.rank == 0 || names_.frames().empty()) return false;
+  const Frame& frame = names_.frames().back();
+  fail(
+      DiagnosticKind::ambiguous_reading, span,
+      fmt::format("the vector's change can be meant as seen in `{}` or in `{}`", frame.fixed, frame.rotating),
+      {fmt::format("write `\\left(…\\right)_{{\\text{{{}}}}}` or `\\left(…\\right)_{{\\text{{{}}}}}`",
+                   frame.fixed, frame.rotating)});
+  return true;
+}
+
+/// `\dot x`. A dot on the length r of a vector is d|r|/dt, to the letter.
+std::optional<Typed> Elaborator::rate(const WrittenSymbol& written, Span span) {
+  WrittenSymbol bare = written;
+  const int times = std::exchange(bare.dots, std::uint8_t{0});
+  Maybe typed = symbol(bare, span);
+  if (!typed || frame_is_open(*typed, span)) return std::nullopt;
+  if (tree_[typed->id].op != Op::length) return rate_of(std::move(*typed), times);
+  dotted_length_ = span;
+  if (!reading_.dots_on_vectors) return rate_of(std::move(*typed), times);
+  typed->id = tree_.children(typed->id)[0];
+  typed->rank = 1;
+  const Typed vector = rate_of(std::move(*typed), times);
+  return make(Op::length, span, 0, {&vector});
+}
+
+std::optional<Typed> Elaborator::derivative(SyntaxId id) {
+  const Span span = syntax_[id].span;
+  Maybe operand = expression(syntax_.child(id, 0));
+  for (const WrittenVariable& variable : syntax_.derivative(id).by) {
+    if (!operand) return operand;
+    const WrittenSymbol& by = variable.symbol;
+    const bool time = by.letter == "t" && by.lower.empty() && by.face == Face::plain;
+    if (time) {
+      if (frame_is_open(*operand, span)) return std::nullopt;
+      operand = rate_of(std::move(*operand), variable.times);
+      continue;
+    }
+    for (int k = 0; operand && k < variable.times; ++k)
+      operand = by_coordinate(std::move(*operand), by, span);
+  }
+  return operand;
+}
+
+std::optional<Typed> Elaborator::by_coordinate(Typed operand, const WrittenSymbol& variable, Span span) {
+  const std::uint8_t axis = variable.lower.empty() ? axis_of_letter(variable.letter) : std::uint8_t{0};
+  const bool indexed = (variable.letter == "x" || variable.letter == "r") && variable.lower.size() == 1;
+  if (variable.face != Face::plain || (axis == 0 && !indexed))
+    return unsupported(span, fmt::format("a derivative by `{}` is not decided", variable.letter),
+                       {"derivatives by the time t and by x, y, z, x_i are"});
+  std::vector<Slot> slots{{axis, {}}};
+  Typed subscript;
+  if (axis == 0) {
+    slots.clear();
+    if (any_primed(variable.lower))
+      return unsupported(span, "a derivative along a primed axis is not decided");
+    if (!read_slots(variable.lower, slots, subscript.free))
+      return unsupported(span, "this subscript is not one of index letters or axes");
+  }
+  Typed typed;
+  std::vector<FreeIndex> to_sum;
+  if (!sum_repeated({subscript, operand}, to_sum, typed.free, typed.bound)) return std::nullopt;
+  typed.rank = operand.rank;
+  typed.particles = operand.particles;
+  typed.id = differentiator(By::space, slots[0]).derivative_or_zero(operand.id);
+  return sum_over(std::move(typed), to_sum);
+}
+
+/// ∇, ∇² or (A·∇).
+bool Elaborator::is_operator(SyntaxId id) const {
+  if (is_nabla(syntax_, id)) return true;
+  if (syntax_[id].kind == SyntaxKind::power) return is_nabla(syntax_, syntax_.child(id, 0));
+  if (syntax_[id].kind != SyntaxKind::group) return false;
+  const SyntaxId inside = syntax_.child(id, 0);
+  return syntax_[inside].kind == SyntaxKind::term && is_nabla(syntax_, syntax_.children(inside).back().id);
+}
+
+/// Acts on the next factor; where another factor follows without a sign, it could be meant too.
+std::optional<Typed> Elaborator::apply_operator(std::span<const SyntaxChild> factors, std::size_t at,
+                                                std::size_t& next) {
+  const SyntaxId id = factors[at].id;
+  const Span span = syntax_[id].span;
+  if (at + 1 >= factors.size())
+    return fail(DiagnosticKind::bad_syntax, span, "`\\nabla` has nothing to act on");
+  const Joint joint = factors[at + 1].joint;
+  next = at + 2;
+  const SyntaxId behind = factors[at + 1].id;
+  const Maybe operand = is_operator(behind) ? apply_operator(factors, at + 1, next) : expression(behind);
+  if (!operand) return operand;
+  if (next < factors.size() && factors[next].joint == Joint::juxtaposed && !is_operator(behind))
+    return fail(DiagnosticKind::ambiguous_reading, cover(span, syntax_[factors[next].id].span),
+                "`\\nabla` can act on the next factor or on all that follow",
+                {"put brackets around what it acts on"});
+  const Span whole = cover(span, tree_[operand->id].span);
+  if (syntax_[id].kind == SyntaxKind::group) {
+    const SyntaxId inside = syntax_.child(id, 0);
+    const auto parts = syntax_.children(inside);
+    if (parts.size() != 2 || parts[1].joint != Joint::dot || joint != Joint::juxtaposed)
+      return unsupported(span, "this operator is not read", {"`(\\mathbf{A}\\cdot\\nabla)` is"});
+    const Maybe along = expression(parts[0].id);
+    return along ? directional(*along, *operand, whole) : along;
+  }
+  if (syntax_[id].kind == SyntaxKind::power) {
+    if (integer(syntax_.child(id, 1)) != 2 || joint != Joint::juxtaposed)
+      return unsupported(span, "of powers of `\\nabla`, `\\nabla^2` is read");
+    return apply_nabla("laplacian", *operand, whole);
+  }
+  return apply_nabla(joint == Joint::dot ? "div" : joint == Joint::cross ? "curl" : "grad", *operand, whole);
+}
+
+ExprId Elaborator::partial(ExprId id, std::uint8_t axis) {
+  return differentiator(By::space, {axis, {}}).derivative_or_zero(id);
+}
+
+ExprId Elaborator::at_axis(ExprId id, std::uint8_t axis) {
+  const Slot slot{axis, {}};
+  return component_of(tree_, id, std::span(&slot, 1));
+}
+
+ExprId Elaborator::sum_of(std::vector<ExprId> terms, int rank, Span span) {
+  return tree_.add({.op = Op::add, .rank = static_cast<std::uint8_t>(rank), .span = span}, terms);
+}
+
+/// (∇f)_i = ∂_i f, (∇A)_ij = ∂_i A_j, ∇·A = ∂_i A_i, (∇×A)_i = ε_ijk ∂_j A_k, ∇²A = ∂_i ∂_i A.
+std::optional<Typed> Elaborator::apply_nabla(const std::string& what, const Typed& operand, Span span) {
+  const bool of_vector = what == "div" || what == "curl";
+  if (of_vector && operand.rank != 1)
+    return operand.rank > 1
+               ? unsupported(span, "the divergence of a tensor is not decided in this notation")
+               : fail(DiagnosticKind::rank_mismatch, span, "a divergence or curl is taken of a vector",
+                      {"`\\nabla f` is the gradient"});
+  if (operand.rank > 1) return unsupported(span, "derivatives of tensors are decided in index notation only");
+  Typed typed = operand;
+  std::vector<ExprId> parts;
+  for (std::uint8_t i = 1; i <= 3; ++i) {
+    const auto j = static_cast<std::uint8_t>(i % 3 + 1);
+    const auto k = static_cast<std::uint8_t>(j % 3 + 1);
+    if (what == "grad") parts.push_back(partial(operand.id, i));
+    if (what == "div") parts.push_back(at_axis(partial(operand.id, i), i));
+    if (what == "laplacian") parts.push_back(partial(partial(operand.id, i), i));
+    if (what != "curl") continue;
+    const ExprId minus = at_axis(partial(operand.id, k), j);
+    const ExprId negated = tree_.add({.op = Op::negate, .span = span}, std::span(&minus, 1));
+    parts.push_back(sum_of({at_axis(partial(operand.id, j), k), negated}, 0, span));
+  }
+  const bool tuple = what == "grad" || what == "curl";
+  typed.rank = what == "grad" ? operand.rank + 1 : what == "div" ? 0 : operand.rank;
+  typed.id =
+      tuple ? tree_.add({.op = Op::tuple, .rank = static_cast<std::uint8_t>(typed.rank), .span = span}, parts)
+            : sum_of(parts, typed.rank, span);
+  return typed;
+}
+
+/// (A·∇)X = A_i ∂_i X
+std::optional<Typed> Elaborator::directional(const Typed& along, const Typed& operand, Span span) {
+  if (along.rank != 1)
+    return fail(DiagnosticKind::rank_mismatch, span, "`(\\mathbf{A}\\cdot\\nabla)` needs a vector");
+  std::vector<ExprId> terms;
+  for (std::uint8_t i = 1; i <= 3; ++i) {
+    const ExprId factors[] = {at_axis(along.id, i), partial(operand.id, i)};
+    terms.push_back(tree_.add(
+        {.op = Op::multiply, .rank = static_cast<std::uint8_t>(operand.rank), .span = span}, factors));
+  }
+  Typed typed = operand;
+  merge_free(typed.free, along.free);
+  merge_free(typed.particles, along.particles);
+  merge_free(typed.bound, along.bound);
+  typed.id = sum_of(terms, operand.rank, span);
+  return typed;
+}
+
+}  // namespace rigor
