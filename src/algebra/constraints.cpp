@@ -69,7 +69,8 @@ bool Constraints::replace_own_number(const ex& equation) {
   for (const ex& x : all) {
     const Indeterminates::Origin origin = indeterminates.origin(x);
     if (origin.kind != Indeterminates::Kind::coordinate || origin.frame != template_frame) continue;
-    if (scope_.tree().symbols[origin.symbol].unit && !scope_.is_defined(origin.symbol)) continue;
+    const Symbol& named = scope_.tree().symbols[origin.symbol];
+    if ((named.unit || named.rotation) && !scope_.is_defined(origin.symbol)) continue;
     if (equation.degree(x) != 1 || !is_number(equation.coeff(x, 1))) continue;
     domain_.replace(origin.symbol, origin.component, solved_for(equation, x));
     return true;

@@ -39,6 +39,7 @@ namespace {
                                                      });
   proof.moments = domain.used_moments();
   proof.unit_vectors = domain.used_unit_vectors();
+  proof.rotations = domain.used_rotations();
   proof.radicals = domain.used_radicals();
   proof.unsolved_assumptions = !proof.holds && constraints.incomplete();
   return proof;

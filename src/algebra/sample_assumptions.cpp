@@ -81,7 +81,7 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
   };
   std::vector<Coordinate> found;
   for (const Coordinate& at : point.coordinates()) {
-    if (contains(symbols_[assumption], at.symbol) && !point.is_direction(at)) found.push_back(at);
+    if (contains(symbols_[assumption], at.symbol) && !point.is_whole(at)) found.push_back(at);
   }
   const auto preference = [&](const Coordinate& at) {
     return std::tuple(is_side(at.symbol), at.particle, tree.symbols[at.symbol].rank);
