@@ -48,12 +48,20 @@ Fraction GenericDomain::value(SymbolId symbol, std::uint32_t frame, std::size_t 
 
 Fraction GenericDomain::unit_vector(SymbolId symbol, Frame frame, std::size_t component) {
   used_unit_vectors_ = true;
+  if (as_coordinates_.contains(symbol)) return unit_vector_by_coordinates(symbol, frame, component);
   const ex p = indeterminates_.coordinate(symbol, 0, frame);
   const ex q = indeterminates_.coordinate(symbol, 1, frame);
   const ex square = p * p + q * q;
   Fraction value = polynomial(component == 0 ? 2 * p : component == 1 ? 2 * q : 1 - square);
   value.divisors.push_back({1 + square, 1});
   return value;
+}
+
+Fraction GenericDomain::unit_vector_by_coordinates(SymbolId symbol, Frame frame, std::size_t component) {
+  std::array<ex, 3> n;
+  for (std::uint32_t i = 0; i < 3; ++i) n[i] = indeterminates_.coordinate(symbol, i, frame);
+  if (frame != common_frame) radicals_.relate(n[2], 1 - n[0] * n[0] - n[1] * n[1]);
+  return polynomial(n[component]);
 }
 
 /// R_ij = ((w² − v·v) δ_ij + 2 v_i v_j − 2 w ε_ijk v_k) / (w² + v·v), from Rodrigues' parameters.

@@ -56,6 +56,9 @@ class GenericDomain {
   /// A polynomial expanded and reduced; `terms` is an estimate of how many that may give.
   [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& value, double terms);
 
+  /// From now on a unit vector is three coordinates; a particle's third one is known by its square, for
+  /// others the caller has to see to n·n = 1. False if that was so before.
+  [[nodiscard]] bool take_as_coordinates(SymbolId symbol) { return as_coordinates_.insert(symbol).second; }
   /// From now on a particle's component is worth this, written in the template frame.
   void replace(SymbolId symbol, std::uint32_t component, const GiNaC::ex& worth);
 
@@ -68,6 +71,7 @@ class GenericDomain {
 
  private:
   [[nodiscard]] Fraction unit_vector(SymbolId symbol, Frame frame, std::size_t component);
+  [[nodiscard]] Fraction unit_vector_by_coordinates(SymbolId symbol, Frame frame, std::size_t component);
   [[nodiscard]] Fraction rotation(SymbolId symbol, Frame frame, std::size_t component);
 
   const Scope* scope_;
@@ -76,6 +80,7 @@ class GenericDomain {
   Radicals radicals_;
   Moments moments_;
   std::map<std::pair<SymbolId, std::uint32_t>, GiNaC::ex> replaced_;
+  std::set<SymbolId> as_coordinates_;  // unit vectors
   bool used_unit_vectors_ = false;
   bool used_rotations_ = false;
 };

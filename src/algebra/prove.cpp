@@ -25,9 +25,10 @@ namespace {
       for (const Divisor& divisor : side->divisors) {
         if (constraints.reduced(divisor.base).is_zero())
           throw Undecidable("a denominator is zero under the assumptions");
+        constraints.note_nonzero(divisor.base);
       }
     }
-    return constraints.reduced(domain.difference(left, right)).is_zero();
+    return constraints.vanishes(domain.difference(left, right));
   };
   Proof proof;
   proof.holds = for_each_component(
