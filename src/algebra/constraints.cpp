@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "algebra/components.h"
+#include "algebra/membership.h"
 
 namespace rigor {
 namespace {
@@ -32,11 +33,27 @@ constexpr std::size_t largest_instances = 64;      // choices of the claim's par
 
 void Constraints::assume(std::span<const std::size_t> positions) {
   const std::vector<Equation>& assumptions = scope_.question().assumptions;
+  take_unit_vectors_as_coordinates(positions);
   for (const std::size_t position : positions) {
     if (assumptions[position].particles.size() == 1) solve_for_each_particle(assumptions[position]);
   }
   for (const std::size_t position : positions) collect(assumptions[position]);
   eliminate();
+}
+
+void Constraints::take_unit_vectors_as_coordinates(std::span<const std::size_t> positions) {
+  for (const std::size_t position : positions) {
+    for (const SymbolId symbol : reach(scope_, scope_.question().assumptions[position]).symbols) {
+      const Symbol& named = scope_.tree().symbols[symbol];
+      if (!named.unit || scope_.is_defined(symbol) || !domain_.take_as_coordinates(symbol)) continue;
+      if (named.per_particle) continue;  // then n_3² = 1 − n_1² − n_2² is replaced wherever it stands
+      ex square = -1;
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        square += GiNaC::pow(domain_.indeterminates().coordinate(symbol, i, common_frame), 2);
+      }
+      equations_.push_back(square);
+    }
+  }
 }
 
 /// Component after component, each with the earlier ones in force.
@@ -69,7 +86,8 @@ bool Constraints::replace_own_number(const ex& equation) {
   for (const ex& x : all) {
     const Indeterminates::Origin origin = indeterminates.origin(x);
     if (origin.kind != Indeterminates::Kind::coordinate || origin.frame != template_frame) continue;
-    if (scope_.tree().symbols[origin.symbol].unit && !scope_.is_defined(origin.symbol)) continue;
+    const Symbol& named = scope_.tree().symbols[origin.symbol];
+    if ((named.unit || named.rotation) && !scope_.is_defined(origin.symbol)) continue;
     if (equation.degree(x) != 1 || !is_number(equation.coeff(x, 1))) continue;
     domain_.replace(origin.symbol, origin.component, solved_for(equation, x));
     return true;
@@ -91,6 +109,9 @@ void Constraints::collect(const Equation& assumption) {
     for_each_component(evaluator_, scope_.tree(), assumption,
                        [&](const auto&, const Fraction& left, const Fraction& right) {
                          const ex equation = domain_.difference(left, right);
+                         for (const Fraction* side : {&left, &right}) {
+                           for (const Divisor& each : side->divisors) note_nonzero(each.base);
+                         }
                          equations_.push_back(equation);
                          equations_.push_back(domain_.radicals().squared(equation));
                          return true;
@@ -160,12 +181,28 @@ ex Constraints::reduced(const ex& value) {
       rest = GiNaC::rem(rest, each.equation, each.monic_in).expand();
     }
   }
-  ex quotient;
-  for (const Remaining& each : remaining_) {
-    if (!rest.is_zero() && is_divided(rest, each.equation) && GiNaC::divide(rest, each.equation, quotient))
-      rest = 0;
-  }
   return rest;
+}
+
+void Constraints::note_nonzero(const ex& value) {
+  const bool known =
+      std::any_of(nonzero_.begin(), nonzero_.end(), [&](const ex& each) { return each.is_equal(value); });
+  if (!known && !is_number(value)) nonzero_.push_back(value);
+}
+
+bool Constraints::vanishes(const ex& value) {
+  const ex rest = reduced(value);
+  if (rest.is_zero()) return true;
+  if (remaining_.empty()) return false;
+  System system;
+  for (const Remaining& each : remaining_) system.equations.push_back(each.equation);
+  for (const ex& each : nonzero_) system.nonzero.push_back(reduced(each));
+  const ex without = without_factors(rest, system.nonzero);
+  const std::vector<ex>& all = domain_.indeterminates().all();
+  if (is_combination(without, system.equations, all)) return true;
+  const Cases::Verdict verdict = Cases(domain_).decide(without, system);
+  if (verdict == Cases::Verdict::empty) throw Undecidable("the assumptions contradict each other");
+  return verdict == Cases::Verdict::vanishes;
 }
 
 }  // namespace rigor

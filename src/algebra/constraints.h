@@ -6,19 +6,20 @@
 //  in any particle's name;
 //  2. Gaussian elimination: an equation that is linear in an indeterminate with a numeric coefficient is
 //  solved for it;
-//  3. what is left: one that is monic in an indeterminate reduces its powers (n·n = 1); others must divide
-//  the residue.
-// An equation with a single root in it is used squared, too. Everything used is a consequence of the
-// assumptions: sound. Steps 1 and 2 lose nothing (the solutions of such an equation are the graph of a
-// polynomial); step 3 is complete for one irreducible equation (a·x + b with coprime a and b, say, as in A·B
-// = 0), not for several. A moment is replaced where it stands as a factor: Σ m r = 0 makes M[m r_i] zero, not
-// M[m r_i v_j].
+//  3. what is left: one that is monic in an indeterminate reduces its powers (n·n = 1);
+//  4. the residue is a combination of the equations with cofactors of low degree (`membership.h`), or
+//  vanishes in each of several cases (`cases.h`).
+// An equation with a single root in it is used squared, too. What stands in a denominator is not 0. A unit
+// vector that assumptions are about is three coordinates with n·n = 1: the stereographic chart misses a point
+// that they may single out. Everything used is a consequence of the assumptions: sound. Steps 1 and 2 lose
+// nothing (the solutions of such an equation are the graph of a polynomial); the others are bounded. A moment
+// is replaced where it stands as a factor: Σ m r = 0 makes M[m r_i] zero, not M[m r_i v_j].
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "algebra/generic_evaluator.h"
+#include "algebra/cases.h"
 
 namespace rigor {
 
@@ -31,8 +32,13 @@ class Constraints {
   /// on. Throws Undecidable if they contradict each other.
   void assume(std::span<const std::size_t> positions);
 
-  /// A polynomial on the solutions: zero if it is proved to vanish there.
+  /// What stands in a denominator, or is not 0 for another reason.
+  void note_nonzero(const GiNaC::ex& value);
+
+  /// A polynomial on the solutions, after steps 2 and 3.
   [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& value);
+  /// Is a polynomial proved to be zero on the solutions? Throws Undecidable where there are none.
+  [[nodiscard]] bool vanishes(const GiNaC::ex& value);
 
   /// Are there equations that could not be solved for an indeterminate?
   [[nodiscard]] bool incomplete() const { return !remaining_.empty(); }
@@ -47,6 +53,7 @@ class Constraints {
     GiNaC::ex monic_in;  // 0: in none
   };
 
+  void take_unit_vectors_as_coordinates(std::span<const std::size_t> positions);
   void solve_for_each_particle(const Equation& assumption);
   void collect(const Equation& assumption);
   void eliminate();
@@ -59,6 +66,7 @@ class Constraints {
   GenericDomain& domain_;
   Evaluator<GenericDomain>& evaluator_;
   std::vector<GiNaC::ex> equations_;
+  std::vector<GiNaC::ex> nonzero_;
   std::vector<Solution> solutions_;
   std::vector<Remaining> remaining_;
 };

@@ -3,7 +3,7 @@
 
 #include <ginac/ginac.h>
 
-#include <algorithm>
+#include <array>
 
 namespace rigor {
 
@@ -35,8 +35,9 @@ Fraction GenericDomain::value(SymbolId symbol, std::uint32_t frame, std::size_t 
   const Symbol& named = scope_->tree().symbols[symbol];
   const bool as_declared = !scope_->is_defined(symbol);
   if (as_declared && named.unit) return unit_vector(symbol, frame, component);
-  auto canonical = static_cast<std::uint32_t>(component);
-  if (as_declared && named.symmetric) canonical = std::min(canonical, 3 * (canonical % 3) + canonical / 3);
+  if (as_declared && named.rotation) return rotation(symbol, frame, component);
+  const auto canonical =
+      static_cast<std::uint32_t>(as_declared ? canonical_component(named, component) : component);
   if (!replaced_.empty()) {
     const auto replaced = replaced_.find({symbol, canonical});
     if (replaced != replaced_.end())
@@ -47,11 +48,35 @@ Fraction GenericDomain::value(SymbolId symbol, std::uint32_t frame, std::size_t 
 
 Fraction GenericDomain::unit_vector(SymbolId symbol, Frame frame, std::size_t component) {
   used_unit_vectors_ = true;
+  if (as_coordinates_.contains(symbol)) return unit_vector_by_coordinates(symbol, frame, component);
   const ex p = indeterminates_.coordinate(symbol, 0, frame);
   const ex q = indeterminates_.coordinate(symbol, 1, frame);
   const ex square = p * p + q * q;
   Fraction value = polynomial(component == 0 ? 2 * p : component == 1 ? 2 * q : 1 - square);
   value.divisors.push_back({1 + square, 1});
+  return value;
+}
+
+Fraction GenericDomain::unit_vector_by_coordinates(SymbolId symbol, Frame frame, std::size_t component) {
+  std::array<ex, 3> n;
+  for (std::uint32_t i = 0; i < 3; ++i) n[i] = indeterminates_.coordinate(symbol, i, frame);
+  if (frame != common_frame) radicals_.relate(n[2], 1 - n[0] * n[0] - n[1] * n[1]);
+  return polynomial(n[component]);
+}
+
+/// R_ij = ((w² − v·v) δ_ij + 2 v_i v_j − 2 w ε_ijk v_k) / (w² + v·v), from Rodrigues' parameters.
+Fraction GenericDomain::rotation(SymbolId symbol, Frame frame, std::size_t component) {
+  used_rotations_ = true;
+  const ex w = indeterminates_.coordinate(symbol, 0, frame);
+  std::array<ex, 3> v;
+  for (std::uint32_t i = 0; i < 3; ++i) v[i] = indeterminates_.coordinate(symbol, i + 1, frame);
+  const ex square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  const std::size_t i = component / 3;
+  const std::size_t j = component % 3;
+  const auto sign = permutation_sign(static_cast<int>(i), static_cast<int>(j), static_cast<int>(3 - i - j));
+  const ex entry = i == j ? w * w - square + 2 * v[i] * v[i] : 2 * v[i] * v[j] - 2 * sign * w * v[3 - i - j];
+  Fraction value = polynomial(entry.expand());
+  value.divisors.push_back({w * w + square, 1});
   return value;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions at the generic point: every symbol's components are indeterminates, so that a difference which
 // is zero here is zero everywhere. A unit vector is (2p, 2q, 1 − p² − q²) / (1 + p² + q²), which misses one
-// point of the sphere and therefore no identity; a symmetric tensor is six indeterminates.
+// point of the sphere and therefore no identity; a rotation is that of a quaternion q, a quadratic form over
+// q·q, which misses none; a symmetric tensor is six indeterminates.
 #pragma once
 
 #include <map>
@@ -55,6 +56,9 @@ class GenericDomain {
   /// A polynomial expanded and reduced; `terms` is an estimate of how many that may give.
   [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& value, double terms);
 
+  /// From now on a unit vector is three coordinates; a particle's third one is known by its square, for
+  /// others the caller has to see to n·n = 1. False if that was so before.
+  [[nodiscard]] bool take_as_coordinates(SymbolId symbol) { return as_coordinates_.insert(symbol).second; }
   /// From now on a particle's component is worth this, written in the template frame.
   void replace(SymbolId symbol, std::uint32_t component, const GiNaC::ex& worth);
 
@@ -63,9 +67,12 @@ class GenericDomain {
   [[nodiscard]] bool used_moments() const { return moments_.any(); }
   [[nodiscard]] bool used_radicals() const { return radicals_.any(); }
   [[nodiscard]] bool used_unit_vectors() const { return used_unit_vectors_; }
+  [[nodiscard]] bool used_rotations() const { return used_rotations_; }
 
  private:
   [[nodiscard]] Fraction unit_vector(SymbolId symbol, Frame frame, std::size_t component);
+  [[nodiscard]] Fraction unit_vector_by_coordinates(SymbolId symbol, Frame frame, std::size_t component);
+  [[nodiscard]] Fraction rotation(SymbolId symbol, Frame frame, std::size_t component);
 
   const Scope* scope_;
   Indeterminates indeterminates_;
@@ -73,7 +80,9 @@ class GenericDomain {
   Radicals radicals_;
   Moments moments_;
   std::map<std::pair<SymbolId, std::uint32_t>, GiNaC::ex> replaced_;
+  std::set<SymbolId> as_coordinates_;  // unit vectors
   bool used_unit_vectors_ = false;
+  bool used_rotations_ = false;
 };
 
 }  // namespace rigor

@@ -25,9 +25,10 @@ namespace {
       for (const Divisor& divisor : side->divisors) {
         if (constraints.reduced(divisor.base).is_zero())
           throw Undecidable("a denominator is zero under the assumptions");
+        constraints.note_nonzero(divisor.base);
       }
     }
-    return constraints.reduced(domain.difference(left, right)).is_zero();
+    return constraints.vanishes(domain.difference(left, right));
   };
   Proof proof;
   proof.holds = for_each_component(
@@ -39,6 +40,7 @@ namespace {
                                                      });
   proof.moments = domain.used_moments();
   proof.unit_vectors = domain.used_unit_vectors();
+  proof.rotations = domain.used_rotations();
   proof.radicals = domain.used_radicals();
   proof.unsolved_assumptions = !proof.holds && constraints.incomplete();
   return proof;

@@ -29,6 +29,7 @@ struct Proof {
   bool vanishes = false;  // and every component of the left side alone
   bool moments = false;   // what it took
   bool unit_vectors = false;
+  bool rotations = false;
   bool radicals = false;
   bool unsolved_assumptions = false;  // does not hold, and an assumption could not be solved for
 };

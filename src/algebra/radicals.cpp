@@ -182,11 +182,18 @@ Fraction Radicals::absolute(const ex& value) {
 
 Fraction Radicals::radical(const ex& square) {
   for (const Radical& known : radicals_) {
-    if (known.square.is_equal(square)) return polynomial(known.symbol);
+    if (known.root && known.square.is_equal(square)) return polynomial(known.symbol);
   }
   const ex symbol = indeterminates_.fresh(Indeterminates::Kind::radical, indeterminates_.frames_of(square));
   radicals_.push_back({symbol, square});
+  any_root_ = true;
   return polynomial(symbol);
+}
+
+void Radicals::relate(const ex& symbol, const ex& square) {
+  const bool known = std::any_of(radicals_.begin(), radicals_.end(),
+                                 [&](const Radical& each) { return each.symbol.is_equal(symbol); });
+  if (!known) radicals_.push_back({symbol, square.expand(), false});
 }
 
 ex Radicals::reduced(const ex& expanded) {
@@ -246,7 +253,13 @@ ex Radicals::moved(const ex& value, Frame from, Frame to) {
   for (std::size_t i = 0; i < present; ++i) {
     const Radical each = radicals_[i];
     if ((indeterminates_.frames_of(each.square) & only(from)) == 0) continue;
-    map.emplace(each.symbol, radical(each.square.subs(map, GiNaC::subs_options::no_pattern)).numerator);
+    const ex square = each.square.subs(map, GiNaC::subs_options::no_pattern);
+    const auto twin = map.find(each.symbol);
+    if (each.root) {
+      map.emplace(each.symbol, radical(square).numerator);
+    } else if (twin != map.end()) {
+      relate(twin->second, square);
+    }
   }
   return value.subs(map, GiNaC::subs_options::no_pattern);
 }

@@ -23,6 +23,9 @@ class Radicals {
   /// The non-negative root of a value; throws Undecidable if the value is a negative number.
   [[nodiscard]] Fraction root(const Fraction& square);
 
+  /// From now on another indeterminate's square is replaced, too: it may be negative.
+  void relate(const GiNaC::ex& symbol, const GiNaC::ex& square);
+
   /// An expanded polynomial with s² replaced by R as often as it occurs, expanded again.
   [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& expanded);
 
@@ -35,13 +38,14 @@ class Radicals {
   /// The same expression of another particle.
   [[nodiscard]] GiNaC::ex moved(const GiNaC::ex& value, Frame from, Frame to);
 
-  [[nodiscard]] bool any() const { return !radicals_.empty(); }
+  [[nodiscard]] bool any() const { return any_root_; }
   [[nodiscard]] bool is_radical(const GiNaC::ex& indeterminate) const;
 
  private:
   struct Radical {
     GiNaC::ex symbol;
     GiNaC::ex square;  // expanded; has only earlier radicals in it
+    bool root = true;  // never negative
   };
   struct Factor {
     GiNaC::ex base;  // expanded
@@ -62,6 +66,7 @@ class Radicals {
   FractionArithmetic& arithmetic_;
   Effort effort_;
   std::vector<Radical> radicals_;
+  bool any_root_ = false;
 };
 
 }  // namespace rigor

@@ -6,6 +6,7 @@
 
 #include "algebra/decide.h"
 #include "algebra/refute.h"
+#include "algebra/sample_rotation.h"
 
 namespace rigor {
 namespace {
@@ -24,8 +25,9 @@ namespace {
         components[0] * components[0] + components[1] * components[1] + components[2] * components[2];
     if (square != 1) return std::nullopt;
   }
-  for (std::size_t i = 0; symbol.symmetric && i < 9; ++i) {
-    if (components[i] != components[3 * (i % 3) + i / 3]) return std::nullopt;
+  if (symbol.rotation && !is_rotation(components)) return std::nullopt;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    if (components[i] != components[canonical_component(symbol, i)]) return std::nullopt;
   }
   return components;
 }

@@ -81,10 +81,15 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
   };
   std::vector<Coordinate> found;
   for (const Coordinate& at : point.coordinates()) {
-    if (contains(symbols_[assumption], at.symbol) && !point.is_direction(at)) found.push_back(at);
+    if (contains(symbols_[assumption], at.symbol) && !point.is_whole(at)) found.push_back(at);
   }
+  const auto is_new = [&](SymbolId symbol) {
+    const auto end = symbols_.begin() + static_cast<std::ptrdiff_t>(assumption);
+    return std::none_of(symbols_.begin(), end,
+                        [&](const auto& earlier) { return contains(earlier, symbol); });
+  };
   const auto preference = [&](const Coordinate& at) {
-    return std::tuple(is_side(at.symbol), at.particle, tree.symbols[at.symbol].rank);
+    return std::tuple(is_new(at.symbol), is_side(at.symbol), at.particle, tree.symbols[at.symbol].rank);
   };
   std::stable_sort(found.begin(), found.end(),
                    [&](const Coordinate& a, const Coordinate& b) { return preference(a) > preference(b); });

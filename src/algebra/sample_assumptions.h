@@ -10,9 +10,9 @@ namespace rigor {
 
 /// The assumptions that samples have to meet, and the search for the numbers to change. Method: for each
 /// component of each assumption that does not hold yet, a number in which left − right is linear is solved
-/// for, and not touched again: first one of a symbol that is a whole side, then one of the last particle,
-/// then of higher rank. In the end everything is verified. Not complete: where the search finds nothing,
-/// another sample or another order (`attempt`) may do.
+/// for, and not touched again: first one of a symbol that no earlier assumption has, then of one that is a
+/// whole side, then one of the last particle, then of higher rank. In the end everything is verified. Not
+/// complete: where the search finds nothing, another sample or another order (`attempt`) may do.
 class AssumptionSolver {
  public:
   AssumptionSolver(const Scope& scope, std::vector<std::size_t> assumptions);

@@ -3,6 +3,7 @@
 
 #include "algebra/evaluator.h"
 #include "algebra/sample_point.h"
+#include "algebra/sample_rotation.h"
 
 namespace rigor {
 namespace {
@@ -110,6 +111,11 @@ void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random)
     const Symbol& symbol = tree.symbols[at.symbol];
     if (symbol.unit) {
       point.set_all(at.symbol, at.particle, draw_direction(from, random));
+      continue;
+    }
+    if (symbol.rotation) {
+      const bool known = from == Draw::zero_or_one || from == Draw::tiny || from == Draw::along_axes;
+      point.set_all(at.symbol, at.particle, draw_rotation(known, random));
       continue;
     }
     if (symbol.rank != 1 || !draws_whole_vectors(from)) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algebra/evaluator.h"
+#include "algebra/sample_rotation.h"
 #include "base/check.h"
 
 namespace rigor {
@@ -47,10 +48,11 @@ std::vector<Coordinate> SamplePoint::coordinates() const {
   std::vector<Coordinate> all;
   for (const SymbolId symbol : symbols_) {
     const Symbol& named = tree_->symbols[symbol];
-    const auto count = static_cast<std::uint32_t>(named.unit ? 1 : component_count(named.rank));
+    const auto count =
+        static_cast<std::uint32_t>(named.unit || named.rotation ? 1 : component_count(named.rank));
     for (std::uint32_t particle = first_particle(symbol); particle <= last_particle(symbol); ++particle) {
       for (std::uint32_t component = 0; component < count; ++component) {
-        if (named.symmetric && component / 3 > component % 3) continue;
+        if (canonical_component(named, component) != component) continue;
         all.push_back({symbol, particle, component});
       }
     }
@@ -59,9 +61,11 @@ std::vector<Coordinate> SamplePoint::coordinates() const {
 }
 
 void SamplePoint::set(const Coordinate& at, const Rational& value) {
+  const Symbol& named = tree_->symbols[at.symbol];
   const std::size_t first = position(at.symbol, at.particle);
-  values_[first + at.component] = value;
-  if (tree_->symbols[at.symbol].symmetric) values_[first + 3 * (at.component % 3) + at.component / 3] = value;
+  for (std::size_t component = 0; component < component_count(named.rank); ++component) {
+    if (canonical_component(named, component) == at.component) values_[first + component] = value;
+  }
 }
 
 void SamplePoint::set_all(SymbolId symbol, std::uint32_t particle, std::span<const Rational> components) {
@@ -82,11 +86,12 @@ SamplePoint SamplePoint::without_particle(std::uint32_t particle) const {
 Complexity complexity(const SamplePoint& point) {
   Complexity result{.particles = point.particles()};
   for (const Coordinate& at : point.coordinates()) {
-    const std::uint32_t count = point.is_direction(at) ? 3 : 1;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const Rational& value = point.value(at.symbol, at.particle, at.component + i);
+    const auto all = point.values(at.symbol, at.particle);
+    const bool rotation = point.is_whole(at) && all.size() == 9;
+    if (rotation) result.nonzero += strangeness(all);
+    for (const Rational& value : point.is_whole(at) ? all : all.subspan(at.component, 1)) {
       if (cln::zerop(value)) continue;
-      ++result.nonzero;
+      if (!rotation) ++result.nonzero;
       result.size += cln::double_approx(cln::abs(cln::numerator(value))) +
                      3 * (cln::double_approx(cln::denominator(value)) - 1) + (cln::minusp(value) ? 0.5 : 0.0);
     }

@@ -12,8 +12,8 @@
 
 namespace rigor {
 
-/// One number of a point that can be chosen freely. A symmetric tensor has six; a unit vector has a single
-/// one, its direction (component 0), which is set as a whole.
+/// One number of a point that can be chosen freely. A symmetric tensor has six; a unit vector and a
+/// rotation have a single one (component 0), which is set as a whole.
 struct Coordinate {
   SymbolId symbol{};
   std::uint32_t particle = 0;  // from 1; 0 where the symbol has no particle label
@@ -36,11 +36,15 @@ class SamplePoint {
   [[nodiscard]] bool has(SymbolId symbol) const {
     return offset_[static_cast<std::size_t>(symbol)] != absent;
   }
-  [[nodiscard]] bool is_direction(const Coordinate& at) const { return (*tree_).symbols[at.symbol].unit; }
+  /// Is it a unit vector or a rotation, all its components at once?
+  [[nodiscard]] bool is_whole(const Coordinate& at) const {
+    const Symbol& named = tree_->symbols[at.symbol];
+    return named.unit || named.rotation;
+  }
   [[nodiscard]] const Rational& operator[](const Coordinate& at) const {
     return value(at.symbol, at.particle, at.component);
   }
-  /// Sets a number that is not a direction; a symmetric tensor stays symmetric.
+  /// Sets a number that is not whole, and the components that equal it by symmetry.
   void set(const Coordinate& at, const Rational& value);
   /// Sets all components as they are.
   void set_all(SymbolId symbol, std::uint32_t particle, std::span<const Rational> components);
@@ -62,7 +66,7 @@ class SamplePoint {
 };
 
 /// How large a point's simplicity is: the fewer particles, then numbers that are not 0, then digits, the
-/// simpler.
+/// simpler. A rotation counts by how strange it is.
 struct Complexity {
   std::uint32_t particles = 0;
   std::uint32_t nonzero = 0;

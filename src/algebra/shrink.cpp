@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algebra/refute.h"
+#include "algebra/sample_rotation.h"
 
 namespace rigor {
 namespace {
@@ -15,6 +16,20 @@ constexpr int passes = 3;                    // over all numbers of a point
 constexpr std::uint64_t tiny_seed = 0x74696e79;
 
 constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
+
+/// The unit vectors along the axes, or the rotations that a reader knows.
+[[nodiscard]] std::vector<std::vector<Rational>> simple_wholes(const Symbol& symbol) {
+  std::vector<std::vector<Rational>> all;
+  if (symbol.rotation) {
+    for (const RotationMatrix& each : known_rotations()) all.emplace_back(each.begin(), each.end());
+    return all;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    all.emplace_back(3, Rational(0));
+    all.back()[axis] = 1;
+  }
+  return all;
+}
 
 }  // namespace
 
@@ -51,13 +66,14 @@ bool Refuter::make_smaller(Counterexample& best) {
   bool any = false;
   for (const Coordinate& at : best.drawn.coordinates()) {
     const Complexity before = complexity(best.point);
-    const std::size_t choices = best.drawn.is_direction(at) ? 3 : small_numbers.size();
+    const bool whole = best.drawn.is_whole(at);
+    const std::vector<std::vector<Rational>> wholes =
+        whole ? simple_wholes(scope_->tree().symbols[at.symbol]) : std::vector<std::vector<Rational>>{};
+    const std::size_t choices = whole ? wholes.size() : small_numbers.size();
     for (std::size_t choice = 0; choice < choices && !(complexity(best.point) < before); ++choice) {
       SamplePoint changed = best.drawn;
-      if (changed.is_direction(at)) {
-        std::array<Rational, 3> unit{0, 0, 0};
-        unit[choice] = 1;
-        changed.set_all(at.symbol, at.particle, unit);
+      if (whole) {
+        changed.set_all(at.symbol, at.particle, wholes[choice]);
       } else if (changed[at] == small_numbers[choice]) {
         break;  // what follows is no simpler
       } else {

@@ -123,6 +123,12 @@ class Page {
   [[nodiscard]] Named unit(std::string name) {
     return add({.name = std::move(name), .rank = 1, .unit = true});
   }
+  [[nodiscard]] Named rotation(std::string name) {
+    return add({.name = std::move(name), .rank = 2, .rotation = true});
+  }
+  [[nodiscard]] Named derivative(const Named& of, By by) {
+    return {&tree, tree.symbols.derivative(of.symbol, by), of.particle};
+  }
   [[nodiscard]] Named scalars(std::string name) {
     return add({.name = std::move(name), .per_particle = true});
   }
