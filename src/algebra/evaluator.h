@@ -93,6 +93,7 @@ class Evaluator {
   [[nodiscard]] bool is_cheap(ExprId id) const;
 
   [[nodiscard]] Number product(ExprId id, bool scalars_only);
+  [[nodiscard]] std::optional<ExprId> defined_as_root(ExprId id) const;
   [[nodiscard]] Number scalar_power(ExprId id);
   [[nodiscard]] Number square_of_vector(const Array& v);
   [[nodiscard]] Array contraction(ExprId id);

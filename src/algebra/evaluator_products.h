@@ -46,11 +46,22 @@ auto Evaluator<Domain>::outer_product(ExprId id) -> Array {
   return value;
 }
 
+/// What a scalar symbol's definition says, where that is a root: `(\Omega_1)^2 = …` defines Ω_1 by its
+/// square.
+template <class Domain>
+std::optional<ExprId> Evaluator<Domain>::defined_as_root(ExprId id) const {
+  if (node(id).op != Op::symbol || node(id).particle != no_particle || node(id).slot_count > 0)
+    return std::nullopt;
+  const Definition* definition = scope_->definition_of(node(id).symbol);
+  if (definition == nullptr || node(definition->body).op != Op::root) return std::nullopt;
+  return definition->body;
+}
+
 /// An even power of a root takes no root.
 template <class Domain>
 auto Evaluator<Domain>::scalar_power(ExprId id) -> Number {
   const int exponent = node(id).exponent;
-  const ExprId base = child(id);
+  const ExprId base = defined_as_root(child(id)).value_or(child(id));
   if (exponent % 2 == 0) {
     switch (node(base).op) {
       case Op::root:
@@ -63,7 +74,7 @@ auto Evaluator<Domain>::scalar_power(ExprId id) -> Number {
         break;
     }
   }
-  return domain_->power(scalar(base), exponent);
+  return domain_->power(scalar(child(id)), exponent);
 }
 
 template <class Domain>

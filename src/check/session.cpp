@@ -422,8 +422,10 @@ std::unique_ptr<Session::Attempt> Session::read(const ParsedChain& parsed) {
   auto first = std::make_unique<Attempt>(*this, parsed, plain);
   if (parsed.sides.size() < 2 || is_balanced(first->sides)) return first;
   Reading unsummed = plain;
+  const bool all_read = std::all_of(first->sides.begin(), first->sides.end(),
+                                    [](const Side& side) { return side.typed.has_value(); });
   for (const Side& side : first->sides) {
-    if (!side.typed) continue;
+    if (!all_read) break;
     for (const FreeIndex& free : side.typed->free) {
       if (first->elaborator.summed_letters().contains(free.letter)) unsummed.unsummed.insert(free.letter);
     }

@@ -86,6 +86,7 @@ class Session {
                       const ParsedChain& parsed, const Context& context, Step& step);
   bool is_rule(const Typed& left, const Typed& right);
   std::optional<Definition> as_square(const Typed& left, const Typed& right);
+  bool stands_in_brackets(SyntaxId power) const;
   void accept(Judgement judgement, Step& step);
   void join_component_rules(const Typed& left);
   bool is_circular(const Typed& left, const Typed& right) const;

@@ -252,6 +252,12 @@ bool Session::is_circular(const Typed& left, const Typed& right) const {
   return contains(reached, tree_[left.id].symbol);
 }
 
+/// `(\Omega_1)^2` names a number by its square; `v^2 = u^2 + 2as` is a law.
+bool Session::stands_in_brackets(SyntaxId power) const {
+  return notes_.syntax[power].kind == SyntaxKind::power &&
+         notes_.syntax[notes_.syntax.child(power, 0)].kind == SyntaxKind::group;
+}
+
 bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context,
                       Step& step) {
   if (context.role == Role::claim || context.role == Role::given) return false;
@@ -264,8 +270,10 @@ bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& r
     return true;
   }
   if (!definition) return false;
+  const bool square = tree_[left.typed->id].op == Op::power;
   const bool named_definition =
       parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let;
+  if (square && !named_definition && !stands_in_brackets(parsed.sides[0])) return false;
   const bool rate = tree_.symbols[definition->symbol].derivation.has_value();  // a law, not a name
   const bool known = names_.definition_of(definition->symbol) != nullptr;
   const bool seen = names_.seen_in_equation(definition->symbol);

@@ -97,13 +97,17 @@ void Names::forget_definition(SymbolId symbol) {
 
 void Names::open_section(int level) {
   const auto closed = [&](const auto& entry) { return entry.depth >= level; };
+  while (!frames_.empty() && closed(frames_.back())) {
+    restore(std::move(before_frames_.back()));
+    before_frames_.pop_back();
+    frames_.pop_back();
+  }
   std::erase_if(entries_, [&](const auto& entry) { return entry.second.directive && closed(entry.second); });
   std::erase_if(particle_letters_, [&](const auto& entry) { return closed(entry.second); });
   std::erase_if(definitions_,
                 [&](const NamedDefinition& entry) { return entry.origin.directive && closed(entry); });
   std::erase_if(assumptions_, closed);
   std::erase_if(constants_, closed);
-  std::erase_if(frames_, closed);
   std::erase_if(small_, closed);
   std::erase_if(seen_, [&](const auto& entry) { return entry.second >= level; });
   depth_ = level;
@@ -124,9 +128,10 @@ void Names::declare_constant(SymbolId symbol, std::size_t directive) {
   constants_.push_back({symbol, directive, depth_});
 }
 
-void Names::declare_frame(Frame frame) {
+void Names::declare_frame(Frame frame, Scene before) {
   frame.depth = depth_;
   frames_.push_back(std::move(frame));
+  before_frames_.push_back(std::move(before));
 }
 
 void Names::declare_small(SmallQuantity small) {

@@ -108,6 +108,10 @@ class Names {
   };
   [[nodiscard]] Scene scene() const { return {definitions_, assumptions_}; }
   void restore(Scene scene);
+  void replace(Scene scene) {
+    definitions_ = std::move(scene.definitions);
+    assumptions_ = std::move(scene.assumptions);
+  }
 
   void declare_constant(SymbolId symbol, std::size_t directive);
   /// How a symbol (or a derivative) changes; marks the directive that says so as used. What nothing is said
@@ -116,7 +120,9 @@ class Names {
   /// Does anything say how a symbol changes: a declaration, a definition, a derivative that is written?
   [[nodiscard]] bool knows_change(const ExprTree& tree, SymbolId symbol, By by) const;
 
-  void declare_frame(Frame frame);
+  /// From here on components are along turning axes; `before` is what held without them, and holds again
+  /// behind the section.
+  void declare_frame(Frame frame, Scene before);
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
   void declare_small(SmallQuantity small);
   [[nodiscard]] const std::vector<SmallQuantity>& small() const { return small_; }
@@ -167,6 +173,7 @@ class Names {
   std::map<SymbolId, NameKey> keys_;
   std::vector<Constant> constants_;
   std::vector<Frame> frames_;
+  std::vector<Scene> before_frames_;  // one for each
   std::vector<SmallQuantity> small_;
   std::optional<SymbolId> primed_axes_;
   std::map<NameKey, SymbolId>

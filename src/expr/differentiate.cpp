@@ -199,7 +199,7 @@ std::optional<ExprId> Differentiator::of_entries(ExprId id) {
   for (const ExprId each : entries) changed.push_back(derivative_or_zero(each));
   if (tree_[id].op == Op::tuple) return make(Op::tuple, tree_[id].rank, changed);
   const std::vector<Slot> slots(tree_.slots(id).begin(), tree_.slots(id).end());
-  return tree_.add_table(span_, changed, slots, tree_.table(id));
+  return tree_.add_table(span_, changed, slots, Table(tree_.table(id)));
 }
 
 std::optional<ExprId> Differentiator::of_determinant(ExprId id) {
@@ -231,6 +231,18 @@ ExprId Differentiator::make(Op op, std::uint8_t rank, std::vector<ExprId> childr
 
 ExprId Differentiator::scaled(ExprId scalar, ExprId value) {
   return make(Op::multiply, tree_[value].rank, {scalar, value});
+}
+
+ExprId replaced(ExprTree& tree, ExprId root, const std::function<std::optional<ExprId>(ExprId)>& by) {
+  ExprNode node = tree[root];
+  if (node.op == Op::symbol) return by(root).value_or(root);
+  const std::vector<ExprId> before(tree.children(root).begin(), tree.children(root).end());
+  std::vector<ExprId> after;
+  for (const ExprId child : before) after.push_back(replaced(tree, child, by));
+  if (after == before) return root;
+  const std::vector<Slot> slots(tree.slots(root).begin(), tree.slots(root).end());
+  if (node.op == Op::table) return tree.add_table(node.span, after, slots, Table(tree.table(root)));
+  return tree.add(node, after, slots);
 }
 
 ExprId component_of(ExprTree& tree, ExprId id, std::span<const Slot> slots) {

@@ -69,6 +69,11 @@ class Differentiator {
   std::unordered_map<std::uint32_t, Maybe> known_;
 };
 
+/// The expression with some of its symbols (each with its slots and particle) replaced by what `by` gives for
+/// the node; nothing leaves it. Recursion: as deep as the tree.
+[[nodiscard]] ExprId replaced(ExprTree& tree, ExprId root,
+                              const std::function<std::optional<ExprId>(ExprId symbol)>& by);
+
 /// A component of a vector or tensor expression, taken from a tuple or a symbol where it stands open.
 [[nodiscard]] ExprId component_of(ExprTree& tree, ExprId id, std::span<const Slot> slots);
 
