@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "latex/beside.h"
 #include "latex/chain.h"
 #include "latex/remarks.h"
 
@@ -70,6 +71,8 @@ class StatementSplitter {
     for (WrittenChain& chain : chains_) {
       chain.tag = tag_;
       chain.doubt = doubt_;
+      chain.no_sum = no_sum_;
+      chain.cyclic = cyclic_;
       if (condition_) {
         chain.condition = condition_;
         chain.condition_span = condition_span_;
@@ -124,11 +127,23 @@ class StatementSplitter {
           cut();
           return;  // what follows only names the symbols
         }
-        note_words(cover(token.span, span_of(words.content)), text_of(words.content));
+        const std::size_t end = remark_end(tokens_, words);
+        const bool after_equation = block.related || !blocks_.empty();
+        note_words(cover(token.span, span_of(words.content)), spoken(tokens_.subspan(at, end - at)),
+                   after_equation);
         cut();
-        at = words.next;
+        at = end;
         continue;
       }
+      const bool may_close = depth == 0 && !ends_open(block.tokens);
+      if (const std::size_t end = may_close ? bracketed_remark_end(tokens_, at) : at; end != at) {
+        const TokenView whole = tokens_.subspan(at, end - at);
+        note_words(span_of(whole), spoken(whole), block.related || !blocks_.empty());
+        cut();
+        while (++at < end) nesting.enter(tokens_[at]);
+        continue;
+      }
+      if (depth == 0 && block.related && begins_next_dotted(block.tokens, tokens_, at)) cut();
       if (depth == 0 && relation_kind(token) == RelationKind::implies) {
         set_condition(token.span,
                       fmt::format("`{}` between equations is not decided yet", text_of({&token, 1})));
@@ -191,8 +206,17 @@ class StatementSplitter {
            !is_stacked_relation(tokens_, at);
   }
 
-  void note_words(Span span, const std::string& words) {
+  void note_words(Span span, const std::string& words, bool after_equation) {
     switch (remark_of(words)) {
+      case Remark::no_sum:
+        no_sum_ = true;
+        return;
+      case Remark::cyclic:
+        if (after_equation) {
+          cyclic_ = true;
+          return;
+        }
+        [[fallthrough]];
       case Remark::condition:
         set_condition(
             span,
@@ -229,6 +253,9 @@ class StatementSplitter {
 
   /// `(\text{no sum})`, `(a, b constant)`: signs beside an equation that are no equation.
   void add_remark(TokenView tokens) {
+    const Remark whole = remark_of(spoken(tokens));
+    if (whole == Remark::no_sum || whole == Remark::cyclic)
+      return note_words(span_of(tokens), spoken(tokens), true);
     std::string words;
     bool only_words = true;
     for (std::size_t at = 0; at < tokens.size();) {
@@ -289,74 +316,12 @@ class StatementSplitter {
   std::optional<Obstacle> condition_;
   std::optional<Obstacle> doubt_;
   Span condition_span_;
+  bool no_sum_ = false;
+  bool cyclic_ = false;
 };
 
 }  // namespace
 
 std::vector<WrittenChain> split_statement(TokenView tokens) { return StatementSplitter(tokens).split(); }
-
-std::size_t first_significant(TokenView tokens, std::size_t at) {
-  while (at < tokens.size()) {
-    const std::size_t behind = skip_empty_group(tokens, at);
-    if (behind == at && !is_blank(tokens[at]) && !is_spacing(tokens[at])) return at;
-    at = std::max(at + 1, behind);
-  }
-  return at;
-}
-
-bool is_stacked_relation(TokenView tokens, std::size_t at) {
-  if (at >= tokens.size()) return false;
-  if (!is_control(tokens[at], "overset") && !is_control(tokens[at], "stackrel") &&
-      !is_control(tokens[at], "underset"))
-    return false;
-  const Argument above = argument_at(tokens, at + 1);
-  const TokenView below = trim(argument_at(tokens, above.next).content);
-  return below.size() == 1 && relation_kind(below.front()).has_value() &&
-         text_of(above.content).find("leftrightarrow") == std::string::npos;
-}
-
-bool has_relation(TokenView tokens) {
-  Nesting nesting(false);
-  for (std::size_t at = 0; at < tokens.size(); ++at) {
-    if (nesting.enter(tokens[at]) != 0 || is_script_argument(tokens, at)) continue;
-    const auto kind = relation_kind(tokens[at]);
-    if ((kind && *kind != RelationKind::implies) || is_stacked_relation(tokens, at)) return true;
-  }
-  return false;
-}
-
-bool relates_index_letters(TokenView block) {
-  bool relation = false;
-  bool only_equal = true;
-  bool index_letter = false;
-  bool index_letters_only = true;
-  for (const Token& token : block) {
-    if (is_blank(token) || is_spacing(token) || is_sign(token, "(") || is_sign(token, ")") ||
-        is_sign(token, ","))
-      continue;
-    if (const auto kind = relation_kind(token)) {
-      relation = true;
-      only_equal = only_equal && kind == RelationKind::equal;
-      continue;
-    }
-    const bool letter = token.kind == TokenKind::letter && token.text.size() == 1;
-    if (!letter && token.kind != TokenKind::digit) return false;
-    const bool strong = letter && token.text[0] >= 'i' && token.text[0] <= 'n';
-    index_letter = index_letter || strong;
-    index_letters_only = index_letters_only && (strong || !letter);
-  }
-  return relation && (only_equal ? index_letter && index_letters_only : true);
-}
-
-bool ends_open(TokenView tokens) {
-  tokens = without_empty_end(tokens);
-  while (!tokens.empty() && (is_spacing(tokens.back()) || is_wide_space(tokens.back())))
-    tokens = trim(tokens.first(tokens.size() - 1));
-  if (tokens.empty()) return false;
-  if (is_script_argument(tokens, tokens.size() - 1)) return false;
-  const Token& last = tokens.back();
-  return relation_kind(last).has_value() || is_sign(last, "+") || is_sign(last, "-") ||
-         factor_joint(last) != Joint::none;
-}
 
 }  // namespace rigor

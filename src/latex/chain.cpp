@@ -48,7 +48,9 @@ std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
     if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
     const bool harmless = mark.find_first_not_of("0123456789().ab") == std::string::npos ||
                           remark_of(mark_words(above.content)) == Remark::remark;
-    if (!harmless && kind == RelationKind::equal) kind = RelationKind::other;
+    if (!harmless && kind != RelationKind::identical && kind != RelationKind::defines &&
+        kind != RelationKind::implies)
+      kind = RelationKind::other;
     if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
     if (mark.find("def") != std::string::npos || mark.find("triangle") != std::string::npos)
       kind = RelationKind::defines;
@@ -57,7 +59,10 @@ std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
         below.next};
   }
   if (is_control(token, "not") && at + 1 < tokens.size() && relation_kind(tokens[at + 1])) {
-    return RelationAt{{RelationKind::other, cover(token.span, tokens[at + 1].span), "\\not="}, at + 2};
+    const bool unequal = relation_kind(tokens[at + 1]) == RelationKind::equal;
+    return RelationAt{{unequal ? RelationKind::unequal : RelationKind::other,
+                       cover(token.span, tokens[at + 1].span), text_of(tokens.subspan(at, 2))},
+                      at + 2};
   }
   if (const auto kind = relation_kind(token))
     return RelationAt{{*kind, token.span, text_of({&token, 1})}, at + 1};

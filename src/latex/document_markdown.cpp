@@ -239,7 +239,10 @@ class MarkdownReader : NotesReader {
       add_directives(first, *closing);
       const Span whole = text_.trimmed(fence.begin, text_.line_end(*closing));
       const bool empty = text_.trimmed(first, *closing).empty();
-      if (!empty) add(Display{whole, text_.span(first, *closing), {}, line_.quotes});
+      if (!empty) {
+        const bool cyclic = text_.goes_on_cyclically(text_.line_end(*closing));
+        add(Display{whole, text_.span(first, *closing), {}, line_.quotes, cyclic});
+      }
     }
     at_ = text_.next_line(*closing);
   }

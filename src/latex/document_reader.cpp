@@ -46,6 +46,7 @@ DisplayEnd NotesReader::read_closed_display(const Opening& opening) {
   if (end.outcome != Outcome::closed) return end;
   display.span = text_.span(opening.begin, end.end);
   display.body = text_.span(body, end.begin);
+  display.cyclic = text_.goes_on_cyclically(end.end);
   add_directives(body, end.begin);
   if (!text_.trimmed(body, end.begin).empty()) add(std::move(display));
   at_ = end.end;

@@ -2,6 +2,8 @@
 #include "latex/document_text.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include "latex/ascii.h"
 
@@ -71,6 +73,24 @@ std::size_t NotesText::skip_gap(std::size_t at) const {
     ++at;
   }
   return at;
+}
+
+bool NotesText::goes_on_cyclically(std::size_t at) const {
+  static constexpr std::array<std::string_view, 7> beginnings{
+      "and cyclic perm",  "and cyclically", "and cyc. perm", "and its cyclic perm",
+      "plus cyclic perm", "plus cyclic.",   "etc."};
+  at = skip_gap(at);
+  while (format_ == Format::markdown && ((*this)[at] == '>' || is_blank((*this)[at]))) ++at;
+  if ((*this)[at] == '(' || (*this)[at] == ',') at = skip_gap(at + 1);
+  std::string words;
+  for (const std::size_t end = std::min(at + 40, text_.size()); at < end; ++at) {
+    const char c = text_[at];
+    if (!is_white(c)) words += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (is_white(c) && !words.empty() && words.back() != ' ') words += ' ';
+    if (c == '\n' && is_blank_line(at + 1)) break;
+  }
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view beginning) { return words.starts_with(beginning); });
 }
 
 std::optional<std::size_t> NotesText::group_end(std::size_t open, bool in_paragraph) {

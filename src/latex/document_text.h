@@ -52,6 +52,9 @@ class NotesText {
   /// Behind blanks, comments (LaTeX) and at most one line break; never into a blank line.
   [[nodiscard]] std::size_t skip_gap(std::size_t at) const;
 
+  /// From `at` on the prose goes on with "and cyclic permutations", "etc." or the like.
+  [[nodiscard]] bool goes_on_cyclically(std::size_t at) const;
+
   /// Behind the brace that closes the one at `open`; nothing where none does. After eight braces that were
   /// closed nowhere, every search ends at a blank line: a file of open braces is not read to its end for each
   /// of them.

@@ -14,7 +14,9 @@ inline constexpr int max_nesting = 200;
 /// Always gives a node. What cannot be read is an opaque node with its reason and place; the rest of the side
 /// is read all the same. Products: juxtaposition, `\cdot`, `\times` and `/` are kept in a row as written
 /// (SyntaxKind::term); precedence is a matter of meaning.
-/// `\sum` takes the rest of its term. Cost: linear in the tokens, times the nesting.
+/// `\sum`, `\int` and operators such as `\frac{d}{dt}` take the rest of their term, `\partial_i` the next
+/// factor, `\cos` without a bracket the plain letters and numbers that follow. Cost: linear in the tokens,
+/// times the nesting.
 [[nodiscard]] SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree);
 
 }  // namespace rigor

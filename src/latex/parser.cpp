@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "latex/differential.h"
 #include "latex/parse.h"
 #include "latex/parse_indices.h"
 
@@ -44,6 +45,8 @@ void Parser::Cursor::skip_spacing() {
     }
   }
 }
+
+bool Parser::starts_sign(const Cursor& cursor) { return sign_joint(cursor.token()).has_value(); }
 
 SyntaxId Parser::opaque(Span span, std::string message, DiagnosticKind kind, std::vector<std::string> help) {
   return tree_.add_opaque(span, {kind, std::move(message), std::move(help)});
@@ -96,8 +99,16 @@ SyntaxId Parser::term(Cursor& cursor) {
   std::vector<SyntaxChild> factors;
   Joint joint = Joint::none;
   Span joint_span = cursor.token().span;
+  bool measured = false;
   while (true) {
     cursor.skip_spacing();
+    if (!cursor.done() && read_measure(cursor)) {
+      measured = true;
+      cursor.skip_spacing();
+      // `\int\mathbf r\,dm\times\mathbf g`: before a product sign the integral ends.
+      if (!cursor.done() && factor_joint(cursor.token()) != Joint::none) break;
+      continue;
+    }
     const bool ends = cursor.done() || sign_joint(cursor.token()).has_value();
     // A sign behind `\cdot` or `\times` belongs to the factor: `\mathbf{A}\times-\mathbf{B}`.
     if (ends && (joint == Joint::none || joint == Joint::juxtaposed || cursor.done())) break;
@@ -116,6 +127,7 @@ SyntaxId Parser::term(Cursor& cursor) {
     joint = Joint::juxtaposed;
     if (!cursor.done()) joint_span = cursor.token().span;
   }
+  if (measured && factors.empty()) return tree_.add_text(SyntaxKind::number, joint_span, "1");
   if (joint == Joint::dot || joint == Joint::cross || joint == Joint::slash || factors.empty()) {
     factors.push_back(
         {opaque(joint_span, "an operand is missing behind this sign", DiagnosticKind::bad_syntax), joint,
@@ -153,6 +165,8 @@ SyntaxId Parser::signed_factor(Cursor& cursor) {
 
 SyntaxId Parser::primary(Cursor& cursor) {
   const Token& token = cursor.token();
+  if (is_partial(token)) return partial(cursor);
+  if (const auto slash = slash_derivative(cursor)) return *slash;
   switch (token.kind) {
     case TokenKind::digit:
       return number(cursor);
@@ -193,6 +207,11 @@ SyntaxId Parser::primary(Cursor& cursor) {
 
 SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
   while (true) {
+    if (auto bar = evaluation_bar(cursor)) {
+      const bool field = tree_[base].kind == SyntaxKind::derivative && tree_.derivative(base).partial;
+      base = in_frame(base, field, std::move(*bar));
+      continue;
+    }
     Cursor ahead = cursor;
     while (!ahead.done() && (is_blank(ahead.token()) || is_control(ahead.token(), "limits"))) ++ahead.at;
     skip_group_before_script(ahead);

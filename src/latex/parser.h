@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "latex/syntax.h"
 #include "latex/tokens.h"
@@ -38,6 +39,7 @@ class Parser {
   SyntaxId add_primes(SyntaxId base, std::uint8_t primes, Span place);
   SyntaxId add_indices(SyntaxId base, TokenView content, Span place);
   SyntaxId exponent(SyntaxId base, TokenView content, Span place);
+  static bool starts_sign(const Cursor& cursor);
 
   // parser_brackets.cpp
   SyntaxId bracketed(Cursor& cursor);
@@ -49,6 +51,9 @@ class Parser {
 
   // parser_names.cpp
   SyntaxId letter(Cursor& cursor);
+  SyntaxId changed(Cursor& cursor);
+  static bool starts_accent(TokenView tokens, std::size_t at);
+  SyntaxId nested_accent(Cursor& cursor);
   SyntaxId styled(Cursor& cursor, Style style);
   SyntaxId switched(Cursor& cursor, Style style, std::size_t at);
   SyntaxId restyle(SyntaxId inner, Style style, Span span);
@@ -62,6 +67,51 @@ class Parser {
   SyntaxId big_sum(Cursor& cursor);
   SyntaxId braced_bracket(Cursor& cursor);  // \abs{…}, \norm{…}, \qty(…)
 
+  // parser_partial.cpp
+  struct EvaluationBar {
+    std::vector<WrittenIndex> indices;  // empty: it does not name a frame
+    Span span;
+  };
+  SyntaxId physics_derivative(Cursor& cursor, bool partial);
+  SyntaxId partial(Cursor& cursor);
+  std::optional<Obstacle> read_partial_index(TokenView content, std::vector<WrittenVariable>& by);
+  static std::optional<EvaluationBar> evaluation_bar(Cursor& cursor);
+  SyntaxId in_frame(SyntaxId node, bool partial, EvaluationBar bar);
+
+  // parser_derivatives.cpp
+  SyntaxId dotted(Cursor& cursor);
+  static bool is_derivative(TokenView above, TokenView below);
+  SyntaxId derivative_fraction(Cursor& cursor, TokenView above, TokenView below, Span span);
+  std::optional<SyntaxId> slash_derivative(Cursor& cursor);
+  std::optional<WrittenDerivative> operator_in(TokenView content);
+  SyntaxId bracketed_operator(Cursor& cursor, WrittenDerivative derivative, Span span);
+  SyntaxId operate(Cursor& cursor, WrittenDerivative derivative, Span span);
+  std::optional<std::vector<WrittenVariable>> variables(TokenView below, bool partial);
+  [[nodiscard]] std::optional<WrittenVariable> variable(SyntaxId node) const;
+  [[nodiscard]] bool is_one_factor(SyntaxId operand) const;
+  SyntaxId unclear_operand(Span span);
+
+  // parser_functions.cpp
+  SyntaxId function(Cursor& cursor, std::string_view name);
+  SyntaxId function_argument(Cursor& cursor, Span place, std::string_view name);
+  SyntaxId bracket_argument(Cursor& cursor);
+  SyntaxId plain_argument(Cursor& cursor, std::string_view name);
+  SyntaxId unclear_argument(Span span, std::string_view name);
+  [[nodiscard]] bool is_rate_or_change(SyntaxId node) const;
+  SyntaxId field_function(Cursor& cursor, std::string_view name);
+
+  // parser_integrals.cpp
+  /// What the differentials of one integral say.
+  struct Measure {
+    std::string name;  // `m` or `V`; empty: another one
+    std::string text;
+    Span span;
+    int count = 0;
+  };
+  SyntaxId integral(Cursor& cursor);
+  bool read_measure(Cursor& cursor);
+  [[nodiscard]] std::string measure_name(SyntaxId node, int order) const;
+
   SyntaxId opaque(Span span, std::string message, DiagnosticKind kind = DiagnosticKind::unsupported,
                   std::vector<std::string> help = {});
   /// Reads an inner stretch one level deeper.
@@ -69,6 +119,7 @@ class Parser {
 
   SyntaxTree& tree_;
   int depth_;
+  Measure* measure_ = nullptr;  // of the integral whose integrand is being read, outside its brackets
 };
 
 }  // namespace rigor

@@ -102,6 +102,7 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
   const Token closing = cursor.tokens[close];
   const Span span = cover(open.span, closing.span);
   cursor.at = close + 1;
+  if (auto derivative = operator_in(content)) return bracketed_operator(cursor, std::move(*derivative), span);
   if (!are_a_pair(open, closing)) {
     return opaque(closing.span, fmt::format("`{}` does not close `{}`", closing.text, open.text),
                   DiagnosticKind::unbalanced);

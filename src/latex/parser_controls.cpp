@@ -6,26 +6,6 @@
 #include "latex/parser.h"
 
 namespace rigor {
-namespace {
-
-bool starts_with_d(TokenView tokens) {
-  tokens = trim(tokens);
-  if (tokens.size() < 1) return false;
-  if (is_control(tokens[0], "partial") || is_control(tokens[0], "dd")) return true;
-  if (is_control(tokens[0], "mathrm")) {
-    const Argument argument = argument_at(tokens, 1);
-    return text_of(argument.content) == "d";
-  }
-  return tokens[0].kind == TokenKind::letter && tokens[0].text == "d";
-}
-
-/// `\frac{d\mathbf A}{dt}`, `\frac{d^2x}{dt^2}`, `\frac{d}{dt}`.
-bool is_derivative(TokenView numerator, TokenView denominator) {
-  return starts_with_d(numerator) && starts_with_d(denominator) && trim(denominator).size() > 1;
-}
-
-}  // namespace
-
 SyntaxId Parser::control(Cursor& cursor) {
   const Token token = cursor.token();
   const std::string_view name = token.text;
@@ -34,6 +14,12 @@ SyntaxId Parser::control(Cursor& cursor) {
     return fraction(cursor);
   }
   if (name == "sqrt") return root(cursor);
+  if (name == "dv" || name == "derivative") return physics_derivative(cursor, false);
+  if (name == "pdv" || name == "partialderivative") return physics_derivative(cursor, true);
+  if (name == "int" || name == "iiint") return integral(cursor);
+  if (const auto known = function_name(name); !known.empty()) return function(cursor, known);
+  if (const auto known = field_operator(name); !known.empty()) return field_function(cursor, known);
+  if (dots_of(token) > 0) return dotted(cursor);
   if (name == "sum") return big_sum(cursor);
   if (name == "abs" || name == "norm" || name == "qty" || name == "quantity" || name == "absolutevalue")
     return braced_bracket(cursor);
@@ -41,7 +27,7 @@ SyntaxId Parser::control(Cursor& cursor) {
     return bars(cursor);
   if (name == "{" || name == "lbrace") return bracketed(cursor);
   if (name == "begin") return environment(cursor);
-  if (!letter_of(token).empty()) return letter(cursor);
+  if (!letter_of(token).empty() || name == "nabla") return letter(cursor);
   if (const auto style = style_of(token)) return styled(cursor, *style);
   if (name == "textcolor" || name == "color") {
     ++cursor.at;
@@ -64,12 +50,11 @@ SyntaxId Parser::control(Cursor& cursor) {
   }
   ++cursor.at;
   if (name == "rvert" || name == "rVert" || name == "}" || name == "rbrace") {
-    return opaque(token.span, "this bar or brace closes nothing; an evaluation bar is not read");
+    return opaque(token.span, "this bar or brace closes nothing");
   }
   const std::string_view reason = unread_reason(name);
-  // The argument of an accent such as \dot goes with it; one obstacle is enough.
-  if (name == "dot" || name == "ddot" || name == "dddot" || name.ends_with("cancel"))
-    cursor.at = argument_at(cursor.tokens, cursor.at).next;
+  // The argument of such a control goes with it; one obstacle is enough.
+  if (name.ends_with("cancel")) cursor.at = argument_at(cursor.tokens, cursor.at).next;
   if (!reason.empty()) return opaque(token.span, fmt::format("`\\{}`: {}", name, reason));
   return opaque(token.span, fmt::format("`\\{}` is not known", name), DiagnosticKind::unsupported,
                 {"if it is a macro of your own, its definition was not seen"});
@@ -108,11 +93,8 @@ SyntaxId Parser::fraction(Cursor& cursor) {
   const Argument denominator = argument_at(cursor.tokens, numerator.next);
   Span span = cover(token.span, span_of(cursor.tokens.subspan(cursor.at, denominator.next - cursor.at)));
   cursor.at = denominator.next;
-  if (is_derivative(numerator.content, denominator.content)) {
-    return opaque(span, is_control(trim(denominator.content).front(), "partial")
-                            ? "derivatives of fields are not decided yet"
-                            : "time derivatives are not decided yet");
-  }
+  if (is_derivative(numerator.content, denominator.content))
+    return derivative_fraction(cursor, numerator.content, denominator.content, span);
   const SyntaxChild children[] = {{inner(numerator.content, span)}, {inner(denominator.content, span)}};
   return tree_.add(SyntaxKind::fraction, span, children);
 }

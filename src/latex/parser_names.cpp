@@ -4,19 +4,22 @@
 
 #include <algorithm>
 
+#include "latex/differential.h"
 #include "latex/parse.h"
 #include "latex/parser.h"
 
 namespace rigor {
 namespace {
 
-bool is_differential(TokenView tokens, std::size_t at) {
-  const auto plain_d = [&](std::size_t i) {
-    return i < tokens.size() && tokens[i].kind == TokenKind::letter && tokens[i].text == "d";
-  };
-  if (!plain_d(at)) return false;
-  std::size_t slash = skip_blank(tokens, at + 1);
-  return slash < tokens.size() && is_sign(tokens[slash], "/") && plain_d(skip_blank(tokens, slash + 1));
+/// `\delta\mathbf A`, `\Delta x`: a letter follows directly, bare, styled or alone in braces.
+bool starts_change(TokenView tokens, std::size_t at) {
+  const std::string letter = letter_of(tokens[at]);
+  if (letter != "\\delta" && letter != "\\Delta") return false;
+  const std::size_t next = skip_blank(tokens, at + 1);
+  if (next >= tokens.size()) return false;
+  if (tokens[next].kind != TokenKind::begin_group) return symbol_end(tokens, next) != next;
+  const TokenView content = trim(argument_at(tokens, next).content);
+  return !content.empty() && symbol_end(content, 0) == content.size();
 }
 
 bool all_plain_letters(TokenView tokens) {
@@ -47,34 +50,66 @@ SyntaxId Parser::number(Cursor& cursor) {
 
 SyntaxId Parser::letter(Cursor& cursor) {
   const Token token = cursor.token();
-  if (is_differential(cursor.tokens, cursor.at)) {
-    cursor.at = cursor.tokens.size();
-    return opaque(token.span, "time derivatives are not decided yet");
-  }
+  if (starts_change(cursor.tokens, cursor.at)) return changed(cursor);
   ++cursor.at;
-  std::string letter = letter_of(token);
+  const bool nabla = is_control(token, "nabla") || token.text == "∇";
+  std::string letter = nabla ? "\\nabla" : letter_of(token);
   if (letter.empty()) return opaque(token.span, fmt::format("the sign `{}` is not read", token.text));
   WrittenSymbol symbol;
   symbol.letter = std::move(letter);
+  if (nabla) symbol.face = Face::vector;
   symbol.letter_span = token.span;
   return tree_.add_symbol(token.span, std::move(symbol));
 }
 
+/// A change of a quantity is one symbol.
+SyntaxId Parser::changed(Cursor& cursor) {
+  const Token token = cursor.token();
+  if (depth_ >= max_nesting) {
+    cursor.at = cursor.tokens.size();
+    return opaque(token.span, "changes nest too deep", DiagnosticKind::nesting_too_deep);
+  }
+  cursor.at = skip_blank(cursor.tokens, cursor.at + 1);
+  ++depth_;
+  const SyntaxId inside = primary(cursor);
+  --depth_;
+  const Span span = cover(token.span, tree_[inside].span);
+  if (tree_[inside].kind == SyntaxKind::opaque) return inside;
+  if (tree_[inside].kind != SyntaxKind::symbol || !tree_.symbol(inside).change.empty())
+    return opaque(span, fmt::format("`{}` before this is not read", text_of({&token, 1})));
+  WrittenSymbol symbol = tree_.symbol(inside);
+  symbol.change = letter_of(token);
+  symbol.letter_span = cover(token.span, symbol.letter_span);
+  return tree_.add_symbol(span, std::move(symbol));
+}
+
+bool Parser::starts_accent(TokenView tokens, std::size_t at) {
+  return at < tokens.size() && (style_of(tokens[at]).has_value() || dots_of(tokens[at]) > 0);
+}
+
+/// `\hat\mathbf n`, `\mathbf\dot r`: the inner one of two accents.
+SyntaxId Parser::nested_accent(Cursor& cursor) {
+  if (depth_ >= max_nesting) {
+    const Span place = cursor.token().span;
+    cursor.at = cursor.tokens.size();
+    return opaque(place, "accents nest too deep", DiagnosticKind::nesting_too_deep);
+  }
+  ++depth_;
+  const auto style = style_of(cursor.token());
+  const SyntaxId inside = style ? styled(cursor, *style) : dotted(cursor);
+  --depth_;
+  return inside;
+}
+
 SyntaxId Parser::styled(Cursor& cursor, Style style) {
   const Token token = cursor.token();
+  const std::size_t begin = cursor.at;
   std::size_t at = cursor.at + 1;
   if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) ++at;  // \vb*{…}: italic bold
   at = skip_blank(cursor.tokens, at);
-  if (at < cursor.tokens.size() && cursor.tokens[at].kind == TokenKind::control &&
-      style_of(cursor.tokens[at])) {
-    Cursor nested{cursor.tokens, at};  // \hat\mathbf n
-    if (++depth_ > max_nesting) {
-      cursor.at = cursor.tokens.size();
-      return opaque(token.span, "accents nest too deep", DiagnosticKind::nesting_too_deep);
-    }
-    const SyntaxId inside = styled(nested, *style_of(cursor.tokens[at]));
-    --depth_;
-    cursor.at = nested.at;
+  if (starts_accent(cursor.tokens, at)) {
+    cursor.at = at;
+    const SyntaxId inside = nested_accent(cursor);
     return restyle(inside, style, cover(token.span, tree_[inside].span));
   }
   if (token.text == "bf" || token.text == "rm" || token.text == "bold") return switched(cursor, style, at);
@@ -88,6 +123,10 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
     return opaque(token.span, fmt::format("`\\{}` has no argument", token.text), DiagnosticKind::bad_syntax);
   if (all_plain_letters(content) && (style.face != Face::plain || style.upright)) {
     const std::string word = text_of(content);
+    if (const auto known = function_name(word); style.upright && !known.empty()) {
+      cursor.at = begin;
+      return function(cursor, known);
+    }
     if (style.upright) {
       return opaque(span, fmt::format("`{}` is a word, not a quantity that is known", word));
     }
@@ -125,6 +164,8 @@ SyntaxId Parser::restyle(SyntaxId inside, Style style, Span span) {
   WrittenSymbol symbol = tree_.symbol(inside);
   if (style.face != Face::plain) symbol.face = style.face;
   if (style.accent != Accent::none) {
+    if (symbol.dots > 0 || !symbol.change.empty())
+      return opaque(span, "an accent over a derivative or a change is not read");
     if (symbol.accent != Accent::none) return opaque(span, "two accents on one letter are not read");
     symbol.accent = style.accent;
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <string_view>
+#include <vector>
 
 namespace rigor {
 namespace {
@@ -61,6 +62,59 @@ bool names_only(const std::string& words) {
   return harmless_noun || !any_name;
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      words.back() += c;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+template <std::size_t N>
+bool is_among(const std::string& word, const std::array<std::string_view, N>& list) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// "no sum", "no summation over repeated indices", "(not summed on j)".
+bool says_no_sum(const std::vector<std::string>& words) {
+  static constexpr std::array<std::string_view, 4> negations{"no", "not", "without", "never"};
+  static constexpr std::array<std::string_view, 5> sums{"sum", "sums", "summed", "summation", "summing"};
+  static constexpr std::array<std::string_view, 22> rest{
+      "over",  "on", "in",   "for",     "the",      "index",      "indices", "repeated",
+      "and",   "or", "here", "implied", "intended", "convention", "alpha",   "beta",
+      "gamma", "mu", "nu",   "kappa",   "lambda",   "sigma"};
+  std::size_t at = 0;
+  if (words.size() > 1 && (words[0] == "with" || words[0] == "but" || words[0] == "and")) ++at;
+  if (at + 1 >= words.size() || !is_among(words[at], negations)) return false;
+  const bool implied = words[at + 1] == "implied" || words[at + 1] == "einstein";
+  at += implied ? 2 : 1;
+  if (at >= words.size() || !is_among(words[at], sums)) return false;
+  return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(at) + 1, words.end(),
+                     [](const std::string& word) { return word.size() == 1 || is_among(word, rest); });
+}
+
+/// "and cyclic permutations of 1, 2, 3", "plus cyclic", "etc."; other letters than those of the axes are
+/// another statement.
+bool says_cyclic(const std::vector<std::string>& words) {
+  static constexpr std::array<std::string_view, 5> cyclic{"cyclic", "cyclical", "cyclically", "cyc", "cycl"};
+  static constexpr std::array<std::string_view, 20> rest{
+      "permutations", "permutation", "permuted", "perm",       "perms",      "of",      "the",
+      "indices",      "axes",        "labels",   "subscripts", "components", "thereof", "for",
+      "other",        "others",      "1",        "2",          "3",          "rest"};
+  if (words.size() == 1) return words[0] == "etc";
+  if (words.size() < 2 || (words[0] != "and" && words[0] != "plus")) return false;
+  if (words.size() == 2 && words[1] == "etc") return true;
+  return is_among(words[1], cyclic) &&
+         std::all_of(words.begin() + 2, words.end(), [](const std::string& word) {
+           return is_among(word, rest) || word == "x" || word == "y" || word == "z";
+         });
+}
+
 }  // namespace
 
 Remark remark_of(const std::string& words) {
@@ -74,6 +128,9 @@ Remark remark_of(const std::string& words) {
   static constexpr std::array connectives{"and",    "or",      "so",        "thus",    "hence", "therefore",
                                           "i.e",    "that is", "also",      "while",   "but",   "so that",
                                           "giving", "gives",   "similarly", "likewise"};
+  const std::vector<std::string> spoken = words_of(text);
+  if (says_no_sum(spoken)) return Remark::no_sum;
+  if (says_cyclic(spoken)) return Remark::cyclic;
   for (const std::string_view phrase : quantifiers) {
     const auto at = text.find(phrase);
     if (at == std::string::npos) continue;

@@ -22,6 +22,29 @@ int vanishing_arguments(const Token& token) {
   return 0;
 }
 
+/// `\hskip 2pt`, `\kern-3mu`: the length stands without braces.
+bool takes_bare_length(const Token& token) {
+  if (token.kind != TokenKind::control) return false;
+  for (const char* one : {"hskip", "vskip", "mskip", "kern", "mkern", "hglue"}) {
+    if (token.text == one) return true;
+  }
+  return false;
+}
+
+/// The place behind `2pt`, `-.5em`, `\smallskipamount`; `at` where no length stands.
+std::size_t behind_length(TokenView tokens, std::size_t at) {
+  std::size_t end = skip_blank(tokens, at);
+  if (end < tokens.size() && tokens[end].kind == TokenKind::control) {
+    return is_length(tokens.subspan(end, 1)) ? end + 1 : at;
+  }
+  while (end < tokens.size() && (tokens[end].kind == TokenKind::digit || is_sign(tokens[end], ".") ||
+                                 is_sign(tokens[end], "-") || is_sign(tokens[end], "+")))
+    ++end;
+  end = skip_blank(tokens, end);
+  if (end + 2 > tokens.size() || !is_length(tokens.subspan(at, end + 2 - at))) return at;
+  return end + 2;
+}
+
 class RowReader {
  public:
   RowReader(TokenView tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}
@@ -53,6 +76,7 @@ class RowReader {
   }
 
   void finish_row() {
+    lefts_.clear();
     const bool empty = std::all_of(row_.cells.begin(), row_.cells.end(),
                                    [](const Tokens& tokens) { return trim(tokens).empty(); });
     if (empty && !rows_.empty() && rows_.back().tag.empty()) rows_.back().tag = row_.tag;
@@ -67,7 +91,12 @@ class RowReader {
     const Token& token = tokens_[at_];
     if (const int count = vanishing_arguments(token); count > 0) {
       ++at_;
+      at_ = skip_star(at_);
       for (int i = 0; i < count; ++i) at_ = argument_at(tokens_, at_).next;
+      return;
+    }
+    if (takes_bare_length(token)) {
+      at_ = behind_length(tokens_, at_ + 1);
       return;
     }
     if (token.kind == TokenKind::control && control(token)) return;
@@ -158,9 +187,34 @@ class RowReader {
       bracket.kind = TokenKind::control;
       bracket.text = plain_bar ? (opens ? "lvert" : "rvert") : (opens ? "lVert" : "rVert");
     }
+    if (token.text == "left") lefts_.push_back({row_.cells.size(), cell().size(), is_sign(bracket, ".")});
+    if (token.text == "right" && !lefts_.empty()) {
+      const bool script = behind < tokens_.size() && tokens_[behind].kind == TokenKind::subscript;
+      if (plain_bar && script) hold_together(lefts_.back(), bracket);
+      lefts_.pop_back();
+    }
     if (!is_sign(bracket, ".")) cell().push_back(bracket);
     at_ = at + 1;
     return true;
+  }
+
+  struct Left {
+    std::size_t cells;  // of the row, and tokens of the last of them, when it came
+    std::size_t size;
+    bool invisible;
+  };
+
+  /// `\left. a + b \right|_{…}`: the bar is about all of it, so it comes as `{a + b}`.
+  void hold_together(const Left& left, const Token& bar) {
+    constexpr std::size_t longest = 1000;  // what is inserted moves the tokens behind it
+    if (!left.invisible || left.cells != row_.cells.size() || left.size > cell().size() ||
+        cell().size() - left.size > longest)
+      return;
+    const auto at = cell().begin() + static_cast<std::ptrdiff_t>(left.size);
+    const Span begin = at == cell().end() ? bar.span : at->span;
+    cell().insert(at, Token{TokenKind::begin_group, "{", {begin.file, begin.begin, begin.begin}});
+    const Span end{bar.span.file, bar.span.begin, bar.span.begin};
+    cell().push_back(Token{TokenKind::end_group, "}", end});
   }
 
   bool environment(const Token& token) {
@@ -227,6 +281,7 @@ class RowReader {
   std::size_t at_ = 0;
   int braces_ = 0;
   std::vector<Open> open_;
+  std::vector<Left> lefts_;
   std::vector<Row> rows_;
   Row row_;
 };

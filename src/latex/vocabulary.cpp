@@ -21,46 +21,19 @@ const std::unordered_map<std::string_view, RelationKind>& relations() {
         {"equiv", RelationKind::identical}, {"coloneqq", RelationKind::defines},
         {"coloneq", RelationKind::defines}, {"triangleq", RelationKind::defines},
         {"eqdef", RelationKind::defines},   {"eqcolon", RelationKind::other},
-        {"doteq", RelationKind::other}};
-    for (const char* word : {"approx",
-                             "simeq",
-                             "sim",
-                             "cong",
-                             "propto",
-                             "neq",
-                             "ne",
-                             "leq",
-                             "le",
-                             "leqslant",
-                             "geq",
-                             "ge",
-                             "geqslant",
-                             "ll",
-                             "gg",
-                             "lt",
-                             "gt",
-                             "in",
-                             "notin",
-                             "ni",
-                             "subset",
-                             "subseteq",
-                             "supset",
-                             "perp",
-                             "parallel",
-                             "to",
-                             "rightarrow",
-                             "mapsto",
-                             "longrightarrow",
-                             "leftrightarrow",
-                             "lesssim",
-                             "gtrsim",
-                             "prec",
-                             "succ",
-                             "asymp",
-                             "longmapsto",
-                             "approxeq",
-                             "leftarrow",
-                             "gets"}) {
+        {"doteq", RelationKind::other},     {"lt", RelationKind::less},
+        {"gt", RelationKind::greater},      {"ll", RelationKind::much_less},
+        {"gg", RelationKind::much_greater}};
+    for (const char* word : {"le", "leq", "leqslant"}) relation.emplace(word, RelationKind::less_or_equal);
+    for (const char* word : {"ge", "geq", "geqslant"}) relation.emplace(word, RelationKind::greater_or_equal);
+    for (const char* word : {"ne", "neq"}) relation.emplace(word, RelationKind::unequal);
+    for (const char* word : {"approx", "simeq", "cong", "approxeq"})
+      relation.emplace(word, RelationKind::nearly);
+    for (const char* word : {"sim",        "propto",     "in",     "notin",          "ni",
+                             "subset",     "subseteq",   "supset", "perp",           "parallel",
+                             "to",         "rightarrow", "mapsto", "longrightarrow", "leftrightarrow",
+                             "lesssim",    "gtrsim",     "prec",   "succ",           "asymp",
+                             "longmapsto", "leftarrow",  "gets"}) {
       relation.emplace(word, RelationKind::other);
     }
     for (const char* word : {"Rightarrow", "implies", "Longrightarrow", "iff", "Leftrightarrow",
@@ -69,6 +42,32 @@ const std::unordered_map<std::string_view, RelationKind>& relations() {
     }
     return relation;
   }();
+  return table;
+}
+
+const std::unordered_map<std::string_view, RelationKind>& relation_signs() {
+  using enum RelationKind;
+  static const std::unordered_map<std::string_view, RelationKind> table{{"≡", identical},
+                                                                        {"≤", less_or_equal},
+                                                                        {"⩽", less_or_equal},
+                                                                        {"≦", less_or_equal},
+                                                                        {"≥", greater_or_equal},
+                                                                        {"⩾", greater_or_equal},
+                                                                        {"≧", greater_or_equal},
+                                                                        {"≠", unequal},
+                                                                        {"≈", nearly},
+                                                                        {"≃", nearly},
+                                                                        {"≅", nearly},
+                                                                        {"≊", nearly},
+                                                                        {"≪", much_less},
+                                                                        {"≫", much_greater},
+                                                                        {"⇒", implies},
+                                                                        {"⇔", implies},
+                                                                        {"∝", other},
+                                                                        {"∼", other},
+                                                                        {"∈", other},
+                                                                        {"→", other},
+                                                                        {"⟂", other}};
   return table;
 }
 
@@ -118,7 +117,6 @@ constexpr std::array greek_letters{
     GreekLetter{"Omega", "Ω"},   GreekLetter{"epsilon", "ϵ"}, GreekLetter{"varphi", "ϕ"},
     GreekLetter{"vartheta", "ϑ"}};
 
-constexpr std::string_view time_derivative = "time derivatives are not decided yet";
 constexpr std::string_view field_derivative = "derivatives of fields are not decided yet";
 constexpr std::string_view transcendental = "functions such as this one are not decided yet";
 
@@ -127,14 +125,13 @@ constexpr std::string_view transcendental = "functions such as this one are not 
 std::optional<RelationKind> relation_kind(const Token& token) {
   if (token.kind == TokenKind::other) {
     if (token.text == "=") return RelationKind::equal;
-    if (token.text == "<" || token.text == ">") return RelationKind::other;
+    if (token.text == "<") return RelationKind::less;
+    if (token.text == ">") return RelationKind::greater;
     return std::nullopt;
   }
   if (token.kind == TokenKind::letter) {
-    if (token.text == "≡") return RelationKind::identical;
-    static const Words signs{"≈", "≠", "≤", "≥", "∝", "∼", "≪", "≫", "∈", "→", "⟂"};
-    if (token.text == "⇒" || token.text == "⇔") return RelationKind::implies;
-    return signs.contains(token.text) ? std::optional(RelationKind::other) : std::nullopt;
+    const auto found = relation_signs().find(token.text);
+    return found == relation_signs().end() ? std::nullopt : std::optional(found->second);
   }
   if (token.kind != TokenKind::control) return std::nullopt;
   const auto found = relations().find(token.text);
@@ -265,22 +262,43 @@ Joint factor_joint(const Token& token) {
   return Joint::none;
 }
 
+std::uint8_t dots_of(const Token& token) {
+  static constexpr std::array<std::string_view, 4> names{"dot", "ddot", "dddot", "ddddot"};
+  if (token.kind != TokenKind::control) return 0;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (token.text == names[k]) return static_cast<std::uint8_t>(k + 1);
+  }
+  return 0;
+}
+
+std::string_view function_name(std::string_view word) {
+  static const Words functions{"sin",  "cos",  "tan", "cot", "sec", "csc", "sinh",
+                               "cosh", "tanh", "exp", "ln",  "log", "det", "tr"};
+  if (word == "Tr" || word == "trace" || word == "Trace") return "tr";
+  if (word == "determinant") return "det";
+  const auto found = functions.find(word);
+  return found == functions.end() ? std::string_view{} : *found;
+}
+
+std::string_view field_operator(std::string_view word) {
+  static const std::unordered_map<std::string_view, std::string_view> table{
+      {"grad", "grad"},      {"gradient", "grad"}, {"div", "div"},
+      {"divergence", "div"}, {"curl", "curl"},     {"laplacian", "laplacian"}};
+  const auto found = table.find(word);
+  return found == table.end() ? std::string_view{} : found->second;
+}
+
 std::string_view unread_reason(std::string_view control) {
   static const std::unordered_map<std::string_view, std::string_view> table = [] {
     std::unordered_map<std::string_view, std::string_view> reason;
-    for (const char* word : {"dot", "ddot", "dddot", "dv", "derivative"})
-      reason.emplace(word, time_derivative);
-    for (const char* word : {"partial", "nabla", "pdv", "grad", "div", "curl", "laplacian", "gradient",
-                             "divergence", "fdv", "square", "Box"}) {
+    for (const char* word : {"fdv", "functionalderivative", "square", "Box"})
       reason.emplace(word, field_derivative);
-    }
-    for (const char* word : {"sin",    "cos",  "tan",  "cot",  "sec", "csc", "arcsin",      "arccos",
-                             "arctan", "sinh", "cosh", "tanh", "exp", "log", "ln",          "det",
-                             "tr",     "Tr",   "max",  "min",  "arg", "sgn", "operatorname"}) {
+    for (const char* word : {"arcsin", "arccos", "arctan", "max", "min", "arg", "sgn", "coth", "lg"})
       reason.emplace(word, transcendental);
-    }
-    for (const char* word : {"int", "iint", "iiint", "oint", "dd", "differential"})
-      reason.emplace(word, "integrals are not decided yet");
+    for (const char* word : {"iint", "oint", "oiint"})
+      reason.emplace(word, "only integrals over a body (`dm`, `dV`, `d^3r`) are read");
+    for (const char* word : {"dd", "differential"})
+      reason.emplace(word, "a differential by itself is not read");
     for (const char* word : {"prod", "bigcup", "bigcap", "bigoplus"})
       reason.emplace(word, "this operator is not read");
     for (const char* word : {"lim", "sup", "inf", "limsup"})

@@ -65,7 +65,14 @@ struct Style {
 /// How the sign joins two factors: `\cdot`, `\times`, `\cross`, `*`, `/`; `none` where it does not.
 [[nodiscard]] Joint factor_joint(const Token& token);
 
-/// Why a control is not read yet, e.g. "time derivatives are not decided yet"; empty for unknown controls.
+/// `\dot`, `\ddot`…: how many dots it sets over its argument; 0 for other tokens.
+[[nodiscard]] std::uint8_t dots_of(const Token& token);
+/// `sin` for `sin`, `tr` for `Tr`: the name of a function that is read; empty for other words.
+[[nodiscard]] std::string_view function_name(std::string_view word);
+/// `grad` for `grad` and `gradient`: the derivatives of fields that the physics package names.
+[[nodiscard]] std::string_view field_operator(std::string_view word);
+
+/// Why a control is not read yet, e.g. "limits are not decided yet"; empty for unknown controls.
 [[nodiscard]] std::string_view unread_reason(std::string_view control);
 
 /// Runs of plain letters in a subscript that are a word, not indices: `rot`, `cm`, `tot`, and all capitals.

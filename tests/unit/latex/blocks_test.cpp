@@ -80,12 +80,47 @@ TEST_CASE("a condition on the indices leaves the equation unjudged") {
 }
 
 TEST_CASE("words that restrict an equation leave it unjudged") {
-  for (const char* words : {"no sum", "no sum over i", "if B is constant", "when at rest", "for small a",
-                            "Unless b is zero", "cyclic permutations"}) {
+  for (const char* words : {"no sum if b is zero", "if B is constant", "when at rest", "for small a",
+                            "Unless b is zero", "cyclic permutations", "cyclic in i"}) {
     INFO(words);
     CHECK(statement(std::string("a = b \\quad\\text{") + words + "}") == "a = b ?unsupported");
     CHECK(statement(std::string("a = b \\quad (\\text{") + words + "})") == "a = b ?unsupported");
   }
+}
+
+TEST_CASE("words can take the sum from an equation") {
+  for (const char* words :
+       {"\\quad\\text{(no sum)}", "\\quad (\\text{no sum over } i)", "\\;(\\text{no sum})",
+        ",\\quad\\text{no sum over }i", "\\text{ (no sum on }j\\text{)}", "\\quad\\text{(no sum over $i$)}",
+        "\\qquad(\\mathrm{no~sum})"}) {
+    INFO(words);
+    CHECK(statement(std::string("a_i = b_i") + words) == "a_i = b_i !no-sum");
+  }
+  CHECK(statement("a = b\\;(\\text{no sum}), \\quad c = d \\quad (6)") ==
+        "a = b [(6)] !no-sum // c = d [(6)] !no-sum");
+  CHECK(statement("a = b \\quad\\text{no sum, } c = d") == "a = b !no-sum // c = d !no-sum");
+}
+
+TEST_CASE("words can say an equation for the other axes, too") {
+  for (const char* words :
+       {"\\quad\\text{and cyclic permutations}", ",\\text{ etc.}", "\\quad(\\text{and cyc. perm.})",
+        "\\quad\\text{and cyclic permutations of }1,2,3",
+        "\\;(\\text{and cyclic permutations of }(1,2,3))"}) {
+    INFO(words);
+    CHECK(statement(std::string("a_1 = b_2") + words) == "a_1 = b_2 !cyclic");
+  }
+  CHECK(statement("\\text{and cyclically } a = b") == "a = b ?unsupported");
+}
+
+TEST_CASE("equations for one dotted letter after the other are told apart") {
+  const std::string first = "\\dot{\\omega}_1 = \\frac{I_2 - I_3}{I_1} \\omega_2 \\omega_3";
+  const std::string second = "\\dot{\\omega}_2 = a";
+  for (const char* space : {" \\quad ", "~", "\\ ", " \\qquad "}) {
+    INFO(space);
+    CHECK(statement(first + space + second) == first + " // " + second);
+  }
+  CHECK(statement("\\dot\\theta_1 = r\\dot\\theta_2 = a") == "\\dot\\theta_1 = r\\dot\\theta_2 = a");
+  CHECK(statement("\\dot x = r~\\dot\\theta = a") == "\\dot x = r~\\dot\\theta = a");
 }
 
 TEST_CASE("words that only name an equation or join two change nothing") {
@@ -139,7 +174,9 @@ TEST_CASE("what is written over a relation can change it") {
   CHECK(first_relation("a \\overset{(6)}{=} b") == RelationKind::equal);
   CHECK(first_relation("a \\stackrel{x}{\\approx} b") == RelationKind::other);
   CHECK(first_relation("a := b") == RelationKind::defines);
-  CHECK(first_relation("a \\not= b") == RelationKind::other);
+  CHECK(first_relation("a \\not= b") == RelationKind::unequal);
+  CHECK(first_relation("a \\not\\approx b") == RelationKind::other);
+  CHECK(first_relation("a \\overset{(6)}{\\le} b") == RelationKind::less_or_equal);
 }
 
 TEST_CASE("arrows over a letter are no relation") {

@@ -222,6 +222,28 @@ TEST_CASE("Markdown: the marks of a quotation do not reach the tokens") {
   CHECK(notes.complaints().empty());
 }
 
+TEST_CASE("words right behind a display say it for the other axes, too") {
+  const auto cyclic = [](const char* file, const std::string& text) {
+    const Notes notes(file, text);
+    return std::get<Display>(notes.document.items.at(0)).cyclic;
+  };
+  for (const char* words :
+       {"and cyclic permutations.", "\nand cyclically", " (and cyclic\npermutations of 1, 2, 3)",
+        "\nPlus cyclic permutations", ", etc.", " etc. Next"}) {
+    INFO(words);
+    CHECK(cyclic("notes.tex", std::string("\\[ x \\]") + words));
+    CHECK(cyclic("notes.tex", std::string("\\begin{align}x\\end{align}") + words));
+    CHECK(cyclic("notes.md", std::string("$$\nx\n$$") + words));
+  }
+  CHECK(cyclic("notes.md", "```math\nx\n```\nand cyclic permutations"));
+  CHECK(cyclic("notes.md", "> $$\n> x\n> $$\n> and cyclic permutations"));
+  for (const char* words : {"", "\n\nand cyclic permutations", "\nand", "\nwhere etc.", "\ncyclic in i"}) {
+    INFO(words);
+    CHECK_FALSE(cyclic("notes.tex", std::string("\\[ x \\]") + words));
+    CHECK_FALSE(cyclic("notes.md", std::string("$$\nx\n$$") + words));
+  }
+}
+
 TEST_CASE("Markdown: code, comments and prices are no displays") {
   for (const char* text :
        {"`$$x$$`", "`` ` $$x$$ ``", "```\n$$x$$\n# no\n```", "~~~tex\n\\[x\\]\n~~~", "<!-- $$x$$ -->",

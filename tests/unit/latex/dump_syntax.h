@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the tests of reading share: a stretch of mathematics with its macros expanded; chains as one line
 // each; the syntax tree as an S-expression: `\mathbf A\times B_i` is `(term vector:A ×B[i])`, `a - b` is
-// `(sum +a -b)`.
+// `(sum +a -b)`, `\frac{d}{dt}\delta\dot x` is `(d/dt \delta.dot:x)`.
 #pragma once
 
 #include <string>
@@ -48,7 +48,7 @@ struct Stretch {
 };
 
 /// `a = b = c`, then its tag and label in brackets, then `?` and the kind of what stands beside it and is not
-/// read, or `~` for words that only may restrict it.
+/// read, or `~` for words that only may restrict it; `!no-sum` and `!cyclic` where words say so.
 [[nodiscard]] inline std::string dump_chain(const WrittenChain& chain) {
   std::string text;
   for (std::size_t k = 0; k < chain.sides.size(); ++k) {
@@ -56,6 +56,8 @@ struct Stretch {
     text += text_of(chain.sides[k].tokens);
   }
   for (const std::string& name : {chain.tag, chain.label}) text += name.empty() ? "" : " [" + name + "]";
+  if (chain.no_sum) text += " !no-sum";
+  if (chain.cyclic) text += " !cyclic";
   if (chain.condition) return text + " ?" + std::string(info(chain.condition->kind).name);
   return chain.doubt ? text + " ~" : text;
 }
@@ -80,17 +82,34 @@ struct Stretch {
 [[nodiscard]] inline std::string dump_symbol(const WrittenSymbol& symbol) {
   static constexpr const char* faces[] = {"", "vector:", "tensor:"};
   static constexpr const char* accents[] = {"", "hat:", "bar:", "tilde:"};
-  return faces[static_cast<int>(symbol.face)] + std::string(accents[static_cast<int>(symbol.accent)]) +
-         symbol.letter + std::string(symbol.primes, '\'') + dump_indices(symbol.lower);
+  const std::string dots = symbol.dots == 0 ? "" : std::string(symbol.dots, 'd').substr(1) + "dot:";
+  return (symbol.change.empty() ? "" : symbol.change + '.') + faces[static_cast<int>(symbol.face)] +
+         std::string(accents[static_cast<int>(symbol.accent)]) + dots + symbol.letter +
+         std::string(symbol.primes, '\'') + dump_indices(symbol.lower);
+}
+
+/// `d/dt`, `∂/∂x[i]^2`.
+[[nodiscard]] inline std::string dump_derivative(const WrittenDerivative& derivative) {
+  const std::string sign = derivative.partial ? "∂" : "d";
+  std::string text = sign + '/';
+  for (const WrittenVariable& variable : derivative.by) {
+    text += sign + dump_symbol(variable.symbol);
+    if (variable.times > 1) text += '^' + std::to_string(variable.times);
+  }
+  return text;
 }
 
 /// What stands for a node that is no leaf, before its children.
 [[nodiscard]] inline std::string head_of(const SyntaxTree& tree, SyntaxId id) {
-  static constexpr const char* heads[] = {"number", "symbol",      "sum",   "term",  "fraction", "root",
-                                          "power",  "component",   "group", "bars",  "norm",     "tuple",
-                                          "matrix", "determinant", "sum",   "cases", "text",     "opaque"};
+  static constexpr const char* heads[] = {
+      "number",    "symbol", "sum",        "term",     "fraction", "root",   "power",
+      "component", "group",  "bars",       "norm",     "tuple",    "matrix", "determinant",
+      "sum",       "cases",  "derivative", "function", "integral", "text",   "opaque"};
   std::string head = heads[static_cast<int>(tree[id].kind)];
   if (tree[id].kind == SyntaxKind::component) head += dump_indices(tree.indices(id));
+  if (tree[id].kind == SyntaxKind::derivative) return dump_derivative(tree.derivative(id));
+  if (tree[id].kind == SyntaxKind::function) return tree.text(id);
+  if (tree[id].kind == SyntaxKind::integral) return head + " d" + tree.text(id);
   if (tree[id].kind != SyntaxKind::big_sum) return head;
   const WrittenSum& sum = tree.big_sum(id);
   head += " over " + dump_indices(sum.indices);

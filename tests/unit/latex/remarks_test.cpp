@@ -8,8 +8,31 @@ namespace {
 
 TEST_CASE("words that restrict an equation are conditions") {
   CHECK(remark_of("if ") == Remark::condition);
-  CHECK(remark_of("(no sum)") == Remark::condition);
+  CHECK(remark_of("cyclic in i") == Remark::condition);
+  CHECK(remark_of("cyclic permutations") == Remark::condition);
   CHECK(remark_of("when the axes are principal") == Remark::condition);
+}
+
+TEST_CASE("words that take the sum from repeated indices are told apart") {
+  for (const char* words :
+       {"no sum", "(no sum)", "no summation", "not summed", "no sum over i", "(no sum on $j$)", "with no sum",
+        "no summation over repeated indices", "no implied summation", "not summed over $\\alpha$"}) {
+    INFO(words);
+    CHECK(remark_of(words) == Remark::no_sum);
+  }
+  CHECK(remark_of("no sum if i is small") == Remark::condition);
+  CHECK(remark_of("sum over i") == Remark::condition);
+}
+
+TEST_CASE("words that say an equation for the other axes are told apart") {
+  for (const char* words : {"and cyclic permutations", "and cyclic permutations of 1, 2, 3",
+                            "(and cyc. perm.)", "and cyclically", "etc.", ", etc.", "plus cyclic",
+                            "and cyclic permutations of $x, y, z$", "and cyclically for the others"}) {
+    INFO(words);
+    CHECK(remark_of(words) == Remark::cyclic);
+  }
+  CHECK(remark_of("and cyclic permutations of i, j, k") == Remark::condition);
+  CHECK(remark_of("and cyclic in i") == Remark::condition);
 }
 
 TEST_CASE("words that name an equation or its source say nothing about it") {

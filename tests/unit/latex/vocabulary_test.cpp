@@ -24,7 +24,7 @@ TEST_CASE("relations are known as controls and as signs") {
   CHECK(relation_kind(One("\\coloneqq")) == RelationKind::defines);
   CHECK(relation_kind(One("\\iff")) == RelationKind::implies);
   CHECK(relation_kind(One("⇒")) == RelationKind::implies);
-  for (const char* text : {"<", ">", "\\le", "\\approx", "\\propto", "\\ll", "\\to", "≈", "≤", "∝"}) {
+  for (const char* text : {"\\propto", "\\to", "\\sim", "\\in", "\\lesssim", "∝", "→"}) {
     INFO(text);
     CHECK(relation_kind(One(text)) == RelationKind::other);
   }
@@ -32,6 +32,34 @@ TEST_CASE("relations are known as controls and as signs") {
     INFO(text);
     CHECK_FALSE(relation_kind(One(text)).has_value());
   }
+}
+
+TEST_CASE("orders, inequality and near equality are told apart") {
+  const auto all = [](std::initializer_list<const char*> texts, RelationKind kind) {
+    for (const char* text : texts) {
+      INFO(text);
+      CHECK(relation_kind(One(text)) == kind);
+    }
+  };
+  all({"<", "\\lt"}, RelationKind::less);
+  all({"\\le", "\\leq", "\\leqslant", "≤", "⩽"}, RelationKind::less_or_equal);
+  all({">", "\\gt"}, RelationKind::greater);
+  all({"\\ge", "\\geq", "\\geqslant", "≥", "⩾"}, RelationKind::greater_or_equal);
+  all({"\\ne", "\\neq", "≠"}, RelationKind::unequal);
+  all({"\\approx", "\\simeq", "\\cong", "\\approxeq", "≈", "≃", "≅"}, RelationKind::nearly);
+  all({"\\ll", "≪"}, RelationKind::much_less);
+  all({"\\gg", "≫"}, RelationKind::much_greater);
+}
+
+TEST_CASE("dots, functions and derivatives of fields are known by name") {
+  CHECK(dots_of(One("\\dot")) == 1);
+  CHECK(dots_of(One("\\dddot")) == 3);
+  CHECK(dots_of(One("\\hat")) == 0);
+  CHECK(function_name("sin") == "sin");
+  CHECK(function_name("Tr") == "tr");
+  CHECK(function_name("arcsin").empty());
+  CHECK(field_operator("gradient") == "grad");
+  CHECK(field_operator("sin").empty());
 }
 
 TEST_CASE("product signs join factors") {
@@ -90,9 +118,8 @@ TEST_CASE("environments of rows are transparent, those of values are not") {
 }
 
 TEST_CASE("a control that is not read yet has a reason, an unknown one has none") {
-  CHECK(unread_reason("dot") == "time derivatives are not decided yet");
-  CHECK(unread_reason("nabla") == "derivatives of fields are not decided yet");
-  CHECK_FALSE(unread_reason("sin").empty());
+  CHECK(unread_reason("lim") == "limits are not decided yet");
+  CHECK_FALSE(unread_reason("arcsin").empty());
   CHECK(unread_reason("foo").empty());
 }
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Integrals over a body: `\int f\,dm`, `\int_V dV\,\rho`.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "latex/differential.h"
+#include "latex/parser.h"
+
+namespace rigor {
+namespace {
+
+/// Names of all of the body. Two other regions could be different ones.
+constexpr std::string_view regions[] = {"V",
+                                        "B",
+                                        "\\mathcal V",
+                                        "\\mathcal{V}",
+                                        "\\mathcal B",
+                                        "\\mathcal{B}",
+                                        "\\text{body}",
+                                        "\\text{volume}",
+                                        "\\mathrm{body}",
+                                        "\\rm body"};
+
+}  // namespace
+
+SyntaxId Parser::integral(Cursor& cursor) {
+  const Token token = cursor.token();
+  ++cursor.at;
+  bool whole_body = true;
+  bool limits = false;
+  while (true) {
+    cursor.skip_spacing();
+    if (cursor.done()) break;
+    const TokenKind kind = cursor.token().kind;
+    if (kind != TokenKind::subscript && kind != TokenKind::superscript) break;
+    const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at + 1);
+    const std::string region = text_of(argument.content);
+    limits = limits || kind == TokenKind::superscript;
+    whole_body = std::find(std::begin(regions), std::end(regions), region) != std::end(regions);
+    cursor.at = argument.next;
+  }
+  if (cursor.done()) return opaque(token.span, "the integral has no integrand", DiagnosticKind::bad_syntax);
+  Measure measure;
+  Measure* const outer = std::exchange(measure_, &measure);
+  const SyntaxId body = term(cursor);
+  measure_ = outer;
+  const Span span = cover(cover(token.span, tree_[body].span), measure.span);
+  if (limits) return opaque(span, "an integral between limits is not read");
+  if (!whole_body) return opaque(span, "an integral over a part, a surface or a curve is not read");
+  if (measure.count == 0)
+    return opaque(span, "the integral does not say over what; `dm`, `dV` and `d^3r` are read");
+  if (measure.count > 1) return opaque(span, "two differentials in one integral are not read");
+  if (measure.name.empty())
+    return opaque(span, fmt::format("an integral over `{}` is not read", measure.text));
+  return tree_.add_named(SyntaxKind::integral, span, measure.name, body);
+}
+
+/// At the differential of the integral that is being read: takes it out.
+bool Parser::read_measure(Cursor& cursor) {
+  if (measure_ == nullptr) return false;
+  const TokenView tokens = cursor.tokens;
+  const auto mark = differential_at(tokens, cursor.at);
+  if (!mark || mark->partial) return false;
+  const std::size_t begin = skip_narrow(tokens, mark->next);
+  TokenView written;
+  std::size_t end = symbol_end(tokens, begin);
+  if (end != begin) {
+    written = tokens.subspan(begin, end - begin);
+  } else {  // \dd{m}
+    const Argument group = argument_at(tokens, begin);
+    if (begin >= tokens.size() || tokens[begin].kind != TokenKind::begin_group) return false;
+    if (symbol_end(group.content, 0) != group.content.size() || group.content.empty()) return false;
+    written = group.content;
+    end = group.next;
+  }
+  const TokenView whole = tokens.subspan(cursor.at, end - cursor.at);
+  ++measure_->count;
+  measure_->text = text_of(whole);
+  measure_->span = span_of(whole);
+  measure_->name = measure_name(inner(written, measure_->span), mark->order);
+  cursor.at = end;
+  return true;
+}
+
+std::string Parser::measure_name(SyntaxId node, int order) const {
+  if (tree_[node].kind != SyntaxKind::symbol) return {};
+  const WrittenSymbol& symbol = tree_.symbol(node);
+  if (!symbol.lower.empty() || symbol.primes > 0 || symbol.dots > 0 || symbol.accent != Accent::none ||
+      !symbol.change.empty())
+    return {};
+  const bool plain = symbol.face == Face::plain;
+  if (order == 1 && plain && (symbol.letter == "m" || symbol.letter == "V")) return symbol.letter;
+  if (order == 3 && symbol.face != Face::tensor && (symbol.letter == "r" || symbol.letter == "x")) return "V";
+  return {};
+}
+
+}  // namespace rigor
