@@ -135,6 +135,11 @@ bool Elaborator::is_matrix_product(SyntaxId id) const {
   return false;
 }
 
+bool Elaborator::is_derivative_in_bracket(SyntaxId id) const {
+  while (syntax_[id].kind == SyntaxKind::group) id = syntax_.child(id, 0);
+  return syntax_[id].kind == SyntaxKind::derivative;
+}
+
 std::optional<Typed> Elaborator::component(SyntaxId id) {
   const Span span = syntax_[id].span;
   const std::vector<WrittenIndex>& axes = syntax_.indices(id);
@@ -142,6 +147,10 @@ std::optional<Typed> Elaborator::component(SyntaxId id) {
   for (const WrittenIndex& axis : axes) label += axis.text;
   if (const Frame* frame = frame_of(label))
     return frame_derivative(syntax_.child(id, 0), *frame, label == frame->fixed);
+  if (is_derivative_in_bracket(syntax_.child(id, 0)) && axes.size() == 1 && axes[0].form != IndexForm::digit &&
+      !letters_.is_index(axes[0].text))
+    return unsupported(axes[0].span, fmt::format("nothing says what `{}` is to this derivative", label),
+                       {"`rigor: frame … rotates with … in …` names two frames"});
   const Maybe base = expression(syntax_.child(id, 0));
   if (!base) return std::nullopt;
   for (const WrittenIndex& axis : axes) {

@@ -178,6 +178,7 @@ class Elaborator {
   bool is_exponential(SyntaxId id) const;
   Maybe power(SyntaxId id);
   Maybe bars(SyntaxId id, bool norm);
+  bool is_derivative_in_bracket(SyntaxId id) const;
   Maybe component(SyntaxId id);
   bool is_matrix_product(SyntaxId id) const;
   Maybe tuple(SyntaxId id);

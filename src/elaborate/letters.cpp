@@ -58,6 +58,11 @@ void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
     found = latin_letters(syntax.indices(id));
   } else if (kind == SyntaxKind::big_sum) {
     found = latin_letters(syntax.big_sum(id).indices);
+  } else if (kind == SyntaxKind::derivative) {
+    for (const WrittenVariable& by : syntax.derivative(id).by) {
+      const std::vector<std::string> own = latin_letters(by.symbol.lower);
+      found.insert(found.end(), own.begin(), own.end());
+    }
   }
   letters.evidence = letters.evidence || !found.empty();
   letters.indices.insert(found.begin(), found.end());
