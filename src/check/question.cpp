@@ -211,12 +211,9 @@ class Preparation {
 
   bool take(const Equation& equation, const NamedAssumption* named, Orders orders) {
     if (!taken_.insert({equation.left, equation.right, orders.time, orders.space}).second) return false;
-    const std::size_t unknown_before = prepared_.unknown_changes.size();
     Equation changed = equation;
     for (int k = 0; k < orders.time; ++k) changed = derived(changed, By::time);
     for (int k = 0; k < orders.space; ++k) changed = derived(changed, By::space);
-    // true whether or not they change, since the derivative of what does not change is 0
-    prepared_.unknown_changes.resize(unknown_before);
     push(changed, named);
     const bool at_zero_only = named == nullptr;  // what is small vanishes to zeroth order only
     for (int k = 0; k < order_ && !at_zero_only && changed.relation == Relation::equal; ++k) {

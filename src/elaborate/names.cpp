@@ -147,8 +147,11 @@ const NameKey* Names::key_of(SymbolId symbol) const {
 Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
   using Kind = Dependence::Kind;
   const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
+  const NameKey* base_key = key_of(base);
   for (const Constant& constant : constants_) {
-    if (constant.symbol != base) continue;
+    const NameKey* own = key_of(constant.symbol);
+    const bool same = constant.symbol == base || (own != nullptr && base_key != nullptr && *own == *base_key);
+    if (!same) continue;
     mark_used(constant.directive);
     return {Kind::constant};
   }
