@@ -33,26 +33,73 @@ constexpr std::size_t largest_instances = 64;      // choices of the claim's par
 
 void Constraints::assume(std::span<const std::size_t> positions) {
   const std::vector<Equation>& assumptions = scope_.question().assumptions;
-  take_unit_vectors_as_coordinates(positions);
+  const auto for_each = [&](bool order, const auto& take) {
+    for (const std::size_t position : positions) {
+      if ((assumptions[position].relation != Relation::equal) == order) take(assumptions[position]);
+    }
+  };
   for (const std::size_t position : positions) {
-    if (assumptions[position].particles.size() == 1) solve_for_each_particle(assumptions[position]);
+    take_unit_vectors_as_coordinates(reach(scope_, assumptions[position]).symbols);
   }
-  for (const std::size_t position : positions) collect(assumptions[position]);
+  for_each(true, [this](const Equation& each) { learn_signs(each); });
+  domain_.signs().conclude();
+  evaluator_.forget();
+  for_each(false, [this](const Equation& each) {
+    if (each.particles.size() == 1) solve_for_each_particle(each);
+  });
+  for_each(false, [this](const Equation& each) { collect(each); });
   eliminate();
 }
 
-void Constraints::take_unit_vectors_as_coordinates(std::span<const std::size_t> positions) {
-  for (const std::size_t position : positions) {
-    for (const SymbolId symbol : reach(scope_, scope_.question().assumptions[position]).symbols) {
-      const Symbol& named = scope_.tree().symbols[symbol];
-      if (!named.unit || scope_.is_defined(symbol) || !domain_.take_as_coordinates(symbol)) continue;
-      if (named.per_particle) continue;  // then n_3² = 1 − n_1² − n_2² is replaced wherever it stands
-      ex square = -1;
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        square += GiNaC::pow(domain_.indeterminates().coordinate(symbol, i, common_frame), 2);
-      }
-      equations_.push_back(square);
+/// An order for each particle is learnt at the template, which all particles share, and for those of the
+/// claim.
+void Constraints::learn_signs(const Equation& assumption) {
+  if (assumption.particles.size() > 1) return;
+  const bool each_particle = !assumption.particles.empty();
+  const Relation relation = assumption.relation;
+  const Sign sign = relation == Relation::less            ? Sign::positive
+                    : relation == Relation::less_or_equal ? Sign::not_negative
+                                                          : Sign::not_zero;
+  const auto last = static_cast<Frame>(scope_.question().claim.particles.size()) + first_free_frame;
+  for (Frame frame = template_frame; frame < (each_particle ? last : template_frame + 1); ++frame) {
+    if (each_particle) evaluator_.bind(assumption.particles[0], frame);
+    for_each_component(evaluator_, scope_.tree(), assumption,
+                       [&](const auto&, const Fraction& left, const Fraction& right) {
+                         const ex value = domain_.with_sign_of(domain_.subtracted(right, left));
+                         domain_.signs().add_fact(value, sign);
+                         const bool nonzero = rigor::is_within(sign, Sign::not_zero);
+                         if (nonzero && (!each_particle || frame != template_frame)) note_nonzero(value);
+                         if (is_number(value) && !rigor::is_within(domain_.signs().of(value), sign)) {
+                           throw Undecidable("the assumptions contradict each other");
+                         }
+                         return true;
+                       });
+    evaluator_.forget();
+  }
+}
+
+std::vector<Signs::Fact> Constraints::reduced_facts() {
+  std::vector<Signs::Fact> facts;
+  for (const Signs::Fact& fact : domain_.signs().facts()) {
+    const ex value = reduced(fact.value);
+    if (!is_number(value)) facts.push_back({value, fact.sign});
+    if (is_number(value) && !rigor::is_within(domain_.signs().of(value), fact.sign)) {
+      throw Undecidable("the assumptions contradict each other");
     }
+  }
+  return facts;
+}
+
+void Constraints::take_unit_vectors_as_coordinates(std::span<const SymbolId> symbols) {
+  for (const SymbolId symbol : symbols) {
+    const Symbol& named = scope_.tree().symbols[symbol];
+    if (!named.unit || scope_.is_defined(symbol) || !domain_.take_as_coordinates(symbol)) continue;
+    if (named.per_particle) continue;  // then n_3² = 1 − n_1² − n_2² is replaced wherever it stands
+    ex square = -1;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      square += GiNaC::pow(domain_.indeterminates().coordinate(symbol, i, common_frame), 2);
+    }
+    equations_.push_back(square);
   }
 }
 

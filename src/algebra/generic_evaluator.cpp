@@ -90,6 +90,36 @@ ex GenericDomain::difference(const Fraction& left, const Fraction& right) {
   return radicals_.reduced(sum.numerator);
 }
 
+Fraction GenericDomain::subtracted(const Fraction& right, const Fraction& left) {
+  Fraction negated = left;
+  arithmetic_.negate(negated);
+  Fraction total = right;
+  arithmetic_.add(total, negated);
+  return total;
+}
+
+ex GenericDomain::with_sign_of(const Fraction& value) {
+  Fraction same = polynomial(value.numerator);
+  same.terms = value.terms;
+  for (const Divisor& each : value.divisors) {
+    const Sign sign = rigor::power(signs_.of(each.base), -each.exponent);
+    if (sign == Sign::negative) arithmetic_.negate(same);
+    if (sign != Sign::negative && sign != Sign::positive) {
+      same = arithmetic_.multiply(same, polynomial(each.base));
+    }
+  }
+  arithmetic_.expand(same);
+  return radicals_.reduced(same.numerator);
+}
+
+void GenericDomain::note_sign(const Fraction& value, Sign sign) {
+  const bool one_sided = is_within(sign, Sign::not_negative) || is_within(sign, Sign::not_positive);
+  if (!notes_signs_ || !one_sided || is_within(signs_.of(value), sign)) return;
+  const ex same = with_sign_of(value);
+  const bool negative = is_within(sign, Sign::not_positive);
+  signs_.add_fact(negative ? (-same).expand() : same, negative ? opposite(sign) : sign);
+}
+
 ex GenericDomain::reduced(const ex& value, double terms) {
   return radicals_.reduced(arithmetic_.expanded(value, terms));
 }

@@ -53,7 +53,24 @@ std::optional<Refuter::Counterexample> Refuter::quick_look() {
   return std::nullopt;
 }
 
+/// Where strict orders fail: all numbers 0, or all but the scalars, which are 1.
+std::optional<Refuter::Counterexample> Refuter::look_at_zero() {
+  SplitMix random(0);
+  for (const int scalar : {1, 0}) {
+    SamplePoint point(scope_->tree(), reach_.symbols, reach_.particles ? 1 : 0);
+    draw(point, scope_->tree(), Draw::tiny, random);
+    for (const Coordinate& at : point.coordinates()) {
+      if (!point.is_whole(at)) point.set(at, scope_->tree().symbols[at.symbol].rank == 0 ? scalar : 0);
+    }
+    if (auto found = fails_on(point, 0)) return found;
+  }
+  return std::nullopt;
+}
+
 std::optional<Refuter::Counterexample> Refuter::search() {
+  if (scope_->question().claim.relation != Relation::equal) {
+    if (auto found = look_at_zero()) return found;
+  }
   while (sequence_.drawn() < limits_.sample_attempts) {
     if (auto found = attempt_next()) return found;
   }

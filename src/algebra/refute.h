@@ -47,6 +47,7 @@ class Refuter {
 
  private:
   [[nodiscard]] std::optional<Counterexample> attempt_next();
+  [[nodiscard]] std::optional<Counterexample> look_at_zero();
   [[nodiscard]] std::optional<Counterexample> fails_on(const SamplePoint& drawn, std::uint32_t attempt);
   void consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt);
   void look_among_tiny_points(Counterexample& best);

@@ -66,7 +66,7 @@ void SampleEvaluator::for_each_place(const Equation& equation, const Visit& visi
 std::optional<Difference> SampleEvaluator::difference(const Equation& equation) {
   std::optional<Difference> found;
   for_each_place(equation, [&](const Place& place, const Rational& left, const Rational& right) {
-    if (left != right) found = Difference{place, left, right};
+    if (!is_related(left, equation.relation, right)) found = Difference{place, left, right};
     return !found;
   });
   return found;

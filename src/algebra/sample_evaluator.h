@@ -58,6 +58,7 @@ struct Place {
   std::vector<std::uint32_t> particles;  // of the free particle variables, from 1
 };
 
+/// Where a relation does not hold.
 struct Difference {
   Place place;
   Rational left;
@@ -71,7 +72,7 @@ class SampleEvaluator {
   /// The sample to evaluate on; to be called again when it has changed.
   void look_at(const SamplePoint& point);
 
-  /// The first place where the sides differ; none: the equation holds on the sample.
+  /// The first place where the sides differ (or are not in order); none: the equation holds on the sample.
   [[nodiscard]] std::optional<Difference> difference(const Equation& equation);
   [[nodiscard]] bool holds(const Equation& equation) { return !difference(equation); }
   /// Is the left side zero by itself, everywhere?

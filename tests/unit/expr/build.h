@@ -164,6 +164,14 @@ class Page {
              std::vector<ParticleId> particles = {}) {
     question.assumptions.push_back({left.id, right.id, std::move(indices), std::move(particles)});
   }
+  void given(const Term& left, Relation relation, const Term& right, std::vector<ParticleId> particles = {}) {
+    question.assumptions.push_back({left.id, right.id, {}, std::move(particles), relation});
+  }
+  const Question& claim(const Term& left, Relation relation, const Term& right,
+                        std::vector<ParticleId> particles = {}) {
+    question.claim = {left.id, right.id, {}, std::move(particles), relation};
+    return question;
+  }
   const Question& claim(const Term& left, const Term& right, std::vector<IndexId> indices = {},
                         std::vector<ParticleId> particles = {}) {
     question.claim = {left.id, right.id, std::move(indices), std::move(particles)};
