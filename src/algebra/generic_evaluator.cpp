@@ -26,11 +26,6 @@ Fraction GenericDomain::power(const Fraction& base, int exponent) {
   return raised;
 }
 
-Fraction GenericDomain::function(Function function, const Fraction& argument) {
-  if (!argument.numerator.is_zero()) throw Undecidable("functions are not decided yet");
-  return function == Function::sin ? Fraction{} : to_fraction(1);
-}
-
 Fraction GenericDomain::value(SymbolId symbol, std::uint32_t frame, std::size_t component) {
   const Symbol& named = scope_->tree().symbols[symbol];
   const bool as_declared = !scope_->is_defined(symbol);

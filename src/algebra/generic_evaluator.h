@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algebra/evaluator.h"
+#include "algebra/functions.h"
 #include "algebra/moments.h"
 
 namespace rigor {
@@ -21,11 +22,12 @@ class GenericDomain {
  public:
   using Number = Fraction;
 
-  GenericDomain(const Scope& scope, const Limits& limits, Effort effort, Work& work)
+  GenericDomain(const Scope& scope, const Limits& limits, Effort effort, Work& work, int angle_divisor = 1)
       : scope_(&scope),
         arithmetic_(limits, work),
         signs_(indeterminates_),
         radicals_(indeterminates_, arithmetic_, signs_, effort),
+        functions_(indeterminates_, arithmetic_, signs_, radicals_, angle_divisor),
         moments_(indeterminates_, arithmetic_, radicals_, signs_,
                  first_free_frame + static_cast<Frame>(scope.question().claim.particles.size())) {}
   GenericDomain(const GenericDomain&) = delete;
@@ -40,7 +42,9 @@ class GenericDomain {
   [[nodiscard]] Fraction divide(const Fraction& a, const Fraction& b);
   [[nodiscard]] Fraction power(const Fraction& base, int exponent);
   [[nodiscard]] Fraction root(const Fraction& square) { return radicals_.root(square); }
-  [[nodiscard]] Fraction function(Function function, const Fraction& argument);
+  [[nodiscard]] Fraction function(Function function, const Fraction& argument) {
+    return functions_.value(function, argument);
+  }
   [[nodiscard]] Fraction value(SymbolId symbol, std::uint32_t frame, std::size_t component);
   template <class Body>
   [[nodiscard]] std::vector<Fraction> particle_sum(std::size_t count, const Body& body) {
@@ -82,6 +86,7 @@ class GenericDomain {
   [[nodiscard]] Signs& signs() { return signs_; }
   [[nodiscard]] bool used_moments() const { return moments_.any(); }
   [[nodiscard]] bool used_radicals() const { return radicals_.any(); }
+  [[nodiscard]] bool used_functions() const { return functions_.any(); }
   [[nodiscard]] bool used_unit_vectors() const { return used_unit_vectors_; }
   [[nodiscard]] bool used_rotations() const { return used_rotations_; }
 
@@ -99,6 +104,7 @@ class GenericDomain {
   FractionArithmetic arithmetic_;
   Signs signs_;
   Radicals radicals_;
+  Functions functions_;
   Moments moments_;
   std::map<std::pair<SymbolId, std::uint32_t>, GiNaC::ex> replaced_;
   std::set<SymbolId> as_coordinates_;  // unit vectors

@@ -23,9 +23,9 @@ namespace {
 }
 
 [[nodiscard]] Proof prove_components(const Scope& scope, const Attempt& attempt, const Limits& limits,
-                                     Work& work) {
+                                     Work& work, int angle_divisor) {
   const Equation& claim = scope.question().claim;
-  GenericDomain domain(scope, limits, attempt.effort, work);
+  GenericDomain domain(scope, limits, attempt.effort, work, angle_divisor);
   Evaluator<GenericDomain> evaluator(scope, domain);
   Constraints constraints(scope, domain, evaluator);
   // An equation or ≤ that holds on all of the chart holds at the point that it misses; < and ≠ need not.
@@ -69,6 +69,7 @@ namespace {
   proof.unit_vectors = domain.used_unit_vectors();
   proof.rotations = domain.used_rotations();
   proof.radicals = domain.used_radicals();
+  proof.functions = domain.used_functions();
   proof.unsolved_assumptions = !proof.holds && constraints.incomplete();
   return proof;
 }
@@ -77,7 +78,13 @@ namespace {
 
 Proof prove(const Scope& scope, const Attempt& attempt, const Limits& limits, Work& work) {
   try {
-    return prove_components(scope, attempt, limits, work);
+    for (int angle_divisor = 1;;) {
+      try {
+        return prove_components(scope, attempt, limits, work, angle_divisor);
+      } catch (const FinerAngles& finer) {
+        angle_divisor = finer.divisor();
+      }
+    }
   } catch (const Undecidable&) {
     throw;
   } catch (const InternalError&) {

@@ -32,6 +32,7 @@ struct Proof {
   bool unit_vectors = false;
   bool rotations = false;
   bool radicals = false;
+  bool functions = false;
   bool order = false;                 // by signs
   bool unsolved_assumptions = false;  // does not hold, and an assumption could not be solved for
 };

@@ -85,7 +85,7 @@ Sample Refuter::to_sample(const Counterexample& found) const {
     for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
       SampleValue value{.symbol = symbol, .particle = p, .components = {}};
       for (const Rational& component : found.point.values(symbol, p)) {
-        value.components.push_back(to_text(component));
+        value.components.push_back(to_text(component, found.point.meaning(symbol)));
       }
       sample.values.push_back(std::move(value));
     }

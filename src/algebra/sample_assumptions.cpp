@@ -98,7 +98,9 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
   };
   std::vector<Coordinate> found;
   for (const Coordinate& at : point.coordinates()) {
-    if (contains(symbols_[assumption], at.symbol) && !point.is_whole(at)) found.push_back(at);
+    if (contains(symbols_[assumption], at.symbol) && !point.is_whole(at) &&
+        point.meaning(at.symbol).kind == Meaning::Kind::itself)
+      found.push_back(at);
   }
   const auto is_new = [&](SymbolId symbol) {
     const auto end = symbols_.begin() + static_cast<std::ptrdiff_t>(assumption);
