@@ -15,6 +15,8 @@ namespace {
 using GiNaC::ex;
 
 constexpr std::size_t largest_division = 100'000;  // terms times terms
+constexpr std::size_t largest_product = 500;       // terms
+constexpr std::size_t largest_tried = 8;           // factors that are not 0
 constexpr std::size_t largest_instances = 64;      // choices of the claim's particles for an assumption
 
 [[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
@@ -215,12 +217,18 @@ void Constraints::eliminate() {
   for (const ex& equation : open) remaining_.push_back({equation, monic_indeterminate(equation)});
 }
 
-ex Constraints::reduced(const ex& value) {
+/// By the equations that could be solved for an indeterminate.
+ex Constraints::solved(const ex& value) {
   ex rest = value;
   for (const Solution& solution : solutions_) {
     if (rest.is_zero()) return rest;
     rest = substituted(rest, solution);
   }
+  return rest;
+}
+
+ex Constraints::reduced(const ex& value) {
+  ex rest = solved(value);
   for (const Remaining& each : remaining_) {
     if (rest.is_zero()) return rest;
     if (!each.monic_in.is_zero() && is_divided(rest, each.equation) &&
@@ -237,17 +245,30 @@ void Constraints::note_nonzero(const ex& value) {
   if (!known && !is_number(value)) nonzero_.push_back(value);
 }
 
+/// Is the value, or its product with something that is not 0, a combination of the equations?
+bool Constraints::is_combination_times_nonzero(const ex& value, const System& system) {
+  const std::vector<ex>& all = domain_.indeterminates().all();
+  if (is_combination(value, system.equations, all)) return true;
+  std::size_t tried = 0;
+  return std::any_of(system.nonzero.begin(), system.nonzero.end(), [&](const ex& factor) {
+    if (is_number(factor) || term_count(factor) * term_count(value) > largest_product) return false;
+    if (++tried > largest_tried) return false;
+    return is_combination((value * factor).expand(), system.equations, all);
+  });
+}
+
 bool Constraints::vanishes(const ex& value) {
-  const ex rest = reduced(value);
-  if (rest.is_zero()) return true;
+  const ex open = solved(value);
+  if (open.is_zero()) return true;
   if (remaining_.empty()) return false;
   System system;
   for (const Remaining& each : remaining_) system.equations.push_back(each.equation);
   for (const ex& each : nonzero_) system.nonzero.push_back(reduced(each));
-  const ex without = without_factors(rest, system.nonzero);
-  const std::vector<ex>& all = domain_.indeterminates().all();
-  if (is_combination(without, system.equations, all)) return true;
-  const Cases::Verdict verdict = Cases(domain_).decide(without, system);
+  const ex without = without_factors(open, system.nonzero);
+  if (is_combination_times_nonzero(without, system)) return true;
+  const ex rest = reduced(open);
+  if (rest.is_zero()) return true;
+  const Cases::Verdict verdict = Cases(domain_).decide(without_factors(rest, system.nonzero), system);
   if (verdict == Cases::Verdict::empty) throw Undecidable("the assumptions contradict each other");
   return verdict == Cases::Verdict::vanishes;
 }

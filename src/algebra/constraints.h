@@ -65,6 +65,8 @@ class Constraints {
   void collect(const Equation& assumption);
   void eliminate();
   [[nodiscard]] bool replace_own_number(const GiNaC::ex& equation);
+  [[nodiscard]] GiNaC::ex solved(const GiNaC::ex& value);
+  [[nodiscard]] bool is_combination_times_nonzero(const GiNaC::ex& value, const System& system);
   [[nodiscard]] GiNaC::ex substituted(const GiNaC::ex& value, const Solution& by);
   [[nodiscard]] GiNaC::ex linear_indeterminate(const GiNaC::ex& equation) const;
   [[nodiscard]] GiNaC::ex monic_indeterminate(const GiNaC::ex& equation) const;

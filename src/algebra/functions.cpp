@@ -67,6 +67,7 @@ Functions::Direction Functions::direction(const Multiple& of) {
     base.cosine = indeterminates_.fresh(Indeterminates::Kind::function, frames);
     base.sine = indeterminates_.fresh(Indeterminates::Kind::function, frames);
     radicals_.relate(base.sine, 1 - base.cosine * base.cosine);
+    signs_.add_fact(1 - base.cosine * base.cosine, Sign::not_negative);
   }
   ex cosine_before = 1;
   ex sine_before = 0;

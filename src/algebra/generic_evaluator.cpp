@@ -107,6 +107,17 @@ ex GenericDomain::with_sign_of(const Fraction& value) {
   return radicals_.reduced(same.numerator);
 }
 
+/// By its parts, or as that of a sum that has been noted.
+Sign GenericDomain::sign_as_written(const Fraction& value) const {
+  if (!notes_signs_) return Sign::any;
+  const Sign sign = signs_.of(value);
+  if (sign != Sign::any || !value.divisors.empty()) return sign;
+  for (const Signs::Fact& fact : signs_.facts()) {
+    if (fact.value.is_equal(value.numerator)) return fact.sign;
+  }
+  return sign;
+}
+
 void GenericDomain::note_sign(const Fraction& value, Sign sign) {
   const bool one_sided = is_within(sign, Sign::not_negative) || is_within(sign, Sign::not_positive);
   if (!notes_signs_ || !one_sided || is_within(signs_.of(value), sign)) return;

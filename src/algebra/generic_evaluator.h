@@ -91,9 +91,7 @@ class GenericDomain {
   [[nodiscard]] bool used_rotations() const { return used_rotations_; }
 
  private:
-  [[nodiscard]] Sign sign_as_written(const Fraction& value) const {
-    return notes_signs_ ? signs_.of(value) : Sign::any;
-  }
+  [[nodiscard]] Sign sign_as_written(const Fraction& value) const;
   void note_sign(const Fraction& value, Sign sign);
   [[nodiscard]] Fraction unit_vector(SymbolId symbol, Frame frame, std::size_t component);
   [[nodiscard]] Fraction unit_vector_by_coordinates(SymbolId symbol, Frame frame, std::size_t component);

@@ -17,6 +17,8 @@ using Fact = Signs::Fact;
 constexpr int largest_attempts = 200;
 constexpr int largest_depth_of_facts = 3;
 constexpr int largest_depth_of_squares = 4;
+constexpr int largest_depth_of_roots = 2;
+constexpr std::size_t largest_root_sum = 20;    // terms
 constexpr std::size_t largest_quadratic = 150;  // terms
 constexpr double largest_substituted = 4000;    // terms, by the estimate
 
@@ -131,14 +133,32 @@ bool Order::parametrize(ex& value, std::vector<Fact>& facts, bool any_bound) {
   return false;
 }
 
-Sign Order::best(const ex& value, const std::vector<Fact>& facts) {
-  const Sign sign = by_facts(value, facts, 0);
-  return sign == Sign::any ? by_squares(value, 0) : sign;
+Sign Order::by_roots(const ex& value, const std::vector<Fact>& facts, int depth) {
+  if (depth == largest_depth_of_roots || term_count(value) > largest_root_sum) return Sign::any;
+  GiNaC::exvector upper;
+  for (const ex& term : terms_of(value)) {
+    if (rigor::is_within(domain_.signs().of(term), Sign::not_negative)) upper.push_back(term);
+  }
+  if (upper.empty()) return Sign::any;
+  const ex u = GiNaC::add(upper);
+  const ex v = u - value;
+  const auto terms =
+      static_cast<double>(term_count(u) * term_count(u) + term_count(value) * term_count(value));
+  const ex squares = domain_.reduced(u * u - v * v, terms);
+  const Sign sign = best(squares, facts, depth + 1);
+  return rigor::is_within(sign, Sign::not_negative) ? sign : Sign::any;
+}
+
+Sign Order::best(const ex& value, const std::vector<Fact>& facts, int depth) {
+  Sign sign = by_facts(value, facts, 0);
+  if (sign == Sign::any) sign = by_squares(value, 0);
+  return sign == Sign::any ? by_roots(value, facts, depth) : sign;
 }
 
 bool Order::is_within(const ex& value, Sign allowed, const std::vector<Fact>& facts) {
   const auto fits = [&](const ex& of, const std::vector<Fact>& with) {
-    return rigor::is_within(best(of, with), allowed) || rigor::is_within(opposite(best(-of, with)), allowed);
+    return rigor::is_within(best(of, with, 0), allowed) ||
+           rigor::is_within(opposite(best((-of).expand(), with, 0)), allowed);
   };
   if (fits(value, facts)) return true;
   for (const bool any_bound : {false, true}) {

@@ -60,10 +60,13 @@ namespace {
   proof.holds = for_each_component(
       evaluator, scope.tree(), claim,
       [&](const auto&, const Fraction& left, const Fraction& right) { return is_right(left, right); });
+  const auto vanishes_alone = [&](const Fraction& left, const Fraction& right) {  // both are equal
+    return right.numerator.is_zero() || constraints.reduced(domain.difference(left, Fraction{})).is_zero();
+  };
   proof.vanishes = proof.holds && !proof.order &&
                    for_each_component(evaluator, scope.tree(), claim,
-                                      [&](const auto&, const Fraction& left, const Fraction&) {
-                                        return is_zero(left, Fraction{});
+                                      [&](const auto&, const Fraction& left, const Fraction& right) {
+                                        return vanishes_alone(left, right);
                                       });
   proof.moments = domain.used_moments();
   proof.unit_vectors = domain.used_unit_vectors();

@@ -62,6 +62,7 @@ std::optional<Refuter::Counterexample> Refuter::look_at_zero() {
     for (const Coordinate& at : point.coordinates()) {
       if (!point.is_whole(at)) point.set(at, scope_->tree().symbols[at.symbol].rank == 0 ? scalar : 0);
     }
+    ++looked_at_zero_;
     if (auto found = fails_on(point, 0)) return found;
   }
   return std::nullopt;

@@ -187,3 +187,32 @@ TEST_CASE("a positive number for each particle", "[algebra]") {
   CHECK(is_refuted(page.claim(m(a), less, page.number("2"), {a})));
   CHECK(is_proved(page.claim(absolute(m(a)), m(a), {}, {a})));
 }
+
+TEST_CASE("bounds with lengths and with sines", "[algebra]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named x = page.scalar("\\theta");
+  const Term one = page.number("1");
+  CHECK(is_proved(page.claim(dot(a, b), at_most, length(a) * length(b))));
+  CHECK(is_refuted(page.claim(length(a) * length(b), at_most, dot(a, b))));
+  CHECK(is_proved(page.claim(length(a + b), at_most, length(a) + length(b))));
+  CHECK(is_refuted(page.claim(length(a) + length(b), at_most, length(a + b))));
+  CHECK(is_proved(page.claim(sin(x), at_most, one)));
+  CHECK(is_proved(page.claim(cos(x), at_most, one)));
+  CHECK(is_proved(page.claim(cos(x), less, 2 * one)));
+  CHECK(is_refuted(page.claim(cos(x), less, one)));
+  CHECK(is_refuted(page.claim(2 * cos(x), at_most, one)));
+}
+
+TEST_CASE("a sum over pairs of particles", "[algebra]") {
+  Page page;
+  const Named m = page.scalars("m");
+  const Named r = page.vectors("r");
+  const ParticleId a = page.particle("\\alpha");
+  const ParticleId b = page.particle("\\beta");
+  page.given(page.zero(), less, m(a), {a});
+  CHECK(is_proved(page.claim(page.zero(), at_most, over(a, over(b, m(a) * m(b) * squared(r(a) - r(b)))))));
+  CHECK(is_refuted(
+      page.claim(page.zero(), at_most, over(a, over(b, m(a) * m(b) * dot(r(a), r(a) - 2 * r(b)))))));
+}
