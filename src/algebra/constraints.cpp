@@ -15,6 +15,8 @@ namespace {
 using GiNaC::ex;
 
 constexpr std::size_t largest_division = 100'000;  // terms times terms
+constexpr std::size_t largest_product = 500;       // terms
+constexpr std::size_t largest_tried = 8;           // factors that are not 0
 constexpr std::size_t largest_instances = 64;      // choices of the claim's particles for an assumption
 
 [[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
@@ -33,26 +35,73 @@ constexpr std::size_t largest_instances = 64;      // choices of the claim's par
 
 void Constraints::assume(std::span<const std::size_t> positions) {
   const std::vector<Equation>& assumptions = scope_.question().assumptions;
-  take_unit_vectors_as_coordinates(positions);
+  const auto for_each = [&](bool order, const auto& take) {
+    for (const std::size_t position : positions) {
+      if ((assumptions[position].relation != Relation::equal) == order) take(assumptions[position]);
+    }
+  };
   for (const std::size_t position : positions) {
-    if (assumptions[position].particles.size() == 1) solve_for_each_particle(assumptions[position]);
+    take_unit_vectors_as_coordinates(reach(scope_, assumptions[position]).symbols);
   }
-  for (const std::size_t position : positions) collect(assumptions[position]);
+  for_each(true, [this](const Equation& each) { learn_signs(each); });
+  domain_.signs().conclude();
+  evaluator_.forget();
+  for_each(false, [this](const Equation& each) {
+    if (each.particles.size() == 1) solve_for_each_particle(each);
+  });
+  for_each(false, [this](const Equation& each) { collect(each); });
   eliminate();
 }
 
-void Constraints::take_unit_vectors_as_coordinates(std::span<const std::size_t> positions) {
-  for (const std::size_t position : positions) {
-    for (const SymbolId symbol : reach(scope_, scope_.question().assumptions[position]).symbols) {
-      const Symbol& named = scope_.tree().symbols[symbol];
-      if (!named.unit || scope_.is_defined(symbol) || !domain_.take_as_coordinates(symbol)) continue;
-      if (named.per_particle) continue;  // then n_3² = 1 − n_1² − n_2² is replaced wherever it stands
-      ex square = -1;
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        square += GiNaC::pow(domain_.indeterminates().coordinate(symbol, i, common_frame), 2);
-      }
-      equations_.push_back(square);
+/// An order for each particle is learnt at the template, which all particles share, and for those of the
+/// claim.
+void Constraints::learn_signs(const Equation& assumption) {
+  if (assumption.particles.size() > 1) return;
+  const bool each_particle = !assumption.particles.empty();
+  const Relation relation = assumption.relation;
+  const Sign sign = relation == Relation::less            ? Sign::positive
+                    : relation == Relation::less_or_equal ? Sign::not_negative
+                                                          : Sign::not_zero;
+  const auto last = static_cast<Frame>(scope_.question().claim.particles.size()) + first_free_frame;
+  for (Frame frame = template_frame; frame < (each_particle ? last : template_frame + 1); ++frame) {
+    if (each_particle) evaluator_.bind(assumption.particles[0], frame);
+    for_each_component(evaluator_, scope_.tree(), assumption,
+                       [&](const auto&, const Fraction& left, const Fraction& right) {
+                         const ex value = domain_.with_sign_of(domain_.subtracted(right, left));
+                         domain_.signs().add_fact(value, sign);
+                         const bool nonzero = rigor::is_within(sign, Sign::not_zero);
+                         if (nonzero && (!each_particle || frame != template_frame)) note_nonzero(value);
+                         if (is_number(value) && !rigor::is_within(domain_.signs().of(value), sign)) {
+                           throw Undecidable("the assumptions contradict each other");
+                         }
+                         return true;
+                       });
+    evaluator_.forget();
+  }
+}
+
+std::vector<Signs::Fact> Constraints::reduced_facts() {
+  std::vector<Signs::Fact> facts;
+  for (const Signs::Fact& fact : domain_.signs().facts()) {
+    const ex value = reduced(fact.value);
+    if (!is_number(value)) facts.push_back({value, fact.sign});
+    if (is_number(value) && !rigor::is_within(domain_.signs().of(value), fact.sign)) {
+      throw Undecidable("the assumptions contradict each other");
     }
+  }
+  return facts;
+}
+
+void Constraints::take_unit_vectors_as_coordinates(std::span<const SymbolId> symbols) {
+  for (const SymbolId symbol : symbols) {
+    const Symbol& named = scope_.tree().symbols[symbol];
+    if (!named.unit || scope_.is_defined(symbol) || !domain_.take_as_coordinates(symbol)) continue;
+    if (named.per_particle) continue;  // then n_3² = 1 − n_1² − n_2² is replaced wherever it stands
+    ex square = -1;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      square += GiNaC::pow(domain_.indeterminates().coordinate(symbol, i, common_frame), 2);
+    }
+    equations_.push_back(square);
   }
 }
 
@@ -168,12 +217,18 @@ void Constraints::eliminate() {
   for (const ex& equation : open) remaining_.push_back({equation, monic_indeterminate(equation)});
 }
 
-ex Constraints::reduced(const ex& value) {
+/// By the equations that could be solved for an indeterminate.
+ex Constraints::solved(const ex& value) {
   ex rest = value;
   for (const Solution& solution : solutions_) {
     if (rest.is_zero()) return rest;
     rest = substituted(rest, solution);
   }
+  return rest;
+}
+
+ex Constraints::reduced(const ex& value) {
+  ex rest = solved(value);
   for (const Remaining& each : remaining_) {
     if (rest.is_zero()) return rest;
     if (!each.monic_in.is_zero() && is_divided(rest, each.equation) &&
@@ -190,17 +245,30 @@ void Constraints::note_nonzero(const ex& value) {
   if (!known && !is_number(value)) nonzero_.push_back(value);
 }
 
+/// Is the value, or its product with something that is not 0, a combination of the equations?
+bool Constraints::is_combination_times_nonzero(const ex& value, const System& system) {
+  const std::vector<ex>& all = domain_.indeterminates().all();
+  if (is_combination(value, system.equations, all)) return true;
+  std::size_t tried = 0;
+  return std::any_of(system.nonzero.begin(), system.nonzero.end(), [&](const ex& factor) {
+    if (is_number(factor) || term_count(factor) * term_count(value) > largest_product) return false;
+    if (++tried > largest_tried) return false;
+    return is_combination((value * factor).expand(), system.equations, all);
+  });
+}
+
 bool Constraints::vanishes(const ex& value) {
-  const ex rest = reduced(value);
-  if (rest.is_zero()) return true;
+  const ex open = solved(value);
+  if (open.is_zero()) return true;
   if (remaining_.empty()) return false;
   System system;
   for (const Remaining& each : remaining_) system.equations.push_back(each.equation);
   for (const ex& each : nonzero_) system.nonzero.push_back(reduced(each));
-  const ex without = without_factors(rest, system.nonzero);
-  const std::vector<ex>& all = domain_.indeterminates().all();
-  if (is_combination(without, system.equations, all)) return true;
-  const Cases::Verdict verdict = Cases(domain_).decide(without, system);
+  const ex without = without_factors(open, system.nonzero);
+  if (is_combination_times_nonzero(without, system)) return true;
+  const ex rest = reduced(open);
+  if (rest.is_zero()) return true;
+  const Cases::Verdict verdict = Cases(domain_).decide(without_factors(rest, system.nonzero), system);
   if (verdict == Cases::Verdict::empty) throw Undecidable("the assumptions contradict each other");
   return verdict == Cases::Verdict::vanishes;
 }

@@ -12,8 +12,9 @@
 // An equation with a single root in it is used squared, too. What stands in a denominator is not 0. A unit
 // vector that assumptions are about is three coordinates with n·n = 1: the stereographic chart misses a point
 // that they may single out. Everything used is a consequence of the assumptions: sound. Steps 1 and 2 lose
-// nothing (the solutions of such an equation are the graph of a polynomial); the others are bounded. A moment
-// is replaced where it stands as a factor: Σ m r = 0 makes M[m r_i] zero, not M[m r_i v_j].
+// nothing (the solutions of such an equation are the graph of a polynomial); the others are bounded.
+// Assumptions with <, ≤ and ≠ are no equations: they say signs (`signs.h`). A moment is replaced where it
+// stands as a factor: Σ m r = 0 makes M[m r_i] zero, not M[m r_i v_j].
 #pragma once
 
 #include <span>
@@ -31,6 +32,12 @@ class Constraints {
   /// Solves the assumptions at these positions. The claim's free particles are frames from first_free_frame
   /// on. Throws Undecidable if they contradict each other.
   void assume(std::span<const std::size_t> positions);
+
+  /// Unit vectors that are free become three coordinates with n·n = 1. To be called before `assume`.
+  void take_unit_vectors_as_coordinates(std::span<const SymbolId> symbols);
+
+  /// What is known of signs, on the solutions. Throws Undecidable if it cannot be.
+  [[nodiscard]] std::vector<Signs::Fact> reduced_facts();
 
   /// What stands in a denominator, or is not 0 for another reason.
   void note_nonzero(const GiNaC::ex& value);
@@ -53,11 +60,13 @@ class Constraints {
     GiNaC::ex monic_in;  // 0: in none
   };
 
-  void take_unit_vectors_as_coordinates(std::span<const std::size_t> positions);
+  void learn_signs(const Equation& assumption);
   void solve_for_each_particle(const Equation& assumption);
   void collect(const Equation& assumption);
   void eliminate();
   [[nodiscard]] bool replace_own_number(const GiNaC::ex& equation);
+  [[nodiscard]] GiNaC::ex solved(const GiNaC::ex& value);
+  [[nodiscard]] bool is_combination_times_nonzero(const GiNaC::ex& value, const System& system);
   [[nodiscard]] GiNaC::ex substituted(const GiNaC::ex& value, const Solution& by);
   [[nodiscard]] GiNaC::ex linear_indeterminate(const GiNaC::ex& equation) const;
   [[nodiscard]] GiNaC::ex monic_indeterminate(const GiNaC::ex& equation) const;

@@ -132,10 +132,11 @@ Decision Decider::proved(const Found& found) const {
   Decision decision;
   decision.outcome = Outcome::proved;
   decision.vanishes = found.proof.vanishes;
-  decision.route = "component normal form";
+  decision.route = found.proof.order ? "sign of the difference" : "component normal form";
   if (found.proof.moments) decision.route += ", moments of any number of particles";
   if (found.proof.unit_vectors) decision.route += ", unit vectors at the generic point";
   if (found.proof.rotations) decision.route += ", rotations at the generic point";
+  if (found.proof.functions) decision.route += ", addition formulas";
   if (found.proof.radicals) decision.route += ", radicals";
   if (found.unfolded) decision.unfolded = reach_of_sample(unfolded_, found.under.assumptions).unfolded;
   decision.assumptions = found.under.assumptions;

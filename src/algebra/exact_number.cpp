@@ -67,6 +67,20 @@ double bit_size(const Rational& value) {
          static_cast<double>(cln::integer_length(cln::denominator(value) - 1));
 }
 
+bool is_related(const Rational& left, Relation relation, const Rational& right) {
+  switch (relation) {
+    case Relation::equal:
+      return left == right;
+    case Relation::less:
+      return left < right;
+    case Relation::less_or_equal:
+      return left <= right;
+    case Relation::unequal:
+      return left != right;
+  }
+  return false;
+}
+
 Rational power_of(const Rational& base, int exponent) { return cln::expt(base, exponent); }
 
 }  // namespace rigor

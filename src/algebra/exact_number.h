@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "expr/statement.h"
+
 namespace rigor {
 
 using Rational = cln::cl_RA;
@@ -22,6 +24,9 @@ using Rational = cln::cl_RA;
 
 /// The non-negative square root, if it is rational.
 [[nodiscard]] std::optional<Rational> exact_root(const Rational& value);
+
+/// Do two numbers stand in a relation?
+[[nodiscard]] bool is_related(const Rational& left, Relation relation, const Rational& right);
 
 /// Binary digits of numerator and denominator together.
 [[nodiscard]] double bit_size(const Rational& value);

@@ -26,11 +26,6 @@ Fraction GenericDomain::power(const Fraction& base, int exponent) {
   return raised;
 }
 
-Fraction GenericDomain::function(Function function, const Fraction& argument) {
-  if (!argument.numerator.is_zero()) throw Undecidable("functions are not decided yet");
-  return function == Function::sin ? Fraction{} : to_fraction(1);
-}
-
 Fraction GenericDomain::value(SymbolId symbol, std::uint32_t frame, std::size_t component) {
   const Symbol& named = scope_->tree().symbols[symbol];
   const bool as_declared = !scope_->is_defined(symbol);
@@ -88,6 +83,47 @@ ex GenericDomain::difference(const Fraction& left, const Fraction& right) {
   arithmetic_.add(sum, subtracted);
   arithmetic_.expand(sum);
   return radicals_.reduced(sum.numerator);
+}
+
+Fraction GenericDomain::subtracted(const Fraction& right, const Fraction& left) {
+  Fraction negated = left;
+  arithmetic_.negate(negated);
+  Fraction total = right;
+  arithmetic_.add(total, negated);
+  return total;
+}
+
+ex GenericDomain::with_sign_of(const Fraction& value) {
+  Fraction same = polynomial(value.numerator);
+  same.terms = value.terms;
+  for (const Divisor& each : value.divisors) {
+    const Sign sign = rigor::power(signs_.of(each.base), -each.exponent);
+    if (sign == Sign::negative) arithmetic_.negate(same);
+    if (sign != Sign::negative && sign != Sign::positive) {
+      same = arithmetic_.multiply(same, polynomial(each.base));
+    }
+  }
+  arithmetic_.expand(same);
+  return radicals_.reduced(same.numerator);
+}
+
+/// By its parts, or as that of a sum that has been noted.
+Sign GenericDomain::sign_as_written(const Fraction& value) const {
+  if (!notes_signs_) return Sign::any;
+  const Sign sign = signs_.of(value);
+  if (sign != Sign::any || !value.divisors.empty()) return sign;
+  for (const Signs::Fact& fact : signs_.facts()) {
+    if (fact.value.is_equal(value.numerator)) return fact.sign;
+  }
+  return sign;
+}
+
+void GenericDomain::note_sign(const Fraction& value, Sign sign) {
+  const bool one_sided = is_within(sign, Sign::not_negative) || is_within(sign, Sign::not_positive);
+  if (!notes_signs_ || !one_sided || is_within(signs_.of(value), sign)) return;
+  const ex same = with_sign_of(value);
+  const bool negative = is_within(sign, Sign::not_positive);
+  signs_.add_fact(negative ? (-same).expand() : same, negative ? opposite(sign) : sign);
 }
 
 ex GenericDomain::reduced(const ex& value, double terms) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algebra/evaluator.h"
+#include "algebra/functions.h"
 #include "algebra/moments.h"
 
 namespace rigor {
@@ -21,11 +22,13 @@ class GenericDomain {
  public:
   using Number = Fraction;
 
-  GenericDomain(const Scope& scope, const Limits& limits, Effort effort, Work& work)
+  GenericDomain(const Scope& scope, const Limits& limits, Effort effort, Work& work, int angle_divisor = 1)
       : scope_(&scope),
         arithmetic_(limits, work),
-        radicals_(indeterminates_, arithmetic_, effort),
-        moments_(indeterminates_, arithmetic_, radicals_,
+        signs_(indeterminates_),
+        radicals_(indeterminates_, arithmetic_, signs_, effort),
+        functions_(indeterminates_, arithmetic_, signs_, radicals_, angle_divisor),
+        moments_(indeterminates_, arithmetic_, radicals_, signs_,
                  first_free_frame + static_cast<Frame>(scope.question().claim.particles.size())) {}
   GenericDomain(const GenericDomain&) = delete;
   GenericDomain& operator=(const GenericDomain&) = delete;
@@ -39,20 +42,36 @@ class GenericDomain {
   [[nodiscard]] Fraction divide(const Fraction& a, const Fraction& b);
   [[nodiscard]] Fraction power(const Fraction& base, int exponent);
   [[nodiscard]] Fraction root(const Fraction& square) { return radicals_.root(square); }
-  [[nodiscard]] Fraction function(Function function, const Fraction& argument);
+  [[nodiscard]] Fraction function(Function function, const Fraction& argument) {
+    return functions_.value(function, argument);
+  }
   [[nodiscard]] Fraction value(SymbolId symbol, std::uint32_t frame, std::size_t component);
   template <class Body>
   [[nodiscard]] std::vector<Fraction> particle_sum(std::size_t count, const Body& body) {
     std::vector<Fraction> total = body(moments_.open());
-    for (std::size_t i = 0; i < count; ++i) total[i] = moments_.sum(std::move(total[i]));
+    for (std::size_t i = 0; i < count; ++i) {
+      const Sign sign = sign_as_written(total[i]);
+      total[i] = moments_.sum(std::move(total[i]));
+      note_sign(total[i], sign);
+    }
     moments_.close();
     return total;
   }
-  void settle(Fraction& value) { arithmetic_.expand(value); }
+  void settle(Fraction& value) {
+    const Sign sign = sign_as_written(value);
+    arithmetic_.expand(value);
+    note_sign(value, sign);
+  }
   void step() { arithmetic_.step(); }
 
   /// The numerator of left − right, expanded and reduced by the relations of radicals.
   [[nodiscard]] GiNaC::ex difference(const Fraction& left, const Fraction& right);
+  /// right − left, as it is written.
+  [[nodiscard]] Fraction subtracted(const Fraction& right, const Fraction& left);
+  /// A polynomial, expanded and reduced, that has the sign of a fraction (whose divisors are not 0).
+  [[nodiscard]] GiNaC::ex with_sign_of(const Fraction& value);
+  /// From now on the signs of sums, as they are written, are noted as facts before they are expanded.
+  void note_signs_as_written() { notes_signs_ = true; }
   /// A polynomial expanded and reduced; `terms` is an estimate of how many that may give.
   [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& value, double terms);
 
@@ -64,12 +83,16 @@ class GenericDomain {
 
   [[nodiscard]] Indeterminates& indeterminates() { return indeterminates_; }
   [[nodiscard]] Radicals& radicals() { return radicals_; }
+  [[nodiscard]] Signs& signs() { return signs_; }
   [[nodiscard]] bool used_moments() const { return moments_.any(); }
   [[nodiscard]] bool used_radicals() const { return radicals_.any(); }
+  [[nodiscard]] bool used_functions() const { return functions_.any(); }
   [[nodiscard]] bool used_unit_vectors() const { return used_unit_vectors_; }
   [[nodiscard]] bool used_rotations() const { return used_rotations_; }
 
  private:
+  [[nodiscard]] Sign sign_as_written(const Fraction& value) const;
+  void note_sign(const Fraction& value, Sign sign);
   [[nodiscard]] Fraction unit_vector(SymbolId symbol, Frame frame, std::size_t component);
   [[nodiscard]] Fraction unit_vector_by_coordinates(SymbolId symbol, Frame frame, std::size_t component);
   [[nodiscard]] Fraction rotation(SymbolId symbol, Frame frame, std::size_t component);
@@ -77,10 +100,13 @@ class GenericDomain {
   const Scope* scope_;
   Indeterminates indeterminates_;
   FractionArithmetic arithmetic_;
+  Signs signs_;
   Radicals radicals_;
+  Functions functions_;
   Moments moments_;
   std::map<std::pair<SymbolId, std::uint32_t>, GiNaC::ex> replaced_;
   std::set<SymbolId> as_coordinates_;  // unit vectors
+  bool notes_signs_ = false;
   bool used_unit_vectors_ = false;
   bool used_rotations_ = false;
 };

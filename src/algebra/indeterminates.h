@@ -31,7 +31,7 @@ inline constexpr Frame frame_limit = 60;
 
 class Indeterminates {
  public:
-  enum class Kind : std::uint8_t { coordinate, moment, radical };
+  enum class Kind : std::uint8_t { coordinate, moment, radical, parameter, function };
   struct Origin {
     Kind kind = Kind::coordinate;
     FrameSet frames = 0;

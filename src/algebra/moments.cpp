@@ -102,6 +102,8 @@ ex Moments::moment(const ex& key) {
   // A key with a free particle's quantities stays that particle's: only the summed particle is gone.
   const ex created = indeterminates_.fresh(Indeterminates::Kind::moment, frames & ~only(innermost()));
   moments_.emplace(canonical, created);
+  const Sign sign = signs_.of(key);  // there is one particle at least
+  if (sign != Sign::not_zero) signs_.know(created, sign);
   return created;
 }
 

@@ -19,10 +19,12 @@ namespace rigor {
 
 class Moments {
  public:
-  Moments(Indeterminates& indeterminates, FractionArithmetic& arithmetic, Radicals& radicals, Frame outermost)
+  Moments(Indeterminates& indeterminates, FractionArithmetic& arithmetic, Radicals& radicals, Signs& signs,
+          Frame outermost)
       : indeterminates_(indeterminates),
         arithmetic_(arithmetic),
         radicals_(radicals),
+        signs_(signs),
         outermost_(outermost) {}
 
   /// Opens a sum over particles: its frame, until `close`.
@@ -48,6 +50,7 @@ class Moments {
   Indeterminates& indeterminates_;
   FractionArithmetic& arithmetic_;
   Radicals& radicals_;
+  Signs& signs_;
   Frame outermost_;
   std::uint32_t depth_ = 0;
   std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> moments_;  // by key in the outermost frame

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The proof of a claim at the generic point: every component of left − right has the normal form zero.
+// The proof of a claim at the generic point: every component of left − right has the normal form zero, or,
+// for a claim with <, ≤ or ≠, a sign that allows it.
 #pragma once
 
 #include <vector>
@@ -25,12 +26,14 @@ struct Work {
 };
 
 struct Proof {
-  bool holds = false;     // every component of left − right vanishes
+  bool holds = false;     // every component of left − right vanishes, or has the right sign
   bool vanishes = false;  // and every component of the left side alone
   bool moments = false;   // what it took
   bool unit_vectors = false;
   bool rotations = false;
   bool radicals = false;
+  bool functions = false;
+  bool order = false;                 // by signs
   bool unsolved_assumptions = false;  // does not hold, and an assumption could not be solved for
 };
 

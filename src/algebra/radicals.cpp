@@ -67,21 +67,14 @@ bool Radicals::is_radical(const ex& indeterminate) const {
          indeterminates_.origin(indeterminate).kind == Indeterminates::Kind::radical;
 }
 
-bool Radicals::is_even_power(const ex& factor) const {
-  if (is_number(factor)) return GiNaC::ex_to<GiNaC::numeric>(factor).is_positive();
-  const auto [base, exponent] = split_power(factor);
-  return exponent % 2 == 0 || is_radical(base);
-}
-
-/// Each term is a positive number times even powers, and powers of radicals.
 bool Radicals::never_negative(const ex& expanded) const {
-  const auto term_is_not = [this](const ex& term) {
-    const std::vector<ex> parts = factors_of(term);
-    return std::all_of(parts.begin(), parts.end(),
-                       [this](const ex& factor) { return is_even_power(factor); });
+  if (is_within(signs_.of(expanded), Sign::not_negative)) return true;
+  const auto follows_from = [&](const Signs::Fact& fact) {
+    ex quotient;
+    return is_within(fact.sign, Sign::not_negative) && term_count(fact.value) == term_count(expanded) &&
+           GiNaC::divide(expanded, fact.value, quotient) && quotient.info(GiNaC::info_flags::positive);
   };
-  if (!GiNaC::is_a<GiNaC::add>(expanded)) return term_is_not(expanded);
-  return std::all_of(expanded.begin(), expanded.end(), term_is_not);
+  return std::any_of(signs_.facts().begin(), signs_.facts().end(), follows_from);
 }
 
 void Radicals::note(std::vector<Factor>& found, const ex& base, int exponent) {
@@ -176,6 +169,7 @@ Fraction Radicals::root_of_number(const Rational& value) {
 }
 
 Fraction Radicals::absolute(const ex& value) {
+  if (never_negative((-value).expand())) return polynomial((-value).expand());
   return radical(reduced(
       arithmetic_.expanded(value * value, static_cast<double>(term_count(value) * term_count(value)))));
 }
@@ -187,6 +181,7 @@ Fraction Radicals::radical(const ex& square) {
   const ex symbol = indeterminates_.fresh(Indeterminates::Kind::radical, indeterminates_.frames_of(square));
   radicals_.push_back({symbol, square});
   any_root_ = true;
+  signs_.know(symbol, Sign::not_negative);
   return polynomial(symbol);
 }
 

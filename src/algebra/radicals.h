@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Square roots at the generic point. Each distinct radicand R has one indeterminate s ≥ 0 with s² = R.
 // Method: √ of a product is split as far as that holds for all real values: √(f² g) = |f| √g; √(f g) = √f √g
-// if f is a sum of even powers with positive coefficients, hence never negative; numbers give up their square
+// if f is never negative by the signs of its terms, or by an assumption; numbers give up their square
 // factors. What vanishes modulo the relations s² = R vanishes for either sign of each root: sound. Complete
 // only where the radicals are independent: radicands are compared after expansion but not factored.
 #pragma once
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "algebra/fraction.h"
-#include "algebra/indeterminates.h"
+#include "algebra/signs.h"
 
 namespace rigor {
 
@@ -17,8 +17,8 @@ namespace rigor {
 /// are found too.
 class Radicals {
  public:
-  Radicals(Indeterminates& indeterminates, FractionArithmetic& arithmetic, Effort effort)
-      : indeterminates_(indeterminates), arithmetic_(arithmetic), effort_(effort) {}
+  Radicals(Indeterminates& indeterminates, FractionArithmetic& arithmetic, Signs& signs, Effort effort)
+      : indeterminates_(indeterminates), arithmetic_(arithmetic), signs_(signs), effort_(effort) {}
 
   /// The non-negative root of a value; throws Undecidable if the value is a negative number.
   [[nodiscard]] Fraction root(const Fraction& square);
@@ -60,10 +60,10 @@ class Radicals {
                     const std::vector<Divisor>& known);
   static void note(std::vector<Factor>& found, const GiNaC::ex& base, int exponent);
   [[nodiscard]] bool never_negative(const GiNaC::ex& expanded) const;
-  [[nodiscard]] bool is_even_power(const GiNaC::ex& factor) const;
 
   Indeterminates& indeterminates_;
   FractionArithmetic& arithmetic_;
+  Signs& signs_;
   Effort effort_;
   std::vector<Radical> radicals_;
   bool any_root_ = false;

@@ -53,7 +53,25 @@ std::optional<Refuter::Counterexample> Refuter::quick_look() {
   return std::nullopt;
 }
 
+/// Where strict orders fail: all numbers 0, or all but the scalars, which are 1.
+std::optional<Refuter::Counterexample> Refuter::look_at_zero() {
+  SplitMix random(0);
+  for (const int scalar : {1, 0}) {
+    SamplePoint point(scope_->tree(), reach_.symbols, reach_.particles ? 1 : 0);
+    draw(point, scope_->tree(), Draw::tiny, random);
+    for (const Coordinate& at : point.coordinates()) {
+      if (!point.is_whole(at)) point.set(at, scope_->tree().symbols[at.symbol].rank == 0 ? scalar : 0);
+    }
+    ++looked_at_zero_;
+    if (auto found = fails_on(point, 0)) return found;
+  }
+  return std::nullopt;
+}
+
 std::optional<Refuter::Counterexample> Refuter::search() {
+  if (scope_->question().claim.relation != Relation::equal) {
+    if (auto found = look_at_zero()) return found;
+  }
   while (sequence_.drawn() < limits_.sample_attempts) {
     if (auto found = attempt_next()) return found;
   }
@@ -68,7 +86,7 @@ Sample Refuter::to_sample(const Counterexample& found) const {
     for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
       SampleValue value{.symbol = symbol, .particle = p, .components = {}};
       for (const Rational& component : found.point.values(symbol, p)) {
-        value.components.push_back(to_text(component));
+        value.components.push_back(to_text(component, found.point.meaning(symbol)));
       }
       sample.values.push_back(std::move(value));
     }

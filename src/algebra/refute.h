@@ -39,7 +39,7 @@ class Refuter {
   [[nodiscard]] const std::vector<std::size_t>& assumptions() const { return solver_.assumptions(); }
   /// How many points met the assumptions and gave both sides a rational value.
   [[nodiscard]] std::uint32_t points_compared() const { return points_compared_; }
-  [[nodiscard]] std::uint32_t points_tried() const { return sequence_.drawn(); }
+  [[nodiscard]] std::uint32_t points_tried() const { return sequence_.drawn() + looked_at_zero_; }
   /// Is the left side zero by itself, on the last point that was compared?
   [[nodiscard]] bool left_vanishes() { return evaluator_.left_vanishes(scope_->question().claim); }
   /// Without symbols and particles, each side is one number: a comparison at one point is a proof.
@@ -47,6 +47,7 @@ class Refuter {
 
  private:
   [[nodiscard]] std::optional<Counterexample> attempt_next();
+  [[nodiscard]] std::optional<Counterexample> look_at_zero();
   [[nodiscard]] std::optional<Counterexample> fails_on(const SamplePoint& drawn, std::uint32_t attempt);
   void consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt);
   void look_among_tiny_points(Counterexample& best);
@@ -62,6 +63,7 @@ class Refuter {
   std::optional<SamplePoint> point_;  // the one that is being looked at
   SampleSequence sequence_;
   std::uint32_t points_compared_ = 0;
+  std::uint32_t looked_at_zero_ = 0;  // points
 };
 
 /// The claim and the assumptions that bear on it: what a sample has to give values for.

@@ -11,11 +11,31 @@
 namespace rigor {
 namespace {
 
+/// What the sample's numbers for a scalar stand for: 0 is an angle and a logarithm, too.
+[[nodiscard]] Meaning meaning_in(const Sample& sample, SymbolId symbol) {
+  for (const SampleValue& value : sample.values) {
+    if (value.symbol != symbol || value.components.size() != 1) continue;
+    const auto read = read_number(value.components[0]);
+    if (read && read->meaning.kind != Meaning::Kind::itself) return read->meaning;
+  }
+  return {};
+}
+
+/// The number that gives an angle or a logarithm; empty if the text is no such thing.
+[[nodiscard]] std::optional<Rational> number_with(const std::string& text, const Meaning& meaning) {
+  const auto read = read_number(text);
+  if (!read) return std::nullopt;
+  if (read->meaning == meaning) return read->number;
+  if (read->meaning.kind != Meaning::Kind::itself || !cln::zerop(read->number)) return std::nullopt;
+  return meaning.kind == Meaning::Kind::logarithm ? 1 : 0;
+}
+
 [[nodiscard]] std::optional<std::vector<Rational>> to_components(const SampleValue& value,
-                                                                 const Symbol& symbol) {
+                                                                 const Symbol& symbol,
+                                                                 const Meaning& meaning) {
   std::vector<Rational> components;
   for (const std::string& text : value.components) {
-    const std::optional<Rational> number = from_text(text);
+    const std::optional<Rational> number = number_with(text, meaning);
     if (!number) return std::nullopt;
     components.push_back(*number);
   }
@@ -39,12 +59,14 @@ namespace {
   SamplePoint point(tree, symbols, sample.particles);
   for (const SymbolId symbol : symbols) {
     const bool per_particle = tree.symbols[symbol].per_particle;
+    const Meaning meaning = meaning_in(sample, symbol);
+    point.mean(symbol, meaning);
     for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
       const auto value =
           std::find_if(sample.values.begin(), sample.values.end(),
                        [&](const SampleValue& each) { return each.symbol == symbol && each.particle == p; });
       if (value == sample.values.end()) return std::nullopt;
-      const auto components = to_components(*value, tree.symbols[symbol]);
+      const auto components = to_components(*value, tree.symbols[symbol], meaning);
       if (!components) return std::nullopt;
       point.set_all(symbol, p, *components);
     }

@@ -12,6 +12,14 @@ namespace {
   return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
 }
 
+constexpr std::uint32_t order_passes = 4;
+
+/// Of sides that an order holds apart.
+[[nodiscard]] const std::vector<Rational>& distances() {
+  static const std::vector<Rational> all{1, 2, 1, Rational(1) / 2, 3};
+  return all;
+}
+
 /// left − right at a place, as a function of one number of the sample.
 class Residual {
  public:
@@ -24,19 +32,27 @@ class Residual {
     return sides.left - sides.right;
   }
 
-  /// Sets the number to the root of the residual if that is linear in it; else leaves it.
-  [[nodiscard]] bool solve_for(const Coordinate& at) const {
+  /// Gives the residual a value by this number if it is linear in it; else leaves it.
+  [[nodiscard]] bool solve_for(const Coordinate& at, const Rational& wanted) const {
     const Rational before = point_[at];
     try {
       const Rational at_0 = with(at, 0);
       const Rational slope = with(at, 1) - at_0;
       if (!cln::zerop(slope) && with(at, 2) - at_0 == 2 * slope) {
-        point_.set(at, -at_0 / slope);
+        point_.set(at, (wanted - at_0) / slope);
         return true;
       }
     } catch (const PointRejected&) {
       // not a polynomial in this number: another one may do
     }
+    point_.set(at, before);
+    return false;
+  }
+
+  /// Changes the number's sign if that brings the sides into order.
+  [[nodiscard]] bool reflect(const Coordinate& at) const {
+    const Rational before = point_[at];
+    if (is_related(with(at, -before), equation_.relation, 0)) return true;
     point_.set(at, before);
     return false;
   }
@@ -59,6 +75,7 @@ AssumptionSolver::AssumptionSolver(const Scope& scope, std::vector<std::size_t> 
     : scope_(&scope), assumptions_(std::move(assumptions)) {
   for (const std::size_t position : assumptions_) {
     symbols_.push_back(reach(scope, scope.question().assumptions[position]).symbols);
+    if (scope.question().assumptions[position].relation != Relation::equal) has_orders_ = true;
   }
 }
 
@@ -81,7 +98,9 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
   };
   std::vector<Coordinate> found;
   for (const Coordinate& at : point.coordinates()) {
-    if (contains(symbols_[assumption], at.symbol) && !point.is_whole(at)) found.push_back(at);
+    if (contains(symbols_[assumption], at.symbol) && !point.is_whole(at) &&
+        point.meaning(at.symbol).kind == Meaning::Kind::itself)
+      found.push_back(at);
   }
   const auto is_new = [&](SymbolId symbol) {
     const auto end = symbols_.begin() + static_cast<std::ptrdiff_t>(assumption);
@@ -101,23 +120,55 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
   return found;
 }
 
-bool AssumptionSolver::solve(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const {
+/// Solves the equations among the assumptions that do not hold yet.
+void AssumptionSolver::solve_equations(SampleEvaluator& evaluator, SamplePoint& point,
+                                       std::uint32_t attempt) const {
   std::vector<Coordinate> solved;
   for (std::size_t i = 0; i < assumptions_.size(); ++i) {
     const Equation& equation = scope_->question().assumptions[assumptions_[i]];
+    if (equation.relation != Relation::equal) continue;
     evaluator.look_at(point);
     for (const Place& place : evaluator.places(equation)) {
       const Residual residual(evaluator, point, equation, place);
       if (cln::zerop(residual.now())) continue;
       for (const Coordinate& at : candidates(point, i, attempt)) {
         if (std::find(solved.begin(), solved.end(), at) != solved.end()) continue;
-        if (!residual.solve_for(at)) continue;
+        if (!residual.solve_for(at, 0)) continue;
         solved.push_back(at);
         break;
       }
     }
   }
-  return holds(evaluator, point);
+}
+
+/// Puts the sides that are not in order yet at a small distance. The passes try the numbers in both
+/// directions.
+void AssumptionSolver::solve_orders(SampleEvaluator& evaluator, SamplePoint& point,
+                                    std::uint32_t turn) const {
+  for (std::size_t i = 0; i < assumptions_.size(); ++i) {
+    const Equation& order = scope_->question().assumptions[assumptions_[i]];
+    if (order.relation == Relation::equal) continue;
+    evaluator.look_at(point);
+    for (const Place& place : evaluator.places(order)) {
+      const Residual residual(evaluator, point, order, place);
+      if (is_related(residual.now(), order.relation, 0)) continue;
+      std::vector<Coordinate> choices = candidates(point, i, 0);
+      if (turn % 2 == 1) std::reverse(choices.begin(), choices.end());
+      for (const Coordinate& at : choices) {
+        if (symbols_[i].size() == 1 && residual.reflect(at)) break;
+        if (residual.solve_for(at, -distances()[turn % distances().size()])) break;
+      }
+    }
+  }
+}
+
+bool AssumptionSolver::solve(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const {
+  for (std::uint32_t pass = 0; pass < (has_orders_ ? order_passes : 1); ++pass) {
+    if (has_orders_) solve_orders(evaluator, point, attempt + pass);
+    solve_equations(evaluator, point, attempt);
+    if (holds(evaluator, point)) return true;
+  }
+  return false;
 }
 
 }  // namespace rigor

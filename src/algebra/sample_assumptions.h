@@ -11,8 +11,9 @@ namespace rigor {
 /// The assumptions that samples have to meet, and the search for the numbers to change. Method: for each
 /// component of each assumption that does not hold yet, a number in which left − right is linear is solved
 /// for, and not touched again: first one of a symbol that no earlier assumption has, then of one that is a
-/// whole side, then one of the last particle, then of higher rank. In the end everything is verified. Not
-/// complete: where the search finds nothing, another sample or another order (`attempt`) may do.
+/// whole side, then one of the last particle, then of higher rank. Sides that an order holds apart are put at
+/// a small distance first. In the end everything is verified. Not complete: where the search finds nothing,
+/// another sample or another order (`attempt`) may do.
 class AssumptionSolver {
  public:
   AssumptionSolver(const Scope& scope, std::vector<std::size_t> assumptions);
@@ -25,12 +26,15 @@ class AssumptionSolver {
   [[nodiscard]] bool solve(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const;
 
  private:
+  void solve_equations(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const;
+  void solve_orders(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t turn) const;
   [[nodiscard]] std::vector<Coordinate> candidates(const SamplePoint& point, std::size_t assumption,
                                                    std::uint32_t attempt) const;
 
   const Scope* scope_;
   std::vector<std::size_t> assumptions_;
   std::vector<std::vector<SymbolId>> symbols_;  // of each
+  bool has_orders_ = false;
 };
 
 }  // namespace rigor

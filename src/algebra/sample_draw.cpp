@@ -48,6 +48,14 @@ constexpr std::array generic_numbers{1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7
   return 0;
 }
 
+/// The tangent of half an angle, or a number whose logarithm is taken.
+[[nodiscard]] Rational draw_seen_by_functions(Meaning::Kind kind, SplitMix& random) {
+  const int above = static_cast<int>(random.below(3)) + 1;
+  const int below = static_cast<int>(random.below(3)) + 1;
+  const bool negative = kind == Meaning::Kind::angle && random.below(4) == 0;
+  return Rational(negative ? -above : above) / below;
+}
+
 [[nodiscard]] Draw draw_for(std::uint32_t attempt, bool roots) {
   if (attempt % 8 == 7) return Draw::tiny;
   if (attempt % 8 == 3) return roots ? Draw::along_axes : Draw::directions;
@@ -113,6 +121,10 @@ void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random)
       point.set_all(at.symbol, at.particle, draw_direction(from, random));
       continue;
     }
+    if (const Meaning::Kind kind = point.meaning(at.symbol).kind; kind != Meaning::Kind::itself) {
+      point.set(at, draw_seen_by_functions(kind, random));
+      continue;
+    }
     if (symbol.rotation) {
       const bool known = from == Draw::zero_or_one || from == Draw::tiny || from == Draw::along_axes;
       point.set_all(at.symbol, at.particle, draw_rotation(known, random));
@@ -126,9 +138,23 @@ void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random)
   }
 }
 
+/// All that may be angles and logarithms are, or some of them: a product of two is nothing exact.
+void SampleSequence::choose_meanings(SamplePoint& point, std::uint32_t attempt) {
+  constexpr std::array multiples{1, 2, 1, 6};
+  const int multiple = multiples[attempt % multiples.size()];
+  const auto choose = [&](const std::vector<SymbolId>& symbols, Meaning::Kind kind) {
+    for (const SymbolId symbol : symbols) {
+      if (attempt % 3 == 0 || random_.below(2) == 0) point.mean(symbol, {kind, multiple});
+    }
+  };
+  choose(reach_->angles, Meaning::Kind::angle);
+  choose(reach_->exponents, Meaning::Kind::logarithm);
+}
+
 SamplePoint SampleSequence::next() {
   const std::uint32_t attempt = drawn_++;
   SamplePoint point(*tree_, reach_->symbols, reach_->particles ? particles_for(attempt) : 0);
+  choose_meanings(point, attempt);
   draw(point, *tree_, draw_for(attempt, reach_->roots), random_);
   return point;
 }

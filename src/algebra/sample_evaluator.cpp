@@ -18,30 +18,50 @@ void SampleDomain::step() {
     throw Undecidable(fmt::format("more than {} steps of evaluation", largest_steps));
 }
 
-Rational SampleDomain::number(const std::string& digits) {
+ExactValue SampleDomain::number(const std::string& digits) {
   const auto [known, is_new] = numbers_.try_emplace(digits);
   if (is_new) known->second = from_digits(digits);
   return known->second;
 }
 
-Rational SampleDomain::divide(const Rational& a, const Rational& b) {
-  if (cln::zerop(b)) throw PointRejected("division by zero");
-  return a / b;
+ExactValue SampleDomain::value(SymbolId symbol, std::uint32_t particle, std::size_t component) {
+  const Rational& number = point_->value(symbol, particle, component);
+  const Meaning& meaning = point_->meaning(symbol);
+  if (meaning.kind == Meaning::Kind::itself) return number;
+  ExactValue value;
+  value.parts.push_back({1, number, meaning, point_->place(symbol, particle)});
+  return value;
 }
 
-Rational SampleDomain::power(const Rational& base, int exponent) {
-  if (exponent < 0 && cln::zerop(base)) throw PointRejected("division by zero");
-  if (bit_size(base) * std::abs(exponent) > largest_bits) throw PointRejected("a number has too many digits");
-  return power_of(base, exponent);
+ExactValue SampleDomain::multiply(const ExactValue& a, const ExactValue& b) {
+  if (a.parts.empty() && b.parts.empty()) return a.rational * b.rational;
+  return a.parts.empty() ? scaled(b, a.rational) : scaled(a, rational_of(b));
 }
 
-Rational SampleDomain::function(Function function, const Rational& argument) {
-  if (!cln::zerop(argument)) throw PointRejected("a value of a function is not rational");
-  return function == Function::sin ? 0 : 1;
+ExactValue SampleDomain::divide(const ExactValue& a, const ExactValue& b) {
+  const Rational& divisor = rational_of(b);
+  if (cln::zerop(divisor)) throw PointRejected("division by zero");
+  return a.parts.empty() ? ExactValue(a.rational / divisor) : scaled(a, 1 / divisor);
 }
 
-Rational SampleDomain::root(const Rational& square) {
-  std::optional<Rational> root = exact_root(square);
+ExactValue SampleDomain::power(const ExactValue& base, int exponent) {
+  if (exponent == 1) return base;
+  const Rational& number = rational_of(base);
+  if (exponent < 0 && cln::zerop(number)) throw PointRejected("division by zero");
+  if (bit_size(number) * std::abs(exponent) > largest_bits) {
+    throw PointRejected("a number has too many digits");
+  }
+  return power_of(number, exponent);
+}
+
+ExactValue SampleDomain::function(Function function, const ExactValue& argument) {
+  if (function == Function::exp) return exponential(argument);
+  const CosineAndSine both = cosine_and_sine(argument);
+  return function == Function::cos ? both.cosine : both.sine;
+}
+
+ExactValue SampleDomain::root(const ExactValue& square) {
+  std::optional<Rational> root = exact_root(rational_of(square));
   if (!root) throw PointRejected("a root is not rational");
   return *std::move(root);
 }
@@ -56,8 +76,9 @@ void SampleEvaluator::for_each_place(const Equation& equation, const Visit& visi
   std::vector<std::uint32_t> particles(equation.particles.size(), 1);
   do {
     for (std::size_t i = 0; i < particles.size(); ++i) evaluator_.bind(equation.particles[i], particles[i]);
-    const auto visit_axes = [&](std::vector<std::uint8_t> axes, const Rational& left, const Rational& right) {
-      return visit(Place{std::move(axes), particles}, left, right);
+    const auto visit_axes = [&](std::vector<std::uint8_t> axes, const ExactValue& left,
+                                const ExactValue& right) {
+      return visit(Place{std::move(axes), particles}, rational_of(left), rational_of(right));
     };
     if (!for_each_component(evaluator_, scope_->tree(), equation, visit_axes)) return;
   } while (next_tuple(particles, 1u, domain_.point().particles()));
@@ -66,7 +87,7 @@ void SampleEvaluator::for_each_place(const Equation& equation, const Visit& visi
 std::optional<Difference> SampleEvaluator::difference(const Equation& equation) {
   std::optional<Difference> found;
   for_each_place(equation, [&](const Place& place, const Rational& left, const Rational& right) {
-    if (left != right) found = Difference{place, left, right};
+    if (!is_related(left, equation.relation, right)) found = Difference{place, left, right};
     return !found;
   });
   return found;
@@ -92,7 +113,8 @@ Difference SampleEvaluator::at(const Equation& equation, const Place& place) {
       component = 3 * component + (place.axes[i] - 1u);
     }
   }
-  return {place, evaluator_.array(equation.left)[component], evaluator_.array(equation.right)[component]};
+  return {place, rational_of(evaluator_.array(equation.left)[component]),
+          rational_of(evaluator_.array(equation.right)[component])};
 }
 
 std::vector<Place> SampleEvaluator::places(const Equation& equation) const {

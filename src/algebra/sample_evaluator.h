@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "algebra/components.h"
@@ -12,38 +13,50 @@
 
 namespace rigor {
 
-/// The rational numbers of one sample, as a Domain of `Evaluator`. Throws PointRejected where a value is not
+/// The exact values of one sample, as a Domain of `Evaluator`. Throws PointRejected where a value is not
 /// rational or not defined, Undecidable where the work is too much.
 class SampleDomain {
  public:
-  using Number = Rational;
+  using Number = ExactValue;
 
   void look_at(const SamplePoint& point) { point_ = &point; }
   [[nodiscard]] const SamplePoint& point() const { return *point_; }
 
-  [[nodiscard]] Rational number(const std::string& digits);
-  [[nodiscard]] Rational integer(int value) { return value; }
-  [[nodiscard]] bool is_zero(const Rational& value) { return cln::zerop(value); }
-  void add(Rational& total, const Rational& summand) { total = total + summand; }
-  void negate(Rational& value) { value = -value; }
-  [[nodiscard]] Rational multiply(const Rational& a, const Rational& b) { return a * b; }
-  [[nodiscard]] Rational divide(const Rational& a, const Rational& b);
-  [[nodiscard]] Rational power(const Rational& base, int exponent);
-  [[nodiscard]] Rational root(const Rational& square);
-  [[nodiscard]] Rational function(Function function, const Rational& argument);
-  [[nodiscard]] const Rational& value(SymbolId symbol, std::uint32_t particle, std::size_t component) {
-    return point_->value(symbol, particle, component);
+  [[nodiscard]] ExactValue number(const std::string& digits);
+  [[nodiscard]] ExactValue integer(int value) { return value; }
+  [[nodiscard]] bool is_zero(const ExactValue& value) {
+    return value.parts.empty() && cln::zerop(value.rational);
   }
+  void add(ExactValue& total, const ExactValue& summand) {
+    if (summand.parts.empty()) {
+      total.rational = total.rational + summand.rational;
+    } else {
+      rigor::add(total, summand);
+    }
+  }
+  void negate(ExactValue& value) {
+    if (value.parts.empty()) {
+      value.rational = -value.rational;
+    } else {
+      value = scaled(std::move(value), -1);
+    }
+  }
+  [[nodiscard]] ExactValue multiply(const ExactValue& a, const ExactValue& b);
+  [[nodiscard]] ExactValue divide(const ExactValue& a, const ExactValue& b);
+  [[nodiscard]] ExactValue power(const ExactValue& base, int exponent);
+  [[nodiscard]] ExactValue root(const ExactValue& square);
+  [[nodiscard]] ExactValue function(Function function, const ExactValue& argument);
+  [[nodiscard]] ExactValue value(SymbolId symbol, std::uint32_t particle, std::size_t component);
   template <class Body>
-  [[nodiscard]] std::vector<Rational> particle_sum(std::size_t count, const Body& body) {
-    std::vector<Rational> total(count);
+  [[nodiscard]] std::vector<ExactValue> particle_sum(std::size_t count, const Body& body) {
+    std::vector<ExactValue> total(count);
     for (std::uint32_t particle = 1; particle <= point_->particles(); ++particle) {
-      const std::vector<Rational> term = body(particle);
-      for (std::size_t i = 0; i < count; ++i) total[i] = total[i] + term[i];
+      const std::vector<ExactValue> term = body(particle);
+      for (std::size_t i = 0; i < count; ++i) add(total[i], term[i]);
     }
     return total;
   }
-  void settle(Rational&) {}
+  void settle(ExactValue&) {}
   void step();
 
  private:
@@ -58,6 +71,7 @@ struct Place {
   std::vector<std::uint32_t> particles;  // of the free particle variables, from 1
 };
 
+/// Where a relation does not hold.
 struct Difference {
   Place place;
   Rational left;
@@ -71,7 +85,7 @@ class SampleEvaluator {
   /// The sample to evaluate on; to be called again when it has changed.
   void look_at(const SamplePoint& point);
 
-  /// The first place where the sides differ; none: the equation holds on the sample.
+  /// The first place where the sides differ (or are not in order); none: the equation holds on the sample.
   [[nodiscard]] std::optional<Difference> difference(const Equation& equation);
   [[nodiscard]] bool holds(const Equation& equation) { return !difference(equation); }
   /// Is the left side zero by itself, everywhere?

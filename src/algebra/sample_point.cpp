@@ -13,7 +13,8 @@ SamplePoint::SamplePoint(const ExprTree& tree, std::span<const SymbolId> symbols
     : tree_(&tree),
       symbols_(symbols.begin(), symbols.end()),
       particles_(particles),
-      offset_(tree.symbols.size(), absent) {
+      offset_(tree.symbols.size(), absent),
+      meaning_(tree.symbols.size()) {
   std::size_t size = 0;
   for (const SymbolId symbol : symbols_) {
     offset_[static_cast<std::size_t>(symbol)] = static_cast<std::uint32_t>(size);
@@ -75,6 +76,7 @@ void SamplePoint::set_all(SymbolId symbol, std::uint32_t particle, std::span<con
 
 SamplePoint SamplePoint::without_particle(std::uint32_t particle) const {
   SamplePoint smaller(*tree_, symbols_, particles_ - 1);
+  smaller.mean_as(*this);
   for (const SymbolId symbol : symbols_) {
     for (std::uint32_t p = first_particle(symbol); p <= last_particle(symbol); ++p) {
       if (p == 0 || p != particle) smaller.set_all(symbol, p > particle ? p - 1 : p, values(symbol, p));

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An exact sample: a rational value for every free symbol, and for each of N particles.
+// An exact sample: a rational value for every free symbol, and for each of N particles. A scalar that only
+// functions see may be an angle or a logarithm instead, given by a rational number.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "algebra/exact_number.h"
+#include "algebra/exact_value.h"
 #include "algebra/scope.h"
 #include "algebra/splitmix.h"
 
@@ -49,6 +50,18 @@ class SamplePoint {
   /// Sets all components as they are.
   void set_all(SymbolId symbol, std::uint32_t particle, std::span<const Rational> components);
 
+  /// What a scalar's number stands for: by default for itself.
+  void mean(SymbolId symbol, const Meaning& meaning) { meaning_[static_cast<std::size_t>(symbol)] = meaning; }
+  [[nodiscard]] const Meaning& meaning(SymbolId symbol) const {
+    return meaning_[static_cast<std::size_t>(symbol)];
+  }
+  /// All that the numbers of another point of the same tree stand for.
+  void mean_as(const SamplePoint& other) { meaning_ = other.meaning_; }
+  /// A number for each symbol and particle, different from all others.
+  [[nodiscard]] std::size_t place(SymbolId symbol, std::uint32_t particle) const {
+    return position(symbol, particle);
+  }
+
   /// The same values for one particle less.
   [[nodiscard]] SamplePoint without_particle(std::uint32_t particle) const;
 
@@ -63,6 +76,7 @@ class SamplePoint {
   std::uint32_t particles_;
   std::vector<std::uint32_t> offset_;  // by symbol
   std::vector<Rational> values_;
+  std::vector<Meaning> meaning_;  // by symbol
 };
 
 /// How large a point's simplicity is: the fewer particles, then numbers that are not 0, then digits, the
@@ -98,6 +112,8 @@ class SampleSequence {
   [[nodiscard]] std::uint32_t drawn() const { return drawn_; }
 
  private:
+  void choose_meanings(SamplePoint& point, std::uint32_t attempt);
+
   static constexpr std::uint64_t seed = 0x5269676f72;
 
   const ExprTree* tree_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
 
 #include "algebra/undecidable.h"
 #include "base/check.h"
@@ -36,6 +37,9 @@ void note_operation(const ExprNode& node, Reach& reached) {
       break;
     case Op::particle_sum:
       reached.particles = true;
+      break;
+    case Op::function:
+      reached.functions = true;
       break;
     default:
       break;
@@ -72,6 +76,38 @@ Scope::Scope(const Question& question, Definitions definitions)
   }
 }
 
+/// By what a symbol is seen: a bit for each.
+enum Seen : std::uint8_t { plainly = 1, by_angle_functions = 2, by_exponential = 4 };
+
+/// Goes through all expressions with the innermost function around them, definitions once for each such.
+void note_what_functions_see(const Scope& scope, std::span<const ExprId> roots, Reach& reached) {
+  const ExprTree& tree = scope.tree();
+  std::vector<std::uint8_t> seen(tree.symbols.size(), 0);
+  std::vector<std::pair<ExprId, Seen>> open;
+  for (const ExprId root : roots) open.emplace_back(root, plainly);
+  while (!open.empty()) {
+    const auto [id, by] = open.back();
+    open.pop_back();
+    const ExprNode& node = tree[id];
+    Seen inside = by;
+    if (node.op == Op::function)
+      inside = node.function == Function::exp ? by_exponential : by_angle_functions;
+    for (const ExprId child : tree.children(id)) open.emplace_back(child, inside);
+    if (node.op != Op::symbol) continue;
+    std::uint8_t& of_symbol = seen[static_cast<std::size_t>(node.symbol)];
+    if ((of_symbol & by) != 0) continue;
+    of_symbol |= by;
+    if (const Definition* definition = scope.definition_of(node.symbol))
+      open.emplace_back(definition->body, by);
+  }
+  for (const SymbolId symbol : reached.symbols) {
+    if (tree.symbols[symbol].rank != 0) continue;
+    const std::uint8_t by = seen[static_cast<std::size_t>(symbol)];
+    if (by == by_angle_functions) reached.angles.push_back(symbol);
+    if (by == by_exponential) reached.exponents.push_back(symbol);
+  }
+}
+
 Reach reach(const Scope& scope, std::span<const ExprId> roots) {
   const ExprTree& tree = scope.tree();
   Reach reached;
@@ -94,6 +130,7 @@ Reach reach(const Scope& scope, std::span<const ExprId> roots) {
       reached.symbols.push_back(node.symbol);
     }
   }
+  if (reached.functions) note_what_functions_see(scope, roots, reached);
   return reached;
 }
 

@@ -39,8 +39,11 @@ class Scope {
 struct Reach {
   std::vector<SymbolId> symbols;  // free: neither unfolded nor zeroed
   std::vector<SymbolId> unfolded;
-  bool particles = false;  // a sum over particles or a particle's own quantity occurs
-  bool roots = false;      // a root, a length or an absolute value
+  bool particles = false;           // a sum over particles or a particle's own quantity occurs
+  std::vector<SymbolId> angles;     // free scalars that only sin and cos see
+  std::vector<SymbolId> exponents;  // free scalars that only exp sees
+  bool functions = false;
+  bool roots = false;  // a root, a length or an absolute value
   std::optional<std::string>
       too_large;  // a rank, an exponent or a number beyond what is evaluated: which, as a reason
 };

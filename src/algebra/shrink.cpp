@@ -47,6 +47,7 @@ void Refuter::look_among_tiny_points(Counterexample& best) {
       if ((from == Draw::along_axes || from == Draw::with_lengths) && !reach_.roots) continue;
       for (std::uint32_t attempt = 0; attempt < tiny_attempts; ++attempt) {
         SamplePoint point(scope_->tree(), reach_.symbols, particles);
+        point.mean_as(best.drawn);
         draw(point, scope_->tree(), from, random);
         consider(best, point, attempt);
       }

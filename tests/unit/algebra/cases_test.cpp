@@ -44,6 +44,8 @@ TEST_CASE("a direction that a tensor keeps makes the characteristic determinant 
   CHECK(is_proved(page.claim(body.characteristic(-1), page.zero())));
   CHECK(is_not_proved(page.claim(body.characteristic(1), page.zero())));
   CHECK(is_not_proved(page.claim(at(n, 1), page.zero())));
+  CHECK(is_proved(page.claim(body.mu, dot(n, dot(body.tensor, n)))));
+  CHECK(is_not_proved(page.claim(body.mu, 2 * dot(n, dot(body.tensor, n)))));
 }
 
 TEST_CASE("principal axes of different moments are perpendicular", "[algebra]") {
@@ -56,6 +58,9 @@ TEST_CASE("principal axes of different moments are perpendicular", "[algebra]") 
   CHECK(is_proved(page.claim((body.mu - body.nu) * dot(u, v), page.zero())));
   CHECK(is_not_proved(page.claim((body.mu + body.nu) * dot(u, v), page.zero())));
   CHECK(is_not_proved(page.claim(dot(u, v), page.zero())));
+  page.given(body.mu, Relation::unequal, body.nu);
+  CHECK(is_proved(page.claim(dot(u, v), page.zero())));
+  CHECK(is_not_proved(page.claim(dot(u, v), page.number("1"))));
 }
 
 TEST_CASE("a symmetric tensor has no complex moments", "[algebra]") {

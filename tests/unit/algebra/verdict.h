@@ -7,6 +7,7 @@
 #include <string>
 
 #include "algebra/decide.h"
+#include "algebra/exact_number.h"
 #include "expr/build.h"
 
 namespace rigor::build {
@@ -30,14 +31,15 @@ namespace rigor::build {
   return text(a) == text(b);
 }
 
-/// Refuted by a sample on which the sides differ when it is replayed.
+/// Refuted by a sample on which the sides differ, or are not in order, when it is replayed.
 [[nodiscard]] inline bool is_refuted(const Question& question) {
   const Decision decision = decide(question);
   const Decision again = decide(question);
   if (decision.outcome != Outcome::refuted || !decision.sample || !again.sample) return false;
   const std::optional<SideValues> sides = replay(question, *decision.sample);
   return sides && sides->left == decision.sample->left && sides->right == decision.sample->right &&
-         sides->left != sides->right && is_same(*decision.sample, *again.sample);
+         !is_related(*from_text(sides->left), question.claim.relation, *from_text(sides->right)) &&
+         is_same(*decision.sample, *again.sample);
 }
 
 /// The reason why a question is left open; empty if it is not.

@@ -55,6 +55,12 @@ struct Term {
 [[nodiscard]] inline Term length(const Term& a) { return node(Op::length, {a}, 0); }
 [[nodiscard]] inline Term squared(const Term& a) { return a.rank() == 1 ? pow(length(a), 2) : pow(a, 2); }
 [[nodiscard]] inline Term absolute(const Term& a) { return node(Op::absolute, {a}, 0); }
+[[nodiscard]] inline Term function(Function function, const Term& of) {
+  return node(Op::function, {of}, 0, ExprNode{.op = Op::function, .function = function});
+}
+[[nodiscard]] inline Term sin(const Term& a) { return function(Function::sin, a); }
+[[nodiscard]] inline Term cos(const Term& a) { return function(Function::cos, a); }
+[[nodiscard]] inline Term exp(const Term& a) { return function(Function::exp, a); }
 [[nodiscard]] inline Term root(const Term& a) { return node(Op::root, {a}, 0); }
 [[nodiscard]] inline Term tuple(const Term& x, const Term& y, const Term& z) {
   return node(Op::tuple, {x, y, z}, x.rank() + 1);
@@ -163,6 +169,14 @@ class Page {
   void given(const Term& left, const Term& right, std::vector<IndexId> indices = {},
              std::vector<ParticleId> particles = {}) {
     question.assumptions.push_back({left.id, right.id, std::move(indices), std::move(particles)});
+  }
+  void given(const Term& left, Relation relation, const Term& right, std::vector<ParticleId> particles = {}) {
+    question.assumptions.push_back({left.id, right.id, {}, std::move(particles), relation});
+  }
+  const Question& claim(const Term& left, Relation relation, const Term& right,
+                        std::vector<ParticleId> particles = {}) {
+    question.claim = {left.id, right.id, {}, std::move(particles), relation};
+    return question;
   }
   const Question& claim(const Term& left, const Term& right, std::vector<IndexId> indices = {},
                         std::vector<ParticleId> particles = {}) {

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/order.h"
+
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace rigor {
+namespace {
+
+using GiNaC::ex;
+using Fact = Signs::Fact;
+
+constexpr int largest_attempts = 200;
+constexpr int largest_depth_of_facts = 3;
+constexpr int largest_depth_of_squares = 4;
+constexpr int largest_depth_of_roots = 2;
+constexpr std::size_t largest_root_sum = 20;    // terms
+constexpr std::size_t largest_quadratic = 150;  // terms
+constexpr double largest_substituted = 4000;    // terms, by the estimate
+
+[[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
+[[nodiscard]] bool is_positive(const ex& value) {
+  return is_number(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_positive();
+}
+
+[[nodiscard]] std::vector<ex> terms_of(const ex& value) {
+  if (!GiNaC::is_a<GiNaC::add>(value)) return {value};
+  return {value.begin(), value.end()};
+}
+
+/// coefficient and product of powers of a term
+[[nodiscard]] std::pair<ex, ex> split_term(const ex& term) {
+  if (is_number(term)) return {term, 1};
+  if (!GiNaC::is_a<GiNaC::mul>(term)) return {1, term};
+  for (std::size_t i = 0; i < term.nops(); ++i) {
+    if (is_number(term.op(i))) return {term.op(i), term / term.op(i)};
+  }
+  return {1, term};
+}
+
+/// By what a fact may be multiplied so that a term of unknown sign cancels: positive numbers, in rising
+/// order.
+[[nodiscard]] std::vector<GiNaC::numeric> multiples(const ex& value, const ex& fact, const Signs& signs) {
+  std::map<ex, ex, GiNaC::ex_is_less> coefficients;
+  for (const ex& term : terms_of(value)) {
+    const auto [coefficient, monomial] = split_term(term);
+    coefficients.emplace(monomial, coefficient);
+  }
+  std::vector<GiNaC::numeric> found;
+  for (const ex& term : terms_of(fact)) {
+    const auto [coefficient, monomial] = split_term(term);
+    const auto at = coefficients.find(monomial);
+    if (at == coefficients.end() || is_within(signs.of(at->second * monomial), Sign::not_negative)) continue;
+    const ex ratio = at->second / coefficient;
+    if (is_positive(ratio)) found.push_back(GiNaC::ex_to<GiNaC::numeric>(ratio));
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+}  // namespace
+
+/// The signs of the terms, and of what is left when facts are subtracted. Only ever narrower than `any` for
+/// values that are not negative.
+Sign Order::by_facts(const ex& value, const std::vector<Fact>& facts, int depth) {
+  const Sign direct = domain_.signs().of(value);
+  if (direct != Sign::any || depth == largest_depth_of_facts) return direct;
+  for (const Fact& fact : facts) {
+    if (!rigor::is_within(fact.sign, Sign::not_negative)) continue;
+    for (const GiNaC::numeric& multiple : multiples(value, fact.value, domain_.signs())) {
+      if (++attempts_ > largest_attempts) return Sign::any;
+      const Sign rest = by_facts((value - multiple * fact.value).expand(), facts, depth + 1);
+      if (rigor::is_within(rest, Sign::not_negative)) return sum(rest, fact.sign);
+    }
+  }
+  return Sign::any;
+}
+
+Sign Order::by_squares(const ex& value, int depth) {
+  const Sign direct = domain_.signs().of(value);
+  if (direct != Sign::any || depth == largest_depth_of_squares) return direct;
+  if (term_count(value) > largest_quadratic) return Sign::any;
+  const std::vector<ex> all = domain_.indeterminates().all();
+  for (const ex& x : all) {
+    if (value.degree(x) != 2) continue;
+    if (++attempts_ > largest_attempts) return Sign::any;
+    const ex p = value.coeff(x, 2);
+    const Sign of_p = by_squares(p, depth + 1);
+    if (!rigor::is_within(of_p, Sign::not_negative)) continue;
+    const ex q = value.coeff(x, 1) / 2;
+    const ex r = value.coeff(x, 0);
+    const auto terms = static_cast<double>(term_count(p) * term_count(r) + term_count(q) * term_count(q));
+    if (terms > largest_substituted) continue;
+    const Sign of_rest = by_squares((p * r - q * q).expand(), depth + 1);
+    if (!rigor::is_within(of_rest, Sign::not_negative)) continue;
+    return of_p == Sign::positive && of_rest == Sign::positive ? Sign::positive : Sign::not_negative;
+  }
+  return Sign::any;
+}
+
+/// Solves the first fact that bounds an indeterminate for it; false if there is none. With any_bound, also
+/// where the bound itself may be negative.
+bool Order::parametrize(ex& value, std::vector<Fact>& facts, bool any_bound) {
+  const std::vector<ex> all = domain_.indeterminates().all();
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    const Fact fact = facts[i];
+    if (!rigor::is_within(fact.sign, Sign::not_negative) || !GiNaC::is_a<GiNaC::add>(fact.value)) continue;
+    for (auto x = all.rbegin(); x != all.rend(); ++x) {
+      if (fact.value.degree(*x) != 1 || !is_positive(fact.value.coeff(*x, 1))) continue;
+      const ex factor = fact.value.coeff(*x, 1);
+      const ex bound = (-fact.value.coeff(*x, 0) / factor).expand();
+      if (!any_bound && !rigor::is_within(domain_.signs().of(bound), Sign::not_negative)) continue;
+      const auto growth = static_cast<double>(term_count(bound) + 1);
+      if (static_cast<double>(term_count(value)) * std::pow(growth, value.degree(*x)) > largest_substituted) {
+        continue;
+      }
+      const ex parameter = domain_.indeterminates().fresh(Indeterminates::Kind::parameter, 0);
+      domain_.signs().know(parameter, fact.sign);
+      const auto put = [&](const ex& into) {
+        return into.subs(*x == bound + parameter, GiNaC::subs_options::no_pattern).expand();
+      };
+      value = put(value);
+      facts.erase(facts.begin() + static_cast<std::ptrdiff_t>(i));
+      for (Fact& each : facts) each.value = put(each.value);
+      return true;
+    }
+  }
+  return false;
+}
+
+Sign Order::by_roots(const ex& value, const std::vector<Fact>& facts, int depth) {
+  if (depth == largest_depth_of_roots || term_count(value) > largest_root_sum) return Sign::any;
+  GiNaC::exvector upper;
+  for (const ex& term : terms_of(value)) {
+    if (rigor::is_within(domain_.signs().of(term), Sign::not_negative)) upper.push_back(term);
+  }
+  if (upper.empty()) return Sign::any;
+  const ex u = GiNaC::add(upper);
+  const ex v = u - value;
+  const auto terms =
+      static_cast<double>(term_count(u) * term_count(u) + term_count(value) * term_count(value));
+  const ex squares = domain_.reduced(u * u - v * v, terms);
+  const Sign sign = best(squares, facts, depth + 1);
+  return rigor::is_within(sign, Sign::not_negative) ? sign : Sign::any;
+}
+
+Sign Order::best(const ex& value, const std::vector<Fact>& facts, int depth) {
+  Sign sign = by_facts(value, facts, 0);
+  if (sign == Sign::any) sign = by_squares(value, 0);
+  return sign == Sign::any ? by_roots(value, facts, depth) : sign;
+}
+
+bool Order::is_within(const ex& value, Sign allowed, const std::vector<Fact>& facts) {
+  const auto fits = [&](const ex& of, const std::vector<Fact>& with) {
+    return rigor::is_within(best(of, with, 0), allowed) ||
+           rigor::is_within(opposite(best((-of).expand(), with, 0)), allowed);
+  };
+  if (fits(value, facts)) return true;
+  for (const bool any_bound : {false, true}) {
+    ex rest = value;
+    std::vector<Fact> open = facts;
+    bool any = false;
+    while (parametrize(rest, open, any_bound)) any = true;
+    if (any && fits(rest.expand(), open)) return true;
+  }
+  return false;
+}
+
+}  // namespace rigor

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sign of a polynomial at the generic point, from the signs and facts that are known: for claims with <,
+// ≤ and ≠. Method, in this order:
+//  1. the signs of its terms;
+//  2. a fact that bounds an indeterminate, x = bound + p with a parameter p of the fact's sign, is solved for
+//  it: 0 < I_1 < I_2 < I_3 becomes (a, a + b, a + b + c);
+//  3. the polynomial is a positive multiple of facts and a rest whose sign is known;
+//  4. as a quadratic p x² + 2 q x + r in an indeterminate: it is never negative if p and p r − q² are not
+//  (Lagrange's reduction: p P = (p x + q)² + p r − q²; where p = 0, by continuity);
+//  5. U − V is not negative if U and U² − V² are not, where U has the terms that are not negative: A·B ≤
+//  |A||B|.
+// Sound; incomplete.
+#pragma once
+
+#include "algebra/generic_evaluator.h"
+
+namespace rigor {
+
+class Order {
+ public:
+  explicit Order(GenericDomain& domain) : domain_(domain) {}
+
+  /// Is the polynomial's sign certainly among these? Facts are taken reduced by the caller.
+  [[nodiscard]] bool is_within(const GiNaC::ex& value, Sign allowed, const std::vector<Signs::Fact>& facts);
+
+ private:
+  [[nodiscard]] bool parametrize(GiNaC::ex& value, std::vector<Signs::Fact>& facts, bool any_bound);
+  [[nodiscard]] Sign by_facts(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);
+  [[nodiscard]] Sign by_squares(const GiNaC::ex& value, int depth);
+  [[nodiscard]] Sign by_roots(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);
+  [[nodiscard]] Sign best(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);
+
+  GenericDomain& domain_;
+  int attempts_ = 0;
+};
+
+}  // namespace rigor
