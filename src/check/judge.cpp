@@ -107,19 +107,13 @@ ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
 
 class Judging {
  public:
-  Judging(ExprTree& tree, Names& names, const Claim& claim)
-      : tree_(tree),
-        names_(names),
-        claim_(claim),
-        prepared_(claim.nearly ? prepare(tree, names, claim.equation, Precision::small_order)
-                               : prepare(tree, names, claim.equation)) {}
+  Judging(ExprTree& tree, Names& names, const Claim& claim) : tree_(tree), names_(names), claim_(claim) {}
 
   Judgement judge() {
-    Decision decision = decide_prepared();
+    Decision decision = decide_order(0);
     if (claim_.nearly && decision.outcome == Outcome::proved) {
-      prepared_ = prepare(tree_, names_, claim_.equation, Precision::small_order, 1);
       first_order_ = true;
-      decision = decide_prepared();
+      decision = decide_order(1);
       decision.vanishes = false;
     }
     judgement_.route = decision.route;
@@ -145,6 +139,16 @@ class Judging {
  private:
   void add(DiagnosticKind kind, std::string message, std::vector<std::string> help = {}) {
     judgement_.diagnostics.push_back({kind, claim_.relation, std::move(message), {}, std::move(help)});
+  }
+
+  /// What only a derivative of an assumption shows is looked for as well, before a claim is given up or refuted.
+  Decision decide_order(int order) {
+    const Precision precision = claim_.nearly ? Precision::small_order : Precision::exact;
+    prepared_ = prepare(tree_, names_, claim_.equation, 0, precision, order);
+    Decision decision = decide_prepared();
+    if (decision.outcome == Outcome::proved || !speaks_of_derivatives(prepared_)) return decision;
+    prepared_ = prepare(tree_, names_, claim_.equation, 1, precision, order);
+    return decide_prepared();
   }
 
   Decision decide_prepared() {
@@ -201,10 +205,10 @@ class Judging {
 
   /// The order of the first term that "nearly equal" leaves out.
   void note_neglected() {
-    constexpr int highest = 4;
+    constexpr int highest = 1;
     judgement_.route += ", to first order in what is small";
     for (int order = 2; order <= highest; ++order) {
-      const Prepared higher = prepare(tree_, names_, claim_.equation, Precision::small_order, order);
+      const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
       const Decision decision = decide(higher.question);
       if (decision.outcome == Outcome::proved) continue;
       if (decision.outcome == Outcome::refuted)

@@ -14,7 +14,6 @@ namespace rigor {
 namespace {
 
 constexpr int largest_order = 6;             // of a derivative for which a definition is made
-constexpr int largest_assumption_order = 3;  // of an assumption's derivatives
 
 /// A definition that the notes give, or that follows for a derivative.
 struct Found {
@@ -25,18 +24,21 @@ struct Found {
 struct Orders {
   int time = 0;
   int space = 0;
+  [[nodiscard]] int total() const { return time + space; }
 };
 
 class Preparation {
  public:
-  Preparation(ExprTree& tree, Names& names, Precision precision, int order)
-      : tree_(tree), names_(names), precision_(precision), order_(order) {}
+  Preparation(ExprTree& tree, Names& names, int slack, Precision precision, int order)
+      : tree_(tree), names_(names), slack_(slack), precision_(precision), order_(order) {}
 
   Prepared prepare(Equation claim) {
     for (int k = 0; k < order_; ++k) claim = derived(claim, By::small);
     prepared_.question.tree = &tree_;
     prepared_.question.claim = claim;
     follow(claim);
+    for (const SymbolId symbol : reached_) highest_order_ = std::max(highest_order_, orders_of(symbol).total());
+    highest_order_ += slack_;
     if (precision_ == Precision::small_order) add_small();
     for (bool grew = true; grew;) grew = add_assumptions();
     add_lengths();
@@ -192,7 +194,9 @@ class Preparation {
   bool add(const Equation& equation, const NamedAssumption* named) {
     const std::vector<SymbolId> symbols = symbols_of(equation);
     Orders wanted{-1, -1};
+    int own_order = 0;
     for (const SymbolId own : symbols) {
+      own_order = std::max(own_order, orders_of(own).total());
       for (const SymbolId reached : reached_) {
         if (base_of(reached) != base_of(own)) continue;
         wanted.time = std::max(wanted.time, orders_of(reached).time - orders_of(own).time);
@@ -202,8 +206,9 @@ class Preparation {
     if (wanted.time < 0 && wanted.space < 0) return false;
     if (equation.relation != Relation::equal) wanted = {0, 0};
     bool grew = false;
-    for (int time = 0; time <= std::clamp(wanted.time, 0, largest_assumption_order); ++time) {
-      for (int space = 0; space <= std::clamp(wanted.space, 0, largest_assumption_order); ++space)
+    const int more = std::max(highest_order_ - own_order, 0);  // what goes beyond the claim's orders says nothing of it
+    for (int time = 0; time <= std::clamp(wanted.time, 0, more); ++time) {
+      for (int space = 0; space <= std::clamp(wanted.space, 0, more - time); ++space)
         grew = take(equation, named, {time, space}) || grew;
     }
     return grew;
@@ -291,10 +296,12 @@ class Preparation {
 
   ExprTree& tree_;
   Names& names_;
+  int slack_;
   Precision precision_;
   int order_;
   Prepared prepared_;
   std::set<SymbolId> reached_;
+  int highest_order_ = 0;  // of a derivative in the claim, definitions unfolded
   std::map<SymbolId, std::optional<Found>> derived_;
   std::map<ExprId, Equation> vanishing_;
   std::set<std::tuple<ExprId, ExprId, int, int>> taken_;
@@ -302,8 +309,22 @@ class Preparation {
 
 }  // namespace
 
-Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, Precision precision, int order) {
-  return Preparation(tree, names, precision, order).prepare(claim);
+Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack, Precision precision, int order) {
+  return Preparation(tree, names, slack, precision, order).prepare(claim);
+}
+
+bool speaks_of_derivatives(const Prepared& prepared) {
+  const ExprTree& tree = *prepared.question.tree;
+  return std::any_of(prepared.question.assumptions.begin(), prepared.question.assumptions.end(),
+                     [&](const Equation& equation) {
+                       for (const ExprId side : {equation.left, equation.right}) {
+                         for (const SymbolId symbol : symbols_in(tree, side)) {
+                           const auto& derivation = tree.symbols[symbol].derivation;
+                           if (derivation && derivation->time + derivation->space > 0) return true;
+                         }
+                       }
+                       return false;
+                     });
 }
 
 }  // namespace rigor
