@@ -26,7 +26,8 @@ constexpr std::array directive_words{
     DirectiveWord{"expect", DirectiveKind::expect},     DirectiveWord{"skip", DirectiveKind::skip},
     DirectiveWord{"rotation", DirectiveKind::rotation}, DirectiveWord{"basis", DirectiveKind::basis},
     DirectiveWord{"frame", DirectiveKind::frame},       DirectiveWord{"small", DirectiveKind::small},
-    DirectiveWord{"where", DirectiveKind::where},       DirectiveWord{"order", DirectiveKind::first_order}};
+    DirectiveWord{"variable", DirectiveKind::variable}, DirectiveWord{"where", DirectiveKind::where},
+    DirectiveWord{"order", DirectiveKind::first_order}};
 
 /// Directives that the design names and this version does not decide with.
 constexpr std::array later_words{"units"};

@@ -18,6 +18,7 @@ enum class DirectiveKind : std::uint8_t {
   tensor,
   particles,
   constant,
+  variable,
   rotation,
   basis,
   frame,

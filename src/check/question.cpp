@@ -13,7 +13,7 @@
 namespace rigor {
 namespace {
 
-constexpr int largest_order = 6;             // of a derivative for which a definition is made
+constexpr int largest_order = 6;  // of a derivative for which a definition is made
 
 /// A definition that the notes give, or that follows for a derivative.
 struct Found {
@@ -37,7 +37,8 @@ class Preparation {
     prepared_.question.tree = &tree_;
     prepared_.question.claim = claim;
     follow(claim);
-    for (const SymbolId symbol : reached_) highest_order_ = std::max(highest_order_, orders_of(symbol).total());
+    for (const SymbolId symbol : reached_)
+      highest_order_ = std::max(highest_order_, orders_of(symbol).total());
     highest_order_ += slack_;
     if (precision_ == Precision::small_order) add_small();
     for (bool grew = true; grew;) grew = add_assumptions();
@@ -161,10 +162,21 @@ class Preparation {
     return derivation ? Orders{derivation->time, derivation->space} : Orders{};
   }
 
-  std::vector<SymbolId> symbols_of(const Equation& equation) const {
-    std::vector<SymbolId> symbols = symbols_in(tree_, equation.left);
-    const std::vector<SymbolId> right = symbols_in(tree_, equation.right);
-    symbols.insert(symbols.end(), right.begin(), right.end());
+  /// What an equation is about, definitions unfolded.
+  const std::vector<SymbolId>& symbols_of(const Equation& equation) {
+    std::vector<SymbolId>& symbols = symbols_of_[{equation.left, equation.right}];
+    if (!symbols.empty()) return symbols;
+    std::set<SymbolId> seen;
+    std::vector<ExprId> pending{equation.left, equation.right};
+    while (!pending.empty()) {
+      const ExprId id = pending.back();
+      pending.pop_back();
+      for (const SymbolId symbol : symbols_in(tree_, id)) {
+        if (!seen.insert(symbol).second) continue;
+        symbols.push_back(symbol);
+        if (const auto found = definition_of(symbol, 0)) pending.push_back(found->definition.body);
+      }
+    }
     return symbols;
   }
 
@@ -192,7 +204,7 @@ class Preparation {
 
   /// The assumption and those of its derivatives that speak of what was reached.
   bool add(const Equation& equation, const NamedAssumption* named) {
-    const std::vector<SymbolId> symbols = symbols_of(equation);
+    const std::vector<SymbolId>& symbols = symbols_of(equation);
     Orders wanted{-1, -1};
     int own_order = 0;
     for (const SymbolId own : symbols) {
@@ -206,19 +218,24 @@ class Preparation {
     if (wanted.time < 0 && wanted.space < 0) return false;
     if (equation.relation != Relation::equal) wanted = {0, 0};
     bool grew = false;
-    const int more = std::max(highest_order_ - own_order, 0);  // what goes beyond the claim's orders says nothing of it
+    const int more =
+        std::max(highest_order_ - own_order, 0);  // what goes beyond the claim's orders says nothing of it
     for (int time = 0; time <= std::clamp(wanted.time, 0, more); ++time) {
       for (int space = 0; space <= std::clamp(wanted.space, 0, more - time); ++space)
-        grew = take(equation, named, {time, space}) || grew;
+        grew = take(equation, named, {time, space}, own_order) || grew;
     }
     return grew;
   }
 
-  bool take(const Equation& equation, const NamedAssumption* named, Orders orders) {
+  bool take(const Equation& equation, const NamedAssumption* named, Orders orders, int own_order) {
     if (!taken_.insert({equation.left, equation.right, orders.time, orders.space}).second) return false;
+    const std::size_t unknown_before = prepared_.unknown_changes.size();
     Equation changed = equation;
     for (int k = 0; k < orders.time; ++k) changed = derived(changed, By::time);
     for (int k = 0; k < orders.space; ++k) changed = derived(changed, By::space);
+    // beyond the claim's own orders it is not the notes that differentiate
+    if (orders.total() + own_order > highest_order_ - slack_)
+      prepared_.unknown_changes.resize(unknown_before);
     push(changed, named);
     const bool at_zero_only = named == nullptr;  // what is small vanishes to zeroth order only
     for (int k = 0; k < order_ && !at_zero_only && changed.relation == Relation::equal; ++k) {
@@ -289,9 +306,11 @@ class Preparation {
         push(changed, nullptr);
       }
     };
+    const std::size_t unknown_before = prepared_.unknown_changes.size();
     add_up_to(orders.time, By::time);
     add_up_to(orders.space, By::space);
     add_up_to(orders.small, By::small);
+    prepared_.unknown_changes.resize(unknown_before);
   }
 
   ExprTree& tree_;
@@ -305,11 +324,13 @@ class Preparation {
   std::map<SymbolId, std::optional<Found>> derived_;
   std::map<ExprId, Equation> vanishing_;
   std::set<std::tuple<ExprId, ExprId, int, int>> taken_;
+  std::map<std::pair<ExprId, ExprId>, std::vector<SymbolId>> symbols_of_;
 };
 
 }  // namespace
 
-Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack, Precision precision, int order) {
+Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack, Precision precision,
+                 int order) {
   return Preparation(tree, names, slack, precision, order).prepare(claim);
 }
 

@@ -212,6 +212,7 @@ void Session::declare(const Directive& directive) {
         names_.declare_particles(notes_.syntax.symbol(id).letter, directive.number);
         break;
       case DirectiveKind::constant:
+      case DirectiveKind::variable:
       case DirectiveKind::small:
       case DirectiveKind::frame:
         declare_elaborated(directive, id);
@@ -249,6 +250,9 @@ void Session::declare_elaborated(const Directive& directive, SyntaxId id) {
     declare_frame(tree_, names_, directive.rotating, directive.fixed, typed->id, directive.number);
   } else if (directive.kind == DirectiveKind::constant) {
     declare_constant(directive, *typed);
+  } else if (directive.kind == DirectiveKind::variable) {
+    constants_.emplace_back(directive.number, tree_[typed->id].symbol);
+    names_.declare_variable(tree_[typed->id].symbol);
   } else {
     SmallQuantity small{.quantity = typed->id, .directive = directive.number};
     if (!typed->free.empty()) small.quantity = whole_symbol(*typed);

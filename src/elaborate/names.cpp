@@ -108,6 +108,7 @@ void Names::open_section(int level) {
                 [&](const NamedDefinition& entry) { return entry.origin.directive && closed(entry); });
   std::erase_if(assumptions_, closed);
   std::erase_if(constants_, closed);
+  std::erase_if(variables_, [&](const auto& entry) { return entry.second >= level; });
   std::erase_if(small_, closed);
   std::erase_if(seen_, [&](const auto& entry) { return entry.second >= level; });
   depth_ = level;
@@ -170,6 +171,8 @@ Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
 bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
   const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
   if (definition_of(base) != nullptr || definition_of(symbol) != nullptr) return true;
+  const auto is_it = [&](const auto& entry) { return entry.first == base; };
+  if (std::any_of(variables_.begin(), variables_.end(), is_it)) return true;
   const NameKey* key = key_of(base);
   if (key == nullptr || by == By::small) return true;
   if (by == By::space) return sightings.fields.contains(key->base);

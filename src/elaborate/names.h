@@ -114,6 +114,7 @@ class Names {
   }
 
   void declare_constant(SymbolId symbol, std::size_t directive);
+  void declare_variable(SymbolId symbol) { variables_.emplace_back(symbol, depth_); }
   /// How a symbol (or a derivative) changes; marks the directive that says so as used. What nothing is said
   /// of varies.
   [[nodiscard]] Dependence dependence(const ExprTree& tree, SymbolId symbol, By by);
@@ -172,6 +173,7 @@ class Names {
   std::map<NameKey, Entry> entries_;
   std::map<SymbolId, NameKey> keys_;
   std::vector<Constant> constants_;
+  std::vector<std::pair<SymbolId, int>> variables_;  // and the depth
   std::vector<Frame> frames_;
   std::vector<Scene> before_frames_;  // one for each
   std::vector<SmallQuantity> small_;
