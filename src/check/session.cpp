@@ -257,6 +257,7 @@ void Session::declare_elaborated(const Directive& directive, SyntaxId id) {
     SmallQuantity small{.quantity = typed->id, .directive = directive.number};
     if (!typed->free.empty()) small.quantity = whole_symbol(*typed);
     for (const FreeParticle& particle : typed->particles) small.particles.push_back(particle.id);
+    tree_.symbols[tree_[typed->id].symbol].declared = true;  // meant for all small values
     names_.declare_small(std::move(small));
   }
 }
@@ -485,7 +486,10 @@ bool Session::reads(const ParsedChain& parsed) {
 void Session::mark_seen(const std::vector<Side>& sides) {
   for (const Side& side : sides) {
     if (!side.typed) continue;
-    for (const SymbolId symbol : symbols_in(tree_, side.typed->id)) names_.mark_seen(symbol);
+    for (const SymbolId symbol : symbols_in(tree_, side.typed->id)) {
+      names_.mark_seen(symbol);
+      if (const auto& derivation = tree_.symbols[symbol].derivation) names_.mark_seen(derivation->base);
+    }
   }
 }
 
