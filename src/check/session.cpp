@@ -62,15 +62,20 @@ void Session::sight_all() {
 
 /// Without a directive, one symbol with mixed indices (`\\lambda_{i'j}`) gives the primed axes.
 void Session::imply_primed_axes() {
-  const bool told = std::any_of(notes_.events.begin(), notes_.events.end(), [](const Event& event) {
-    const auto* placed = std::get_if<PlacedDirective>(&event);
-    return placed != nullptr && (placed->directive.kind == DirectiveKind::rotation ||
-                                 placed->directive.kind == DirectiveKind::basis);
-  });
-  if (told || names_.sightings.mixed_axes.size() != 1) return;
+  if (names_.sightings.mixed_axes.size() != 1) return;
   const std::string& letter = *names_.sightings.mixed_axes.begin();
+  const bool told = std::any_of(notes_.events.begin(), notes_.events.end(), [&](const Event& event) {
+    const auto* placed = std::get_if<PlacedDirective>(&event);
+    if (placed == nullptr || placed->directive.kind == DirectiveKind::basis) return placed != nullptr;
+    const std::vector<SyntaxId>& symbols = placed->directive.symbols;
+    return placed->directive.kind == DirectiveKind::rotation &&
+           std::any_of(symbols.begin(), symbols.end(),
+                       [&](SyntaxId id) { return notes_.syntax.symbol(id).letter == letter; });
+  });
+  if (told) return;
   const SymbolId symbol = names_.resolve(tree_, {letter, 2, false}, letter, {});
   tree_.symbols[symbol].rotation = true;
+  tree_.symbols[symbol].declared = true;
   names_.set_primed_axes(symbol);
 }
 
