@@ -29,7 +29,7 @@ struct Expected {
   std::string tag;
   int line = 0;
   std::string verdict;
-  std::string diagnostic;  // a kind, `any`, or empty
+  std::string diagnostic;  // a kind, or empty
   std::string piece;       // of the step's source; the reason where the verdict is `words`
   [[nodiscard]] std::string text() const {
     return fmt::format("statement {} ({}): at line {} {} `{}`", number, tag, line, verdict, piece);
@@ -93,7 +93,7 @@ bool fits(const nlohmann::json& step, const Expected& expected) {
   if (!here || expected.diagnostic.empty()) return here;
   const nlohmann::json& diagnostics = step.at("diagnostics");
   return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const nlohmann::json& diagnostic) {
-    return expected.diagnostic == "any" || diagnostic.at("kind") == expected.diagnostic;
+    return diagnostic.at("kind") == expected.diagnostic;
   });
 }
 
