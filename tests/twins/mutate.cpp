@@ -40,7 +40,7 @@ class Mutator {
       terms(level);
     }
     for (const TokenView square : squares_of(side_)) {
-      add(Slip::power, square, "");
+      add(Slip::power, square, " ");
       add(Slip::power, square, "^3");
     }
     indices(statement);
@@ -75,7 +75,7 @@ class Mutator {
       const Piece& left = level.pieces[k - 1];
       const Piece& right = level.pieces[k + 1];
       add(Slip::order, cover(span_of(left.tokens), span_of(right.tokens)),
-          fmt::format("{} {} {}", text(right.tokens), text(piece.tokens), text(left.tokens)));
+          fmt::format(" {} {} {}", text(right.tokens), text(piece.tokens), text(left.tokens)));
     }
   }
 
