@@ -40,7 +40,7 @@ class Mutator {
       terms(level);
     }
     for (const TokenView square : squares_of(side_)) {
-      add(Slip::power, square, "");
+      add(Slip::power, square, is_between_word_and_letter(square) ? " " : "");
       add(Slip::power, square, "^3");
     }
     indices(statement);
@@ -63,6 +63,14 @@ class Mutator {
   void insert(Slip slip, TokenView before, std::string addition) {
     const Span span = span_of(before);
     add(slip, Span{span.file, span.begin, span.begin}, std::move(addition));
+  }
+
+  /// `\nu^2q` becomes `\nu q`.
+  bool is_between_word_and_letter(TokenView square) const {
+    const auto begin = static_cast<std::size_t>(square.data() - side_.data());
+    const std::size_t end = begin + square.size();
+    return begin > 0 && side_[begin - 1].kind == TokenKind::control && end < side_.size() &&
+           side_[end].kind == TokenKind::letter;
   }
 
   void products(const Level& level) {

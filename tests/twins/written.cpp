@@ -130,9 +130,14 @@ class Cutter {
   }
 
   void scripts() {
-    while (at_ < tokens_.size() &&
-           (tokens_[at_].kind == TokenKind::superscript || tokens_[at_].kind == TokenKind::subscript)) {
-      at_ = argument_at(tokens_, at_ + 1).next;
+    while (at_ < tokens_.size()) {
+      if (is_sign(tokens_[at_], "'")) {
+        ++at_;
+      } else if (tokens_[at_].kind == TokenKind::superscript || tokens_[at_].kind == TokenKind::subscript) {
+        at_ = argument_at(tokens_, at_ + 1).next;
+      } else {
+        return;
+      }
     }
   }
 
@@ -185,6 +190,8 @@ std::vector<TokenView> squares_of(TokenView side) {
   std::vector<TokenView> squares;
   for (std::size_t k = 0; k < side.size(); ++k) {
     if (side[k].kind != TokenKind::superscript) continue;
+    const bool operation = k > 0 && (is_control(side[k - 1], "nabla") || is_control(side[k - 1], "partial"));
+    if (operation) continue;  // not a power, but "twice"
     const Argument exponent = argument_at(side, k + 1);
     if (text_of(exponent.content) == "2") squares.push_back(side.subspan(k, exponent.next - k));
   }
