@@ -141,7 +141,8 @@ class Judging {
     judgement_.diagnostics.push_back({kind, claim_.relation, std::move(message), {}, std::move(help)});
   }
 
-  /// What only a derivative of an assumption shows is looked for as well, before a claim is given up or refuted.
+  /// What only a derivative of an assumption shows is looked for as well, before a claim is given up or
+  /// refuted.
   Decision decide_order(int order) {
     const Precision precision = claim_.nearly ? Precision::small_order : Precision::exact;
     prepared_ = prepare(tree_, names_, claim_.equation, 0, precision, order);

@@ -59,7 +59,7 @@ class Preparation {
           prepared_.question.definitions.push_back(found->definition);
           prepared_.definitions.push_back(found->origin);
           pending.push_back(found->definition.body);
-        } else if (is_constant(symbol)) {
+        } else if (is_constant(symbol) || vanishes_to_zeroth_order(symbol)) {
           prepared_.question.zeroed.push_back(symbol);
         }
       }
@@ -150,6 +150,17 @@ class Preparation {
            (derivation->small > 0 && constant_by(By::small));
   }
 
+  /// A small quantity, or its rate, where that is a symbol of its own.
+  bool vanishes_to_zeroth_order(SymbolId symbol) const {
+    if (precision_ != Precision::small_order) return false;
+    const auto& derivation = tree_.symbols[symbol].derivation;
+    if (derivation && derivation->small > 0) return false;
+    return std::any_of(names_.small().begin(), names_.small().end(), [&](const SmallQuantity& small) {
+      const ExprNode& node = tree_[small.quantity];
+      return node.slot_count == 0 && node.symbol == base_of(symbol);
+    });
+  }
+
   // --- assumptions
 
   SymbolId base_of(SymbolId symbol) const {
@@ -186,7 +197,8 @@ class Preparation {
     for (const NamedAssumption& assumption : names_.assumptions())
       grew = add(assumption.equation, &assumption) || grew;
     for (const SmallQuantity& small : names_.small()) {
-      if (precision_ == Precision::small_order) grew = add(vanishing(small), nullptr) || grew;
+      const bool component = tree_[small.quantity].slot_count > 0;
+      if (precision_ == Precision::small_order && component) grew = add(vanishing(small), nullptr) || grew;
     }
     return grew;
   }

@@ -21,11 +21,11 @@ struct Prepared {
 /// How a claim is meant: exactly, or order by order in what is small.
 enum class Precision : std::uint8_t { exact, small_order };
 
-/// `slack`: by how many orders derivatives of assumptions may go beyond those in the claim: a condition may only
-/// show in them. `order`: which derivative by the small parameter is asked for, where everything small is 0; 0 and 1 make
-/// "equal to first order".
-[[nodiscard]] Prepared prepare(ExprTree& tree, Names& names, const Equation& claim,
-                               int slack = 0, Precision precision = Precision::exact, int order = 0);
+/// `slack`: by how many orders derivatives of assumptions may go beyond those in the claim: a condition may
+/// only show in them. `order`: which derivative by the small parameter is asked for, where everything small
+/// is 0; 0 and 1 make "equal to first order".
+[[nodiscard]] Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack = 0,
+                               Precision precision = Precision::exact, int order = 0);
 
 /// Do the assumptions that a question took speak of derivatives, so that more slack may show more?
 [[nodiscard]] bool speaks_of_derivatives(const Prepared& prepared);

@@ -39,7 +39,10 @@ class Session {
   void declare_symbol(const Directive& directive, SyntaxId id);
   void declare_rotation(const Directive& directive, const NameKey& key, SymbolId symbol);
   void declare_basis(const Directive& directive, SyntaxId id);
-  void declare_elaborated(const Directive& directive, SyntaxId id);  // constant, small, frame
+  void declare_elaborated(const Directive& directive, SyntaxId id);  // constant, variable, small, frame
+  std::optional<Typed> read_declared(SyntaxId id);
+  void declare_read(const Directive& directive, const Typed& typed);
+  void declare_small(const Directive& directive, const Typed& typed);
   void declare_constant(const Directive& directive, const Typed& typed);
   void imply_primed_axes();
   ExprId whole_symbol(const Typed& typed);

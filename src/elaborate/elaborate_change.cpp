@@ -40,12 +40,24 @@ bool Elaborator::frame_is_open(const Typed& typed, Span span) {
   return true;
 }
 
+/// d/dt of a field follows the motion; only ∂/∂t is a free symbol.
+bool Elaborator::is_total_rate_of_field(const Typed& typed, Span span) {
+  for (const SymbolId symbol : symbols_in(tree_, typed.id)) {
+    const bool varies = names_.dependence(tree_, symbol, By::space).kind == Dependence::Kind::varies;
+    if (!varies || !names_.is_field(tree_, symbol)) continue;
+    unsupported(span, fmt::format("the total rate of the field `{}` is not decided", tree_.symbols[symbol].name),
+                {"`\\frac{\\partial}{\\partial t}` is read, and `(\\mathbf{v}\\cdot\\nabla)`"});
+    return true;
+  }
+  return false;
+}
+
 /// `\dot x`. A dot on the length r of a vector is d|r|/dt, to the letter.
 std::optional<Typed> Elaborator::rate(const WrittenSymbol& written, Span span) {
   WrittenSymbol bare = written;
   const int times = std::exchange(bare.dots, std::uint8_t{0});
   Maybe typed = symbol(bare, span);
-  if (!typed || frame_is_open(*typed, span)) return std::nullopt;
+  if (!typed || frame_is_open(*typed, span) || is_total_rate_of_field(*typed, span)) return std::nullopt;
   if (tree_[typed->id].op != Op::length) return rate_of(std::move(*typed), times);
   dotted_length_ = span;
   if (!reading_.dots_on_vectors) return rate_of(std::move(*typed), times);
@@ -63,7 +75,8 @@ std::optional<Typed> Elaborator::derivative(SyntaxId id) {
     const WrittenSymbol& by = variable.symbol;
     const bool time = by.letter == "t" && by.lower.empty() && by.face == Face::plain;
     if (time) {
-      if (frame_is_open(*operand, span)) return std::nullopt;
+      const bool partial = syntax_.derivative(id).partial;
+      if (frame_is_open(*operand, span) || (!partial && is_total_rate_of_field(*operand, span))) return std::nullopt;
       operand = rate_of(std::move(*operand), variable.times);
       continue;
     }

@@ -125,6 +125,7 @@ class Elaborator {
   Maybe by_coordinate(Typed operand, const WrittenSymbol& variable, Span span);
   Differentiator differentiator(By by, Slot axis = {});
   bool frame_is_open(const Typed& typed, Span span);
+  bool is_total_rate_of_field(const Typed& typed, Span span);
   bool is_operator(SyntaxId id) const;
   Maybe apply_operator(std::span<const SyntaxChild> factors, std::size_t at, std::size_t& next);
   Maybe apply_nabla(const std::string& what, const Typed& operand, Span span);

@@ -168,6 +168,12 @@ Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
   return {};
 }
 
+bool Names::is_field(const ExprTree& tree, SymbolId symbol) const {
+  const auto& derivation = tree.symbols[symbol].derivation;
+  const NameKey* key = key_of(derivation ? derivation->base : symbol);
+  return key != nullptr && !key->per_particle && sightings.fields.contains(key->base);
+}
+
 bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
   const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
   if (definition_of(base) != nullptr || definition_of(symbol) != nullptr) return true;

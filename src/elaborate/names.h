@@ -124,6 +124,8 @@ class Names {
   /// From here on components are along turning axes; `before` is what held without them, and holds again
   /// behind the section.
   void declare_frame(Frame frame, Scene before);
+  /// Does a ∂ or ∇ stand before it somewhere in the file?
+  [[nodiscard]] bool is_field(const ExprTree& tree, SymbolId symbol) const;
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
   void declare_small(SmallQuantity small);
   [[nodiscard]] const std::vector<SmallQuantity>& small() const { return small_; }

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Definitions, rules for derivatives, and assumptions.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "check/identity_reading.h"
+#include "check/session.h"
+
+namespace rigor {
+namespace {
+
+bool contains(const std::vector<SymbolId>& symbols, SymbolId symbol) {
+  return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
+}
+
+}  // namespace
+
+/// The left side is one bare symbol with distinct index letters, or none, and nothing free on the right that
+/// it does not carry.
+std::optional<Definition> Session::as_definition(const Typed& left, const Typed& right) {
+  const ExprNode node = tree_[left.id];
+  if (node.op == Op::power && node.exponent == 2) return as_square(left, right);
+  if (node.op != Op::symbol || left.rank != right.rank) return std::nullopt;
+  Definition definition;
+  definition.symbol = node.symbol;
+  definition.particle = node.particle;
+  definition.body = right.id;
+  for (const Slot& slot : tree_.slots(left.id)) {
+    const bool repeated = std::any_of(definition.indices.begin(), definition.indices.end(),
+                                      [&](IndexId id) { return id == slot.variable; });
+    if (slot.axis != 0 || repeated) return std::nullopt;
+    definition.indices.push_back(slot.variable);
+  }
+  const bool letters_fit = std::all_of(right.free.begin(), right.free.end(), [&](const FreeIndex& free) {
+    return std::find(definition.indices.begin(), definition.indices.end(), free.id) !=
+           definition.indices.end();
+  });
+  const bool particles_fit =
+      std::all_of(right.particles.begin(), right.particles.end(),
+                  [&](const FreeParticle& free) { return free.id == definition.particle; });
+  const bool all_bound = left.free.size() == definition.indices.size() &&
+                         left.particles.size() == (node.particle == no_particle ? 0u : 1u);
+  if (!letters_fit || !particles_fit || !all_bound) return std::nullopt;
+  if (!is_literal_zero(tree_, right) && right.free.size() != definition.indices.size()) return std::nullopt;
+  return is_circular(left, right) ? std::nullopt : std::optional(definition);
+}
+
+/// `(\\Omega_1)^2 = …` says what a number is by its square; of the two, it is the one that is not negative.
+std::optional<Definition> Session::as_square(const Typed& left, const Typed& right) {
+  Typed base = left;
+  base.id = tree_.children(left.id)[0];
+  const bool plain = tree_[base.id].op == Op::symbol && tree_.slots(base.id).empty() &&
+                     tree_[base.id].particle == no_particle && right.free.empty() && right.particles.empty();
+  if (!plain || right.rank != 0 || is_circular(base, right)) return std::nullopt;
+  Definition definition;
+  definition.symbol = tree_[base.id].symbol;
+  definition.body = tree_.add({.op = Op::root, .span = tree_[right.id].span}, std::span(&right.id, 1));
+  return definition;
+}
+
+/// Does the right side lead back to the symbol on the left?
+bool Session::is_circular(const Typed& left, const Typed& right) const {
+  if (tree_[left.id].op != Op::symbol) return false;
+  std::vector<SymbolId> reached;
+  std::vector<ExprId> pending{right.id};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(tree_, id)) {
+      if (contains(reached, symbol)) continue;
+      reached.push_back(symbol);
+      if (const NamedDefinition* definition = names_.definition_of(symbol))
+        pending.push_back(definition->definition.body);
+    }
+  }
+  return contains(reached, tree_[left.id].symbol);
+}
+
+/// `(\Omega_1)^2` names a number by its square; `v^2 = u^2 + 2as` is a law.
+bool Session::stands_in_brackets(SyntaxId power) const {
+  return notes_.syntax[power].kind == SyntaxKind::power &&
+         notes_.syntax[notes_.syntax.child(power, 0)].kind == SyntaxKind::group;
+}
+
+bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context,
+                      Step& step) {
+  if (context.role == Role::claim || context.role == Role::given) return false;
+  const auto definition = as_definition(*left.typed, *right.typed);
+  if (!definition && context.role == Role::let && is_circular(*left.typed, *right.typed)) {
+    names_.mark_used(context.directive);
+    step.diagnostics.push_back(
+        {DiagnosticKind::circular_definition, step.relation_span,
+         fmt::format("`{}` is defined through itself", written(tree_[left.typed->id].span))});
+    return true;
+  }
+  if (!definition) return false;
+  const bool square = tree_[left.typed->id].op == Op::power;
+  const bool named_definition =
+      parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let;
+  if (square && !named_definition && !stands_in_brackets(parsed.sides[0])) return false;
+  const bool rate = tree_.symbols[definition->symbol].derivation.has_value();  // a law, not a name
+  const bool known = names_.definition_of(definition->symbol) != nullptr;
+  const bool seen = names_.seen_in_equation(definition->symbol);
+  if (context.role == Role::display && (known || rate || (seen && !named_definition))) return false;
+  if (const NamedDefinition* earlier = names_.definition_of(definition->symbol)) {
+    if (earlier->origin.directive) names_.mark_used(*earlier->origin.directive);
+    step.diagnostics.push_back(
+        {DiagnosticKind::redefinition, step.relation_span,
+         fmt::format("`{}` replaces `{}`", written(tree_[left.typed->id].span), earlier->origin.text)});
+  }
+  add_definition(*left.typed, *right.typed, parsed, context, step);
+  return true;
+}
+
+void Session::add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
+                             const Context& context, Step& step) {
+  const auto definition = as_definition(left, right);
+  const std::string name = written(tree_[left.id].span);
+  Origin origin{fmt::format("definition {} {}", name, place_name(parsed)), section_, std::nullopt};
+  if (context.role == Role::let) {
+    origin.text = fmt::format("let {}", name);
+    origin.directive = context.directive;
+  }
+  names_.define({*definition, std::move(origin), 0});
+  step.verdict = Verdict::definition;
+  step.route = "definition";
+}
+
+/// Another section gives a symbol another meaning, in other symbols or as another number: a warning and a new
+/// definition. What can be compared with the earlier meaning is a claim, wherever it stands.
+bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
+                        const Typed& right, Step& step) {
+  const auto definition = as_definition(left, right);
+  if (!definition) return false;
+  const NamedDefinition* earlier = names_.definition_of(definition->symbol);
+  if (earlier == nullptr || earlier->origin.directive || earlier->origin.section == section_) return false;
+  Question question;
+  question.tree = &tree_;
+  for (const NamedDefinition& named : names_.definitions()) question.definitions.push_back(named.definition);
+  const bool numbers =
+      primitive_symbols(question, left.id).empty() && primitive_symbols(question, right.id).empty();
+  const bool law = std::any_of(
+      judgement.diagnostics.begin(), judgement.diagnostics.end(),
+      [](const Diagnostic& diagnostic) { return diagnostic.kind == DiagnosticKind::undeclared_symbol; });
+  if (!law && !(numbers && judgement.verdict == Verdict::refuted)) return false;
+  step.diagnostics.push_back(
+      {DiagnosticKind::redefinition, step.relation_span,
+       fmt::format("`{}` has another meaning than in `{}`, which is forgotten from here on",
+                   written(tree_[left.id].span), earlier->origin.text)});
+  add_definition(left, right, parsed, {}, step);
+  return true;
+}
+
+/// `given \\dot{\\mathbf r} = …`: a derivative is replaced wherever it stands.
+bool Session::is_rule(const Typed& left, const Typed& right) {
+  const auto definition = as_definition(left, right);
+  if (!definition || tree_[left.id].op != Op::symbol) return false;
+  return tree_.symbols[definition->symbol].derivation && names_.definition_of(definition->symbol) == nullptr;
+}
+
+/// Rules for the components 1, 2 and 3 of one derivative are a rule for the whole.
+void Session::join_component_rules(const Typed& left) {
+  const ExprNode node = tree_[left.id];
+  const bool component = node.op == Op::symbol && tree_.symbols[node.symbol].derivation &&
+                         tree_.symbols[node.symbol].rank == 1 && node.slot_count == 1 &&
+                         node.particle == no_particle;
+  if (!component || names_.definition_of(node.symbol) != nullptr) return;
+  std::array<const NamedAssumption*, 3> rules{};
+  for (const NamedAssumption& assumption : names_.assumptions()) {
+    const Equation& equation = assumption.equation;
+    const bool fits = equation.relation == Relation::equal && tree_[equation.left].op == Op::symbol &&
+                      tree_[equation.left].symbol == node.symbol && tree_[equation.left].slot_count == 1;
+    const std::uint8_t axis = fits ? tree_.slots(equation.left)[0].axis : std::uint8_t{0};
+    if (axis != 0) rules[axis - 1u] = &assumption;
+  }
+  std::array<ExprId, 3> components{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (rules[k] == nullptr) return;
+    components[k] = rules[k]->equation.right;
+    for (const SymbolId symbol : symbols_in(tree_, components[k])) {
+      if (symbol == node.symbol) return;
+    }
+  }
+  const Origin origin = rules[2]->origin;
+  const ExprId whole = tree_.add({.op = Op::tuple, .rank = 1, .span = node.span}, components);
+  names_.define({{node.symbol, {}, no_particle, whole}, origin, 0});
+}
+
+void Session::add_assumption(const Typed& left, const Typed& right, const Equation& equation,
+                             const ParsedChain& parsed, const Context& context, Step& step) {
+  Origin origin{fmt::format("given {} {} {}", step.left, step.relation, step.right), section_,
+                context.directive};
+  step.verdict = Verdict::given;
+  step.route = "assumption";
+  if (equation.relation == Relation::equal && is_rule(left, right)) {
+    names_.define({*as_definition(left, right), std::move(origin), 0});
+    return;
+  }
+  names_.assume({equation, std::move(origin), 0});
+  join_component_rules(left);
+  if (assumptions_have_a_sample(tree_, names_)) return;
+  names_.doubt_last_assumption();
+  step.diagnostics.push_back(
+      {DiagnosticKind::no_sample,
+       parsed.written.span,
+       "no sample was found that satisfies this together with the assumptions in force",
+       {},
+       {"a proof from what cannot be proves nothing"}});
+}
+
+}  // namespace rigor
