@@ -52,6 +52,7 @@ class Refuter {
   void consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt);
   void look_among_tiny_points(Counterexample& best);
   void drop_particles(Counterexample& best);
+  void make_particles_alike(Counterexample& best);
   [[nodiscard]] bool make_smaller(Counterexample& best);
   [[nodiscard]] Sample to_sample(const Counterexample& found) const;
 

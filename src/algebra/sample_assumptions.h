@@ -8,12 +8,13 @@
 
 namespace rigor {
 
-/// The assumptions that samples have to meet, and the search for the numbers to change. Method: for each
-/// component of each assumption that does not hold yet, a number in which left − right is linear is solved
-/// for, and not touched again: first one of a symbol that no earlier assumption has, then of one that is a
-/// whole side, then one of the last particle, then of higher rank. Sides that an order holds apart are put at
-/// a small distance first. In the end everything is verified. Not complete: where the search finds nothing,
-/// another sample or another order (`attempt`) may do.
+/// The assumptions that samples have to meet, and the search for the numbers to change. Method: each
+/// assumption that does not hold yet is solved for the numbers of one symbol, if it is linear in them: one
+/// that no other assumption has, then one that no earlier one has, then one that is a whole side, then a
+/// particle's. What an assumption was solved for is not touched by others; where it is broken by them, it is
+/// solved again, a few times. Sides that an order holds apart are put at a small distance first. In the end
+/// everything is verified. Not complete: where the search finds nothing, another sample or another order
+/// (`attempt`) may do.
 class AssumptionSolver {
  public:
   AssumptionSolver(const Scope& scope, std::vector<std::size_t> assumptions);
@@ -26,14 +27,34 @@ class AssumptionSolver {
   [[nodiscard]] bool solve(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const;
 
  private:
-  void solve_equations(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const;
+  struct Owned {  // a number that an assumption was solved for
+    Coordinate at;
+    std::size_t assumption;
+  };
+  struct Search {
+    SampleEvaluator& evaluator;
+    SamplePoint& point;
+    std::uint32_t attempt;
+    std::vector<Owned> owned = {};
+  };
+  [[nodiscard]] bool solve_equations(SampleEvaluator& evaluator, SamplePoint& point,
+                                     std::uint32_t attempt) const;
+  [[nodiscard]] bool solve_equation(Search& search, std::size_t assumption) const;
+  [[nodiscard]] bool solve_for_symbol(Search& search, std::size_t assumption, SymbolId symbol,
+                                      const std::vector<Rational>& residuals) const;
+  [[nodiscard]] bool solve_place_by_place(Search& search, std::size_t assumption) const;
+  [[nodiscard]] const Equation& equation(std::size_t assumption) const {
+    return scope_->question().assumptions[assumptions_[assumption]];
+  }
+  [[nodiscard]] bool is_side(std::size_t assumption, SymbolId symbol) const;
+  void order_symbols(std::size_t assumption);
   void solve_orders(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t turn) const;
   [[nodiscard]] std::vector<Coordinate> candidates(const SamplePoint& point, std::size_t assumption,
                                                    std::uint32_t attempt) const;
 
   const Scope* scope_;
   std::vector<std::size_t> assumptions_;
-  std::vector<std::vector<SymbolId>> symbols_;  // of each
+  std::vector<std::vector<SymbolId>> symbols_;  // of each, the first are the first to be solved for
   bool has_orders_ = false;
 };
 

@@ -101,6 +101,15 @@ bool SampleEvaluator::left_vanishes(const Equation& equation) {
   return vanishes;
 }
 
+std::vector<Rational> SampleEvaluator::residuals(const Equation& equation) {
+  std::vector<Rational> all;
+  for_each_place(equation, [&](const Place&, const Rational& left, const Rational& right) {
+    all.push_back(left - right);
+    return true;
+  });
+  return all;
+}
+
 Difference SampleEvaluator::at(const Equation& equation, const Place& place) {
   for (std::size_t i = 0; i < equation.particles.size(); ++i) {
     evaluator_.bind(equation.particles[i], place.particles[i]);

@@ -90,6 +90,8 @@ class SampleEvaluator {
   [[nodiscard]] bool holds(const Equation& equation) { return !difference(equation); }
   /// Is the left side zero by itself, everywhere?
   [[nodiscard]] bool left_vanishes(const Equation& equation);
+  /// left − right at all places, in the order of `places`.
+  [[nodiscard]] std::vector<Rational> residuals(const Equation& equation);
   [[nodiscard]] Difference at(const Equation& equation, const Place& place);
   [[nodiscard]] std::vector<Place> places(const Equation& equation) const;
 

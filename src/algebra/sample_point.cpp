@@ -48,14 +48,20 @@ std::uint32_t SamplePoint::last_particle(SymbolId symbol) const {
 std::vector<Coordinate> SamplePoint::coordinates() const {
   std::vector<Coordinate> all;
   for (const SymbolId symbol : symbols_) {
-    const Symbol& named = tree_->symbols[symbol];
-    const auto count =
-        static_cast<std::uint32_t>(named.unit || named.rotation ? 1 : component_count(named.rank));
-    for (std::uint32_t particle = first_particle(symbol); particle <= last_particle(symbol); ++particle) {
-      for (std::uint32_t component = 0; component < count; ++component) {
-        if (canonical_component(named, component) != component) continue;
-        all.push_back({symbol, particle, component});
-      }
+    const std::vector<Coordinate> own = coordinates_of(symbol);
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
+std::vector<Coordinate> SamplePoint::coordinates_of(SymbolId symbol) const {
+  std::vector<Coordinate> all;
+  const Symbol& named = tree_->symbols[symbol];
+  const auto count =
+      static_cast<std::uint32_t>(named.unit || named.rotation ? 1 : component_count(named.rank));
+  for (std::uint32_t particle = first_particle(symbol); particle <= last_particle(symbol); ++particle) {
+    for (std::uint32_t component = 0; component < count; ++component) {
+      if (canonical_component(named, component) == component) all.push_back({symbol, particle, component});
     }
   }
   return all;

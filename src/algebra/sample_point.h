@@ -33,6 +33,7 @@ class SamplePoint {
   }
   [[nodiscard]] std::span<const Rational> values(SymbolId symbol, std::uint32_t particle) const;
   [[nodiscard]] std::vector<Coordinate> coordinates() const;
+  [[nodiscard]] std::vector<Coordinate> coordinates_of(SymbolId symbol) const;
 
   [[nodiscard]] bool has(SymbolId symbol) const {
     return offset_[static_cast<std::size_t>(symbol)] != absent;
@@ -41,6 +42,10 @@ class SamplePoint {
   [[nodiscard]] bool is_whole(const Coordinate& at) const {
     const Symbol& named = tree_->symbols[at.symbol];
     return named.unit || named.rotation;
+  }
+  /// Can it take any value? Not one that is whole, nor an angle or a logarithm.
+  [[nodiscard]] bool is_free(const Coordinate& at) const {
+    return !is_whole(at) && meaning(at.symbol).kind == Meaning::Kind::itself;
   }
   [[nodiscard]] const Rational& operator[](const Coordinate& at) const {
     return value(at.symbol, at.particle, at.component);

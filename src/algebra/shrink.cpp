@@ -62,6 +62,19 @@ void Refuter::drop_particles(Counterexample& best) {
   }
 }
 
+/// All particles' masses 1, and the like.
+void Refuter::make_particles_alike(Counterexample& best) {
+  for (const SymbolId symbol : reach_.symbols) {
+    const Symbol& named = scope_->tree().symbols[symbol];
+    if (!named.per_particle || named.rank != 0) continue;
+    SamplePoint alike = best.drawn;
+    for (const Coordinate& at : alike.coordinates_of(symbol)) {
+      if (alike.is_free(at)) alike.set(at, 1);
+    }
+    consider(best, alike, best.attempt);
+  }
+}
+
 /// One pass over the numbers of the point; true if one became smaller.
 bool Refuter::make_smaller(Counterexample& best) {
   bool any = false;
@@ -92,6 +105,7 @@ Sample Refuter::simplest(const Counterexample& found) {
   try {
     look_among_tiny_points(best);
     drop_particles(best);
+    make_particles_alike(best);
     for (int pass = 0; pass < passes && make_smaller(best); ++pass) {
     }
   } catch (const Undecidable&) {

@@ -56,9 +56,37 @@ std::vector<SyntaxId> displayed_nodes(const Notes& notes) {
 
 }  // namespace
 
-std::set<std::string> vector_declarations(const Notes& notes, const std::vector<Step>& steps) {
+/// A letter that is a number: plain, with no index and no axis.
+bool is_scalar(const WrittenSymbol& symbol) {
+  const bool bare = symbol.face == Face::plain && symbol.accent == Accent::none && symbol.primes == 0 &&
+                    symbol.change.empty() && symbol.letter != "t" && symbol.letter != "e" &&
+                    symbol.letter != "d" && axis_of_letter(symbol.letter) == 0;
+  return bare && std::all_of(symbol.lower.begin(), symbol.lower.end(), [](const WrittenIndex& index) {
+           return index.form == IndexForm::greek || (index.form == IndexForm::digit && index.text == "0");
+         });
+}
+
+std::string scalar_name(const WrittenSymbol& symbol) {
+  std::string name = symbol.letter;
+  for (const WrittenIndex& index : symbol.lower) name += fmt::format("_{}", index.text);
+  return name;
+}
+
+std::set<std::string> declarations(const Notes& notes, const std::vector<Step>& steps) {
   const std::set<std::string> defined = defined_letters(steps);
   std::set<std::string> declarations;
+  std::set<std::string> other_faces;  // letters of vectors and tensors
+  for (const SyntaxId id : displayed_nodes(notes)) {
+    if (notes.syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = notes.syntax.symbol(id);
+    if (!is_scalar(symbol)) other_faces.insert(symbol.letter);
+  }
+  for (const SyntaxId id : displayed_nodes(notes)) {
+    if (notes.syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = notes.syntax.symbol(id);
+    if (is_scalar(symbol) && !defined.contains(symbol.letter) && !other_faces.contains(symbol.letter))
+      declarations.insert(fmt::format("scalar {}", scalar_name(symbol)));
+  }
   for (const SyntaxId id : displayed_nodes(notes)) {
     if (notes.syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = notes.syntax.symbol(id);

@@ -12,8 +12,9 @@
 
 namespace rigor::twins {
 
-/// `unit vector \hat{\mathbf{n}}` for each letter that is bold or has an arrow somewhere in the notes. Not
-/// for axes, and not for what the notes define, since a declaration would forget the definition.
-[[nodiscard]] std::set<std::string> vector_declarations(const Notes& notes, const std::vector<Step>& steps);
+/// `unit vector \hat{\mathbf{n}}` for each letter that is bold or has an arrow somewhere in the notes,
+/// `scalar k` for the other letters that stand alone. Not for axes, and not for what the notes define, since
+/// a declaration would forget the definition.
+[[nodiscard]] std::set<std::string> declarations(const Notes& notes, const std::vector<Step>& steps);
 
 }  // namespace rigor::twins

@@ -40,7 +40,7 @@ class Mutator {
       terms(level);
     }
     for (const TokenView square : squares_of(side_)) {
-      add(Slip::power, square, is_between_word_and_letter(square) ? " " : "");
+      add(Slip::power, square, " ");
       add(Slip::power, square, "^3");
     }
     indices(statement);
@@ -65,14 +65,6 @@ class Mutator {
     add(slip, Span{span.file, span.begin, span.begin}, std::move(addition));
   }
 
-  /// `\nu^2q` becomes `\nu q`.
-  bool is_between_word_and_letter(TokenView square) const {
-    const auto begin = static_cast<std::size_t>(square.data() - side_.data());
-    const std::size_t end = begin + square.size();
-    return begin > 0 && side_[begin - 1].kind == TokenKind::control && end < side_.size() &&
-           side_[end].kind == TokenKind::letter;
-  }
-
   void products(const Level& level) {
     for (std::size_t k = 0; k < level.pieces.size(); ++k) {
       const Piece& piece = level.pieces[k];
@@ -83,7 +75,7 @@ class Mutator {
       const Piece& left = level.pieces[k - 1];
       const Piece& right = level.pieces[k + 1];
       add(Slip::order, cover(span_of(left.tokens), span_of(right.tokens)),
-          fmt::format("{} {} {}", text(right.tokens), text(piece.tokens), text(left.tokens)));
+          fmt::format(" {} {} {}", text(right.tokens), text(piece.tokens), text(left.tokens)));
     }
   }
 

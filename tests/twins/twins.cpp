@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -34,9 +35,11 @@ bool has(const Step& step, std::initializer_list<DiagnosticKind> kinds) {
 Outcome outcome_of(const Step& step) {
   if (step.verdict == Verdict::proved) return Outcome::proved_equal;
   if (step.verdict == Verdict::refuted && step.counterexample) return Outcome::refuted;
+  if (step.verdict == Verdict::undecided) return Outcome::undecided;
   if (step.verdict != Verdict::not_understood) return Outcome::failed;
-  if (has(step, {DiagnosticKind::free_index_mismatch, DiagnosticKind::index_repeats,
-                 DiagnosticKind::index_clash, DiagnosticKind::rank_mismatch})) {
+  if (has(step,
+          {DiagnosticKind::free_index_mismatch, DiagnosticKind::index_repeats, DiagnosticKind::index_clash,
+           DiagnosticKind::rank_mismatch, DiagnosticKind::ambiguous_reading})) {
     return Outcome::malformed;
   }
   return has(step, {DiagnosticKind::undeclared_symbol}) ? Outcome::law_like : Outcome::failed;
@@ -63,7 +66,7 @@ class Mutations {
     Diagnostics ignored;
     document_ = read_document(sources_, whole_.file, ignored);
     const Notes notes = read_notes(sources_, whole_.file, nullptr, ignored);
-    for (const std::string& line : vector_declarations(notes, whole_.steps)) declarations_ += directive(line);
+    for (const std::string& line : declarations(notes, whole_.steps)) declarations_ += directive(line);
   }
 
   Twins all() {
@@ -104,20 +107,35 @@ class Mutations {
     return fmt::format("\\{}section{{{}}}\n\n", sub, heading.title);
   }
 
+  static bool is_for_next(std::string_view directive) {
+    constexpr std::array words{"where", "first order", "expect", "skip"};
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return directive.starts_with(word); });
+  }
+
   /// All that the notes say before the display which can matter to it.
   std::string context(std::size_t display) const {
     std::string context;
+    std::string pending;  // directives for the next statement only
     for (std::size_t k = 0; k < display; ++k) {
       const Item& item = document_.items[k];
       if (const auto* title = std::get_if<Heading>(&item)) context += heading(*title);
-      if (const auto* line = std::get_if<DirectiveLine>(&item)) context += directive(text(line->span));
+      if (const auto* line = std::get_if<DirectiveLine>(&item)) {
+        const std::string_view said = text(line->span);
+        if (said.starts_with("claim")) {
+          pending.clear();
+        } else {
+          (is_for_next(said) ? pending : context) += directive(said);
+        }
+      }
       if (const auto* macro = std::get_if<MacroText>(&item))
         context += fmt::format("{}\n", text(macro->span));
       const auto* other = std::get_if<Display>(&item);
-      if (other != nullptr && defines_something(other->span))
-        context += fmt::format("{}\n\n", text(other->span));
+      if (other == nullptr) continue;
+      if (defines_something(other->span)) context += fmt::format("{}{}\n\n", pending, text(other->span));
+      pending.clear();
     }
-    return context;
+    return context + pending;
   }
 
   struct Judged {
@@ -160,7 +178,8 @@ class Mutations {
         const std::size_t relation = step.relation_span.begin + longer;
         const std::string edited = with_edit(own, display.begin, edit);
         Judged judged = judge(before + edited, before.size() + relation - display.begin);
-        if (judged.outcome == Outcome::failed) judged = judge(with_edit(text_, 0, edit), relation);
+        if (judged.outcome == Outcome::failed || judged.outcome == Outcome::undecided)
+          judged = judge(with_edit(text_, 0, edit), relation);
         if (judged.open) {
           const std::string declared = declarations_ + before;
           Judged again = judge(declared + edited, declared.size() + relation - display.begin);
@@ -191,8 +210,8 @@ class Mutations {
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
-  static constexpr std::array<std::string_view, outcome_count> names{"refuted",   "declared", "proved equal",
-                                                                     "malformed", "law-like", "failed"};
+  static constexpr std::array<std::string_view, outcome_count> names{
+      "refuted", "declared", "proved equal", "malformed", "undecided", "law-like", "failed"};
   return names[static_cast<std::size_t>(outcome)];
 }
 

@@ -21,11 +21,12 @@ enum class Outcome : std::uint8_t {
   refuted_declared,  // once its symbols are declared to be meant for all values; before that it reads as a
                      // law
   proved_equal,      // the slip changes nothing: see proved_equal.txt
-  malformed,         // a diagnostic for an index or a rank
+  malformed,         // a diagnostic for an index, a rank or a reading
+  undecided,         // with a reason: see undecided.txt
   law_like,          // reads as a law even so
   failed,            // anything else: Rigor does not see the slip
 };
-inline constexpr std::size_t outcome_count = 6;
+inline constexpr std::size_t outcome_count = 7;
 
 [[nodiscard]] std::string_view name_of(Outcome outcome);
 

@@ -130,14 +130,10 @@ class Cutter {
   }
 
   void scripts() {
-    while (at_ < tokens_.size()) {
-      if (is_sign(tokens_[at_], "'")) {
-        ++at_;
-      } else if (tokens_[at_].kind == TokenKind::superscript || tokens_[at_].kind == TokenKind::subscript) {
-        at_ = argument_at(tokens_, at_ + 1).next;
-      } else {
-        return;
-      }
+    while (at_ < tokens_.size() &&
+           (tokens_[at_].kind == TokenKind::superscript || tokens_[at_].kind == TokenKind::subscript ||
+            is_sign(tokens_[at_], "'"))) {
+      at_ = is_sign(tokens_[at_], "'") ? at_ + 1 : argument_at(tokens_, at_ + 1).next;
     }
   }
 
@@ -145,6 +141,17 @@ class Cutter {
   std::size_t at_ = 0;
   std::vector<TokenView>* inner_ = nullptr;
 };
+
+/// `\nabla^2`, `d^2x`, `\partial t^2`: how often, not a power.
+bool counts_derivatives(TokenView side, std::size_t superscript) {
+  const auto is_d = [&](std::size_t at) {
+    return is_control(side[at], "nabla") || is_control(side[at], "partial") ||
+           (side[at].kind == TokenKind::letter && side[at].text == "d");
+  };
+  return (superscript > 0 && is_d(superscript - 1)) ||
+         (superscript > 1 && (is_d(superscript - 2) ||
+                              (superscript > 2 && is_blank(side[superscript - 2]) && is_d(superscript - 3))));
+}
 
 }  // namespace
 
@@ -189,9 +196,7 @@ std::vector<TokenView> subscripts_of(TokenView side) {
 std::vector<TokenView> squares_of(TokenView side) {
   std::vector<TokenView> squares;
   for (std::size_t k = 0; k < side.size(); ++k) {
-    if (side[k].kind != TokenKind::superscript) continue;
-    const bool operation = k > 0 && (is_control(side[k - 1], "nabla") || is_control(side[k - 1], "partial"));
-    if (operation) continue;  // not a power, but "twice"
+    if (side[k].kind != TokenKind::superscript || counts_derivatives(side, k)) continue;
     const Argument exponent = argument_at(side, k + 1);
     if (text_of(exponent.content) == "2") squares.push_back(side.subspan(k, exponent.next - k));
   }

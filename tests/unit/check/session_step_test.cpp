@@ -174,8 +174,7 @@ TEST_CASE("a zero stands for the zero vector, and is no proof of 0 = 0") {
 }
 
 TEST_CASE("a relation that is not decided says so at its place") {
-  CHECK(verdict_on("\\delta_{ii} \\approx 3") == "not-understood 2:13 unsupported");
-  CHECK(verdict_on("\\delta_{ii} < 4") == "not-understood 2:13 unsupported");
+  CHECK(verdict_on("\\delta_{ii} \\ll 4") == "not-understood 2:13 unsupported");
   CHECK(verdict_on("\\delta_{ii} \\overset{!}{=} 3") == "not-understood 2:13 unsupported");
   CHECK(verdict_on("\\delta_{ii} \\equiv 3") == "proved");
 }
@@ -183,7 +182,6 @@ TEST_CASE("a relation that is not decided says so at its place") {
 TEST_CASE("a condition beside an equation leaves it unjudged") {
   CHECK(verdict_on("\\delta_{ij} = 0 \\quad \\text{if } i \\ne j") == "not-understood 2:23 unsupported");
   CHECK(verdict_on("\\delta_{ij} = 0, \\quad i \\ne j") == "not-understood 2:24 unsupported");
-  CHECK(verdict_on("\\delta_{ij}A_j = A_i \\quad \\text{(no sum)}") == "not-understood 2:28 unsupported");
   CHECK(verdict_on("\\delta_{ij}A_j = A_i, \\quad i = 1,2,3 \\quad (7)") == "proved");
 }
 

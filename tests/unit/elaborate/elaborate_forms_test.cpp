@@ -51,9 +51,10 @@ TEST_CASE("double bars are for vectors only") {
   CHECK(meaning("\\|a\\|") == "1 rank-mismatch: ?");
 }
 
-TEST_CASE("bars around a tensor are not decided") {
-  CHECK(meaning("|\\overleftrightarrow{\\mathbf I}|") == "1 unsupported: ?");
-  CHECK(meaning("|I_{ij}|") == "1 unsupported: ?");
+TEST_CASE("bars around a tensor are its determinant") {
+  const std::string rows = "I[1,1] I[1,2] I[1,3] I[2,1] I[2,2] I[2,3] I[3,1] I[3,2] I[3,3]";
+  CHECK(meaning("|\\overleftrightarrow{\\mathbf I}|").starts_with("(determinant "));
+  CHECK(meaning("|I_{ij}|") == "(determinant " + rows + ")");
 }
 
 TEST_CASE("a root is of a scalar") {
@@ -76,7 +77,7 @@ TEST_CASE("a bracket has as many indices as axes") {
   CHECK(meaning("b(\\mathbf{A}\\times\\mathbf{B})_{ij}") == "2 rank-mismatch: ?");
   CHECK(meaning("(\\mathbf{A}\\cdot\\mathbf{B})_i") == "1 rank-mismatch: ?");
   CHECK(meaning("(\\mathbf{A}+\\mathbf{B})_{\\text{rot}}") == "26 unsupported: ?");
-  CHECK(meaning("(\\mathbf{A})_{i'}") == "15 unsupported: ?");
+  CHECK(meaning("(\\mathbf{A})_{i'}") == "1 ambiguous-reading: ?");
 }
 
 TEST_CASE("three scalars in brackets are a vector") {

@@ -39,8 +39,8 @@ TEST_CASE("a free index in one term only is reported at that index") {
 }
 
 TEST_CASE("every part that is not understood is reported") {
-  CHECK(meaning("\\dot{\\mathbf{A}} + \\foo") == "1 unsupported, 20 unsupported: ?");
-  CHECK(meaning("\\dot{x}\\sin y") == "1 unsupported, 8 unsupported: ?");
+  CHECK(meaning("\\mathbf{A}\\otimes\\mathbf{B} + \\foo") == "11 unsupported, 31 unsupported: ?");
+  CHECK(meaning("\\foo\\arctan y") == "1 unsupported, 5 unsupported: ?");
 }
 
 TEST_CASE("a sum over a letter runs over the axes") {

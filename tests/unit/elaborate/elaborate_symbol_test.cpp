@@ -153,10 +153,10 @@ TEST_CASE("letters a to h are labels unless index notation makes them indices") 
   CHECK(meaning("\\delta_{ab}A_b") == "(index-sum b (multiply delta[a,b] A[b]))");
 }
 
-TEST_CASE("primes on a letter are part of its name, primed axes are not decided") {
+TEST_CASE("primes on a letter are part of its name, primed axes need a rotation") {
   CHECK(meaning("\\mathbf{r}'\\cdot\\mathbf{r}") == "(dot \\mathbf{r}' \\mathbf{r})");
   CHECK(meaning("A'_i") == "A'[i]");
-  CHECK(meaning("A_{i'}") == "4 unsupported: ?");
+  CHECK(meaning("A_{i'}") == "1 ambiguous-reading: ?");
 }
 
 TEST_CASE("δ and ε take index letters and axes") {
@@ -164,9 +164,9 @@ TEST_CASE("δ and ε take index letters and axes") {
   CHECK(meaning("\\delta_{i4}") == "1 unsupported: ?");
 }
 
-TEST_CASE("δ without indices reads as a change, and π as any number by guess") {
-  CHECK(meaning("\\delta x") == "1 unsupported: ?");
-  CHECK(meaning("\\Delta x") == "1 unsupported: ?");
+TEST_CASE("δ before a letter is part of its name, and π is any number by guess") {
+  CHECK(meaning("\\delta x") == "\\delta x");
+  CHECK(meaning("\\Delta x") == "\\Delta x");
   Statements statements;
   CHECK(statements.meaning("\\pi") == "\\pi");
   CHECK(statements.guess.has_value());
