@@ -239,6 +239,15 @@ void Session::declare_elaborated(const Directive& directive, SyntaxId id) {
     own.push_back({DiagnosticKind::bad_directive, notes_.syntax[id].span, "an angular velocity is a vector"});
     typed.reset();
   }
+  if (typed && directive.kind == DirectiveKind::frame && !names_.frames().empty()) {
+    own.push_back({DiagnosticKind::unsupported,
+                   directive.span,
+                   fmt::format("the frame `{}` is in force here, and components are along its axes",
+                               names_.frames().back().rotating),
+                   {},
+                   {"a new section ends it"}});
+    typed.reset();
+  }
   if (!typed || tree_[typed->id].op != Op::symbol) {
     report_.diagnostics.insert(report_.diagnostics.end(), own.begin(), own.end());
     if (own.empty())
