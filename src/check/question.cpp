@@ -192,8 +192,9 @@ class Preparation {
   }
 
   Equation vanishing(const SmallQuantity& small) {
-    Equation& known = vanishing_[small.quantity];
-    if (known.left != small.quantity) {
+    const auto [entry, fresh] = vanishing_.try_emplace(small.quantity);
+    Equation& known = entry->second;
+    if (fresh) {
       const ExprNode node = tree_[small.quantity];
       known.left = small.quantity;
       known.right = zero_of_rank(tree_, node.span, node.rank);
