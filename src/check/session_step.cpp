@@ -357,7 +357,7 @@ void Session::join_component_rules(const Typed& left) {
       if (symbol == node.symbol) return;
     }
   }
-  const Origin origin = rules[2]->origin;
+  const Origin origin = names_.assumptions().back().origin;  // of the last, without which it does not hold
   const ExprId whole = tree_.add({.op = Op::tuple, .rank = 1, .span = node.span}, components);
   names_.define({{node.symbol, {}, no_particle, whole}, origin, 0});
 }

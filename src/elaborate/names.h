@@ -113,6 +113,9 @@ class Names {
     assumptions_ = std::move(scene.assumptions);
   }
 
+  /// What a directive defined and assumed holds no longer.
+  void forget(std::size_t directive);
+
   void declare_constant(SymbolId symbol, std::size_t directive);
   void declare_variable(SymbolId symbol) { variables_.emplace_back(symbol, depth_); }
   /// How a symbol (or a derivative) changes; marks the directive that says so as used. What nothing is said
