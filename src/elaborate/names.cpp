@@ -157,6 +157,7 @@ const NameKey* Names::key_of(SymbolId symbol) const {
 
 Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
   using Kind = Dependence::Kind;
+  if (by == By::small) return {};  // what does not change in time can be small
   const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
   const NameKey* base_key = key_of(base);
   for (const Constant& constant : constants_) {
