@@ -55,4 +55,10 @@ struct Reach {
 /// assumptions, and of those without symbols. The others cannot bear on it: they are about other things.
 [[nodiscard]] std::vector<std::size_t> relevant_assumptions(const Scope& scope);
 
+/// Those among some assumptions that do more than fix what occurs nowhere else: where no more equations have
+/// a symbol than it has components, and the claim has it not, they can be met whatever the others are. The
+/// proof of a claim seldom needs them.
+[[nodiscard]] std::vector<std::size_t> core_assumptions(const Scope& scope,
+                                                        const std::vector<std::size_t>& positions);
+
 }  // namespace rigor
