@@ -24,7 +24,7 @@ Refuter::Refuter(const Scope& scope, const Limits& limits)
       solver_(scope, relevant_assumptions(scope)),
       reach_(reach_of_sample(scope, solver_.assumptions())),
       evaluator_(scope),
-      sequence_(scope.tree(), reach_) {}
+      sequence_(scope.tree(), reach_, solver_.has_particle_sums()) {}
 
 std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& drawn, std::uint32_t attempt) {
   point_ = drawn;
@@ -55,7 +55,7 @@ std::optional<Refuter::Counterexample> Refuter::quick_look() {
 }
 
 bool Refuter::fails_without_assumptions() {
-  SampleSequence points(scope_->tree(), reach_);
+  SampleSequence points(scope_->tree(), reach_, false);
   for (std::uint32_t attempt = 0; attempt < free_attempts; ++attempt) {
     point_ = points.next();
     try {

@@ -37,6 +37,7 @@ void note_operation(const ExprNode& node, Reach& reached) {
       break;
     case Op::particle_sum:
       reached.particles = true;
+      reached.particle_sums = true;
       break;
     case Op::function:
       reached.functions = true;

@@ -42,6 +42,7 @@ struct Reach {
   bool particles = false;           // a sum over particles or a particle's own quantity occurs
   std::vector<SymbolId> angles;     // free scalars that only sin and cos see
   std::vector<SymbolId> exponents;  // free scalars that only exp sees
+  bool particle_sums = false;
   bool functions = false;
   bool roots = false;  // a root, a length or an absolute value
   std::optional<std::string>
