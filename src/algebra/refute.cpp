@@ -5,7 +5,7 @@ namespace rigor {
 namespace {
 
 constexpr std::uint32_t quick_attempts = 24;
-constexpr std::uint64_t quick_steps = 20'000;
+constexpr std::uint64_t quick_steps = 8'000;
 constexpr std::uint32_t free_attempts = 8;
 
 }  // namespace

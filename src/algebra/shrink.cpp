@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t tiny_attempts = 24;  // for each kind of point and number of particles
 constexpr int passes = 3;                    // over all numbers of a point
-constexpr std::uint64_t shrink_steps = 60'000;
+constexpr std::uint64_t shrink_steps = 30'000;
 constexpr std::uint64_t tiny_seed = 0x74696e79;
 
 constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
