@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order of the attempts: a quick look at samples, then proofs (definitions opaque before unfolded, no
+// The order of the attempts: a quick look at samples, then proofs (definitions opaque before unfolded, few
 // assumptions before all of them), then the search for a sample in earnest.
 #include "algebra/decide.h"
 
