@@ -91,7 +91,7 @@ class Session {
   std::optional<Definition> as_square(const Typed& left, const Typed& right);
   bool stands_in_brackets(SyntaxId power) const;
   void accept(Judgement judgement, Step& step);
-  void join_component_rules(const Typed& left);
+  bool join_component_rules(const Typed& left);  // true if it made one
   bool is_circular(const Typed& left, const Typed& right) const;
   std::optional<Definition> as_definition(const Typed& left, const Typed& right);
   void mark_seen(const std::vector<Side>& sides);

@@ -161,12 +161,12 @@ bool Session::is_rule(const Typed& left, const Typed& right) {
 }
 
 /// Rules for the components 1, 2 and 3 of one derivative are a rule for the whole.
-void Session::join_component_rules(const Typed& left) {
+bool Session::join_component_rules(const Typed& left) {
   const ExprNode node = tree_[left.id];
   const bool component = node.op == Op::symbol && tree_.symbols[node.symbol].derivation &&
                          tree_.symbols[node.symbol].rank == 1 && node.slot_count == 1 &&
                          node.particle == no_particle;
-  if (!component || names_.definition_of(node.symbol) != nullptr) return;
+  if (!component || names_.definition_of(node.symbol) != nullptr) return false;
   std::array<const NamedAssumption*, 3> rules{};
   for (const NamedAssumption& assumption : names_.assumptions()) {
     const Equation& equation = assumption.equation;
@@ -177,15 +177,23 @@ void Session::join_component_rules(const Typed& left) {
   }
   std::array<ExprId, 3> components{};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (rules[k] == nullptr) return;
+    if (rules[k] == nullptr) return false;
     components[k] = rules[k]->equation.right;
     for (const SymbolId symbol : symbols_in(tree_, components[k])) {
-      if (symbol == node.symbol) return;
+      if (symbol == node.symbol) return false;
     }
   }
   const Origin origin = rules[2]->origin;
+  for (const NamedAssumption* rule : {rules[0], rules[1]}) {
+    if (rule->origin.directive) names_.mark_used(*rule->origin.directive);  // the last one stands for all
+  }
+  const std::array equations{rules[0]->equation.left, rules[1]->equation.left, rules[2]->equation.left};
+  names_.drop_assumptions([&](const NamedAssumption& assumption) {
+    return std::find(equations.begin(), equations.end(), assumption.equation.left) != equations.end();
+  });
   const ExprId whole = tree_.add({.op = Op::tuple, .rank = 1, .span = node.span}, components);
   names_.define({{node.symbol, {}, no_particle, whole}, origin, 0});
+  return true;
 }
 
 void Session::add_assumption(const Typed& left, const Typed& right, const Equation& equation,
@@ -199,7 +207,7 @@ void Session::add_assumption(const Typed& left, const Typed& right, const Equati
     return;
   }
   names_.assume({equation, std::move(origin), 0});
-  join_component_rules(left);
+  if (join_component_rules(left)) return;
   if (assumptions_have_a_sample(tree_, names_)) return;
   names_.doubt_last_assumption();
   step.diagnostics.push_back(

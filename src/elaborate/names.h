@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -134,6 +135,9 @@ class Names {
   void set_primed_axes(SymbolId rotation) { primed_axes_ = rotation; }
 
   void doubt_last_assumption() { assumptions_.back().without_sample = true; }
+  void drop_assumptions(const std::function<bool(const NamedAssumption&)>& which) {
+    std::erase_if(assumptions_, which);
+  }
   /// `vector A`: the plain letter is the vector itself, not its length.
   void declare_plain(const NameKey& key) { plain_.insert(key); }
   [[nodiscard]] bool is_plain(const NameKey& key) const { return plain_.contains(key) && is_declared(key); }
