@@ -7,24 +7,16 @@
 #include <cmath>
 
 #include "algebra/components.h"
-#include "algebra/membership.h"
+#include "algebra/kernel.h"
 
 namespace rigor {
 namespace {
 
 using GiNaC::ex;
 
-constexpr std::size_t largest_division = 100'000;  // terms times terms
-constexpr std::size_t largest_product = 500;       // terms
-constexpr std::size_t largest_tried = 8;           // factors that are not 0
-constexpr std::size_t largest_instances = 64;      // choices of the claim's particles for an assumption
+constexpr std::size_t largest_instances = 64;  // choices of the claim's particles for an assumption
 
 [[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
-
-/// Is a division worth its time?
-[[nodiscard]] bool is_divided(const ex& dividend, const ex& divisor) {
-  return term_count(dividend) * term_count(divisor) <= largest_division;
-}
 
 /// The solution of an equation that is linear in x with a numeric coefficient.
 [[nodiscard]] ex solved_for(const ex& equation, const ex& x) {
@@ -37,19 +29,22 @@ void Constraints::assume(std::span<const std::size_t> positions) {
   const std::vector<Equation>& assumptions = scope_.question().assumptions;
   const auto for_each = [&](bool order, const auto& take) {
     for (const std::size_t position : positions) {
-      if ((assumptions[position].relation != Relation::equal) == order) take(assumptions[position]);
+      if ((assumptions[position].relation != Relation::equal) == order) take(position);
     }
   };
   for (const std::size_t position : positions) {
     take_unit_vectors_as_coordinates(reach(scope_, assumptions[position]).symbols);
   }
-  for_each(true, [this](const Equation& each) { learn_signs(each); });
+  for_each(true, [&](std::size_t position) {
+    orders_.insert(position);
+    learn_signs(assumptions[position]);
+  });
   domain_.signs().conclude();
   evaluator_.forget();
-  for_each(false, [this](const Equation& each) {
-    if (each.particles.size() == 1) solve_for_each_particle(each);
+  for_each(false, [&](std::size_t position) {
+    if (assumptions[position].particles.size() == 1) solve_for_each_particle(position);
   });
-  for_each(false, [this](const Equation& each) { collect(each); });
+  for_each(false, [&](std::size_t position) { collect(position); });
   eliminate();
 }
 
@@ -81,6 +76,7 @@ void Constraints::learn_signs(const Equation& assumption) {
 }
 
 std::vector<Signs::Fact> Constraints::reduced_facts() {
+  used_.insert(orders_.begin(), orders_.end());
   std::vector<Signs::Fact> facts;
   for (const Signs::Fact& fact : domain_.signs().facts()) {
     const ex value = reduced(fact.value);
@@ -101,12 +97,14 @@ void Constraints::take_unit_vectors_as_coordinates(std::span<const SymbolId> sym
     for (std::uint32_t i = 0; i < 3; ++i) {
       square += GiNaC::pow(domain_.indeterminates().coordinate(symbol, i, common_frame), 2);
     }
-    equations_.push_back(square);
+    equations_.push_back({square, {}});
+    unit_vectors_.push_back(symbol);
   }
 }
 
 /// Component after component, each with the earlier ones in force.
-void Constraints::solve_for_each_particle(const Equation& assumption) {
+void Constraints::solve_for_each_particle(std::size_t position) {
+  const Equation& assumption = scope_.question().assumptions[position];
   std::size_t solved = 0;
   for (bool again = true; again;) {
     again = false;
@@ -118,6 +116,7 @@ void Constraints::solve_for_each_particle(const Equation& assumption) {
                          if (seen++ < solved) return true;
                          ++solved;
                          again = replace_own_number(domain_.difference(left, right));
+                         if (again) used_.insert(position);
                          return !again;
                        });
   }
@@ -145,7 +144,8 @@ bool Constraints::replace_own_number(const ex& equation) {
 }
 
 /// An assumption for each particle holds for those that the claim names.
-void Constraints::collect(const Equation& assumption) {
+void Constraints::collect(std::size_t position) {
+  const Equation& assumption = scope_.question().assumptions[position];
   const std::size_t free_particles = scope_.question().claim.particles.size();
   const std::size_t count = assumption.particles.size();
   if (count > 0 && free_particles == 0) return;
@@ -153,6 +153,7 @@ void Constraints::collect(const Equation& assumption) {
   if (count > 0 && instances > static_cast<double>(largest_instances)) return;
   const auto last = first_free_frame + static_cast<Frame>(free_particles) - 1;
   std::vector<std::uint32_t> frames(count, first_free_frame);
+  std::vector<ex> all;
   do {
     for (std::size_t i = 0; i < count; ++i) evaluator_.bind(assumption.particles[i], frames[i]);
     for_each_component(evaluator_, scope_.tree(), assumption,
@@ -161,11 +162,23 @@ void Constraints::collect(const Equation& assumption) {
                          for (const Fraction* side : {&left, &right}) {
                            for (const Divisor& each : side->divisors) note_nonzero(each.base);
                          }
-                         equations_.push_back(equation);
-                         equations_.push_back(domain_.radicals().squared(equation));
+                         all.push_back(equation);
+                         equations_.push_back({equation, {position}});
+                         equations_.push_back({domain_.radicals().squared(equation), {position}});
                          return true;
                        });
   } while (next_tuple(frames, first_free_frame, last));
+  collect_determinants(all, position);
+}
+
+void Constraints::collect_determinants(std::span<const ex> equations, std::size_t position) {
+  Indeterminates& known = domain_.indeterminates();
+  for (const SymbolId symbol : unit_vectors_) {
+    const std::array<ex, 3> n{known.coordinate(symbol, 0, common_frame),
+                              known.coordinate(symbol, 1, common_frame),
+                              known.coordinate(symbol, 2, common_frame)};
+    for (ex& each : kernel_determinants(equations, n)) determinants_.push_back({std::move(each), {position}});
+  }
 }
 
 /// The first in the order of creation, so that the choice is the same in every run; a radical only if there
@@ -197,80 +210,32 @@ ex Constraints::substituted(const ex& value, const Solution& by) {
                          static_cast<double>(term_count(value)) * growth);
 }
 
+void Constraints::substitute(ex& value, Positions& from, const Solution& by) {
+  if (value.degree(by.indeterminate) == 0) return;
+  value = substituted(value, by);
+  from.insert(by.from.begin(), by.from.end());
+}
+
 void Constraints::eliminate() {
-  std::vector<ex> open = equations_;
+  std::vector<Known> open = equations_;
   for (bool again = true; again;) {
     again = false;
-    std::erase_if(open, [](const ex& equation) { return equation.is_zero(); });
+    std::erase_if(open, [](const Known& each) { return each.equation.is_zero(); });
     for (std::size_t i = 0; i < open.size() && !again; ++i) {
-      if (is_number(open[i])) throw Undecidable("the assumptions contradict each other");
-      const ex x = linear_indeterminate(open[i]);
+      if (is_number(open[i].equation)) throw Undecidable("the assumptions contradict each other");
+      const ex x = linear_indeterminate(open[i].equation);
       if (x.is_zero()) continue;
-      const Solution solution{x, solved_for(open[i], x)};
+      const Solution solution{x, solved_for(open[i].equation, x), open[i].from};
       open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
-      for (ex& other : open) other = substituted(other, solution);
-      for (Solution& earlier : solutions_) earlier.worth = substituted(earlier.worth, solution);
+      for (Known& other : open) substitute(other.equation, other.from, solution);
+      for (Solution& earlier : solutions_) substitute(earlier.worth, earlier.from, solution);
       solutions_.push_back(solution);
       again = true;
     }
   }
-  for (const ex& equation : open) remaining_.push_back({equation, monic_indeterminate(equation)});
-}
-
-/// By the equations that could be solved for an indeterminate.
-ex Constraints::solved(const ex& value) {
-  ex rest = value;
-  for (const Solution& solution : solutions_) {
-    if (rest.is_zero()) return rest;
-    rest = substituted(rest, solution);
+  for (const Known& each : open) {
+    remaining_.push_back({each.equation, monic_indeterminate(each.equation), each.from});
   }
-  return rest;
-}
-
-ex Constraints::reduced(const ex& value) {
-  ex rest = solved(value);
-  for (const Remaining& each : remaining_) {
-    if (rest.is_zero()) return rest;
-    if (!each.monic_in.is_zero() && is_divided(rest, each.equation) &&
-        rest.degree(each.monic_in) >= each.equation.degree(each.monic_in)) {
-      rest = GiNaC::rem(rest, each.equation, each.monic_in).expand();
-    }
-  }
-  return rest;
-}
-
-void Constraints::note_nonzero(const ex& value) {
-  const bool known =
-      std::any_of(nonzero_.begin(), nonzero_.end(), [&](const ex& each) { return each.is_equal(value); });
-  if (!known && !is_number(value)) nonzero_.push_back(value);
-}
-
-/// Is the value, or its product with something that is not 0, a combination of the equations?
-bool Constraints::is_combination_times_nonzero(const ex& value, const System& system) {
-  const std::vector<ex>& all = domain_.indeterminates().all();
-  if (is_combination(value, system.equations, all)) return true;
-  std::size_t tried = 0;
-  return std::any_of(system.nonzero.begin(), system.nonzero.end(), [&](const ex& factor) {
-    if (is_number(factor) || term_count(factor) * term_count(value) > largest_product) return false;
-    if (++tried > largest_tried) return false;
-    return is_combination((value * factor).expand(), system.equations, all);
-  });
-}
-
-bool Constraints::vanishes(const ex& value) {
-  const ex open = solved(value);
-  if (open.is_zero()) return true;
-  if (remaining_.empty()) return false;
-  System system;
-  for (const Remaining& each : remaining_) system.equations.push_back(each.equation);
-  for (const ex& each : nonzero_) system.nonzero.push_back(reduced(each));
-  const ex without = without_factors(open, system.nonzero);
-  if (is_combination_times_nonzero(without, system)) return true;
-  const ex rest = reduced(open);
-  if (rest.is_zero()) return true;
-  const Cases::Verdict verdict = Cases(domain_).decide(without_factors(rest, system.nonzero), system);
-  if (verdict == Cases::Verdict::empty) throw Undecidable("the assumptions contradict each other");
-  return verdict == Cases::Verdict::vanishes;
 }
 
 }  // namespace rigor

@@ -9,6 +9,7 @@
 //  3. what is left: one that is monic in an indeterminate reduces its powers (n·n = 1);
 //  4. the residue is a combination of the equations with cofactors of low degree (`membership.h`), or
 //  vanishes in each of several cases (`cases.h`).
+// Where three equations say M n = 0 for a unit vector n, det M = 0 (`kernel.h`).
 // An equation with a single root in it is used squared, too. What stands in a denominator is not 0. A unit
 // vector that assumptions are about is three coordinates with n·n = 1: the stereographic chart misses a point
 // that they may single out. Everything used is a consequence of the assumptions: sound. Steps 1 and 2 lose
@@ -17,6 +18,7 @@
 // stands as a factor: Σ m r = 0 makes M[m r_i] zero, not M[m r_i v_j].
 #pragma once
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -50,32 +52,51 @@ class Constraints {
   /// Are there equations that could not be solved for an indeterminate?
   [[nodiscard]] bool incomplete() const { return !remaining_.empty(); }
 
+  /// The positions of the assumptions from which came what has been used so far, of signs as well; too many
+  /// rather than too few.
+  [[nodiscard]] std::set<std::size_t> used(bool signs) const;
+
  private:
+  using Positions = std::set<std::size_t>;  // of assumptions
+  struct Known {
+    GiNaC::ex equation;
+    Positions from;
+  };
   struct Solution {
     GiNaC::ex indeterminate;
     GiNaC::ex worth;
+    Positions from;
   };
   struct Remaining {
     GiNaC::ex equation;  // expanded, not constant
     GiNaC::ex monic_in;  // 0: in none
+    Positions from;
   };
 
   void learn_signs(const Equation& assumption);
-  void solve_for_each_particle(const Equation& assumption);
-  void collect(const Equation& assumption);
+  void solve_for_each_particle(std::size_t position);
+  void collect(std::size_t position);
+  void collect_determinants(std::span<const GiNaC::ex> equations, std::size_t position);
   void eliminate();
   [[nodiscard]] bool replace_own_number(const GiNaC::ex& equation);
   [[nodiscard]] GiNaC::ex solved(const GiNaC::ex& value);
+  [[nodiscard]] bool is_determinant(const GiNaC::ex& value);
+  void use_all_remaining();
   [[nodiscard]] bool is_combination_times_nonzero(const GiNaC::ex& value, const System& system);
   [[nodiscard]] GiNaC::ex substituted(const GiNaC::ex& value, const Solution& by);
+  void substitute(GiNaC::ex& value, Positions& from, const Solution& by);
   [[nodiscard]] GiNaC::ex linear_indeterminate(const GiNaC::ex& equation) const;
   [[nodiscard]] GiNaC::ex monic_indeterminate(const GiNaC::ex& equation) const;
 
   const Scope& scope_;
   GenericDomain& domain_;
   Evaluator<GenericDomain>& evaluator_;
-  std::vector<GiNaC::ex> equations_;
+  std::vector<Known> equations_;
+  std::vector<Known> determinants_;  // of what makes a unit vector vanish
   std::vector<GiNaC::ex> nonzero_;
+  std::vector<SymbolId> unit_vectors_;  // that are three coordinates
+  Positions orders_;                    // <, ≤ and ≠
+  Positions used_;
   std::vector<Solution> solutions_;
   std::vector<Remaining> remaining_;
 };

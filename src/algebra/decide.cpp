@@ -65,6 +65,8 @@ class Decider {
   [[nodiscard]] std::optional<std::string> why_not_tried() const;
   template <class Search>
   [[nodiscard]] std::optional<Refuter::Counterexample> look(const Search& search);
+  [[nodiscard]] bool needs_definitions();
+  [[nodiscard]] std::vector<std::vector<std::size_t>> choices_of_assumptions();
   [[nodiscard]] std::optional<Found> try_all_proofs(Effort effort);
   [[nodiscard]] std::optional<Found> try_proof(const Attempt& attempt, bool unfolded);
   void drop_needless_assumptions(Found& found);
@@ -78,6 +80,7 @@ class Decider {
   Scope opaque_;
   Refuter refuter_;
   Work work_;
+  std::optional<bool> needs_definitions_;
   std::string gave_up_;  // the reason why the last proof was broken off
   Proof last_proof_;     // the last one that was finished and does not hold
 };
@@ -102,21 +105,47 @@ std::optional<Found> Decider::try_proof(const Attempt& attempt, bool unfolded) {
   return std::nullopt;
 }
 
+/// Is the claim, its definitions opaque, refuted by a sample? Then it has no proof with them opaque.
+bool Decider::needs_definitions() {
+  if (!needs_definitions_) {
+    Refuter refuter(opaque_, limits_);
+    needs_definitions_ = look([&] { return refuter.quick_look(); }).has_value();
+  }
+  return *needs_definitions_;
+}
+
+/// Which assumptions are tried together, the fewest first.
+std::vector<std::vector<std::size_t>> Decider::choices_of_assumptions() {
+  std::vector<std::vector<std::size_t>> choices;
+  const std::vector<std::size_t>& all = refuter_.assumptions();
+  if (all.empty() || !refuter_.fails_without_assumptions()) choices.emplace_back();
+  if (all.empty()) return choices;
+  std::vector<std::size_t> core = core_assumptions(unfolded_, all);
+  if (!core.empty() && core.size() < all.size()) choices.push_back(std::move(core));
+  choices.push_back(all);
+  return choices;
+}
+
 std::optional<Found> Decider::try_all_proofs(Effort effort) {
   const bool has_definitions = !refuter_.reach().unfolded.empty();
-  for (const bool with_assumptions : {false, true}) {
-    if (with_assumptions && refuter_.assumptions().empty()) continue;
-    const auto& assumptions = with_assumptions ? refuter_.assumptions() : std::vector<std::size_t>{};
+  for (const std::vector<std::size_t>& assumptions : choices_of_assumptions()) {
     for (const bool unfolded : {false, true}) {
-      if (unfolded && !has_definitions) continue;
+      if (unfolded ? !has_definitions : has_definitions && needs_definitions()) continue;
       if (auto found = try_proof({.effort = effort, .assumptions = assumptions}, unfolded)) return found;
     }
   }
   return std::nullopt;
 }
 
+/// First all that the proof has not used, then one after the other.
 void Decider::drop_needless_assumptions(Found& found) {
   if (found.under.assumptions.size() < 2) return;  // without any it was tried already
+  if (found.proof.used.size() < found.under.assumptions.size()) {
+    Attempt fewer = found.under;
+    fewer.assumptions = found.proof.used;
+    if (auto still = try_proof(fewer, found.unfolded)) found = *std::move(still);
+  }
+  if (found.under.assumptions.size() < 2) return;
   for (std::size_t i = 0; i < found.under.assumptions.size();) {
     Attempt fewer = found.under;
     fewer.assumptions.erase(fewer.assumptions.begin() + static_cast<std::ptrdiff_t>(i));

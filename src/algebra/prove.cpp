@@ -60,6 +60,9 @@ namespace {
   proof.holds = for_each_component(
       evaluator, scope.tree(), claim,
       [&](const auto&, const Fraction& left, const Fraction& right) { return is_right(left, right); });
+  const bool by_signs = proof.order || domain.used_radicals() || domain.used_functions();
+  const auto used = constraints.used(by_signs);
+  proof.used.assign(used.begin(), used.end());
   const auto vanishes_alone = [&](const Fraction& left, const Fraction& right) {  // both are equal
     return right.numerator.is_zero() || constraints.reduced(domain.difference(left, Fraction{})).is_zero();
   };

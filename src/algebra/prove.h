@@ -33,8 +33,9 @@ struct Proof {
   bool rotations = false;
   bool radicals = false;
   bool functions = false;
-  bool order = false;                 // by signs
-  bool unsolved_assumptions = false;  // does not hold, and an assumption could not be solved for
+  bool order = false;                  // by signs
+  bool unsolved_assumptions = false;   // does not hold, and an assumption could not be solved for
+  std::vector<std::size_t> used = {};  // holds: positions of assumptions that are likely to be enough
 };
 
 /// Throws Undecidable (also for exceptions of the computer algebra library).

@@ -5,6 +5,7 @@ namespace rigor {
 namespace {
 
 constexpr std::uint32_t quick_attempts = 24;
+constexpr std::uint32_t free_attempts = 8;
 
 }  // namespace
 
@@ -23,7 +24,7 @@ Refuter::Refuter(const Scope& scope, const Limits& limits)
       solver_(scope, relevant_assumptions(scope)),
       reach_(reach_of_sample(scope, solver_.assumptions())),
       evaluator_(scope),
-      sequence_(scope.tree(), reach_) {}
+      sequence_(scope.tree(), reach_, solver_.has_particle_sums()) {}
 
 std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& drawn, std::uint32_t attempt) {
   point_ = drawn;
@@ -51,6 +52,22 @@ std::optional<Refuter::Counterexample> Refuter::quick_look() {
     if (auto found = attempt_next()) return found;
   }
   return std::nullopt;
+}
+
+bool Refuter::fails_without_assumptions() {
+  SampleSequence points(scope_->tree(), reach_, false);
+  for (std::uint32_t attempt = 0; attempt < free_attempts; ++attempt) {
+    point_ = points.next();
+    try {
+      evaluator_.look_at(*point_);
+      if (evaluator_.difference(scope_->question().claim)) return true;
+    } catch (const PointRejected&) {
+      // the next one
+    } catch (const Undecidable&) {
+      return false;
+    }
+  }
+  return false;
 }
 
 /// Where strict orders fail: all numbers 0, or all but the scalars, which are 1.

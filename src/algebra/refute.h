@@ -29,6 +29,8 @@ class Refuter {
 
   /// A few generic points: fast, and nearly every false claim fails there.
   [[nodiscard]] std::optional<Counterexample> quick_look();
+  /// Does the claim fail where no assumption is met, either? Then it has no proof without them.
+  [[nodiscard]] bool fails_without_assumptions();
   /// All attempts that the limits allow, with up to 5 particles.
   [[nodiscard]] std::optional<Counterexample> search();
   /// The simplest counterexample found from a given one: tiny points first, then one number after the other

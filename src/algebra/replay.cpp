@@ -116,7 +116,7 @@ bool satisfiable(const Question& question, const Limits& limits) {
   for (const Equation& each : question.assumptions) roots.insert(roots.end(), {each.left, each.right});
   const Reach reached = reach(scope, roots);
   if (reached.too_large) return false;
-  SampleSequence sequence(scope.tree(), reached);
+  SampleSequence sequence(scope.tree(), reached, solver.has_particle_sums());
   SampleEvaluator evaluator(scope);
   for (std::uint32_t attempt = 0; attempt < limits.sample_attempts; ++attempt) {
     SamplePoint point = sequence.next();

@@ -78,7 +78,9 @@ class Residual {
 AssumptionSolver::AssumptionSolver(const Scope& scope, std::vector<std::size_t> assumptions)
     : scope_(&scope), assumptions_(std::move(assumptions)) {
   for (const std::size_t position : assumptions_) {
-    symbols_.push_back(reach(scope, scope.question().assumptions[position]).symbols);
+    Reach reached = reach(scope, scope.question().assumptions[position]);
+    has_particle_sums_ = has_particle_sums_ || reached.particle_sums;
+    symbols_.push_back(std::move(reached.symbols));
     if (scope.question().assumptions[position].relation != Relation::equal) has_orders_ = true;
   }
   for (std::size_t i = symbols_.size(); i-- > 0;) order_symbols(i);

@@ -21,6 +21,8 @@ class AssumptionSolver {
 
   [[nodiscard]] bool none() const { return assumptions_.empty(); }
   [[nodiscard]] const std::vector<std::size_t>& assumptions() const { return assumptions_; }
+  /// Is one about a sum over particles?
+  [[nodiscard]] bool has_particle_sums() const { return has_particle_sums_; }
   /// True if all assumptions hold on the point as it is. May throw PointRejected.
   [[nodiscard]] bool holds(SampleEvaluator& evaluator, const SamplePoint& point) const;
   /// Changes the point so that all hold; false, or PointRejected, if that was not found.
@@ -56,6 +58,7 @@ class AssumptionSolver {
   std::vector<std::size_t> assumptions_;
   std::vector<std::vector<SymbolId>> symbols_;  // of each, the first are the first to be solved for
   bool has_orders_ = false;
+  bool has_particle_sums_ = false;
 };
 
 }  // namespace rigor

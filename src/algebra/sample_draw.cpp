@@ -38,6 +38,8 @@ constexpr std::array generic_numbers{1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7
     case Draw::tiny:
       return rank == 0 ? static_cast<int>(random.below(3)) + 1 : static_cast<int>(random.below(4)) - 1;
     case Draw::generic:
+    case Draw::balanced:
+    case Draw::balanced_out:
       return random.pick<int>(generic_numbers);
     case Draw::along_axes:
     case Draw::with_lengths:
@@ -112,6 +114,27 @@ constexpr std::array generic_numbers{1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7
   return from == Draw::directions ? draw_direction(from, random) : draw_with_length(random);
 }
 
+/// Each second particle opposite to the one before. The pairs take the axes in turn, so that products of
+/// different components have no sum, either.
+void balance(SamplePoint& point, const ExprTree& tree, bool all_along_one, SplitMix& random) {
+  constexpr std::array lengths{1, 2, 3};
+  std::uint32_t turn = 0;
+  for (const SymbolId symbol : point.symbols()) {
+    const Symbol& named = tree.symbols[symbol];
+    if (!named.per_particle || named.rank > 1 || named.unit) continue;
+    for (const Coordinate& at : point.coordinates_of(symbol)) {
+      if (!point.is_free(at)) continue;
+      const std::size_t axis = ((at.particle - 1) / 2 + (all_along_one ? 0 : turn)) % 3;
+      const Coordinate partner{symbol, at.particle - 1, at.component};
+      const bool second = at.particle % 2 == 0;
+      const bool along = named.rank == 0 || at.component == axis;
+      const Rational drawn = along ? random.pick<int>(lengths) : 0;
+      point.set(at, second ? (named.rank == 0 ? point[partner] : -point[partner]) : drawn);
+    }
+    if (named.rank == 1) ++turn;
+  }
+}
+
 }  // namespace
 
 void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random) {
@@ -136,6 +159,8 @@ void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random)
       point.set_all(at.symbol, at.particle, draw_vector(from, random));
     }
   }
+  if (from == Draw::balanced || from == Draw::balanced_out)
+    balance(point, tree, from == Draw::balanced, random);
 }
 
 /// All that may be angles and logarithms are, or some of them: a product of two is nothing exact.
@@ -153,6 +178,12 @@ void SampleSequence::choose_meanings(SamplePoint& point, std::uint32_t attempt) 
 
 SamplePoint SampleSequence::next() {
   const std::uint32_t attempt = drawn_++;
+  if (balanced_ && attempt % 8 == 2) {
+    const bool first = attempt % 16 == 2;
+    SamplePoint point(*tree_, reach_->symbols, first ? 4 : 6);
+    draw(point, *tree_, first ? Draw::balanced : Draw::balanced_out, random_);
+    return point;
+  }
   SamplePoint point(*tree_, reach_->symbols, reach_->particles ? particles_for(attempt) : 0);
   choose_meanings(point, attempt);
   draw(point, *tree_, draw_for(attempt, reach_->roots), random_);

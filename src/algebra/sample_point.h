@@ -101,17 +101,19 @@ enum class Draw : std::uint8_t {
   generic,       // components −9..9, seldom 0
   along_axes,    // vectors with one component that is not 0
   directions,    // vectors of length 1, scalars ±1
+  balanced,      // pairs of particles: equal scalars, opposite vectors along one axis
+  balanced_out,  // the same, not all of a particle's vectors along one axis
   with_lengths,  // vectors of rational length, scalars that are squares: for statements with roots
 };
 
 void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random);
 
 /// The points that are tried for a statement, always the same ones: numbers of particles and kinds of numbers
-/// take turns.
+/// take turns. Balanced: sums over particles are often to vanish.
 class SampleSequence {
  public:
-  SampleSequence(const ExprTree& tree, const Reach& reached)
-      : tree_(&tree), reach_(&reached), random_(seed) {}
+  SampleSequence(const ExprTree& tree, const Reach& reached, bool balanced)
+      : tree_(&tree), reach_(&reached), random_(seed), balanced_(balanced) {}
 
   [[nodiscard]] SamplePoint next();
   [[nodiscard]] std::uint32_t drawn() const { return drawn_; }
@@ -124,6 +126,7 @@ class SampleSequence {
   const ExprTree* tree_;
   const Reach* reach_;
   SplitMix random_;
+  bool balanced_;
   std::uint32_t drawn_ = 0;
 };
 

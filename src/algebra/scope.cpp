@@ -37,6 +37,7 @@ void note_operation(const ExprNode& node, Reach& reached) {
       break;
     case Op::particle_sum:
       reached.particles = true;
+      reached.particle_sums = true;
       break;
     case Op::function:
       reached.functions = true;
@@ -157,6 +158,54 @@ std::vector<std::size_t> relevant_assumptions(const Scope& scope) {
     if (taken[i]) positions.push_back(i);
   }
   return positions;
+}
+
+namespace {
+
+/// How many numbers a symbol or an equation has, if there were a few particles.
+[[nodiscard]] std::size_t count_numbers(std::size_t axes, std::size_t particles) {
+  std::size_t count = 1;
+  for (std::size_t i = 0; i < axes; ++i) count *= 3;
+  for (std::size_t i = 0; i < particles; ++i) count *= 2;
+  return count;
+}
+
+}  // namespace
+
+std::vector<std::size_t> core_assumptions(const Scope& scope, const std::vector<std::size_t>& positions) {
+  const ExprTree& tree = scope.tree();
+  struct Candidate {
+    std::size_t position;
+    std::size_t numbers;
+    std::vector<SymbolId> symbols;
+  };
+  std::vector<Candidate> open;
+  for (const std::size_t position : positions) {
+    const Equation& each = scope.question().assumptions[position];
+    const std::size_t axes = each.indices.size() + tree[each.left].rank;
+    open.push_back({position, count_numbers(axes, each.particles.size()), reach(scope, each).symbols});
+  }
+  std::vector<SymbolId> needed = reach(scope, scope.question().claim).symbols;
+  const auto is_loose = [&](SymbolId symbol) {
+    if (std::find(needed.begin(), needed.end(), symbol) != needed.end()) return false;
+    std::size_t equations = 0;
+    for (const Candidate& each : open) {
+      if (share(each.symbols, {symbol})) equations += each.numbers;
+    }
+    const Symbol& named = tree.symbols[symbol];
+    return equations <= count_numbers(static_cast<std::size_t>(named.rank), named.per_particle ? 1 : 0);
+  };
+  const auto fixes_what_is_loose = [&](const Candidate& each) {
+    return std::any_of(each.symbols.begin(), each.symbols.end(), is_loose);
+  };
+  for (;;) {
+    const auto loose = std::find_if(open.begin(), open.end(), fixes_what_is_loose);
+    if (loose == open.end()) break;
+    open.erase(loose);
+  }
+  std::vector<std::size_t> core;
+  for (const Candidate& each : open) core.push_back(each.position);
+  return core;
 }
 
 }  // namespace rigor

@@ -42,6 +42,7 @@ struct Reach {
   bool particles = false;           // a sum over particles or a particle's own quantity occurs
   std::vector<SymbolId> angles;     // free scalars that only sin and cos see
   std::vector<SymbolId> exponents;  // free scalars that only exp sees
+  bool particle_sums = false;
   bool functions = false;
   bool roots = false;  // a root, a length or an absolute value
   std::optional<std::string>
@@ -54,5 +55,11 @@ struct Reach {
 /// The positions of the assumptions that share free symbols with the claim, directly or through other such
 /// assumptions, and of those without symbols. The others cannot bear on it: they are about other things.
 [[nodiscard]] std::vector<std::size_t> relevant_assumptions(const Scope& scope);
+
+/// Those among some assumptions that do more than fix what occurs nowhere else: where no more equations have
+/// a symbol than it has components, and the claim has it not, they can be met whatever the others are. The
+/// proof of a claim seldom needs them.
+[[nodiscard]] std::vector<std::size_t> core_assumptions(const Scope& scope,
+                                                        const std::vector<std::size_t>& positions);
 
 }  // namespace rigor

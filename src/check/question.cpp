@@ -191,11 +191,23 @@ class Preparation {
     return symbols;
   }
 
+  /// One of three rules for the components of a derivative, which make a definition together.
+  bool is_joined(const Equation& equation) const {
+    const ExprNode& left = tree_[equation.left];
+    if (equation.relation != Relation::equal || left.op != Op::symbol || left.slot_count != 1) return false;
+    const std::uint8_t axis = tree_.slots(equation.left)[0].axis;
+    const NamedDefinition* definition = names_.definition_of(left.symbol);
+    if (axis == 0 || definition == nullptr || tree_[definition->definition.body].op != Op::tuple)
+      return false;
+    return tree_.children(definition->definition.body)[axis - 1u] == equation.right;
+  }
+
   /// One round over the assumptions; true if something was added.
   bool add_assumptions() {
     bool grew = false;
-    for (const NamedAssumption& assumption : names_.assumptions())
-      grew = add(assumption.equation, &assumption) || grew;
+    for (const NamedAssumption& assumption : names_.assumptions()) {
+      if (!is_joined(assumption.equation)) grew = add(assumption.equation, &assumption) || grew;
+    }
     for (const SmallQuantity& small : names_.small()) {
       const bool component = tree_[small.quantity].slot_count > 0;
       if (precision_ == Precision::small_order && component) grew = add(vanishing(small), nullptr) || grew;
@@ -204,8 +216,9 @@ class Preparation {
   }
 
   Equation vanishing(const SmallQuantity& small) {
-    Equation& known = vanishing_[small.quantity];
-    if (known.left != small.quantity) {
+    const auto [entry, fresh] = vanishing_.try_emplace(small.quantity);
+    Equation& known = entry->second;
+    if (fresh) {
       const ExprNode node = tree_[small.quantity];
       known.left = small.quantity;
       known.right = zero_of_rank(tree_, node.span, node.rank);

@@ -77,7 +77,7 @@ void Session::follow(const PlacedDirective& placed) {
       first_order_ = &directive;
       return;
     case DirectiveKind::where:
-      open_scene();
+      wheres_.push_back(directive.number);
       context.role = Role::given;
       break;
     case DirectiveKind::claim:
@@ -95,7 +95,7 @@ void Session::follow(const PlacedDirective& placed) {
   }
   if (directive.kind == DirectiveKind::claim) context.first_order = take_first_order();
   for (const ParsedChain& parsed : directive.chains) chain(parsed, context);
-  if (directive.kind == DirectiveKind::claim) close_scene();
+  if (directive.kind == DirectiveKind::claim) forget_wheres();
 }
 
 void Session::follow(const ParsedDisplay& display) {
@@ -134,7 +134,7 @@ void Session::follow(const ParsedDisplay& display) {
     }
   }
   if (skip == nullptr) heed_conditions(display, first_step);
-  close_scene();
+  forget_wheres();
 }
 
 bool Session::take_first_order() {
@@ -143,12 +143,8 @@ bool Session::take_first_order() {
   return directive != nullptr;
 }
 
-void Session::open_scene() {
-  if (!scene_) scene_ = names_.scene();
-}
-
-void Session::close_scene() {
-  if (scene_) names_.restore(*std::exchange(scene_, std::nullopt));
+void Session::forget_wheres() {
+  for (const std::size_t directive : std::exchange(wheres_, {})) names_.forget(directive);
 }
 
 /// `(A×B)² = A²B², A·B = 0`: a law beside an equation on its line may be the condition under which it holds.

@@ -47,8 +47,7 @@ class Session {
   void imply_primed_axes();
   ExprId whole_symbol(const Typed& typed);
   bool take_first_order();
-  void open_scene();  // what `where` assumes holds until the next statement is over
-  void close_scene();
+  void forget_wheres();  // what `where` assumes holds until the next statement is over
   void report_unused();
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
 
@@ -111,7 +110,7 @@ class Session {
   const Directive* expectation_ = nullptr;
   const Directive* skip_ = nullptr;
   const Directive* first_order_ = nullptr;
-  std::optional<Names::Scene> scene_;  // before the first `where`
+  std::vector<std::size_t> wheres_;  // directives for the next statement
 };
 
 }  // namespace rigor

@@ -74,6 +74,16 @@ void Session::declare_read(const Directive& directive, const Typed& typed) {
   const SymbolId symbol = tree_[typed.id].symbol;
   switch (directive.kind) {
     case DirectiveKind::frame:
+      if (!names_.frames().empty()) {
+        report_.diagnostics.push_back(
+            {DiagnosticKind::unsupported,
+             directive.span,
+             fmt::format("the frame `{}` is in force here, and components are along its axes",
+                         names_.frames().back().rotating),
+             {},
+             {"a new section ends it"}});
+        return;
+      }
       if (typed.rank != 1) {
         report_.diagnostics.push_back(
             {DiagnosticKind::bad_directive, tree_[typed.id].span, "an angular velocity is a vector"});

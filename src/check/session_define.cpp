@@ -183,14 +183,11 @@ bool Session::join_component_rules(const Typed& left) {
       if (symbol == node.symbol) return false;
     }
   }
-  const Origin origin = rules[2]->origin;
-  for (const NamedAssumption* rule : {rules[0], rules[1]}) {
-    if (rule->origin.directive) names_.mark_used(*rule->origin.directive);  // the last one stands for all
+  const Origin origin = names_.assumptions().back().origin;  // of the last, without which it does not hold
+  for (const NamedAssumption* rule : rules) {
+    const bool last = rule->origin.directive == origin.directive;  // it stands for all
+    if (!last && rule->origin.directive) names_.mark_used(*rule->origin.directive);
   }
-  const std::array equations{rules[0]->equation.left, rules[1]->equation.left, rules[2]->equation.left};
-  names_.drop_assumptions([&](const NamedAssumption& assumption) {
-    return std::find(equations.begin(), equations.end(), assumption.equation.left) != equations.end();
-  });
   const ExprId whole = tree_.add({.op = Op::tuple, .rank = 1, .span = node.span}, components);
   names_.define({{node.symbol, {}, no_particle, whole}, origin, 0});
   return true;

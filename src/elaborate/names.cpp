@@ -125,6 +125,16 @@ void Names::restore(Scene scene) {
   assumptions_ = std::move(scene.assumptions);
 }
 
+void Names::forget(std::size_t directive) {
+  const auto brought = [&](const auto& entry) { return entry.origin.directive == directive; };
+  std::erase_if(definitions_, brought);
+  std::erase_if(assumptions_, brought);
+  for (Scene& scene : before_frames_) {
+    std::erase_if(scene.definitions, brought);
+    std::erase_if(scene.assumptions, brought);
+  }
+}
+
 void Names::declare_constant(SymbolId symbol, std::size_t directive) {
   constants_.push_back({symbol, directive, depth_});
 }
@@ -147,6 +157,7 @@ const NameKey* Names::key_of(SymbolId symbol) const {
 
 Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
   using Kind = Dependence::Kind;
+  if (by == By::small) return {};  // what does not change in time can be small
   const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
   const NameKey* base_key = key_of(base);
   for (const Constant& constant : constants_) {

@@ -5,7 +5,6 @@
 
 #include <compare>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -114,6 +113,9 @@ class Names {
     assumptions_ = std::move(scene.assumptions);
   }
 
+  /// What a directive defined and assumed holds no longer.
+  void forget(std::size_t directive);
+
   void declare_constant(SymbolId symbol, std::size_t directive);
   void declare_variable(SymbolId symbol) { variables_.emplace_back(symbol, depth_); }
   /// How a symbol (or a derivative) changes; marks the directive that says so as used. What nothing is said
@@ -135,9 +137,6 @@ class Names {
   void set_primed_axes(SymbolId rotation) { primed_axes_ = rotation; }
 
   void doubt_last_assumption() { assumptions_.back().without_sample = true; }
-  void drop_assumptions(const std::function<bool(const NamedAssumption&)>& which) {
-    std::erase_if(assumptions_, which);
-  }
   /// `vector A`: the plain letter is the vector itself, not its length.
   void declare_plain(const NameKey& key) { plain_.insert(key); }
   [[nodiscard]] bool is_plain(const NameKey& key) const { return plain_.contains(key) && is_declared(key); }

@@ -71,8 +71,8 @@ TEST_CASE("points are drawn in the same sequence, of all kinds", "[algebra]") {
   const Reach reached = reach(scope, page.question.claim);
   CHECK(reached.particles);
   CHECK(reached.symbols == std::vector{s.symbol, n.symbol, r.symbol});
-  SampleSequence sequence(page.tree, reached);
-  SampleSequence again(page.tree, reached);
+  SampleSequence sequence(page.tree, reached, false);
+  SampleSequence again(page.tree, reached, false);
   for (int point = 0; point < 32; ++point) {
     const SamplePoint first = sequence.next();
     const SamplePoint second = again.next();

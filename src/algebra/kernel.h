@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A unit vector is not zero: where three equations say M n = 0, det M = 0.
+#pragma once
+
+#include <ginac/ex.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace rigor {
+
+/// The determinants of all threes among a few equations (expanded polynomials) that are linear and
+/// homogeneous in a vector's components.
+[[nodiscard]] std::vector<GiNaC::ex> kernel_determinants(std::span<const GiNaC::ex> equations,
+                                                         const std::array<GiNaC::ex, 3>& vector);
+
+}  // namespace rigor
