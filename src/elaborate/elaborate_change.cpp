@@ -45,7 +45,8 @@ bool Elaborator::is_total_rate_of_field(const Typed& typed, Span span) {
   for (const SymbolId symbol : symbols_in(tree_, typed.id)) {
     const bool varies = names_.dependence(tree_, symbol, By::space).kind == Dependence::Kind::varies;
     if (!varies || !names_.is_field(tree_, symbol)) continue;
-    unsupported(span, fmt::format("the total rate of the field `{}` is not decided", tree_.symbols[symbol].name),
+    unsupported(span,
+                fmt::format("the total rate of the field `{}` is not decided", tree_.symbols[symbol].name),
                 {"`\\frac{\\partial}{\\partial t}` is read, and `(\\mathbf{v}\\cdot\\nabla)`"});
     return true;
   }
@@ -76,7 +77,8 @@ std::optional<Typed> Elaborator::derivative(SyntaxId id) {
     const bool time = by.letter == "t" && by.lower.empty() && by.face == Face::plain;
     if (time) {
       const bool partial = syntax_.derivative(id).partial;
-      if (frame_is_open(*operand, span) || (!partial && is_total_rate_of_field(*operand, span))) return std::nullopt;
+      if (frame_is_open(*operand, span) || (!partial && is_total_rate_of_field(*operand, span)))
+        return std::nullopt;
       operand = rate_of(std::move(*operand), variable.times);
       continue;
     }

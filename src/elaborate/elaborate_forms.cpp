@@ -147,8 +147,8 @@ std::optional<Typed> Elaborator::component(SyntaxId id) {
   for (const WrittenIndex& axis : axes) label += axis.text;
   if (const Frame* frame = frame_of(label))
     return frame_derivative(syntax_.child(id, 0), *frame, label == frame->fixed);
-  if (is_derivative_in_bracket(syntax_.child(id, 0)) && axes.size() == 1 && axes[0].form != IndexForm::digit &&
-      !letters_.is_index(axes[0].text))
+  if (is_derivative_in_bracket(syntax_.child(id, 0)) && axes.size() == 1 &&
+      axes[0].form != IndexForm::digit && !letters_.is_index(axes[0].text))
     return unsupported(axes[0].span, fmt::format("nothing says what `{}` is to this derivative", label),
                        {"`rigor: frame … rotates with … in …` names two frames"});
   const Maybe base = expression(syntax_.child(id, 0));

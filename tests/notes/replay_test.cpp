@@ -30,8 +30,8 @@ std::string value_of(const Json& value) {
   return fmt::format("({}, {}, {})", component(0), component(1), component(2));
 }
 
-/// Scalars and vectors, no particles, no free index, no derivative and no definition: what `let` and `claim` can say in
-/// one line each.
+/// Scalars and vectors, no particles, no free index, no derivative and no definition: what `let` and `claim`
+/// can say in one line each.
 bool is_plain(const Json& step) {
   const Json& example = step["counterexample"];
   for (const Json& use : step["uses"]) {

@@ -80,7 +80,8 @@ class Mutations {
   std::vector<const Step*> proved_in(Span display) const {
     std::vector<const Step*> proved;
     for (const Step& step : whole_.steps) {
-      if (step.verdict == Verdict::proved && lies_in(step.span, display)) proved.push_back(&step);
+      const bool image = step.source.find("(cyclic image") != std::string::npos;  // spoilt with its original
+      if (step.verdict == Verdict::proved && !image && lies_in(step.span, display)) proved.push_back(&step);
     }
     return proved;
   }
