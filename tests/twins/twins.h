@@ -20,9 +20,9 @@ enum class Outcome : std::uint8_t {
   refuted,           // with a sample
   refuted_declared,  // once its symbols are declared to be meant for all values; before that it reads as a
                      // law
-  proved_equal,      // the slip changes nothing: see proved_equal.txt
+  proved_equal,      // the slip changes nothing: see reviewed/
   malformed,         // a diagnostic for an index, a rank or a reading
-  undecided,         // with a reason: see undecided.txt
+  undecided,         // with a reason: see reviewed/
   law_like,          // reads as a law even so
   failed,            // anything else: Rigor does not see the slip
 };
