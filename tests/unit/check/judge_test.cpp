@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "catch.h"
+#include "check/checked.h"
 #include "check/directive.h"
 #include "latex/dump_syntax.h"
 
@@ -210,4 +211,40 @@ TEST_CASE("assumptions have a sample, or none") {
   Court impossible;
   impossible.given("\\mathbf{A}\\cdot\\mathbf{A} = -1", 0);
   CHECK_FALSE(assumptions_have_a_sample(impossible.tree, impossible.names));
+}
+
+TEST_CASE("an order is decided, with its equality cases") {
+  const std::string numbers = rigor_says("scalar a, b");
+  CHECK(verdict_on("a^2 + b^2 \\ge 2ab", numbers) == "proved");
+  CHECK(verdict_on("a^2 + b^2 > 2ab", numbers).starts_with("refuted"));
+  CHECK(verdict_on("a^2 + b^2 \\ne 2ab", numbers).starts_with("refuted"));
+  CHECK(verdict_on("a^2 < b^2", numbers + rigor_says("given a < b")).starts_with("refuted"));
+}
+
+TEST_CASE("vectors have no order") {
+  CHECK(verdict_on("\\mathbf{A} < \\mathbf{B}").find("rank-mismatch") != std::string::npos);
+}
+
+TEST_CASE("a counterexample to a greater-than shows the sides as they were written") {
+  const Checked checked("$$0 > 1$$\n");
+  REQUIRE(checked.report.steps.back().counterexample.has_value());
+  CHECK(checked.report.steps.back().counterexample->left == "0");
+  CHECK(checked.report.steps.back().counterexample->right == "1");
+}
+
+TEST_CASE("nearly equal compares both orders") {
+  const std::string small = rigor_says("scalar a, x") + rigor_says("small x");
+  CHECK(verdict_on("(a+x)^3 \\approx a^3 + 3a^2x", small) == "proved");
+  CHECK(verdict_on("(a+x)^3 \\approx a^3", small).starts_with("refuted"));
+  CHECK(verdict_on("(a+x)^3 \\approx 2a^3 + 3a^2x", small).starts_with("refuted"));
+}
+
+TEST_CASE("what is differentiated and may change is a doubt, not a refutation") {
+  CHECK(verdict_on("\\frac{d}{dt}(m\\mathbf{v}) = m\\dot{\\mathbf{v}}").find("unknown-change") !=
+        std::string::npos);
+  CHECK(verdict_on("\\mathbf{v}\\times\\frac{d}{dt}(m\\mathbf{v}) = m\\mathbf{v}\\times\\dot{\\mathbf{v}}") ==
+        "proved");
+  CHECK(verdict_on("\\frac{d}{dt}(m\\mathbf{v}) = m\\dot{\\mathbf{v}}",
+                   rigor_says("scalar m") + rigor_says("vector \\mathbf{v}") + rigor_says("variable m"))
+            .starts_with("refuted"));
 }

@@ -191,3 +191,75 @@ TEST_CASE("progress is told after each event") {
   });
   CHECK(told == "1/3 2/3 3/3 ");
 }
+
+TEST_CASE("where is for the next statement only, whatever stands between") {
+  const std::string where = rigor_says("where \\mathbf{A}\\cdot\\mathbf{B} = 0");
+  CHECK(lines_of(where + square + square) == "given\nproved\nrefuted 4:34 refuted\n");
+  CHECK(lines_of(rigor_says("scalar a, c") + rigor_says("where a = 1") + rigor_says("let c = 2") +
+                 "$$a = 1$$\n\n$$c = 2$$\n\n$$2a = 2$$\n")
+            .starts_with("given\ndefinition\nproved\nproved\nrefuted"));
+}
+
+TEST_CASE("a heading between where and its statement brings nothing back") {
+  const std::string notes = "## One\n\n" + rigor_says("scalar a, b") + rigor_says("given a = 1") +
+                            rigor_says("where b = 2") + "## Two\n\n" + rigor_says("scalar a, b") +
+                            "$$2b = 4$$\n\n$$2a = 2$$\n";
+  CHECK(lines_of(notes).find("proved\nproved") == std::string::npos);
+}
+
+TEST_CASE("what is defined under a where stays") {
+  CHECK(lines_of(rigor_says("scalar a") + rigor_says("where a = 1") +
+                 "$$c = a + 1$$\n\n$$c = a + 1$$\n\n$$c = 2$$\n")
+            .starts_with("given\ndefinition\nproved\nrefuted"));
+}
+
+TEST_CASE("where, first order and expect go together in any order") {
+  const std::string small = rigor_says("scalar x, b") + rigor_says("small x");
+  const std::string where = rigor_says("where b = 1");
+  const std::string order = rigor_says("first order");
+  const std::string expect = rigor_says("expect refuted");
+  for (const std::string& words : {where + order + expect, expect + where + order, order + expect + where}) {
+    const Checked checked(small + words + "$$(b+x)^2 = 1 + x$$\n");
+    CHECK(checked.report.steps.back().expected_refuted);
+    CHECK(verdict_on("(b+x)^2 = 1 + 2x", small + where + order) == "proved");
+  }
+}
+
+TEST_CASE("rules for three components are one for the vector, as long as all three hold") {
+  const std::string two = rigor_says("scalar a") + rigor_says("vector \\mathbf{r}") +
+                          rigor_says("given \\dot r_2 = 0") + rigor_says("given \\dot r_3 = 0");
+  CHECK(verdict_on("\\dot{\\mathbf{r}} = a\\mathbf{e}_1", two + rigor_says("given \\dot r_1 = a")) ==
+        "proved");
+  CHECK(verdict_on("\\dot r_1 = a", two + rigor_says("where \\dot r_1 = a") + "$$\\dot r_1 = a$$\n\n")
+            .starts_with("refuted"));
+}
+
+TEST_CASE("a square in brackets defines what is not negative") {
+  const std::string notes = rigor_says("scalar a") + "$$(\\Omega)^2 = a^2$$\n\n";
+  CHECK(verdict_on("\\Omega^2 = a^2", notes) == "proved");
+  CHECK(verdict_on("\\Omega = a", notes).starts_with("refuted"));
+}
+
+TEST_CASE("cyclic images are steps of their own") {
+  const std::string notes = rigor_says("vector \\mathbf{A}, \\mathbf{B}");
+  CHECK(lines_of(notes + "$$(\\mathbf{A}\\times\\mathbf{B})_1 = A_2B_3 - A_3B_2 \\quad \\text{and cyclic "
+                         "permutations}$$\n") == "proved\nproved\nproved\n");
+}
+
+TEST_CASE("a letter that is free on the other side is not summed, and a prime may only name the axes") {
+  const std::string principal = "$$I_{ij} = I_i\\delta_{ij}$$\n\n";
+  CHECK(verdict_on("I_{ij}\\omega_j = I_i\\omega_i", principal).starts_with("proved"));
+  CHECK(verdict_on("I_{ij}\\omega_j = 2I_i\\omega_i", principal).starts_with("refuted"));
+  const std::string primed = rigor_says("rotation \\lambda") + rigor_says("vector \\mathbf{A}");
+  CHECK(verdict_on("A_{i'} = \\lambda_{i'j}A_j", primed) == "proved");
+  CHECK(verdict_on("A_{i'} = \\lambda_{ji}A_j", primed).starts_with("refuted"));
+  CHECK(verdict_on("A_{i'} = A_i", primed).starts_with("refuted"));
+}
+
+TEST_CASE("a dot on a length is read on the vector only where that proves the step") {
+  const std::string vector = rigor_says("vector \\mathbf{r}");
+  CHECK(verdict_on("\\dot r^2 = \\dot{\\mathbf{r}}\\cdot\\dot{\\mathbf{r}}", vector).find("dotted-length") !=
+        std::string::npos);
+  CHECK(verdict_on("r\\dot r = \\mathbf{r}\\cdot\\dot{\\mathbf{r}}", vector) == "proved");
+  CHECK(verdict_on("\\dot r^2 = 2\\dot{\\mathbf{r}}\\cdot\\dot{\\mathbf{r}}", vector).starts_with("refuted"));
+}

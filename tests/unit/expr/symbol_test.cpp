@@ -23,3 +23,47 @@ TEST_CASE("only a tensor of rank 2 is symmetric, only a vector has length 1", "[
   CHECK_THROWS_AS(symbols.add({.name = "s", .rank = 0, .unit = true}), InternalError);
   CHECK_THROWS_AS(symbols.add({.name = "s", .rank = -1}), InternalError);
 }
+
+TEST_CASE("derivatives of a symbol commute and are made once", "[expr]") {
+  SymbolTable symbols;
+  const SymbolId a = symbols.add({.name = "A", .rank = 1, .per_particle = true});
+  const SymbolId both = symbols.derivative(symbols.derivative(a, By::time), By::space);
+  CHECK(symbols.derivative(symbols.derivative(a, By::space), By::time) == both);
+  CHECK(symbols[both].rank == 2);
+  CHECK(symbols[both].per_particle);
+  CHECK(symbols.find({.base = a, .time = 1, .space = 1}) == both);
+  CHECK_FALSE(symbols.find({.base = a, .time = 2}).has_value());
+}
+
+TEST_CASE("a derivative is named as it is written, its label behind", "[expr]") {
+  SymbolTable symbols;
+  const SymbolId energy = symbols.add({.name = "T_{\\text{rot}}"});
+  const SymbolId rate = symbols.derivative(energy, By::time);
+  CHECK(symbols[rate].name == "\\dot{T}_{\\text{rot}}");
+  CHECK(symbols[symbols.derivative(rate, By::time)].name == "\\ddot{T}_{\\text{rot}}");
+  CHECK(symbols[symbols.derivative(energy, By::space)].name == "\\partial T_{\\text{rot}}");
+}
+
+TEST_CASE("a unit vector's rate is no unit vector, a symmetric tensor's is symmetric", "[expr]") {
+  SymbolTable symbols;
+  const SymbolId n = symbols.add({.name = "n", .rank = 1, .unit = true});
+  const SymbolId i = symbols.add({.name = "I", .rank = 2, .symmetric = true});
+  const SymbolId r = symbols.add({.name = "R", .rank = 2, .rotation = true});
+  CHECK_FALSE(symbols[symbols.derivative(n, By::time)].unit);
+  CHECK(symbols[symbols.derivative(i, By::time)].symmetric);
+  CHECK_FALSE(symbols[symbols.derivative(r, By::time)].rotation);
+}
+
+TEST_CASE("components that exchange axes are one: of a symmetric tensor and of repeated ∂", "[expr]") {
+  SymbolTable symbols;
+  const SymbolId i = symbols.add({.name = "I", .rank = 2, .symmetric = true});
+  const SymbolId a = symbols.add({.name = "A", .rank = 1});
+  CHECK(canonical_component(symbols[i], 3 * 1 + 0) == 3 * 0 + 1);
+  CHECK(canonical_component(symbols[a], 2) == 2);
+  const SymbolId gradient = symbols.derivative(a, By::space);
+  CHECK(canonical_component(symbols[gradient], 3 * 1 + 0) == 3 * 1 + 0);
+  const SymbolId second = symbols.derivative(gradient, By::space);
+  CHECK(canonical_component(symbols[second], 9 * 2 + 3 * 1 + 0) == 9 * 2 + 3 * 0 + 1);
+  const SymbolId of_tensor = symbols.derivative(symbols.derivative(i, By::space), By::space);
+  CHECK(canonical_component(symbols[of_tensor], 27 * 1 + 9 * 0 + 3 * 2 + 1) == 27 * 0 + 9 * 1 + 3 * 1 + 2);
+}
