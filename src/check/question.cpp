@@ -242,6 +242,10 @@ class Preparation {
     }
     if (wanted.time < 0 && wanted.space < 0) return false;
     if (equation.relation != Relation::equal) wanted = {0, 0};
+    if (named != nullptr && named->at_instant) {
+      wanted = {0, 0};
+      if (highest_order_ > 0 && !symbols.empty()) note_unknown(symbols[0]);
+    }
     bool grew = false;
     const int more =
         std::max(highest_order_ - own_order, 0);  // what goes beyond the claim's orders says nothing of it

@@ -58,6 +58,7 @@ void Session::sight_all() {
 }
 
 void Session::follow(const Heading& heading) {
+  forget_wheres();
   names_.open_section(heading.level);
   section_ = heading.title;
 }

@@ -59,7 +59,7 @@ std::optional<Typed> Elaborator::rate(const WrittenSymbol& written, Span span) {
   const int times = std::exchange(bare.dots, std::uint8_t{0});
   Maybe typed = symbol(bare, span);
   if (!typed || frame_is_open(*typed, span) || is_total_rate_of_field(*typed, span)) return std::nullopt;
-  if (tree_[typed->id].op != Op::length) return rate_of(std::move(*typed), times);
+  if (tree_[typed->id].op != Op::length || !squared_) return rate_of(std::move(*typed), times);
   dotted_length_ = span;
   if (!reading_.dots_on_vectors) return rate_of(std::move(*typed), times);
   typed->id = tree_.children(typed->id)[0];

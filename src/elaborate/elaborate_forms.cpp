@@ -64,7 +64,9 @@ std::optional<Typed> Elaborator::power(SyntaxId id) {
     const Maybe argument = expression(syntax_.child(id, 1));
     return argument ? exponential(*argument, span) : std::nullopt;
   }
+  squared_ = integer(syntax_.child(id, 1)) == 2 && syntax_[syntax_.child(id, 0)].kind == SyntaxKind::symbol;
   const Maybe base = expression(syntax_.child(id, 0));
+  squared_ = false;
   if (!base) return std::nullopt;
   const auto halves = half_integer(syntax_.child(id, 1));
   if (!halves) {

@@ -204,6 +204,7 @@ class Elaborator {
   std::vector<SymbolId> unknown_changes_;
   std::set<std::string> summed_letters_;
   std::optional<Span> dotted_length_;
+  bool squared_ = false;                            // at a symbol with the exponent 2
   std::map<std::string, std::uint8_t> fixed_axes_;  // letters that stand for one axis for now
   std::optional<ParticleId> body_point_;            // inside an integral over the body
   std::map<std::string, IndexId> free_indices_;

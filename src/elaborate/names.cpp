@@ -142,7 +142,7 @@ void Names::forget(std::size_t directive) {
 }
 
 void Names::declare_constant(SymbolId symbol, std::size_t directive) {
-  constants_.push_back({symbol, directive, depth_});
+  constants_.push_back({symbol, directive, depth_, frames_.size()});
 }
 
 void Names::declare_frame(Frame frame, Scene before) {
@@ -170,6 +170,10 @@ Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
     const NameKey* own = key_of(constant.symbol);
     const bool same = constant.symbol == base || (own != nullptr && base_key != nullptr && *own == *base_key);
     if (!same) continue;
+    // A vector that does not change along fixed axes does along turning ones; principal values are no vector.
+    const bool vector =
+        base_key != nullptr && base_key->rank == 1 && !sightings.diagonal.contains(base_key->base);
+    if (vector && by == By::time && constant.frames < frames_.size()) continue;
     mark_used(constant.directive);
     return {Kind::constant};
   }

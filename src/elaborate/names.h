@@ -58,6 +58,7 @@ struct NamedAssumption {
   Equation equation;
   Origin origin;
   int depth = 0;
+  bool at_instant = false;      // said of components along other axes: it holds now, its derivatives do not
   bool without_sample = false;  // nothing was found that satisfies it: what is proved from it proves nothing
 };
 
@@ -175,6 +176,7 @@ class Names {
     SymbolId symbol{};
     std::size_t directive = 0;
     int depth = 0;
+    std::size_t frames = 0;  // in force where it stands
   };
   [[nodiscard]] const NameKey* key_of(SymbolId symbol) const;
 

@@ -67,6 +67,14 @@ TEST_CASE("what was defined before a frame is meant along fixed axes") {
   CHECK(verdict_on("\\mathbf{p} = m" + rate("\\mathbf{r}", "rot"), before).starts_with("refuted"));
 }
 
+TEST_CASE("a vector that was constant before a frame may turn in it") {
+  const std::string constant = rigor_says("constant \\mathbf{A}");
+  CHECK(verdict_on(turning_a + " = 0", vectors + constant + frame) != "proved");
+  CHECK(verdict_on(turning_a + " = 0", vectors + frame + constant) == "proved");
+  CHECK(verdict_on(turning_a + " = -\\boldsymbol{\\omega}\\times\\mathbf{A}",
+                   vectors + rigor_says("given \\dot{\\mathbf{A}} = 0") + frame) == "proved");
+}
+
 TEST_CASE("what was assumed before a frame comes back behind its section") {
   const std::string before = "# Both\n\n" + rigor_says("constant m") +
                              rigor_says("given m\\ddot{\\mathbf{r}} = \\mathbf{F}") + "## Turning\n\n" +
