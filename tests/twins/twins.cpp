@@ -77,10 +77,12 @@ class Mutations {
   }
 
  private:
+  /// Of an equation "and cyclic permutations", the one that is written.
   std::vector<const Step*> proved_in(Span display) const {
     std::vector<const Step*> proved;
     for (const Step& step : whole_.steps) {
-      if (step.verdict == Verdict::proved && lies_in(step.span, display)) proved.push_back(&step);
+      const bool written = step_at(whole_, step.relation_span.begin) == &step;
+      if (step.verdict == Verdict::proved && written && lies_in(step.span, display)) proved.push_back(&step);
     }
     return proved;
   }
