@@ -234,7 +234,8 @@ void Constraints::eliminate() {
     }
   }
   for (const Known& each : open) {
-    remaining_.push_back({each.equation, monic_indeterminate(each.equation), each.from});
+    remaining_.push_back({each.equation, monic_indeterminate(each.equation), each.from,
+                          domain_.indeterminates().positions_in(each.equation)});
   }
 }
 

@@ -52,8 +52,8 @@ class Constraints {
   /// Are there equations that could not be solved for an indeterminate?
   [[nodiscard]] bool incomplete() const { return !remaining_.empty(); }
 
-  /// The positions of the assumptions from which came what has been used so far, of signs as well; too many
-  /// rather than too few.
+  /// The positions of the assumptions from which came what has been used so far, of signs as well. Likely to
+  /// be enough.
   [[nodiscard]] std::set<std::size_t> used(bool signs) const;
 
  private:
@@ -71,6 +71,7 @@ class Constraints {
     GiNaC::ex equation;  // expanded, not constant
     GiNaC::ex monic_in;  // 0: in none
     Positions from;
+    std::set<std::size_t> indeterminates;  // by position
   };
 
   void learn_signs(const Equation& assumption);
@@ -81,8 +82,10 @@ class Constraints {
   [[nodiscard]] bool replace_own_number(const GiNaC::ex& equation);
   [[nodiscard]] GiNaC::ex solved(const GiNaC::ex& value);
   [[nodiscard]] bool is_determinant(const GiNaC::ex& value);
-  void use_all_remaining();
-  [[nodiscard]] bool is_combination_times_nonzero(const GiNaC::ex& value, const System& system);
+  void use(const Positions& positions);
+  [[nodiscard]] std::vector<std::size_t> remaining_about(const GiNaC::ex& value) const;
+  [[nodiscard]] bool is_combination_times_nonzero(const GiNaC::ex& value, const System& system,
+                                                  const std::vector<std::size_t>& which);
   [[nodiscard]] GiNaC::ex substituted(const GiNaC::ex& value, const Solution& by);
   void substitute(GiNaC::ex& value, Positions& from, const Solution& by);
   [[nodiscard]] GiNaC::ex linear_indeterminate(const GiNaC::ex& equation) const;

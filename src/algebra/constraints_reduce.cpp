@@ -42,7 +42,7 @@ ex Constraints::reduced(const ex& value) {
     if (!each.monic_in.is_zero() && is_divided(rest, each.equation) &&
         rest.degree(each.monic_in) >= each.equation.degree(each.monic_in)) {
       rest = GiNaC::rem(rest, each.equation, each.monic_in).expand();
-      used_.insert(each.from.begin(), each.from.end());
+      use(each.from);
     }
   }
   return rest;
@@ -55,15 +55,44 @@ void Constraints::note_nonzero(const ex& value) {
 }
 
 /// Is the value, or its product with something that is not 0, a combination of the equations?
-bool Constraints::is_combination_times_nonzero(const ex& value, const System& system) {
+bool Constraints::is_combination_times_nonzero(const ex& value, const System& system,
+                                               const std::vector<std::size_t>& which) {
   const std::vector<ex>& all = domain_.indeterminates().all();
-  if (is_combination(value, system.equations, all)) return true;
+  const auto is_zero = [&](const ex& product) {
+    const auto taken = combination(product, system.equations, all);
+    if (!taken) return false;
+    for (const std::size_t each : *taken) use(remaining_[which[each]].from);
+    return true;
+  };
+  if (is_zero(value)) return true;
   std::size_t tried = 0;
   return std::any_of(system.nonzero.begin(), system.nonzero.end(), [&](const ex& factor) {
     if (is_number(factor) || term_count(factor) * term_count(value) > largest_product) return false;
     if (++tried > largest_tried) return false;
-    return is_combination((value * factor).expand(), system.equations, all);
+    return is_zero((value * factor).expand());
   });
+}
+
+/// The positions of the remaining equations that share indeterminates with a value, directly or through
+/// others.
+std::vector<std::size_t> Constraints::remaining_about(const ex& value) const {
+  std::set<std::size_t> met = domain_.indeterminates().positions_in(value);
+  std::vector<bool> taken(remaining_.size(), false);
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (std::size_t i = 0; i < remaining_.size(); ++i) {
+      const std::set<std::size_t>& own = remaining_[i].indeterminates;
+      if (taken[i] || std::none_of(own.begin(), own.end(), [&](std::size_t x) { return met.contains(x); }))
+        continue;
+      taken[i] = grew = true;
+      met.insert(own.begin(), own.end());
+    }
+  }
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (taken[i]) which.push_back(i);
+  }
+  return which;
 }
 
 std::set<std::size_t> Constraints::used(bool signs) const {
@@ -72,10 +101,7 @@ std::set<std::size_t> Constraints::used(bool signs) const {
   return all;
 }
 
-void Constraints::use_all_remaining() {
-  for (const Remaining& each : remaining_) used_.insert(each.from.begin(), each.from.end());
-  used_.insert(orders_.begin(), orders_.end());
-}
+void Constraints::use(const Positions& positions) { used_.insert(positions.begin(), positions.end()); }
 
 /// Is the value a multiple of a determinant that is zero?
 bool Constraints::is_determinant(const ex& value) {
@@ -84,7 +110,7 @@ bool Constraints::is_determinant(const ex& value) {
     if (determinant.is_zero() ||
         !is_combination(value, std::span(&determinant, 1), domain_.indeterminates().all()))
       return false;
-    used_.insert(each.from.begin(), each.from.end());
+    use(each.from);
     return true;
   });
 }
@@ -94,16 +120,20 @@ bool Constraints::vanishes(const ex& value) {
   if (open.is_zero()) return true;
   if (remaining_.empty()) return false;
   if (is_determinant(open)) return true;
-  use_all_remaining();
+  const std::vector<std::size_t> which = remaining_about(open);
+  if (which.empty()) return false;
   System system;
-  for (const Remaining& each : remaining_) system.equations.push_back(each.equation);
+  for (const std::size_t each : which) system.equations.push_back(remaining_[each].equation);
+  const Positions before = used_;  // what is not 0 may need assumptions, but seldom others
   for (const ex& each : nonzero_) system.nonzero.push_back(reduced(each));
-  const ex without = without_factors(open, system.nonzero);
-  if (is_combination_times_nonzero(without, system)) return true;
+  used_ = before;
+  use(orders_);
+  if (is_combination_times_nonzero(without_factors(open, system.nonzero), system, which)) return true;
   const ex rest = reduced(open);
   if (rest.is_zero()) return true;
   const Cases::Verdict verdict = Cases(domain_).decide(without_factors(rest, system.nonzero), system);
   if (verdict == Cases::Verdict::empty) throw Undecidable("the assumptions contradict each other");
+  for (const std::size_t each : which) use(remaining_[each].from);
   return verdict == Cases::Verdict::vanishes;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order of the attempts: a quick look at samples, then proofs (definitions opaque before unfolded, no
+// The order of the attempts: a quick look at samples, then proofs (definitions opaque before unfolded, few
 // assumptions before all of them), then the search for a sample in earnest.
 #include "algebra/decide.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "algebra/prove.h"
@@ -18,6 +19,8 @@ namespace {
   decision.reason = std::move(reason);
   return decision;
 }
+
+constexpr std::uint32_t cheap_terms = 3000;
 
 /// Why an equation is not even tried, if so.
 [[nodiscard]] std::optional<std::string> too_large(const Scope& scope, const Equation& equation) {
@@ -69,6 +72,7 @@ class Decider {
   [[nodiscard]] std::vector<std::vector<std::size_t>> choices_of_assumptions();
   [[nodiscard]] std::optional<Found> try_all_proofs(Effort effort);
   [[nodiscard]] std::optional<Found> try_proof(const Attempt& attempt, bool unfolded);
+  [[nodiscard]] std::optional<Found> try_cheap_proof(const Attempt& attempt, bool& finished);
   void drop_needless_assumptions(Found& found);
   [[nodiscard]] Decision proved(const Found& found) const;
   [[nodiscard]] Decision proved_by_value();
@@ -105,6 +109,22 @@ std::optional<Found> Decider::try_proof(const Attempt& attempt, bool unfolded) {
   return std::nullopt;
 }
 
+/// With definitions opaque, and broken off early: they may be needed, and then it is in vain.
+std::optional<Found> Decider::try_cheap_proof(const Attempt& attempt, bool& finished) {
+  Limits limits = limits_;
+  limits.expanded_terms = std::min(limits.expanded_terms, cheap_terms);
+  Work work;
+  try {
+    const Proof proof = prove(opaque_, attempt, limits, work);
+    finished = true;
+    if (proof.holds) return Found{proof, attempt, false};
+    last_proof_ = proof;
+  } catch (const Undecidable&) {
+    // tried again with the full limits, if need be
+  }
+  return std::nullopt;
+}
+
 /// Is the claim, its definitions opaque, refuted by a sample? Then it has no proof with them opaque.
 bool Decider::needs_definitions() {
   if (!needs_definitions_) {
@@ -129,10 +149,17 @@ std::vector<std::vector<std::size_t>> Decider::choices_of_assumptions() {
 std::optional<Found> Decider::try_all_proofs(Effort effort) {
   const bool has_definitions = !refuter_.reach().unfolded.empty();
   for (const std::vector<std::size_t>& assumptions : choices_of_assumptions()) {
-    for (const bool unfolded : {false, true}) {
-      if (unfolded ? !has_definitions : has_definitions && needs_definitions()) continue;
-      if (auto found = try_proof({.effort = effort, .assumptions = assumptions}, unfolded)) return found;
+    const Attempt attempt{.effort = effort, .assumptions = assumptions};
+    const bool opaque = !has_definitions || !needs_definitions();
+    bool finished = !opaque;
+    if (opaque && has_definitions) {
+      if (auto found = try_cheap_proof(attempt, finished)) return found;
     }
+    if (has_definitions) {
+      if (auto found = try_proof(attempt, true)) return found;
+    }
+    if (finished) continue;
+    if (auto found = try_proof(attempt, false)) return found;
   }
   return std::nullopt;
 }
@@ -146,7 +173,7 @@ void Decider::drop_needless_assumptions(Found& found) {
     if (auto still = try_proof(fewer, found.unfolded)) found = *std::move(still);
   }
   if (found.under.assumptions.size() < 2) return;
-  for (std::size_t i = 0; i < found.under.assumptions.size();) {
+  for (std::size_t i = 0; i < found.under.assumptions.size() && found.under.assumptions.size() > 1;) {
     Attempt fewer = found.under;
     fewer.assumptions.erase(fewer.assumptions.begin() + static_cast<std::ptrdiff_t>(i));
     if (auto still = try_proof(fewer, found.unfolded)) {
@@ -224,7 +251,10 @@ Decision Decider::decide() {
   auto found = try_all_proofs(Effort::plain);
   if (!found && last_proof_.radicals) found = try_all_proofs(Effort::factored);
   if (found && !found->proof.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
-    static_cast<void>(look([this] { return refuter_.search(); }));
+    static_cast<void>(look([this] {
+      refuter_.find_a_point();
+      return std::optional<Refuter::Counterexample>();
+    }));
     if (refuter_.points_compared() == 0)
       return undecided("no sample was found at which both sides have a value");
   }

@@ -3,6 +3,7 @@
 
 #include <ginac/ginac.h>
 
+#include <algorithm>
 #include <array>
 
 namespace rigor {
@@ -76,7 +77,13 @@ Fraction GenericDomain::rotation(SymbolId symbol, Frame frame, std::size_t compo
 }
 
 ex GenericDomain::difference(const Fraction& left, const Fraction& right) {
-  if (left.divisors.empty() && right.divisors.empty() && left.numerator.is_equal(right.numerator)) return 0;
+  const auto same = [](const Divisor& a, const Divisor& b) {
+    return a.exponent == b.exponent && a.base.is_equal(b.base);
+  };
+  if (std::equal(left.divisors.begin(), left.divisors.end(), right.divisors.begin(), right.divisors.end(),
+                 same) &&
+      left.numerator.is_equal(right.numerator))
+    return 0;
   Fraction subtracted = right;
   arithmetic_.negate(subtracted);
   Fraction sum = left;

@@ -50,6 +50,17 @@ FrameSet Indeterminates::frames_of(const ex& value) const {
   return frames;
 }
 
+std::set<std::size_t> Indeterminates::positions_in(const ex& value) const {
+  std::set<std::size_t> positions;
+  const auto collect = [&](const auto& self, const ex& part) -> void {
+    if (GiNaC::is_a<GiNaC::symbol>(part)) positions.insert(origin(part).position);
+    if (GiNaC::is_a<GiNaC::numeric>(part)) return;
+    for (std::size_t i = 0; i < part.nops(); ++i) self(self, part.op(i));
+  };
+  collect(collect, value);
+  return positions;
+}
+
 std::string Indeterminates::fingerprint(const ex& value) const {
   if (GiNaC::is_a<GiNaC::symbol>(value)) return fmt::format("x{}", origin(value).position);
   if (GiNaC::is_a<GiNaC::numeric>(value)) {

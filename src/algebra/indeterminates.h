@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ class Indeterminates {
   [[nodiscard]] const Origin& origin(const GiNaC::ex& indeterminate) const;
   /// The frames of all indeterminates that occur in an expression.
   [[nodiscard]] FrameSet frames_of(const GiNaC::ex& value) const;
+  /// The positions of all indeterminates that occur in an expression.
+  [[nodiscard]] std::set<std::size_t> positions_in(const GiNaC::ex& value) const;
   /// A text that is the same in every run, unlike GiNaC's order of terms: equal for equal expressions.
   [[nodiscard]] std::string fingerprint(const GiNaC::ex& value) const;
   /// All indeterminates of one frame with their twins in another (coordinates only).

@@ -20,6 +20,12 @@ using GiNaC::ex;
 using Monomial = std::string;  // a byte for each variable: its exponent
 using Row = std::map<Monomial, Rational>;
 
+/// A combination of equations, and of which.
+struct Multiple {
+  Row row;
+  std::set<std::size_t> from = {};
+};
+
 constexpr int largest_exponent_here = 100;
 constexpr int more_degrees = 2;  // so far above the value's degree may multiples reach
 
@@ -99,7 +105,7 @@ class Multiples {
  public:
   Multiples(const std::vector<Row>& equations, std::size_t limit) : equations_(equations), limit_(limit) {}
 
-  [[nodiscard]] std::vector<Row> around(const Row& value) {
+  [[nodiscard]] std::vector<Multiple> around(const Row& value) {
     largest_degree_ = degree(value) + more_degrees;
     for (const auto& [monomial, coefficient] : value) meet(monomial);
     for (std::size_t i = 0; i < met_.size() && rows_.size() < limit_; ++i) {
@@ -125,7 +131,7 @@ class Multiples {
         row.emplace(product(monomial, *factor), number);
       }
       for (const auto& [monomial, number] : row) meet(monomial);
-      rows_.push_back(std::move(row));
+      rows_.push_back({std::move(row), {equation}});
     }
   }
 
@@ -135,7 +141,7 @@ class Multiples {
   std::vector<Monomial> met_;
   std::set<Monomial> known_;
   std::set<std::pair<std::size_t, Monomial>> taken_;
-  std::vector<Row> rows_;
+  std::vector<Multiple> rows_;
 };
 
 /// Rows in echelon form, by their last monomials.
@@ -145,7 +151,8 @@ class Echelon {
 
   [[nodiscard]] bool exhausted() const { return left_ == 0; }
   /// What is left of a row when the others are subtracted.
-  [[nodiscard]] Row reduced(Row row) {
+  [[nodiscard]] Multiple reduced(Multiple multiple) {
+    Row& row = multiple.row;
     Row rest;
     while (!row.empty() && !exhausted()) {
       const auto last = std::prev(row.end());
@@ -153,17 +160,18 @@ class Echelon {
       if (pivot == pivots_.end()) {
         rest.insert(row.extract(last));
       } else {
-        subtract(row, last->second, pivot->second);
+        multiple.from.insert(pivot->second.from.begin(), pivot->second.from.end());
+        subtract(row, last->second, pivot->second.row);
       }
     }
-    return rest;
+    return {std::move(rest), std::move(multiple.from)};
   }
-  void insert(Row row) {
-    Row rest = reduced(std::move(row));
-    if (rest.empty()) return;
-    const auto last = std::prev(rest.end());
+  void insert(Multiple multiple) {
+    Multiple rest = reduced(std::move(multiple));
+    if (rest.row.empty()) return;
+    const auto last = std::prev(rest.row.end());
     const Rational scale = last->second;
-    for (auto& [monomial, coefficient] : rest) coefficient = coefficient / scale;
+    for (auto& [monomial, coefficient] : rest.row) coefficient = coefficient / scale;
     pivots_.emplace(last->first, std::move(rest));
   }
 
@@ -177,25 +185,30 @@ class Echelon {
     }
   }
 
-  std::map<Monomial, Row> pivots_;  // the last coefficient is 1
+  std::map<Monomial, Multiple> pivots_;  // the last coefficient is 1
   std::size_t left_;
 };
 
 }  // namespace
 
-bool is_combination(const ex& value, std::span<const ex> equations, std::span<const ex> variables,
-                    const MembershipLimits& limits) {
+std::optional<std::set<std::size_t>> combination(const ex& value, std::span<const ex> equations,
+                                                 std::span<const ex> variables,
+                                                 const MembershipLimits& limits) {
   const Rows rows(variables);
   std::vector<Row> given;
-  for (const ex& equation : equations) {
-    auto row = rows.row(equation);
-    if (row && !row->empty()) given.push_back(*std::move(row));
-  }
+  for (const ex& equation : equations) given.push_back(rows.row(equation).value_or(Row{}));
   const std::optional<Row> wanted = rows.row(value);
-  if (!wanted) return false;
+  if (!wanted) return std::nullopt;
   Echelon echelon(limits.operations);
-  for (Row& row : Multiples(given, limits.multiples).around(*wanted)) echelon.insert(std::move(row));
-  return echelon.reduced(*wanted).empty() && !echelon.exhausted();
+  for (Multiple& each : Multiples(given, limits.multiples).around(*wanted)) echelon.insert(std::move(each));
+  Multiple rest = echelon.reduced({*wanted});
+  if (!rest.row.empty() || echelon.exhausted()) return std::nullopt;
+  return std::move(rest.from);
+}
+
+bool is_combination(const ex& value, std::span<const ex> equations, std::span<const ex> variables,
+                    const MembershipLimits& limits) {
+  return combination(value, equations, variables, limits).has_value();
 }
 
 }  // namespace rigor

@@ -8,6 +8,8 @@
 
 #include <ginac/ex.h>
 
+#include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -18,7 +20,13 @@ struct MembershipLimits {
   std::size_t operations = 100'000;
 };
 
-/// All polynomials are expanded; `variables` has whatever occurs in them, always in the same order.
+/// The positions of the equations that take part in a combination; empty if none was found. All polynomials
+/// are expanded; `variables` has whatever occurs in them, always in the same order.
+[[nodiscard]] std::optional<std::set<std::size_t>> combination(const GiNaC::ex& value,
+                                                               std::span<const GiNaC::ex> equations,
+                                                               std::span<const GiNaC::ex> variables,
+                                                               const MembershipLimits& limits = {});
+
 [[nodiscard]] bool is_combination(const GiNaC::ex& value, std::span<const GiNaC::ex> equations,
                                   std::span<const GiNaC::ex> variables, const MembershipLimits& limits = {});
 

@@ -57,20 +57,20 @@ namespace {
   if (claim.relation != Relation::equal) domain.note_signs_as_written();
   Proof proof;
   proof.order = claim.relation != Relation::equal;
-  proof.holds = for_each_component(
-      evaluator, scope.tree(), claim,
-      [&](const auto&, const Fraction& left, const Fraction& right) { return is_right(left, right); });
-  const bool by_signs = proof.order || domain.used_radicals() || domain.used_functions();
-  const auto used = constraints.used(by_signs);
-  proof.used.assign(used.begin(), used.end());
   const auto vanishes_alone = [&](const Fraction& left, const Fraction& right) {  // both are equal
     return right.numerator.is_zero() || constraints.reduced(domain.difference(left, Fraction{})).is_zero();
   };
-  proof.vanishes = proof.holds && !proof.order &&
-                   for_each_component(evaluator, scope.tree(), claim,
-                                      [&](const auto&, const Fraction& left, const Fraction& right) {
-                                        return vanishes_alone(left, right);
-                                      });
+  proof.vanishes = !proof.order;
+  proof.holds = for_each_component(evaluator, scope.tree(), claim,
+                                   [&](const auto&, const Fraction& left, const Fraction& right) {
+                                     if (!is_right(left, right)) return false;
+                                     proof.vanishes = proof.vanishes && vanishes_alone(left, right);
+                                     return true;
+                                   });
+  proof.vanishes = proof.vanishes && proof.holds;
+  const bool by_signs = proof.order || domain.used_radicals() || domain.used_functions();
+  const auto used = constraints.used(by_signs);
+  proof.used.assign(used.begin(), used.end());
   proof.moments = domain.used_moments();
   proof.unit_vectors = domain.used_unit_vectors();
   proof.rotations = domain.used_rotations();

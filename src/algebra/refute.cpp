@@ -5,6 +5,7 @@ namespace rigor {
 namespace {
 
 constexpr std::uint32_t quick_attempts = 24;
+constexpr std::uint64_t quick_steps = 8'000;
 constexpr std::uint32_t free_attempts = 8;
 
 }  // namespace
@@ -48,7 +49,8 @@ std::optional<Refuter::Counterexample> Refuter::attempt_next() {
 
 std::optional<Refuter::Counterexample> Refuter::quick_look() {
   const std::uint32_t wanted = is_constant() ? 1 : limits_.quick_points;
-  while (points_compared_ < wanted && sequence_.drawn() < quick_attempts) {
+  while (points_compared_ < wanted && sequence_.drawn() < quick_attempts &&
+         evaluator_.steps() < quick_steps) {
     if (auto found = attempt_next()) return found;
   }
   return std::nullopt;
@@ -93,6 +95,11 @@ std::optional<Refuter::Counterexample> Refuter::search() {
     if (auto found = attempt_next()) return found;
   }
   return std::nullopt;
+}
+
+void Refuter::find_a_point() {
+  while (points_compared_ == 0 && sequence_.drawn() < limits_.sample_attempts)
+    static_cast<void>(attempt_next());
 }
 
 Sample Refuter::to_sample(const Counterexample& found) const {

@@ -33,6 +33,8 @@ class Refuter {
   [[nodiscard]] bool fails_without_assumptions();
   /// All attempts that the limits allow, with up to 5 particles.
   [[nodiscard]] std::optional<Counterexample> search();
+  /// Attempts until one point has been compared: do both sides have a value anywhere?
+  void find_a_point();
   /// The simplest counterexample found from a given one: tiny points first, then one number after the other
   /// made smaller.
   [[nodiscard]] Sample simplest(const Counterexample& found);
@@ -56,6 +58,7 @@ class Refuter {
   void drop_particles(Counterexample& best);
   void make_particles_alike(Counterexample& best);
   [[nodiscard]] bool make_smaller(Counterexample& best);
+  [[nodiscard]] bool may_shrink() const;
   [[nodiscard]] Sample to_sample(const Counterexample& found) const;
 
   const Scope* scope_;
@@ -67,6 +70,7 @@ class Refuter {
   SampleSequence sequence_;
   std::uint32_t points_compared_ = 0;
   std::uint32_t looked_at_zero_ = 0;  // points
+  std::uint64_t shrinks_until_ = 0;   // steps
 };
 
 /// The claim and the assumptions that bear on it: what a sample has to give values for.

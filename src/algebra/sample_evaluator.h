@@ -58,6 +58,7 @@ class SampleDomain {
   }
   void settle(ExactValue&) {}
   void step();
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
  private:
   const SamplePoint* point_ = nullptr;
@@ -93,6 +94,8 @@ class SampleEvaluator {
   /// left − right at all places, in the order of `places`.
   [[nodiscard]] std::vector<Rational> residuals(const Equation& equation);
   [[nodiscard]] Difference at(const Equation& equation, const Place& place);
+  /// How many steps of evaluation there have been.
+  [[nodiscard]] std::uint64_t steps() const { return domain_.steps(); }
   [[nodiscard]] std::vector<Place> places(const Equation& equation) const;
 
  private:

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uint32_t tiny_attempts = 24;  // for each kind of point and number of particles
 constexpr int passes = 3;                    // over all numbers of a point
+constexpr std::uint64_t shrink_steps = 30'000;
 constexpr std::uint64_t tiny_seed = 0x74696e79;
 
 constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
@@ -33,6 +34,8 @@ constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
 
 }  // namespace
 
+bool Refuter::may_shrink() const { return evaluator_.steps() < shrinks_until_; }
+
 void Refuter::consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt) {
   std::optional<Counterexample> found = fails_on(drawn, attempt);
   if (found && complexity(found->point) < complexity(best.point)) best = *std::move(found);
@@ -45,7 +48,7 @@ void Refuter::look_among_tiny_points(Counterexample& best) {
     const Complexity before = complexity(best.point);
     for (const Draw from : {Draw::zero_or_one, Draw::tiny, Draw::along_axes, Draw::with_lengths}) {
       if ((from == Draw::along_axes || from == Draw::with_lengths) && !reach_.roots) continue;
-      for (std::uint32_t attempt = 0; attempt < tiny_attempts; ++attempt) {
+      for (std::uint32_t attempt = 0; attempt < tiny_attempts && may_shrink(); ++attempt) {
         SamplePoint point(scope_->tree(), reach_.symbols, particles);
         point.mean_as(best.drawn);
         draw(point, scope_->tree(), from, random);
@@ -84,7 +87,8 @@ bool Refuter::make_smaller(Counterexample& best) {
     const std::vector<std::vector<Rational>> wholes =
         whole ? simple_wholes(scope_->tree().symbols[at.symbol]) : std::vector<std::vector<Rational>>{};
     const std::size_t choices = whole ? wholes.size() : small_numbers.size();
-    for (std::size_t choice = 0; choice < choices && !(complexity(best.point) < before); ++choice) {
+    for (std::size_t choice = 0; choice < choices && !(complexity(best.point) < before) && may_shrink();
+         ++choice) {
       SamplePoint changed = best.drawn;
       if (whole) {
         changed.set_all(at.symbol, at.particle, wholes[choice]);
@@ -102,6 +106,7 @@ bool Refuter::make_smaller(Counterexample& best) {
 
 Sample Refuter::simplest(const Counterexample& found) {
   Counterexample best = found;
+  shrinks_until_ = evaluator_.steps() + shrink_steps;
   try {
     look_among_tiny_points(best);
     drop_particles(best);

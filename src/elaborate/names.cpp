@@ -52,7 +52,13 @@ SymbolId Names::declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::
       return before->second;
     }
   }
-  const SymbolId id = tree.symbols.add(std::move(symbol));
+  // What a directive alone spoke of before (`small x`, then `scalar x`) is the same symbol.
+  const auto entry = entries_.find(key);
+  const bool plain = !symbol.symmetric && !symbol.unit && !symbol.rotation;
+  const bool met = plain && entry != entries_.end() && !entry->second.directive &&
+                   !ever_seen_.contains(entry->second.symbol) && before == declared_before_.end();
+  const SymbolId id = met ? entry->second.symbol : tree.symbols.add(std::move(symbol));
+  tree.symbols[id].declared = true;
   declared_before_[key] = id;
   keys_.emplace(id, key);
   entries_[key] = Entry{id, directive, depth_};

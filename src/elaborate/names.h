@@ -90,7 +90,7 @@ class Names {
   [[nodiscard]] bool is_declared(const NameKey& key) const;
 
   /// Declares kind and properties from here to the end of the section; an earlier symbol of this key is
-  /// forgotten.
+  /// forgotten, unless no equation has it yet.
   SymbolId declare(ExprTree& tree, const NameKey& key, Symbol symbol, std::size_t directive);
   void declare_particles(const std::string& letter, std::size_t directive);
   [[nodiscard]] bool is_particle_letter(const std::string& letter);
@@ -151,7 +151,10 @@ class Names {
   /// Was the symbol part of an equation before, in this section or one around it? (A declaration alone is
   /// not.)
   [[nodiscard]] bool seen_in_equation(SymbolId symbol) const { return seen_.contains(symbol); }
-  void mark_seen(SymbolId symbol) { seen_.emplace(symbol, depth_); }
+  void mark_seen(SymbolId symbol) {
+    seen_.emplace(symbol, depth_);
+    ever_seen_.insert(symbol);
+  }
 
   void mark_used(std::size_t directive);
   [[nodiscard]] bool is_used(std::size_t directive) const { return used_.contains(directive); }
@@ -189,6 +192,7 @@ class Names {
   std::vector<NamedDefinition> definitions_;
   std::vector<NamedAssumption> assumptions_;
   std::map<SymbolId, int> seen_;  // the depth of the section that saw it first
+  std::set<SymbolId> ever_seen_;  // in an equation of any section
   std::set<std::size_t> used_;
   std::set<NameKey> plain_;
   int depth_ = 0;

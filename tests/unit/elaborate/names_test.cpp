@@ -63,8 +63,21 @@ TEST_CASE("a declaration forgets the earlier symbol of its name") {
   ExprTree tree;
   Names names;
   const SymbolId before = names.resolve(tree, scalar_a, "A", {});
+  names.mark_seen(before);
   CHECK(names.declare(tree, scalar_a, named("A"), 0) != before);
   CHECK(names.resolve(tree, scalar_a, "A", {}) != before);
+}
+
+TEST_CASE("a declaration is of the symbol that only a directive spoke of") {
+  ExprTree tree;
+  Names names;
+  const SymbolId before = names.resolve(tree, scalar_a, "A", {});
+  CHECK(names.declare(tree, scalar_a, named("A"), 0) == before);
+  CHECK(tree.symbols[before].declared);
+  Symbol unit = named("\\mathbf{n}");
+  unit.unit = true;
+  const SymbolId plain = names.resolve(tree, {"n", 1, false}, "n", {});
+  CHECK(names.declare(tree, {"n", 1, false}, unit, 1) != plain);
 }
 
 TEST_CASE("a declaration holds to the end of its section and in those inside it") {
