@@ -206,7 +206,7 @@ class Judging {
 
   /// The order of the first term that "nearly equal" leaves out.
   void note_neglected() {
-    constexpr int highest = 1;
+    constexpr int highest = 3;
     judgement_.route += ", to first order in what is small";
     for (int order = 2; order <= highest; ++order) {
       const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
