@@ -207,10 +207,11 @@ class Judging {
   /// The order of the first term that "nearly equal" leaves out.
   void note_neglected() {
     constexpr int highest = 3;
+    constexpr Limits brief{.expanded_terms = 4'000, .quick_points = 2, .sample_attempts = 24};
     judgement_.route += ", to first order in what is small";
     for (int order = 2; order <= highest; ++order) {
       const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
-      const Decision decision = decide(higher.question);
+      const Decision decision = decide(higher.question, brief);
       if (decision.outcome == Outcome::proved) continue;
       if (decision.outcome == Outcome::refuted)
         judgement_.route += fmt::format("; the first term left out is of order {}", order);
