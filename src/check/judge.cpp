@@ -52,7 +52,7 @@ std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symb
   return text;
 }
 
-/// A symbol's name without face and braces: `\\boldsymbol{\\omega}` is `\\omega`.
+/// A symbol's name without face and braces: `\boldsymbol{\omega}` is `\omega`.
 std::string bare_name(std::string name) {
   for (const char* mark : {"\\mathbf", "\\boldsymbol", "\\text", "\\hat", "\\mathrm", "{", "}", "'"}) {
     for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark))

@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Without a directive, one symbol with mixed indices (`\\lambda_{i'j}`) gives the primed axes.
+/// Without a directive, one symbol with mixed indices (`\lambda_{i'j}`) gives the primed axes.
 void Session::imply_primed_axes() {
   if (names_.sightings.mixed_axes.size() != 1) return;
   const std::string& letter = *names_.sightings.mixed_axes.begin();
@@ -142,7 +142,7 @@ void Session::declare_constant(const Directive& directive, const Typed& typed) {
   names_.assume({equation, {directive.text, section_, directive.number}, 0});
 }
 
-/// `basis \\mathbf{e}_{i'}`: primed axes of any direction.
+/// `basis \mathbf{e}_{i'}`: primed axes of any direction.
 void Session::declare_basis(const Directive& directive, SyntaxId id) {
   const WrittenSymbol& symbol = notes_.syntax.symbol(id);
   if (symbol.lower.size() != 1 || symbol.lower[0].primes == 0) {

@@ -47,7 +47,7 @@ std::optional<Definition> Session::as_definition(const Typed& left, const Typed&
   return is_circular(left, right) ? std::nullopt : std::optional(definition);
 }
 
-/// `(\\Omega_1)^2 = …` says what a number is by its square; of the two, it is the one that is not negative.
+/// `(\Omega_1)^2 = …` says what a number is by its square; of the two, it is the one that is not negative.
 std::optional<Definition> Session::as_square(const Typed& left, const Typed& right) {
   Typed base = left;
   base.id = tree_.children(left.id)[0];
@@ -153,7 +153,7 @@ bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, c
   return true;
 }
 
-/// `given \\dot{\\mathbf r} = …`: a derivative is replaced wherever it stands.
+/// `given \dot{\mathbf r} = …`: a derivative is replaced wherever it stands.
 bool Session::is_rule(const Typed& left, const Typed& right) {
   const auto definition = as_definition(left, right);
   if (!definition || tree_[left.id].op != Op::symbol) return false;

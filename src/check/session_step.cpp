@@ -102,7 +102,7 @@ std::optional<Claim> Session::claim_of(const ParsedChain& parsed, std::size_t wh
                .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr};
 }
 
-/// `\\frac12 m\\dot r^2` where the velocity is meant: if the letter is wrong and the vector is right, it is
+/// `\frac12 m\dot r^2` where the velocity is meant: if the letter is wrong and the vector is right, it is
 /// read so.
 bool Session::proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t which, const Claim& claim,
                                           Step& step) {

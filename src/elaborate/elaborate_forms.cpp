@@ -47,7 +47,7 @@ std::optional<int> Elaborator::half_integer(SyntaxId id) const {
   return *above;
 }
 
-/// `e^{\\lambda t}`: Euler's number, unless e is declared, carries scripts or has a plain number above it.
+/// `e^{\lambda t}`: Euler's number, unless e is declared, carries scripts or has a plain number above it.
 bool Elaborator::is_exponential(SyntaxId id) const {
   const SyntaxId base = syntax_.child(id, 0);
   if (syntax_[base].kind != SyntaxKind::symbol) return false;

@@ -165,6 +165,8 @@ class Elaborator {
   bool dot_products(std::vector<Operand>& vectors);
   Maybe outer_product(std::vector<Typed> scalars, const std::vector<Operand>& vectors, Span span);
   bool is_number(const Typed& typed) const { return tree_[typed.id].op == Op::number; }
+
+  // elaborate_indices.cpp
   bool sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum,
                     std::vector<FreeIndex>& free, std::vector<FreeIndex>& bound);
   void note_riding(const std::string& letter, const std::vector<FreeIndex>& where, std::size_t riding);
