@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Writes one CTest case a step of the notes.
+# Writes one CTest case a step of the notes, and one before them that checks the notes for all of these.
 #
 #   cmake -D RIGOR=<program> -D STEP_TEST=<program> -D NOTES=<file> -D LISTING=<to write> -P list_steps.cmake
 #
@@ -22,7 +22,13 @@ endif()
 
 string(JSON steps GET "${json}" files 0 steps)
 string(JSON count LENGTH "${steps}")
-set(listing "")
+set(results ${LISTING}.json)
+set(checked "${NOTES}: checked")
+set(listing
+  "add_test([==[${checked}]==] [==[${STEP_TEST}]==] check [==[${NOTES}]==] [==[${results}]==])
+set_tests_properties([==[${checked}]==] PROPERTIES LABELS derivations FIXTURES_SETUP [==[${NOTES}]==]
+  WORKING_DIRECTORY [==[${CMAKE_CURRENT_BINARY_DIR}]==])
+")
 set(names "")
 set(index 0)
 while(index LESS count)
@@ -51,9 +57,9 @@ while(index LESS count)
   list(APPEND names "${unique}")
 
   string(APPEND listing
-    "add_test([==[${unique}]==] [==[${STEP_TEST}]==] [==[${NOTES}]==] ${line} ${column})\n"
-    "set_tests_properties([==[${unique}]==] PROPERTIES LABELS derivations"
-    " WORKING_DIRECTORY [==[${CMAKE_CURRENT_BINARY_DIR}]==])\n")
+    "add_test([==[${unique}]==] [==[${STEP_TEST}]==] step [==[${results}]==] ${line} ${column})
+set_tests_properties([==[${unique}]==] PROPERTIES LABELS derivations FIXTURES_REQUIRED [==[${NOTES}]==])
+")
   math(EXPR index "${index} + 1")
 endwhile()
 if(count EQUAL 0)

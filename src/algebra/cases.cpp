@@ -20,6 +20,11 @@ constexpr std::size_t largest_divided = 2000;  // terms times terms
 
 [[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
 
+/// base^exponent, with 0^0 = 1 as in a polynomial; GiNaC refuses that.
+[[nodiscard]] ex natural_power(const ex& base, int exponent) {
+  return exponent == 0 ? ex{1} : GiNaC::pow(base, exponent);
+}
+
 /// A product of powers is zero exactly if one of the bases is: each once.
 [[nodiscard]] ex without_powers(const ex& equation) {
   if (GiNaC::is_a<GiNaC::power>(equation)) return equation.op(0);
@@ -91,7 +96,7 @@ ex Cases::substituted(const ex& value, const Linear& by) {
   for (int k = 0; k <= degree; ++k) {
     const ex coefficient = value.coeff(by.x, k);
     if (coefficient.is_zero()) continue;
-    summands.push_back(coefficient * GiNaC::pow(-by.constant, k) * GiNaC::pow(by.factor, degree - k));
+    summands.push_back(coefficient * natural_power(-by.constant, k) * natural_power(by.factor, degree - k));
     const auto growth = static_cast<double>(std::max(term_count(by.constant), term_count(by.factor)));
     terms += static_cast<double>(term_count(coefficient)) * std::pow(growth, degree);
   }

@@ -136,6 +136,17 @@ TEST_CASE("no case is forgotten", "[algebra]") {
   CHECK(is_refuted(page.claim(z, page.zero())));
 }
 
+TEST_CASE("a case in which everything that is solved for is zero", "[algebra]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  const Named z = page.scalar("z");
+  page.given(x * x, x * y);
+  page.given(y * z, page.zero());
+  CHECK(is_proved(page.claim(x * (y - page.number("1")) * z, page.zero())));
+  CHECK(is_refuted(page.claim(x * (y - page.number("1")), page.zero())));
+}
+
 TEST_CASE("an assumption may single out the one direction that a chart misses", "[algebra]") {
   Page page;
   const Named n = page.unit("n");
