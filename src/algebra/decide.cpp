@@ -51,6 +51,7 @@ struct Found {
   Proof proof;
   Attempt under;
   bool unfolded = false;  // with definitions unfolded
+  Work cost;
 };
 
 /// One decision: what is known so far, and the steps.
@@ -99,9 +100,11 @@ std::optional<std::string> Decider::why_not_tried() const {
 }
 
 std::optional<Found> Decider::try_proof(const Attempt& attempt, bool unfolded) {
+  const Work before = work_;
   try {
     const Proof proof = prove(unfolded ? unfolded_ : opaque_, attempt, limits_, work_);
-    if (proof.holds) return Found{proof, attempt, unfolded};
+    if (proof.holds)
+      return Found{proof, attempt, unfolded, {work_.terms - before.terms, work_.steps - before.steps}};
     last_proof_ = proof;
   } catch (const Undecidable& reason) {
     gave_up_ = reason.what();
@@ -117,7 +120,7 @@ std::optional<Found> Decider::try_cheap_proof(const Attempt& attempt, bool& fini
   try {
     const Proof proof = prove(opaque_, attempt, limits, work);
     finished = true;
-    if (proof.holds) return Found{proof, attempt, false};
+    if (proof.holds) return Found{proof, attempt, false, work};
     last_proof_ = proof;
   } catch (const Undecidable&) {
     // tried again with the full limits, if need be
@@ -164,23 +167,34 @@ std::optional<Found> Decider::try_all_proofs(Effort effort) {
   return std::nullopt;
 }
 
-/// First all that the proof has not used, then one after the other.
+/// First all that the proof has not used, then one after the other, for no more work than the proof took.
 void Decider::drop_needless_assumptions(Found& found) {
-  if (found.under.assumptions.size() < 2) return;  // without any it was tried already
-  if (found.proof.used.size() < found.under.assumptions.size()) {
-    Attempt fewer = found.under;
-    fewer.assumptions = found.proof.used;
-    if (auto still = try_proof(fewer, found.unfolded)) found = *std::move(still);
-  }
-  if (found.under.assumptions.size() < 2) return;
-  for (std::size_t i = 0; i < found.under.assumptions.size() && found.under.assumptions.size() > 1;) {
-    Attempt fewer = found.under;
-    fewer.assumptions.erase(fewer.assumptions.begin() + static_cast<std::ptrdiff_t>(i));
-    if (auto still = try_proof(fewer, found.unfolded)) {
-      found = *std::move(still);
-    } else {
-      ++i;
+  constexpr std::uint64_t least_steps = 2'000;
+  constexpr std::uint32_t least_terms = 2'000;
+  Limits limits = limits_;
+  limits.steps = std::min(limits.steps, found.cost.steps + least_steps);
+  limits.expanded_terms =
+      std::min(limits.expanded_terms, static_cast<std::uint32_t>(found.cost.terms) + least_terms);
+  Work work;
+  const auto keep = [&](std::vector<std::size_t> assumptions) {
+    const Attempt fewer{.effort = found.under.effort, .assumptions = std::move(assumptions)};
+    try {
+      const Proof proof = prove(found.unfolded ? unfolded_ : opaque_, fewer, limits, work);
+      if (!proof.holds) return false;
+      found.proof = proof;
+      found.under = fewer;
+      return true;
+    } catch (const Undecidable&) {
+      return false;
     }
+  };
+  const std::vector<std::size_t>& kept = found.under.assumptions;
+  if (kept.size() < 2) return;  // without any it was tried already
+  if (found.proof.used.size() < kept.size()) keep(found.proof.used);
+  for (std::size_t i = 0; i < kept.size() && kept.size() > 1;) {
+    std::vector<std::size_t> fewer = kept;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!keep(std::move(fewer))) ++i;
   }
 }
 
@@ -259,7 +273,7 @@ Decision Decider::decide() {
       return undecided("no sample was found at which both sides have a value");
   }
   if (found) {
-    drop_needless_assumptions(*found);
+    if (limits_.fewest_assumptions) drop_needless_assumptions(*found);
     return proved(*found);
   }
   if (const auto differs = look([this] { return refuter_.search(); })) return refuted(*differs);

@@ -8,8 +8,11 @@ namespace rigor {
 
 struct Limits {
   std::uint32_t expanded_terms = 60'000;  // an estimate above it is `undecided`, with the figure
+  std::uint64_t steps = 1'000'000;        // of evaluation, for the proofs and again for the samples
   std::uint32_t quick_points = 3;
+  std::uint64_t quick_steps = 8'000;  // of evaluation, at samples, before a proof is tried
   std::uint32_t sample_attempts = 400;
+  bool fewest_assumptions = true;  // what a proof does not need is left out of what it names
 };
 
 /// Proved: every component of left − right has the normal form zero at the generic point. Refuted: an exact

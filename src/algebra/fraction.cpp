@@ -14,7 +14,6 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::uint64_t largest_steps = 1'000'000;
 constexpr double attempts_share = 2;  // all attempts together may expand so many times the limit
 constexpr double expand_above =
     1000;  // products of more terms are expanded at once, so that the estimates stay near
@@ -124,8 +123,8 @@ Fraction polynomial(const ex& expanded) {
 }
 
 void FractionArithmetic::step() {
-  if (++work_.steps > largest_steps)
-    throw Undecidable(fmt::format("more than {} steps of evaluation", largest_steps));
+  if (++work_.steps > limits_.steps)
+    throw Undecidable(fmt::format("more than {} steps of evaluation", limits_.steps));
 }
 
 void FractionArithmetic::check(const Fraction& value) const {

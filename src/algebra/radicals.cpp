@@ -67,14 +67,17 @@ bool Radicals::is_radical(const ex& indeterminate) const {
          indeterminates_.origin(indeterminate).kind == Indeterminates::Kind::radical;
 }
 
-bool Radicals::never_negative(const ex& expanded) const {
-  if (is_within(signs_.of(expanded), Sign::not_negative)) return true;
-  const auto follows_from = [&](const Signs::Fact& fact) {
+/// By the signs of its terms, or as a multiple of something whose sign is known.
+Sign Radicals::sign_of(const ex& expanded) const {
+  const Sign direct = signs_.of(expanded);
+  if (direct != Sign::any) return direct;
+  for (const Signs::Fact& fact : signs_.facts()) {
     ex quotient;
-    return is_within(fact.sign, Sign::not_negative) && term_count(fact.value) == term_count(expanded) &&
-           GiNaC::divide(expanded, fact.value, quotient) && quotient.info(GiNaC::info_flags::positive);
-  };
-  return std::any_of(signs_.facts().begin(), signs_.facts().end(), follows_from);
+    if (term_count(fact.value) != term_count(expanded) || !GiNaC::divide(expanded, fact.value, quotient))
+      continue;
+    if (is_number(quotient)) return product(fact.sign, signs_.of(quotient));
+  }
+  return Sign::any;
 }
 
 void Radicals::note(std::vector<Factor>& found, const ex& base, int exponent) {
@@ -139,7 +142,11 @@ Fraction Radicals::root(const Fraction& square) {
     if (factor.exponent == 0) continue;
     const GiNaC::numeric content = factor.base.integer_content();
     number = number * power_of(to_rational(content), factor.exponent);
-    const ex base = (factor.base / content).expand();
+    ex base = (factor.base / content).expand();
+    if (is_within(sign_of(base), Sign::not_positive)) {
+      base = (-base).expand();
+      if (factor.exponent % 2 != 0) number = -number;
+    }
     const bool odd = factor.exponent % 2 != 0;
     const int half = (factor.exponent - (odd ? 1 : 0)) / 2;
     const bool positive = never_negative(base);
@@ -181,7 +188,7 @@ Fraction Radicals::radical(const ex& square) {
   const ex symbol = indeterminates_.fresh(Indeterminates::Kind::radical, indeterminates_.frames_of(square));
   radicals_.push_back({symbol, square});
   any_root_ = true;
-  signs_.know(symbol, Sign::not_negative);
+  signs_.know(symbol, is_within(sign_of(square), Sign::positive) ? Sign::positive : Sign::not_negative);
   return polynomial(symbol);
 }
 

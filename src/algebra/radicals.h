@@ -59,7 +59,10 @@ class Radicals {
   void note_factors(std::vector<Factor>& found, GiNaC::ex value, int exponent,
                     const std::vector<Divisor>& known);
   static void note(std::vector<Factor>& found, const GiNaC::ex& base, int exponent);
-  [[nodiscard]] bool never_negative(const GiNaC::ex& expanded) const;
+  [[nodiscard]] Sign sign_of(const GiNaC::ex& expanded) const;
+  [[nodiscard]] bool never_negative(const GiNaC::ex& expanded) const {
+    return is_within(sign_of(expanded), Sign::not_negative);
+  }
 
   Indeterminates& indeterminates_;
   FractionArithmetic& arithmetic_;

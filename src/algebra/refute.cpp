@@ -5,7 +5,6 @@ namespace rigor {
 namespace {
 
 constexpr std::uint32_t quick_attempts = 24;
-constexpr std::uint64_t quick_steps = 8'000;
 constexpr std::uint32_t free_attempts = 8;
 
 }  // namespace
@@ -24,7 +23,7 @@ Refuter::Refuter(const Scope& scope, const Limits& limits)
       limits_(limits),
       solver_(scope, relevant_assumptions(scope)),
       reach_(reach_of_sample(scope, solver_.assumptions())),
-      evaluator_(scope),
+      evaluator_(scope, limits),
       sequence_(scope.tree(), reach_, solver_.has_particle_sums()) {}
 
 std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& drawn, std::uint32_t attempt) {
@@ -50,7 +49,7 @@ std::optional<Refuter::Counterexample> Refuter::attempt_next() {
 std::optional<Refuter::Counterexample> Refuter::quick_look() {
   const std::uint32_t wanted = is_constant() ? 1 : limits_.quick_points;
   while (points_compared_ < wanted && sequence_.drawn() < quick_attempts &&
-         evaluator_.steps() < quick_steps) {
+         evaluator_.steps() < limits_.quick_steps) {
     if (auto found = attempt_next()) return found;
   }
   return std::nullopt;

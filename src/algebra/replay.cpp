@@ -94,7 +94,7 @@ std::optional<SideValues> replay(const Question& question, const Sample& sample)
   const Reach reached = reach_of_sample(scope, solver.assumptions());
   const std::optional<SamplePoint> point = to_point(scope.tree(), reached.symbols, sample);
   if (!point || reached.too_large) return std::nullopt;
-  SampleEvaluator evaluator(scope);
+  SampleEvaluator evaluator(scope, Limits{});
   try {
     if (!solver.holds(evaluator, *point)) return std::nullopt;
     const Difference sides = evaluator.at(question.claim, {sample.axes, sample.free_particles});
@@ -117,7 +117,7 @@ bool satisfiable(const Question& question, const Limits& limits) {
   const Reach reached = reach(scope, roots);
   if (reached.too_large) return false;
   SampleSequence sequence(scope.tree(), reached, solver.has_particle_sums());
-  SampleEvaluator evaluator(scope);
+  SampleEvaluator evaluator(scope, limits);
   for (std::uint32_t attempt = 0; attempt < limits.sample_attempts; ++attempt) {
     SamplePoint point = sequence.next();
     try {

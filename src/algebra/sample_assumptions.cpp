@@ -14,6 +14,16 @@ namespace {
   return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
 }
 
+[[nodiscard]] bool all_zero(const std::vector<Rational>& values) {
+  return std::all_of(values.begin(), values.end(), [](const Rational& each) { return cln::zerop(each); });
+}
+
+/// How often a symbol is differentiated, in time, space and what is small together.
+[[nodiscard]] int order_of(const Symbol& symbol) {
+  return symbol.derivation ? symbol.derivation->time + symbol.derivation->space + symbol.derivation->small
+                           : 0;
+}
+
 constexpr std::uint32_t order_passes = 4;
 constexpr int equation_passes = 4;
 constexpr double largest_solved = 200;  // bits: a sample is to be read, and to be checked fast
@@ -80,6 +90,10 @@ AssumptionSolver::AssumptionSolver(const Scope& scope, std::vector<std::size_t> 
   for (const std::size_t position : assumptions_) {
     Reach reached = reach(scope, scope.question().assumptions[position]);
     has_particle_sums_ = has_particle_sums_ || reached.particle_sums;
+    int order = 0;
+    for (const SymbolId symbol : reached.symbols)
+      order = std::max(order, order_of(scope.tree().symbols[symbol]));
+    derivative_orders_.push_back(order);
     symbols_.push_back(std::move(reached.symbols));
     if (scope.question().assumptions[position].relation != Relation::equal) has_orders_ = true;
   }
@@ -143,47 +157,95 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
   return found;
 }
 
-/// All components at once, for the numbers of one symbol, the last particle's first: by differences, and then
-/// verified, since the assumption need not be linear in them.
-bool AssumptionSolver::solve_for_symbol(Search& search, std::size_t assumption, SymbolId symbol,
-                                        const std::vector<Rational>& residuals) const {
+/// All components at once, for the numbers of some symbols, the last particle's first: by differences, and
+/// then verified, since the assumptions need not be linear in them.
+bool AssumptionSolver::solve_together(Search& search, std::span<const std::size_t> assumptions,
+                                      std::span<const SymbolId> symbols) const {
   SamplePoint changed = search.point;
-  const auto residuals_of_changed = [&] {
+  const auto residuals_of = [&](std::size_t assumption) {
     search.evaluator.look_at(changed);
     return search.evaluator.residuals(equation(assumption));
   };
-  std::vector<Coordinate> unknowns;
-  for (const Coordinate& at : changed.coordinates_of(symbol)) {
-    const auto owner = std::find_if(search.owned.begin(), search.owned.end(),
-                                    [&](const Owned& each) { return each.at == at; });
-    const bool free = owner == search.owned.end() || owner->assumption == assumption;
-    if (free && changed.is_free(at)) unknowns.push_back(at);
+  std::vector<std::vector<Rational>> residuals;
+  std::vector<Rational> right;
+  for (const std::size_t assumption : assumptions) {
+    residuals.push_back(residuals_of(assumption));
+    right.insert(right.end(), residuals.back().begin(), residuals.back().end());
   }
-  std::stable_sort(unknowns.begin(), unknowns.end(),
-                   [](const Coordinate& a, const Coordinate& b) { return a.particle > b.particle; });
+  if (all_zero(right)) return true;
+  const std::vector<Coordinate> unknowns = unknowns_of(search, assumptions, symbols);
   LinearColumns columns;
   for (const Coordinate& at : unknowns) {
+    std::vector<Rational>& column = columns.emplace_back();
     const Rational before = changed[at];
     changed.set(at, before + 1);
-    columns.push_back(residuals_of_changed());
+    for (std::size_t i = 0; i < assumptions.size(); ++i) {
+      if (!contains(symbols_[assumptions[i]], at.symbol)) {
+        column.insert(column.end(), residuals[i].size(), 0);
+        continue;
+      }
+      const std::vector<Rational> moved = residuals_of(assumptions[i]);
+      for (std::size_t k = 0; k < moved.size(); ++k) column.push_back(residuals[i][k] - moved[k]);
+    }
     changed.set(at, before);
-    for (std::size_t i = 0; i < residuals.size(); ++i) columns.back()[i] = residuals[i] - columns.back()[i];
   }
-  const auto solution = solve_linear(std::move(columns), residuals);
+  const auto solution = solve_linear(std::move(columns), std::move(right));
   if (!solution) return false;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const Rational value = changed[unknowns[i]] + (*solution)[i];
     if (bit_size(value) > largest_solved) return false;
     changed.set(unknowns[i], value);
   }
-  const std::vector<Rational> left = residuals_of_changed();
-  if (!std::all_of(left.begin(), left.end(), [](const Rational& each) { return cln::zerop(each); }))
-    return false;
+  for (const std::size_t assumption : assumptions) {
+    if (!all_zero(residuals_of(assumption))) return false;
+  }
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    if (!cln::zerop((*solution)[i])) search.owned.push_back({unknowns[i], assumption});
+    if (!cln::zerop((*solution)[i])) search.owned.push_back({unknowns[i], assumptions.front()});
   }
   search.point = std::move(changed);
   return true;
+}
+
+/// The numbers that may change: those that no other assumption was solved for.
+std::vector<Coordinate> AssumptionSolver::unknowns_of(const Search& search,
+                                                      std::span<const std::size_t> assumptions,
+                                                      std::span<const SymbolId> symbols) const {
+  const auto is_taken = [&](const Coordinate& at) {
+    return std::any_of(search.owned.begin(), search.owned.end(), [&](const Owned& each) {
+      return each.at == at &&
+             std::find(assumptions.begin(), assumptions.end(), each.assumption) == assumptions.end();
+    });
+  };
+  std::vector<Coordinate> unknowns;
+  for (const SymbolId symbol : symbols) {
+    for (const Coordinate& at : search.point.coordinates_of(symbol)) {
+      if (search.point.is_free(at) && !is_taken(at)) unknowns.push_back(at);
+    }
+  }
+  std::stable_sort(unknowns.begin(), unknowns.end(),
+                   [](const Coordinate& a, const Coordinate& b) { return a.particle > b.particle; });
+  return unknowns;
+}
+
+/// The differential equations of an order together, for the derivatives of that order: in every other
+/// attempt.
+void AssumptionSolver::solve_derivatives(Search& search, int order) const {
+  std::vector<std::size_t> together;
+  std::vector<SymbolId> symbols;
+  for (std::size_t i = 0; i < assumptions_.size(); ++i) {
+    if (derivative_orders_[i] != order || equation(i).relation != Relation::equal) continue;
+    together.push_back(i);
+    for (const SymbolId symbol : symbols_[i]) {
+      if (order_of(scope_->tree().symbols[symbol]) == order && !contains(symbols, symbol))
+        symbols.push_back(symbol);
+    }
+  }
+  if (together.size() < 2) return;
+  try {
+    static_cast<void>(solve_together(search, together, symbols));
+  } catch (const PointRejected&) {
+    // not polynomials in these numbers: each for itself may do
+  }
 }
 
 /// The components one after the other, each for any one number in which it is linear.
@@ -208,15 +270,12 @@ bool AssumptionSolver::solve_place_by_place(Search& search, std::size_t assumpti
 }
 
 bool AssumptionSolver::solve_equation(Search& search, std::size_t assumption) const {
-  search.evaluator.look_at(search.point);
-  const std::vector<Rational> residuals = search.evaluator.residuals(equation(assumption));
-  if (std::all_of(residuals.begin(), residuals.end(), [](const Rational& each) { return cln::zerop(each); }))
-    return true;
   const std::vector<SymbolId>& symbols = symbols_[assumption];
   const std::size_t first = search.attempt % 4 == 3 ? search.attempt / 4 % symbols.size() : 0;
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     try {
-      if (solve_for_symbol(search, assumption, symbols[(first + i) % symbols.size()], residuals)) return true;
+      const SymbolId symbol = symbols[(first + i) % symbols.size()];
+      if (solve_together(search, std::span(&assumption, 1), std::span(&symbol, 1))) return true;
     } catch (const PointRejected&) {
       // not a polynomial in these numbers: others may do
     }
@@ -224,14 +283,21 @@ bool AssumptionSolver::solve_equation(Search& search, std::size_t assumption) co
   return solve_place_by_place(search, assumption);
 }
 
-/// Solves the equations among the assumptions that do not hold yet; false if one could not be solved.
+/// Solves the equations among the assumptions that do not hold yet; in every other attempt those of low
+/// orders first, and those of one order together. False if one could not be solved.
 bool AssumptionSolver::solve_equations(SampleEvaluator& evaluator, SamplePoint& point,
                                        std::uint32_t attempt) const {
   Search search{evaluator, point, attempt};
+  const bool by_orders = attempt % 2 == 1;
+  const int highest = by_orders ? *std::max_element(derivative_orders_.begin(), derivative_orders_.end()) : 0;
   for (int pass = 0; pass < equation_passes; ++pass) {
-    for (std::size_t i = 0; i < assumptions_.size(); ++i) {
-      if (equation(i).relation != Relation::equal) continue;
-      if (!symbols_[i].empty() && !solve_equation(search, i)) return false;
+    for (int order = 0; order <= highest; ++order) {
+      if (order > 0) solve_derivatives(search, order);
+      for (std::size_t i = 0; i < assumptions_.size(); ++i) {
+        if (equation(i).relation != Relation::equal || symbols_[i].empty()) continue;
+        if (by_orders && derivative_orders_[i] != order) continue;
+        if (!solve_equation(search, i)) return false;
+      }
     }
     if (has_orders_ || holds(evaluator, point)) return true;
   }

@@ -2,18 +2,21 @@
 // Makes an exact sample meet assumptions, by solving for some of its numbers.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "algebra/sample_evaluator.h"
 
 namespace rigor {
 
-/// The assumptions that samples have to meet, and the search for the numbers to change. Method: each
-/// assumption that does not hold yet is solved for the numbers of one symbol, if it is linear in them: one
-/// that no other assumption has, then one that no earlier one has, then one that is a whole side, then a
-/// particle's. What an assumption was solved for is not touched by others; where it is broken by them, it is
-/// solved again, a few times. Sides that an order holds apart are put at a small distance first. In the end
-/// everything is verified. Not complete: where the search finds nothing, another sample or another order
+/// The assumptions that samples have to meet, and the search for the numbers to change. Method: differential
+/// equations of one order are solved together for the derivatives of that order, in which they are linear as
+/// a rule, lower orders before higher ones. Each other assumption that does not hold yet is solved for the
+/// numbers of one symbol, if it is linear in them: one that no other assumption has, then one that no earlier
+/// one has, then one that is a whole side, then a particle's. What an assumption was solved for is not
+/// touched by others; where it is broken by them, it is solved again, a few times. Sides that an order holds
+/// apart are put at a small distance first. In the end everything is verified. Not complete: where the search
+/// finds nothing, another sample or another order
 /// (`attempt`) may do.
 class AssumptionSolver {
  public:
@@ -42,8 +45,12 @@ class AssumptionSolver {
   [[nodiscard]] bool solve_equations(SampleEvaluator& evaluator, SamplePoint& point,
                                      std::uint32_t attempt) const;
   [[nodiscard]] bool solve_equation(Search& search, std::size_t assumption) const;
-  [[nodiscard]] bool solve_for_symbol(Search& search, std::size_t assumption, SymbolId symbol,
-                                      const std::vector<Rational>& residuals) const;
+  [[nodiscard]] bool solve_together(Search& search, std::span<const std::size_t> assumptions,
+                                    std::span<const SymbolId> symbols) const;
+  [[nodiscard]] std::vector<Coordinate> unknowns_of(const Search& search,
+                                                    std::span<const std::size_t> assumptions,
+                                                    std::span<const SymbolId> symbols) const;
+  void solve_derivatives(Search& search, int order) const;
   [[nodiscard]] bool solve_place_by_place(Search& search, std::size_t assumption) const;
   [[nodiscard]] const Equation& equation(std::size_t assumption) const {
     return scope_->question().assumptions[assumptions_[assumption]];
@@ -57,6 +64,7 @@ class AssumptionSolver {
   const Scope* scope_;
   std::vector<std::size_t> assumptions_;
   std::vector<std::vector<SymbolId>> symbols_;  // of each, the first are the first to be solved for
+  std::vector<int> derivative_orders_;          // of each, as a differential equation; 0: it is none
   bool has_orders_ = false;
   bool has_particle_sums_ = false;
 };

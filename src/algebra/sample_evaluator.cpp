@@ -7,15 +7,10 @@
 #include <utility>
 
 namespace rigor {
-namespace {
-
-constexpr std::uint64_t largest_steps = 1'000'000;  // about a tenth of a second
-
-}  // namespace
 
 void SampleDomain::step() {
-  if (++steps_ > largest_steps)
-    throw Undecidable(fmt::format("more than {} steps of evaluation", largest_steps));
+  if (++steps_ > largest_steps_)
+    throw Undecidable(fmt::format("more than {} steps of evaluation", largest_steps_));
 }
 
 ExactValue SampleDomain::number(const std::string& digits) {
@@ -29,7 +24,7 @@ ExactValue SampleDomain::value(SymbolId symbol, std::uint32_t particle, std::siz
   const Meaning& meaning = point_->meaning(symbol);
   if (meaning.kind == Meaning::Kind::itself) return number;
   ExactValue value;
-  value.parts.push_back({1, number, meaning, point_->place(symbol, particle)});
+  value.parts.push_back({1, number, meaning, point_->place(symbol, particle) + component});
   return value;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/components.h"
+#include "algebra/decide.h"
 #include "algebra/evaluator.h"
 #include "algebra/sample_point.h"
 
@@ -18,6 +19,8 @@ namespace rigor {
 class SampleDomain {
  public:
   using Number = ExactValue;
+
+  explicit SampleDomain(std::uint64_t largest_steps) : largest_steps_(largest_steps) {}
 
   void look_at(const SamplePoint& point) { point_ = &point; }
   [[nodiscard]] const SamplePoint& point() const { return *point_; }
@@ -63,6 +66,7 @@ class SampleDomain {
  private:
   const SamplePoint* point_ = nullptr;
   std::unordered_map<std::string, Rational> numbers_;
+  std::uint64_t largest_steps_;
   std::uint64_t steps_ = 0;
 };
 
@@ -81,7 +85,8 @@ struct Difference {
 
 class SampleEvaluator {
  public:
-  explicit SampleEvaluator(const Scope& scope) : scope_(&scope), evaluator_(scope, domain_) {}
+  SampleEvaluator(const Scope& scope, const Limits& limits)
+      : scope_(&scope), domain_(limits.steps), evaluator_(scope, domain_) {}
 
   /// The sample to evaluate on; to be called again when it has changed.
   void look_at(const SamplePoint& point);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An exact sample: a rational value for every free symbol, and for each of N particles. A scalar that only
-// functions see may be an angle or a logarithm instead, given by a rational number.
+// An exact sample: a rational value for every free symbol, and for each of N particles. A symbol that
+// only functions see may be angles or logarithms instead, given by rational numbers.
 #pragma once
 
 #include <cstdint>
@@ -55,14 +55,14 @@ class SamplePoint {
   /// Sets all components as they are.
   void set_all(SymbolId symbol, std::uint32_t particle, std::span<const Rational> components);
 
-  /// What a scalar's number stands for: by default for itself.
+  /// What a symbol's numbers stand for: by default for themselves.
   void mean(SymbolId symbol, const Meaning& meaning) { meaning_[static_cast<std::size_t>(symbol)] = meaning; }
   [[nodiscard]] const Meaning& meaning(SymbolId symbol) const {
     return meaning_[static_cast<std::size_t>(symbol)];
   }
   /// All that the numbers of another point of the same tree stand for.
   void mean_as(const SamplePoint& other) { meaning_ = other.meaning_; }
-  /// A number for each symbol and particle, different from all others.
+  /// A number for each symbol and particle: that of its first component; those of the others follow.
   [[nodiscard]] std::size_t place(SymbolId symbol, std::uint32_t particle) const {
     return position(symbol, particle);
   }

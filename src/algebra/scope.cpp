@@ -102,7 +102,7 @@ void note_what_functions_see(const Scope& scope, std::span<const ExprId> roots, 
       open.emplace_back(definition->body, by);
   }
   for (const SymbolId symbol : reached.symbols) {
-    if (tree.symbols[symbol].rank != 0) continue;
+    if (tree.symbols[symbol].unit || tree.symbols[symbol].rotation) continue;
     const std::uint8_t by = seen[static_cast<std::size_t>(symbol)];
     if (by == by_angle_functions) reached.angles.push_back(symbol);
     if (by == by_exponential) reached.exponents.push_back(symbol);

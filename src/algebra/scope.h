@@ -40,8 +40,8 @@ struct Reach {
   std::vector<SymbolId> symbols;  // free: neither unfolded nor zeroed
   std::vector<SymbolId> unfolded;
   bool particles = false;           // a sum over particles or a particle's own quantity occurs
-  std::vector<SymbolId> angles;     // free scalars that only sin and cos see
-  std::vector<SymbolId> exponents;  // free scalars that only exp sees
+  std::vector<SymbolId> angles;     // free symbols, no unit vectors or rotations, that only sin and cos see
+  std::vector<SymbolId> exponents;  // the same, that only exp sees
   bool particle_sums = false;
   bool functions = false;
   bool roots = false;  // a root, a length or an absolute value

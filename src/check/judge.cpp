@@ -207,7 +207,12 @@ class Judging {
   /// The order of the first term that "nearly equal" leaves out.
   void note_neglected() {
     constexpr int highest = 3;
-    constexpr Limits brief{.expanded_terms = 4'000, .quick_points = 2, .sample_attempts = 24};
+    constexpr Limits brief{.expanded_terms = 1'500,
+                           .steps = 100'000,
+                           .quick_points = 5,
+                           .quick_steps = 40'000,
+                           .sample_attempts = 24,
+                           .fewest_assumptions = false};
     judgement_.route += ", to first order in what is small";
     for (int order = 2; order <= highest; ++order) {
       const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
