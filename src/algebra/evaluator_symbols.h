@@ -21,6 +21,7 @@ template <class Domain>
 auto Evaluator<Domain>::whole_symbol(const ExprNode& symbol) -> Array {
   Array value;
   const std::size_t count = component_count(tree_->symbols[symbol.symbol].rank);
+  value.reserve(count);
   for (std::size_t i = 0; i < count; ++i) value.push_back(symbol_component(symbol, i));
   return value;
 }

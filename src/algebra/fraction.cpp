@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/expansion.h"
 #include "algebra/undecidable.h"
 
 namespace rigor {
@@ -51,47 +52,6 @@ constexpr double expand_above =
 [[nodiscard]] std::vector<Divisor>::iterator find_divisor(std::vector<Divisor>& divisors, const ex& base) {
   return std::find_if(divisors.begin(), divisors.end(),
                       [&](const Divisor& each) { return each.base.is_equal(base); });
-}
-
-[[nodiscard]] GiNaC::exvector terms_of(const ex& expanded) {
-  if (GiNaC::is_a<GiNaC::add>(expanded)) return {expanded.begin(), expanded.end()};
-  return {expanded};
-}
-
-/// The product of two expanded polynomials. GiNaC's own adds up after each term of a factor, which makes the
-/// cost of (x_1 + … + x_n)(y_1 + y_2) quadratic in n.
-[[nodiscard]] ex distributed(const ex& a, const ex& b) {
-  const GiNaC::exvector left = terms_of(a);
-  const GiNaC::exvector right = terms_of(b);
-  if (left.size() == 1 && right.size() == 1) return a * b;
-  GiNaC::exvector products;
-  products.reserve(left.size() * right.size());
-  for (const ex& x : left) {
-    for (const ex& y : right) products.push_back(x * y);
-  }
-  return GiNaC::add(products);
-}
-
-/// Recursion: as deep as the expression, whose depth is bounded (`largest_depth`).
-[[nodiscard]] ex expanded_polynomial(const ex& value) {
-  if (GiNaC::is_a<GiNaC::add>(value)) {
-    GiNaC::exvector terms;
-    for (std::size_t i = 0; i < value.nops(); ++i) {
-      const GiNaC::exvector more = terms_of(expanded_polynomial(value.op(i)));
-      terms.insert(terms.end(), more.begin(), more.end());
-    }
-    return GiNaC::add(terms);
-  }
-  if (GiNaC::is_a<GiNaC::mul>(value)) {
-    ex product = 1;
-    for (std::size_t i = 0; i < value.nops(); ++i)
-      product = distributed(product, expanded_polynomial(value.op(i)));
-    return product;
-  }
-  if (GiNaC::is_a<GiNaC::power>(value) && !GiNaC::is_a<GiNaC::symbol>(value.op(0))) {
-    return GiNaC::pow(expanded_polynomial(value.op(0)), value.op(1)).expand();
-  }
-  return value;
 }
 
 /// The product of what `wanted` has and `present` has not, and its number of terms.

@@ -26,11 +26,13 @@ Refuter::Refuter(const Scope& scope, const Limits& limits)
       evaluator_(scope, limits),
       sequence_(scope.tree(), reach_, solver_.has_particle_sums()) {}
 
-std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& drawn, std::uint32_t attempt) {
+std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& drawn, std::uint32_t attempt,
+                                                         const Complexity* below) {
   point_ = drawn;
   SamplePoint& point = *point_;
   try {
     if (!solver_.none() && !solver_.solve(evaluator_, point, attempt)) return std::nullopt;
+    if (below != nullptr && !(complexity(point) < *below)) return std::nullopt;
     evaluator_.look_at(point);
     std::optional<Difference> difference = evaluator_.difference(scope_->question().claim);
     ++points_compared_;

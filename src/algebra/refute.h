@@ -52,7 +52,9 @@ class Refuter {
  private:
   [[nodiscard]] std::optional<Counterexample> attempt_next();
   [[nodiscard]] std::optional<Counterexample> look_at_zero();
-  [[nodiscard]] std::optional<Counterexample> fails_on(const SamplePoint& drawn, std::uint32_t attempt);
+  /// With a bound, only simpler points are compared.
+  [[nodiscard]] std::optional<Counterexample> fails_on(const SamplePoint& drawn, std::uint32_t attempt,
+                                                       const Complexity* below = nullptr);
   void consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt);
   void look_among_tiny_points(Counterexample& best);
   void drop_particles(Counterexample& best);

@@ -37,8 +37,8 @@ constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
 bool Refuter::may_shrink() const { return evaluator_.steps() < shrinks_until_; }
 
 void Refuter::consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt) {
-  std::optional<Counterexample> found = fails_on(drawn, attempt);
-  if (found && complexity(found->point) < complexity(best.point)) best = *std::move(found);
+  const Complexity below = complexity(best.point);
+  if (auto found = fails_on(drawn, attempt, &below)) best = *std::move(found);
 }
 
 void Refuter::look_among_tiny_points(Counterexample& best) {

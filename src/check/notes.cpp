@@ -120,10 +120,10 @@ class NotesReader {
     if (anchor.kind == AnchorKind::start) return 0;
     if (anchor.kind == AnchorKind::line) {
       if (anchor.line > sources_.line_count(notes_.file)) return unknown(anchor, {});
+      const std::uint32_t begin = sources_.line_start(notes_.file, anchor.line);
       for (std::size_t k = 0; k < notes_.events.size(); ++k) {
         const Span span = rigor::span_of(notes_.events[k]);
-        if (span.file == notes_.file && sources_.line_column(span.file, span.begin).line >= anchor.line)
-          return k;
+        if (span.file == notes_.file && span.begin >= begin) return k;
       }
       return notes_.events.size();
     }

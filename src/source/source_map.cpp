@@ -55,6 +55,12 @@ std::string_view SourceMap::text(Span span) const {
   return all.substr(begin, end - begin);
 }
 
+std::uint32_t SourceMap::code_points_between(const File& file, std::uint32_t begin, std::uint32_t end) {
+  if (end - begin > block_bytes) return code_points_before(file, end) - code_points_before(file, begin);
+  return static_cast<std::uint32_t>(
+      count_code_points(std::string_view(file.text).substr(begin, end - begin)));
+}
+
 std::uint32_t SourceMap::code_points_before(const File& file, std::uint32_t offset) {
   const std::size_t block = offset / block_bytes;
   const std::size_t start = block * block_bytes;
@@ -72,7 +78,7 @@ LineColumn SourceMap::line_column(FileId id, std::uint32_t offset) const {
   const auto next = std::upper_bound(file.line_starts.begin(), file.line_starts.end(), offset);
   const std::uint32_t start = *std::prev(next);
   return {static_cast<std::uint32_t>(next - file.line_starts.begin()),
-          code_points_before(file, offset) - code_points_before(file, start) + 1};
+          code_points_between(file, start, offset) + 1};
 }
 
 std::uint32_t SourceMap::line_start(FileId id, std::uint32_t line) const {

@@ -47,6 +47,8 @@ class SourceMap {
   };
   /// The file, or an empty one for an id beyond the map.
   [[nodiscard]] const File& at(FileId file) const;
+  [[nodiscard]] static std::uint32_t code_points_between(const File& file, std::uint32_t begin,
+                                                         std::uint32_t end);
   [[nodiscard]] static std::uint32_t code_points_before(const File& file, std::uint32_t offset);
 
   std::deque<File> files_;
