@@ -86,8 +86,9 @@ class Decider {
   Refuter refuter_;
   Work work_;
   std::optional<bool> needs_definitions_;
-  std::string gave_up_;  // the reason why the last proof was broken off
-  Proof last_proof_;     // the last one that was finished and does not hold
+  std::string gave_up_;         // the reason why the last proof was broken off
+  bool no_real_value_ = false;  // a proof met a root of what is negative
+  Proof last_proof_;            // the last one that was finished and does not hold
 };
 
 std::optional<std::string> Decider::why_not_tried() const {
@@ -106,6 +107,9 @@ std::optional<Found> Decider::try_proof(const Attempt& attempt, bool unfolded) {
     if (proof.holds)
       return Found{proof, attempt, unfolded, {work_.terms - before.terms, work_.steps - before.steps}};
     last_proof_ = proof;
+  } catch (const NoRealValue& reason) {
+    gave_up_ = reason.what();
+    no_real_value_ = true;
   } catch (const Undecidable& reason) {
     gave_up_ = reason.what();
   }
@@ -277,7 +281,9 @@ Decision Decider::decide() {
     return proved(*found);
   }
   if (const auto differs = look([this] { return refuter_.search(); })) return refuted(*differs);
-  return undecided(why_open());
+  Decision open = undecided(why_open());
+  open.no_real_value = no_real_value_ && refuter_.points_compared() == 0;
+  return open;
 }
 
 }  // namespace

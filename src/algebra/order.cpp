@@ -156,6 +156,15 @@ Sign Order::best(const ex& value, const std::vector<Fact>& facts, int depth) {
 }
 
 bool Order::is_within(const ex& value, Sign allowed, const std::vector<Fact>& facts) {
+  for (const auto& [root, square] : domain_.radicals().roots()) {
+    if (!value.has(root) || rigor::is_within(domain_.signs().of(root), Sign::positive)) continue;
+    if (proves(square, Sign::positive, facts)) domain_.signs().know(root, Sign::positive);
+  }
+  return proves(value, allowed, facts);
+}
+
+bool Order::proves(const ex& value, Sign allowed, const std::vector<Fact>& facts) {
+  attempts_ = 0;
   const auto fits = [&](const ex& of, const std::vector<Fact>& with) {
     return rigor::is_within(best(of, with, 0), allowed) ||
            rigor::is_within(opposite(best((-of).expand(), with, 0)), allowed);

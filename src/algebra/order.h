@@ -9,6 +9,7 @@
 //  (Lagrange's reduction: p P = (p x + q)² + p r − q²; where p = 0, by continuity);
 //  5. U − V is not negative if U and U² − V² are not, where U has the terms that are not negative: A·B ≤
 //  |A||B|.
+// A root is positive if what stands under it is.
 // Sound; incomplete.
 #pragma once
 
@@ -24,6 +25,7 @@ class Order {
   [[nodiscard]] bool is_within(const GiNaC::ex& value, Sign allowed, const std::vector<Signs::Fact>& facts);
 
  private:
+  [[nodiscard]] bool proves(const GiNaC::ex& value, Sign allowed, const std::vector<Signs::Fact>& facts);
   [[nodiscard]] bool parametrize(GiNaC::ex& value, std::vector<Signs::Fact>& facts, bool any_bound);
   [[nodiscard]] Sign by_facts(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);
   [[nodiscard]] Sign by_squares(const GiNaC::ex& value, int depth);

@@ -132,7 +132,8 @@ Fraction Radicals::root(const Fraction& square) {
   if (square.numerator.is_zero()) return {};
   Fraction result = to_fraction(1);
   Rational number = 1;
-  ex rest = 1;  // what has to stay under one root
+  ex rest = 1;          // what has to stay under one root
+  bool nonzero = true;  // no factor is zero at any values
   const auto times = [&](const Fraction& factor) { result = arithmetic_.multiply(result, factor); };
   for (const Factor& factor : factors(square)) {
     if (is_number(factor.base)) {
@@ -143,7 +144,9 @@ Fraction Radicals::root(const Fraction& square) {
     const GiNaC::numeric content = factor.base.integer_content();
     number = number * power_of(to_rational(content), factor.exponent);
     ex base = (factor.base / content).expand();
-    if (is_within(sign_of(base), Sign::not_positive)) {
+    const Sign sign = sign_of(base);
+    nonzero = nonzero && is_within(sign, Sign::not_zero);
+    if (is_within(sign, Sign::not_positive)) {
       base = (-base).expand();
       if (factor.exponent % 2 != 0) number = -number;
     }
@@ -156,6 +159,7 @@ Fraction Radicals::root(const Fraction& square) {
     if (odd && !positive) rest *= base;
   }
   if (rest.is_equal(1)) {
+    if (cln::minusp(number) && nonzero) throw NoRealValue("a root of a negative number");
     times(root_of_number(number));
   } else {
     if (cln::minusp(number)) rest = -rest;
@@ -179,6 +183,14 @@ Fraction Radicals::absolute(const ex& value) {
   if (never_negative((-value).expand())) return polynomial((-value).expand());
   return radical(reduced(
       arithmetic_.expanded(value * value, static_cast<double>(term_count(value) * term_count(value)))));
+}
+
+std::vector<std::pair<ex, ex>> Radicals::roots() const {
+  std::vector<std::pair<ex, ex>> all;
+  for (const Radical& each : radicals_) {
+    if (each.root) all.emplace_back(each.symbol, each.square);
+  }
+  return all;
 }
 
 Fraction Radicals::radical(const ex& square) {

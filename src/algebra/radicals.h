@@ -6,6 +6,7 @@
 // only where the radicals are independent: radicands are compared after expansion but not factored.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "algebra/fraction.h"
@@ -22,6 +23,9 @@ class Radicals {
 
   /// The non-negative root of a value; throws Undecidable if the value is a negative number.
   [[nodiscard]] Fraction root(const Fraction& square);
+
+  /// The indeterminates s with their squares, in order of creation: a square has only earlier ones in it.
+  [[nodiscard]] std::vector<std::pair<GiNaC::ex, GiNaC::ex>> roots() const;
 
   /// From now on another indeterminate's square is replaced, too: it may be negative.
   void relate(const GiNaC::ex& symbol, const GiNaC::ex& square);

@@ -14,6 +14,12 @@ class Undecidable : public std::runtime_error {
   using std::runtime_error::runtime_error;  // the reason: lower case, no full stop
 };
 
+/// A root of what is negative for all values: the statement says nothing about real numbers.
+class NoRealValue : public Undecidable {
+ public:
+  using Undecidable::Undecidable;
+};
+
 /// A sample at which the statement says nothing: a division by zero, or a root that is not rational.
 class PointRejected : public std::runtime_error {
  public:

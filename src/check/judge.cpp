@@ -127,6 +127,13 @@ class Judging {
       case Outcome::undecided:
         mark_all_assumptions();
         if (doubts_change()) break;
+        if (decision.no_real_value) {
+          judgement_.verdict = Verdict::not_understood;
+          add(DiagnosticKind::no_real_value,
+              "under the assumptions a root is taken of a negative number, so this says nothing",
+              {"a symbol that is defined by its square is the root that is not negative"});
+          break;
+        }
         judgement_.verdict = Verdict::undecided;
         add(DiagnosticKind::undecided,
             decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);

@@ -67,6 +67,7 @@ struct Decision {
   bool vanishes = false;                      // proved, and each side is zero by itself
   std::string route;                          // `component normal form`, `moments`, `exact sample`…
   std::string reason = {};                    // undecided: why, and what was tried
+  bool no_real_value = false;                 // undecided: a side has no real value under the assumptions
   std::vector<SymbolId> unfolded = {};        // definitions that were used
   std::vector<std::size_t> assumptions = {};  // positions in Question::assumptions that were used
   std::optional<Sample> sample = {};

@@ -53,6 +53,8 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
      "an index stands three times in a term, once on a principal value; it is summed over the other two"},
     {unknown_change, "unknown-change", not_understood,
      "a quantity is differentiated, and nothing says whether it changes"},
+    {no_real_value, "no-real-value", not_understood,
+     "a root of what is negative for all values has no real value"},
     {circular_definition, "circular-definition", error, "a definition uses what it defines"},
     {redefinition, "redefinition", warning, "a symbol is defined a second time"},
 

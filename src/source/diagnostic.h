@@ -51,6 +51,7 @@ enum class DiagnosticKind : std::uint8_t {
   unsummed_index,
   index_rides,
   unknown_change,
+  no_real_value,
   circular_definition,
   redefinition,
   // verdicts

@@ -37,9 +37,9 @@ Outcome outcome_of(const Step& step) {
   if (step.verdict == Verdict::refuted && step.counterexample) return Outcome::refuted;
   if (step.verdict == Verdict::undecided) return Outcome::undecided;
   if (step.verdict != Verdict::not_understood) return Outcome::failed;
-  if (has(step,
-          {DiagnosticKind::free_index_mismatch, DiagnosticKind::index_repeats, DiagnosticKind::index_clash,
-           DiagnosticKind::rank_mismatch, DiagnosticKind::ambiguous_reading})) {
+  if (has(step, {DiagnosticKind::free_index_mismatch, DiagnosticKind::index_repeats,
+                 DiagnosticKind::index_clash, DiagnosticKind::rank_mismatch,
+                 DiagnosticKind::ambiguous_reading, DiagnosticKind::no_real_value})) {
     return Outcome::malformed;
   }
   return has(step, {DiagnosticKind::undeclared_symbol}) ? Outcome::law_like : Outcome::failed;
