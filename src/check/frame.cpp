@@ -123,7 +123,9 @@ class FixedRates {
       after.definitions.push_back(std::move(each));
     }
     for (NamedAssumption each : before.assumptions) {
-      each.at_instant = each.at_instant || names_axes(each.equation.left) || names_axes(each.equation.right);
+      const bool along_fixed_axes =
+          names_an_axis(tree_, each.equation.left) || names_an_axis(tree_, each.equation.right);
+      each.at_instant = each.at_instant || along_fixed_axes;
       each.equation.left = converted(each.equation.left);
       each.equation.right = converted(each.equation.right);
       after.assumptions.push_back(std::move(each));
@@ -135,21 +137,6 @@ class FixedRates {
   bool is_vectors_rate(SymbolId symbol) const {
     const auto& derivation = tree_.symbols[symbol].derivation;
     return derivation && derivation->time > 0 && tree_.symbols[derivation->base].rank > 0;
-  }
-
-  /// Is something said along an axis? Then it is one of the fixed axes.
-  bool names_axes(ExprId root) const {
-    std::vector<ExprId> pending{root};
-    while (!pending.empty()) {
-      const ExprId id = pending.back();
-      pending.pop_back();
-      if (tree_[id].op == Op::basis) return true;
-      for (const Slot& slot : tree_.slots(id)) {
-        if (slot.axis != 0) return true;
-      }
-      for (const ExprId child : tree_.children(id)) pending.push_back(child);
-    }
-    return false;
   }
 
   NamedAssumption as_assumption(const NamedDefinition& rule) {

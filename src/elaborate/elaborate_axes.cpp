@@ -27,8 +27,17 @@ std::optional<SymbolId> Elaborator::primed_axes(Span span) {
   return std::nullopt;
 }
 
+/// There is one set of primed axes.
+bool Elaborator::primed_twice(const std::vector<WrittenIndex>& axes, Span span) {
+  const bool twice =
+      std::any_of(axes.begin(), axes.end(), [](const WrittenIndex& axis) { return axis.primes > 1; });
+  if (twice) unsupported(span, "an index with two primes is not read");
+  return twice;
+}
+
 /// The component of a vector or tensor along axes some of which are primed: A_i' = λ_i'a A_a.
 std::optional<Typed> Elaborator::along_axes(Typed whole, const std::vector<WrittenIndex>& axes, Span span) {
+  if (primed_twice(axes, span)) return std::nullopt;
   const auto rotation = primed_axes(span);
   if (!rotation) return std::nullopt;
   std::vector<Slot> slots;
@@ -61,6 +70,7 @@ std::optional<Typed> Elaborator::along_axes(Typed whole, const std::vector<Writt
 /// primed one.
 std::optional<Typed> Elaborator::direction_cosine(const ExprNode& node, const std::vector<WrittenIndex>& axes,
                                                   Typed typed, Span span) {
+  if (primed_twice(axes, span)) return std::nullopt;
   if (axes[0].primes > 0 && axes[1].primes > 0)
     return unsupported(span, "a direction cosine between two primed axes is not read");
   std::vector<Slot> slots;
@@ -74,6 +84,7 @@ std::optional<Typed> Elaborator::direction_cosine(const ExprNode& node, const st
 
 /// e_i' has the components λ_i'1, λ_i'2, λ_i'3.
 std::optional<Typed> Elaborator::primed_basis_vector(const WrittenIndex& axis, Span span) {
+  if (primed_twice({axis}, span)) return std::nullopt;
   const auto rotation = primed_axes(span);
   if (!rotation) return std::nullopt;
   std::vector<Slot> slots;
@@ -91,7 +102,8 @@ std::optional<Typed> Elaborator::primed_basis_vector(const WrittenIndex& axis, S
 }
 
 /// `x_i`, `x_{i'}` in `\cos(x_{i'}, x_j)`: the direction of that axis.
-std::optional<Typed> Elaborator::axis_direction(SyntaxId id) {
+std::optional<Typed> Elaborator::axis_direction(SyntaxId id, bool& is_axis) {
+  is_axis = true;
   if (syntax_[id].kind == SyntaxKind::symbol) {
     const WrittenSymbol& symbol = syntax_.symbol(id);
     const bool axis = symbol.letter == "x" && symbol.face == Face::plain && symbol.lower.size() == 1;
@@ -102,6 +114,7 @@ std::optional<Typed> Elaborator::axis_direction(SyntaxId id) {
       return basis_vector(syntax_[id].span, slots[0], std::move(typed.free));
   }
   const Maybe vector = expression(id);
+  is_axis = vector && tree_[vector->id].op == Op::basis;
   if (!vector || vector->rank == 1) return vector;
   return fail(DiagnosticKind::rank_mismatch, syntax_[id].span,
               "an angle lies between two vectors or two axes");
@@ -109,17 +122,17 @@ std::optional<Typed> Elaborator::axis_direction(SyntaxId id) {
 
 /// cos(a, b) = a·b/(|a||b|); the lengths of axes are 1.
 std::optional<Typed> Elaborator::angle_cosine(SyntaxId first, SyntaxId second, Span span) {
-  const Maybe a = axis_direction(first);
-  const Maybe b = axis_direction(second);
+  std::array<bool, 2> is_axis{};
+  const Maybe a = axis_direction(first, is_axis[0]);
+  const Maybe b = axis_direction(second, is_axis[1]);
   if (!a || !b) return std::nullopt;
   std::vector<FreeIndex> to_sum;
   Typed typed;
   if (!sum_repeated({*a, *b}, to_sum, typed.free, typed.bound)) return std::nullopt;
   Typed product = make(Op::dot, span, 0, {&*a, &*b});
-  for (const Typed* each : {&*a, &*b}) {
-    const bool axis = tree_[each->id].op == Op::basis || tree_[each->id].op == Op::tuple;
-    if (axis) continue;
-    const Typed length = make(Op::length, span, 0, {each});
+  for (const std::size_t k : {0u, 1u}) {
+    if (is_axis[k]) continue;
+    const Typed length = make(Op::length, span, 0, {k == 0 ? &*a : &*b});
     product = make(Op::divide, span, 0, {&product, &length});
   }
   product.free = std::move(typed.free);
@@ -141,21 +154,24 @@ std::optional<Typed> Elaborator::frame_derivative(SyntaxId id, const Frame& fram
   int times = 0;
   Maybe operand;
   if (syntax_[id].kind == SyntaxKind::derivative) {
-    for (const WrittenVariable& by : syntax_.derivative(id).by)
-      times += by.symbol.letter == "t" ? by.times : 100;
-    if (times < 100) operand = expression(syntax_.child(id, 0));
+    for (const WrittenVariable& by : syntax_.derivative(id).by) {
+      if (syntax_.derivative(id).partial || !is_time(by.symbol))
+        return unsupported(span, "a frame is read on a derivative `d/dt` only");
+      times += by.times;
+    }
+    operand = expression(syntax_.child(id, 0));
   } else if (syntax_[id].kind == SyntaxKind::symbol && syntax_.symbol(id).dots > 0) {
     WrittenSymbol written = syntax_.symbol(id);
     times = std::exchange(written.dots, std::uint8_t{0});
     operand = symbol(written, syntax_[id].span);
   } else {
-    return unsupported(span, "a frame is read on a time derivative only");
+    return unsupported(span, "a frame is read on a derivative `d/dt` only");
   }
   if (!operand) return operand;
   names_.mark_used(frame.directive);
   note(fmt::format("components are along the axes of the frame `{}`", frame.rotating));
   if (!fixed || operand->rank == 0) {
-    if (fixed && !operand->free.empty())
+    if (fixed && (!operand->free.empty() || names_an_axis(tree_, operand->id)))
       return unsupported(span, "a component's derivative in the fixed frame can be read in two ways",
                          {"differentiate the vector, then take the component"});
     return rate_of(std::move(*operand), times);

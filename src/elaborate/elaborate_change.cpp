@@ -9,11 +9,15 @@
 
 namespace rigor {
 
-Differentiator Elaborator::differentiator(By by, Slot axis) {
-  const auto dependence_of = [this, by](SymbolId symbol) {
+/// A partial derivative by the time holds the position.
+Differentiator Elaborator::differentiator(By by, Slot axis, bool partial) {
+  const auto dependence_of = [this, by, partial](SymbolId symbol) {
+    using Kind = Dependence::Kind;
+    if (partial && by == By::time && names_.dependence(tree_, symbol, By::space).kind == Kind::variable)
+      return Dependence{Kind::constant};
     const Dependence dependence = names_.dependence(tree_, symbol, by);
-    const bool guessed =
-        dependence.kind == Dependence::Kind::varies && !names_.knows_change(tree_, symbol, by);
+    if (by == By::space && dependence.kind == Kind::variable) note_position(symbol);
+    const bool guessed = dependence.kind == Kind::varies && !names_.knows_change(tree_, symbol, by);
     const bool noted =
         std::find(unknown_changes_.begin(), unknown_changes_.end(), symbol) != unknown_changes_.end();
     if (guessed && !noted) unknown_changes_.push_back(symbol);
@@ -22,8 +26,8 @@ Differentiator Elaborator::differentiator(By by, Slot axis) {
   return {tree_, by, dependence_of, axis};
 }
 
-Typed Elaborator::rate_of(Typed typed, int times) {
-  Differentiator by_time = differentiator(By::time);
+Typed Elaborator::rate_of(Typed typed, int times, bool partial) {
+  Differentiator by_time = differentiator(By::time, {}, partial);
   for (int k = 0; k < times; ++k) typed.id = by_time.derivative_or_zero(typed.id);
   return typed;
 }
@@ -70,29 +74,65 @@ std::optional<Typed> Elaborator::rate(const WrittenSymbol& written, Span span) {
 
 std::optional<Typed> Elaborator::derivative(SyntaxId id) {
   const Span span = syntax_[id].span;
+  const bool partial = syntax_.derivative(id).partial;
+  if (!partial && names_.is_declared({"d", 0, false}))
+    return fail(DiagnosticKind::ambiguous_reading, span, "`d` is declared, and can be a differential here");
   Maybe operand = expression(syntax_.child(id, 0));
   for (const WrittenVariable& variable : syntax_.derivative(id).by) {
     if (!operand) return operand;
-    const WrittenSymbol& by = variable.symbol;
-    const bool time = by.letter == "t" && by.lower.empty() && by.face == Face::plain;
-    if (time) {
-      const bool partial = syntax_.derivative(id).partial;
+    if (is_time(variable.symbol)) {
       if (frame_is_open(*operand, span) || (!partial && is_total_rate_of_field(*operand, span)))
         return std::nullopt;
-      operand = rate_of(std::move(*operand), variable.times);
+      operand = rate_of(std::move(*operand), variable.times, partial);
       continue;
     }
+    if (!partial && depends_on_other_coordinate(*operand, variable.symbol, span)) return std::nullopt;
     for (int k = 0; operand && k < variable.times; ++k)
-      operand = by_coordinate(std::move(*operand), by, span);
+      operand = by_coordinate(std::move(*operand), variable.symbol, span);
   }
   return operand;
+}
+
+/// In `\frac{dy}{dx}` y is a function of x as a rule, and no coordinate.
+bool Elaborator::depends_on_other_coordinate(const Typed& operand, const WrittenSymbol& variable, Span span) {
+  for (const SymbolId symbol : symbols_in(tree_, operand.id)) {
+    const Dependence dependence = names_.dependence(tree_, symbol, By::space);
+    const bool same = variable.lower.empty() && dependence.axis == axis_of_letter(variable.letter);
+    if (dependence.kind != Dependence::Kind::variable || same) continue;
+    fail(DiagnosticKind::ambiguous_reading, span,
+         fmt::format("`{}` can be a coordinate of its own here, or a function of `{}`",
+                     tree_.symbols[symbol].name, variable.letter),
+         {"`\\partial` holds the other coordinates; `rigor: let` says what it depends on"});
+    return true;
+  }
+  return false;
+}
+
+/// Of x, y, z, the vector r and the vector x, any one can be the position; two of them are related in a way
+/// that nothing says.
+void Elaborator::note_position(SymbolId symbol) {
+  differentiates_position_ = true;
+  positions_.insert(position_name(symbol));
+}
+
+std::string Elaborator::position_name(SymbolId symbol) const {
+  const Symbol& named = tree_.symbols[symbol];
+  return named.rank == 0 ? "x, y, z" : named.name;
+}
+
+std::optional<Obstacle> Elaborator::guess() const {
+  if (guess_ || !differentiates_position_ || positions_.size() < 2) return guess_;
+  return Obstacle{DiagnosticKind::ambiguous_reading,
+                  fmt::format("`{}` and `{}` can both be the position", *positions_.begin(),
+                              *std::next(positions_.begin())),
+                  {"`rigor: let \\mathbf{r} = (x, y, z)` relates them"}};
 }
 
 std::optional<Typed> Elaborator::by_coordinate(Typed operand, const WrittenSymbol& variable, Span span) {
   const std::uint8_t axis = variable.lower.empty() ? axis_of_letter(variable.letter) : std::uint8_t{0};
   const bool indexed = (variable.letter == "x" || variable.letter == "r") && variable.lower.size() == 1;
-  if (variable.face != Face::plain || (axis == 0 && !indexed))
-    return unsupported(span, fmt::format("a derivative by `{}` is not decided", variable.letter),
+  if (!is_undecorated(variable) || (axis == 0 && !indexed))
+    return unsupported(span, fmt::format("a derivative by this `{}` is not decided", variable.letter),
                        {"derivatives by the time t and by x, y, z, x_i are"});
   std::vector<Slot> slots{{axis, {}}};
   Typed subscript;
@@ -112,16 +152,14 @@ std::optional<Typed> Elaborator::by_coordinate(Typed operand, const WrittenSymbo
   return sum_over(std::move(typed), to_sum);
 }
 
-/// ∇, ∇² or (A·∇).
-bool Elaborator::is_operator(SyntaxId id) const {
-  if (is_nabla(syntax_, id)) return true;
-  if (syntax_[id].kind == SyntaxKind::power) return is_nabla(syntax_, syntax_.child(id, 0));
-  if (syntax_[id].kind != SyntaxKind::group) return false;
-  const SyntaxId inside = syntax_.child(id, 0);
-  return syntax_[inside].kind == SyntaxKind::term && is_nabla(syntax_, syntax_.children(inside).back().id);
+/// The ∇ of an operator.
+const WrittenSymbol& Elaborator::nabla_of(SyntaxId id) const {
+  if (syntax_[id].kind == SyntaxKind::power) id = syntax_.child(id, 0);
+  if (syntax_[id].kind == SyntaxKind::group) id = syntax_.children(syntax_.child(id, 0)).back().id;
+  return syntax_.symbol(id);
 }
 
-/// Acts on the next factor; where another factor follows without a sign, it could be meant too.
+/// Acts on the next factor; where another factor follows that it could act on too, it is not read.
 std::optional<Typed> Elaborator::apply_operator(std::span<const SyntaxChild> factors, std::size_t at,
                                                 std::size_t& next) {
   const SyntaxId id = factors[at].id;
@@ -130,14 +168,32 @@ std::optional<Typed> Elaborator::apply_operator(std::span<const SyntaxChild> fac
     return fail(DiagnosticKind::bad_syntax, span, "`\\nabla` has nothing to act on");
   const Joint joint = factors[at + 1].joint;
   next = at + 2;
+  const WrittenSymbol& nabla = nabla_of(id);
+  const bool component = is_nabla(syntax_, id) && nabla.lower.size() == 1 && joint == Joint::juxtaposed;
+  const bool marked =
+      nabla.accent != Accent::none || nabla.primes > 0 || nabla.dots > 0 || !nabla.change.empty();
+  if (marked || (!nabla.lower.empty() && !component))
+    return unsupported(span, "a `\\nabla` with marks or subscripts is not read", {"`\\nabla_i f` is"});
   const SyntaxId behind = factors[at + 1].id;
-  const Maybe operand = is_operator(behind) ? apply_operator(factors, at + 1, next) : expression(behind);
+  const bool nested = acts_as_operator(syntax_, behind);
+  const Maybe operand = nested ? apply_operator(factors, at + 1, next) : expression(behind);
   if (!operand) return operand;
-  if (next < factors.size() && factors[next].joint == Joint::juxtaposed && !is_operator(behind))
+  const Joint after = next < factors.size() ? factors[next].joint : Joint::none;
+  const bool takes_more =
+      after == Joint::juxtaposed ||
+      (after == Joint::cross && (joint != Joint::juxtaposed || operand->rank > 0)) ||
+      (after == Joint::dot && joint == Joint::juxtaposed && operand->rank > 0 && is_nabla(syntax_, id));
+  if (takes_more && !nested)
     return fail(DiagnosticKind::ambiguous_reading, cover(span, syntax_[factors[next].id].span),
                 "`\\nabla` can act on the next factor or on all that follow",
                 {"put brackets around what it acts on"});
   const Span whole = cover(span, tree_[operand->id].span);
+  if (component) {
+    WrittenSymbol coordinate;
+    coordinate.letter = "x";
+    coordinate.lower = nabla.lower;
+    return by_coordinate(*operand, coordinate, whole);
+  }
   if (syntax_[id].kind == SyntaxKind::group) {
     const SyntaxId inside = syntax_.child(id, 0);
     const auto parts = syntax_.children(inside);

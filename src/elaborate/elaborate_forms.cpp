@@ -107,6 +107,19 @@ std::optional<Typed> Elaborator::square_root(SyntaxId id) {
   return make(Op::root, syntax_[id].span, 0, {&*radicand});
 }
 
+/// Is there a symbol with two subscripts of its own?
+bool Elaborator::names_a_tensor(SyntaxId id) const {
+  std::vector<SyntaxId> pending{id};
+  while (!pending.empty()) {
+    const SyntaxId each = pending.back();
+    pending.pop_back();
+    if (syntax_[each].kind == SyntaxKind::symbol && syntax_.symbol(each).lower.size() > 1) return true;
+    if (syntax_[each].kind == SyntaxKind::component) return true;
+    for (const SyntaxChild& child : syntax_.children(each)) pending.push_back(child.id);
+  }
+  return false;
+}
+
 std::optional<Typed> Elaborator::bars(SyntaxId id, bool norm) {
   const Span span = syntax_[id].span;
   const Maybe inside = expression(syntax_.child(id, 0));
@@ -117,7 +130,12 @@ std::optional<Typed> Elaborator::bars(SyntaxId id, bool norm) {
                 : determinant_of(id, *inside, span);
   if (norm)
     return fail(DiagnosticKind::rank_mismatch, span, "a norm of a scalar", {"`|…|` is the absolute value"});
-  if (inside->free.size() == 2) return determinant_of(syntax_.child(id, 0), *inside, span);
+  if (inside->free.size() == 2) {
+    if (names_a_tensor(syntax_.child(id, 0))) return determinant_of(syntax_.child(id, 0), *inside, span);
+    return fail(DiagnosticKind::ambiguous_reading, span,
+                "the bars can mean a determinant of what has two free indices, or an absolute value",
+                {"`\\det` is a determinant"});
+  }
   if (inside->free.size() > 2)
     return unsupported(span, "bars around a quantity with more than two free indices are not read");
   return make(Op::absolute, span, 0, {&*inside});

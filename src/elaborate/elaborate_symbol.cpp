@@ -254,10 +254,15 @@ std::optional<Typed> Elaborator::make_symbol(const WrittenSymbol& written, const
   if (!known) return std::nullopt;
   const NameKey key{base, rank, name.per_particle() || in_body};
   const bool fresh = !names_.find(key).has_value();
+  const bool vector_position = rank == 1 && (base == "r" || base == "x");
+  const bool coordinate = rank == 0 && axis_of_letter(base) != 0;
   const bool vector_face =
       rank == 1 && (written.face == Face::vector || names_.sightings.bold.contains({base, key.per_particle}));
   const SymbolId symbol = names_.resolve(tree_, key, vector_face ? bold(base) : base, span);
   if (fresh && written.accent == Accent::hat && rank == 1) tree_.symbols[symbol].unit = true;
+  const bool position = (vector_position || coordinate) && !key.per_particle;
+  if (position && names_.dependence(tree_, symbol, By::space).kind == Dependence::Kind::variable)
+    positions_.insert(position_name(symbol));
   Typed typed;
   std::vector<Slot> slots;
   if (!read_slots(axes, slots, typed.free))
@@ -299,11 +304,27 @@ std::string Elaborator::letter_key(const WrittenIndex& axis) const {
 /// In an integral over the body: does a quantity belong to the point, as `\mathbf r` and the density do?
 bool Elaborator::is_varying_in_body(const WrittenName& name, int rank, Span span, bool& known) {
   static const std::set<std::string> of_a_point{"r", "x", "y", "z", "\\rho"};
-  if (names_.sightings.bold.contains({name.base, true}) ||
-      names_.sightings.indexed.contains({name.base, rank, true}) || names_.find({name.base, rank, true}))
-    return true;
-  if (names_.is_declared({name.base, rank, false})) return false;
-  if (of_a_point.contains(name.base)) return true;
+  const auto is_defined = [&](bool per_particle) {
+    const auto symbol = names_.find({name.base, rank, per_particle});
+    return symbol && names_.definition_of(*symbol) != nullptr;
+  };
+  const bool one = names_.is_declared({name.base, rank, false}) || is_defined(false);
+  const bool each = names_.sightings.bold.contains({name.base, true}) ||
+                    names_.sightings.indexed.contains({name.base, rank, true}) ||
+                    names_.is_declared({name.base, rank, true}) || is_defined(true);
+  const bool of_point = of_a_point.contains(name.base);
+  if (one && !of_point) return false;
+  if (!one && (each || of_point)) return true;
+  if (one) {
+    fail(
+        DiagnosticKind::ambiguous_reading, span,
+        fmt::format("`{0}` is declared as one quantity, and inside an integral over a body it belongs to the "
+                    "point",
+                    name.base),
+        {"give one of them another name, or drop the declaration"});
+    known = false;
+    return false;
+  }
   fail(DiagnosticKind::ambiguous_reading, span,
        fmt::format("`{}` can be one number for the body, or differ from point to point", name.base),
        {fmt::format("`rigor: scalar {0}` or `rigor: vector {0}` makes it one for the body", name.base)});

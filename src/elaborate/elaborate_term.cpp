@@ -27,7 +27,8 @@ std::optional<Typed> Elaborator::term(SyntaxId id) {
   for (std::size_t k = 0; k < factors.size();) {
     const SyntaxChild& child = factors[k];
     std::size_t next = k + 1;
-    Maybe typed = is_operator(child.id) ? apply_operator(factors, k, next) : expression(child.id);
+    Maybe typed =
+        acts_as_operator(syntax_, child.id) ? apply_operator(factors, k, next) : expression(child.id);
     failed = failed || !typed;
     slash = slash || child.joint == Joint::slash;
     if (typed) operands.push_back({std::move(*typed), child.joint, child.joint_span});

@@ -56,7 +56,7 @@ class Elaborator {
 
   std::optional<Typed> expression(SyntaxId id);
   /// The derivative of an expression that is elaborated already, by the time.
-  Typed rate_of(Typed typed, int times = 1);
+  Typed rate_of(Typed typed, int times = 1, bool partial = false);
 
   /// Where a mismatch between sides is shown, and who is told.
   struct Mismatch {
@@ -72,7 +72,7 @@ class Elaborator {
   /// Conventions that were needed to read the statement: "`A` is the length of `\mathbf{A}`".
   [[nodiscard]] const std::vector<std::string>& conventions() const { return conventions_; }
   /// A reading that nothing but the statement itself suggests: such a statement may be proved, never refuted.
-  [[nodiscard]] const std::optional<Obstacle>& guess() const { return guess_; }
+  [[nodiscard]] std::optional<Obstacle> guess() const;
   /// Symbols that were differentiated though nothing says whether they change: such a statement may be
   /// proved, never refuted.
   [[nodiscard]] const std::vector<SymbolId>& unknown_changes() const { return unknown_changes_; }
@@ -114,7 +114,8 @@ class Elaborator {
   Maybe along_axes(Typed whole, const std::vector<WrittenIndex>& axes, Span span);
   Maybe direction_cosine(const ExprNode& node, const std::vector<WrittenIndex>& axes, Typed typed, Span span);
   Maybe primed_basis_vector(const WrittenIndex& axis, Span span);
-  Maybe axis_direction(SyntaxId id);
+  bool primed_twice(const std::vector<WrittenIndex>& axes, Span span);
+  Maybe axis_direction(SyntaxId id, bool& is_axis);
   Maybe angle_cosine(SyntaxId first, SyntaxId second, Span span);
   const Frame* frame_of(const std::string& label) const;
   Maybe frame_derivative(SyntaxId id, const Frame& frame, bool fixed);
@@ -123,10 +124,13 @@ class Elaborator {
   Maybe rate(const WrittenSymbol& written, Span span);
   Maybe derivative(SyntaxId id);
   Maybe by_coordinate(Typed operand, const WrittenSymbol& variable, Span span);
-  Differentiator differentiator(By by, Slot axis = {});
+  bool depends_on_other_coordinate(const Typed& operand, const WrittenSymbol& variable, Span span);
+  void note_position(SymbolId symbol);
+  std::string position_name(SymbolId symbol) const;
+  Differentiator differentiator(By by, Slot axis = {}, bool partial = false);
   bool frame_is_open(const Typed& typed, Span span);
   bool is_total_rate_of_field(const Typed& typed, Span span);
-  bool is_operator(SyntaxId id) const;
+  const WrittenSymbol& nabla_of(SyntaxId id) const;
   Maybe apply_operator(std::span<const SyntaxChild> factors, std::size_t at, std::size_t& next);
   Maybe apply_nabla(const std::string& what, const Typed& operand, Span span);
   Maybe directional(const Typed& along, const Typed& operand, Span span);
@@ -180,6 +184,7 @@ class Elaborator {
   // elaborate_forms.cpp
   bool is_exponential(SyntaxId id) const;
   Maybe power(SyntaxId id);
+  bool names_a_tensor(SyntaxId id) const;
   Maybe bars(SyntaxId id, bool norm);
   bool is_derivative_in_bracket(SyntaxId id) const;
   Maybe component(SyntaxId id);
@@ -216,6 +221,8 @@ class Elaborator {
   std::vector<FreeIndex> slot_letters_;
   std::vector<std::string> conventions_;
   std::optional<Obstacle> guess_;
+  std::set<std::string> positions_;  // the ways in which the statement writes the position
+  bool differentiates_position_ = false;
   std::optional<Span> dyad_;  // bold letters side by side, which may be matrices
 };
 

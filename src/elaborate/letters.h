@@ -50,7 +50,14 @@ struct WrittenName {
 /// The base when the axes are labels after all: `m_1`, `v_{x}`.
 [[nodiscard]] std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels);
 
+/// Is it a letter without face, accent, primes, dots and a change before it? Subscripts may stand on it.
+[[nodiscard]] bool is_undecorated(const WrittenSymbol& symbol);
+/// The time `t`; `t'` and `t_0` are quantities.
+[[nodiscard]] bool is_time(const WrittenSymbol& symbol);
+/// ∇, also with marks that make it another operator: `\nabla'`, `\nabla_\perp`.
 [[nodiscard]] bool is_nabla(const SyntaxTree& syntax, SyntaxId id);
+/// ∇, ∇² or (A·∇).
+[[nodiscard]] bool acts_as_operator(const SyntaxTree& syntax, SyntaxId id);
 [[nodiscard]] bool is_kronecker(const WrittenSymbol& symbol);
 [[nodiscard]] bool is_levi_civita(const WrittenSymbol& symbol);
 /// `\mathbf{e}_i`, `\hat{e}_x`: a vector of the basis.

@@ -203,7 +203,9 @@ bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
   const NameKey* key = key_of(base);
   if (key == nullptr || by == By::small) return true;
   if (by == By::space) return sightings.fields.contains(key->base);
-  return sightings.rates.contains({key->base, key->per_particle});
+  if (sightings.rates.contains(*key)) return true;
+  const bool principal_values = key->rank == 1 && sightings.diagonal.contains(key->base);
+  return principal_values && sightings.rates.contains({key->base, 2, key->per_particle});
 }
 
 void Names::mark_used(std::size_t directive) { used_.insert(directive); }

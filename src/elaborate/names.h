@@ -28,14 +28,14 @@ struct NameKey {
 
 /// How a symbol was written somewhere in the file.
 struct Sightings {
-  std::set<std::pair<std::string, bool>> bold;   // base, per particle: `\mathbf{A}` without a letter index
-  std::set<std::string> bold_indexed;            // `\boldsymbol\omega_i`
-  std::set<NameKey> indexed;                     // rank = number of letter indices: `I_{ij}`
-  std::set<std::string> summed_greek;            // `\alpha` of some \sum_\alpha
-  std::set<std::string> crossed;                 // bases of bold factors of a cross product
-  std::set<std::pair<std::string, bool>> rates;  // base, per particle: a time derivative of it is written
-  std::set<std::string> fields;                  // bases that a ∂ or ∇ stands before
-  std::set<std::string> mixed_axes;              // `\lambda_{i'j}`: two indices, one of them primed
+  std::set<std::pair<std::string, bool>> bold;  // base, per particle: `\mathbf{A}` without a letter index
+  std::set<std::string> bold_indexed;           // `\boldsymbol\omega_i`
+  std::set<NameKey> indexed;                    // rank = number of letter indices: `I_{ij}`
+  std::set<std::string> summed_greek;           // `\alpha` of some \sum_\alpha
+  std::set<std::string> crossed;                // bases of bold factors of a cross product
+  std::set<NameKey> rates;                      // a time derivative of it is written
+  std::set<std::string> fields;                 // bases that a ∂ or ∇ stands directly before
+  std::set<std::string> mixed_axes;             // `\lambda_{i'j}`: two indices, one of them primed
   std::set<std::string>
       diagonal;            // X where `X_i = X_{ii}` or `X_{ij} = X_i\delta_{ij}` is said: principal values
   bool hatted_ij = false;  // \hat\imath or \hat\jmath: then \hat k is an axis as well

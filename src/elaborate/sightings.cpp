@@ -2,47 +2,42 @@
 // What a file says by the way: which quantities it differentiates, which axes it primes, whose diagonal it
 // names.
 #include <algorithm>
-#include <functional>
 
 #include "elaborate/letters.h"
 
 namespace rigor {
 namespace {
 
-void for_each_symbol(const SyntaxTree& syntax, SyntaxId root,
-                     const std::function<void(const WrittenSymbol&)>& visit) {
-  std::vector<SyntaxId> pending{root};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    if (syntax[id].kind == SyntaxKind::symbol) visit(syntax.symbol(id));
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
-  }
-}
-
+/// `\dot{A}` of a letter that is bold elsewhere is the rate of a length, and so of the vector.
 void sight_rate(const WrittenSymbol& symbol, Names& names) {
   const WrittenName name = take_apart(symbol, Letters{}, names);
-  names.sightings.rates.insert({name.base, name.per_particle()});
-  names.sightings.rates.insert({with_labels(name.base, name.axes), name.per_particle()});
+  const bool particle = name.per_particle();
+  std::set<NameKey>& rates = names.sightings.rates;
+  const bool plain = symbol.face == Face::plain;
+  if (plain) rates.insert({name.base, static_cast<int>(name.axes.size()), particle});
+  if (!name.axes.empty()) rates.insert({with_labels(name.base, name.axes), 0, particle});
+  const bool vector = !plain || (name.axes.empty() && names.sightings.bold.contains({name.base, particle}));
+  if (vector) rates.insert({name.base, 1, particle});
+  if (!plain) rates.insert({name.base, 2, particle});
 }
 
-void sight_fields(const SyntaxTree& syntax, SyntaxId root, Names& names) {
-  for_each_symbol(syntax, root, [&](const WrittenSymbol& symbol) {
-    names.sightings.fields.insert(take_apart(symbol, Letters{}, names).base);
-  });
-}
-
-/// The operand of d/dt, through the bracket around it.
-SyntaxId operand_of(const SyntaxTree& syntax, SyntaxId derivative) {
-  SyntaxId id = syntax.child(derivative, 0);
+/// What is differentiated, through brackets and further derivatives.
+SyntaxId differentiated(const SyntaxTree& syntax, SyntaxId id) {
   while (syntax[id].kind == SyntaxKind::group || syntax[id].kind == SyntaxKind::derivative)
     id = syntax.child(id, 0);
   return id;
 }
 
+/// A factor of a product need not be a field.
+void sight_field(const SyntaxTree& syntax, SyntaxId operand, Names& names) {
+  const SyntaxId id = differentiated(syntax, operand);
+  if (syntax[id].kind != SyntaxKind::symbol) return;
+  names.sightings.fields.insert(take_apart(syntax.symbol(id), Letters{}, names).base);
+}
+
 bool is_by_time(const WrittenDerivative& derivative) {
   return std::all_of(derivative.by.begin(), derivative.by.end(),
-                     [](const WrittenVariable& variable) { return variable.symbol.letter == "t"; });
+                     [](const WrittenVariable& variable) { return is_time(variable.symbol); });
 }
 
 bool has_letters(const WrittenSymbol& symbol, std::size_t count) {
@@ -64,8 +59,25 @@ const WrittenSymbol* with_one_letter(const SyntaxTree& syntax, SyntaxId side) {
 
 }  // namespace
 
+bool is_undecorated(const WrittenSymbol& symbol) {
+  return symbol.face == Face::plain && symbol.accent == Accent::none && symbol.primes == 0 &&
+         symbol.dots == 0 && symbol.change.empty();
+}
+
+bool is_time(const WrittenSymbol& symbol) {
+  return symbol.letter == "t" && symbol.lower.empty() && is_undecorated(symbol);
+}
+
 bool is_nabla(const SyntaxTree& syntax, SyntaxId id) {
   return syntax[id].kind == SyntaxKind::symbol && syntax.symbol(id).letter == "\\nabla";
+}
+
+bool acts_as_operator(const SyntaxTree& syntax, SyntaxId id) {
+  if (is_nabla(syntax, id)) return true;
+  if (syntax[id].kind == SyntaxKind::power) return is_nabla(syntax, syntax.child(id, 0));
+  if (syntax[id].kind != SyntaxKind::group) return false;
+  const SyntaxId inside = syntax.child(id, 0);
+  return syntax[inside].kind == SyntaxKind::term && is_nabla(syntax, syntax.children(inside).back().id);
 }
 
 void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
@@ -85,26 +97,20 @@ void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
         break;
       }
       case SyntaxKind::derivative: {
-        const SyntaxId operand = operand_of(syntax, id);
+        const SyntaxId operand = differentiated(syntax, id);
         const bool time = is_by_time(syntax.derivative(id));
         if (time && syntax[operand].kind == SyntaxKind::symbol) sight_rate(syntax.symbol(operand), names);
-        if (!time) sight_fields(syntax, operand, names);
+        if (!time) sight_field(syntax, operand, names);
         break;
       }
       case SyntaxKind::function:
         for (const char* name : {"grad", "div", "curl", "laplacian"}) {
-          if (syntax.text(id) == name) sight_fields(syntax, syntax.child(id, 0), names);
+          if (syntax.text(id) == name) sight_field(syntax, syntax.child(id, 0), names);
         }
         break;
       case SyntaxKind::term:
         for (std::size_t k = 0; k + 1 < children.size(); ++k) {
-          const SyntaxId factor = children[k].id;
-          const bool power =
-              syntax[factor].kind == SyntaxKind::power && is_nabla(syntax, syntax.child(factor, 0));
-          const bool bracket = syntax[factor].kind == SyntaxKind::group &&
-                               syntax[syntax.child(factor, 0)].kind == SyntaxKind::term &&
-                               is_nabla(syntax, syntax.children(syntax.child(factor, 0)).back().id);
-          if (power || bracket || is_nabla(syntax, factor)) sight_fields(syntax, children[k + 1].id, names);
+          if (acts_as_operator(syntax, children[k].id)) sight_field(syntax, children[k + 1].id, names);
         }
         break;
       default:

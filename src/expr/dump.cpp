@@ -100,6 +100,21 @@ namespace {
 
 }  // namespace
 
+bool names_an_axis(const ExprTree& tree, ExprId root) {
+  std::vector<ExprId> open{root};
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    const auto slots = tree.slots(id);
+    const bool named =
+        std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.axis != 0; });
+    if (named || tree[id].op == Op::basis) return true;
+    const auto children = tree.children(id);
+    open.insert(open.end(), children.begin(), children.end());
+  }
+  return false;
+}
+
 std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root) {
   std::vector<SymbolId> found;
   std::vector<bool> seen(tree.symbols.size(), false);

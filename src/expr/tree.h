@@ -120,6 +120,8 @@ class ExprTree {
 };
 
 /// The symbols below a node, in order of first occurrence, each once. Definitions are not unfolded.
+/// Is something said along an axis: a basis vector, or a component that is named by its number?
+[[nodiscard]] bool names_an_axis(const ExprTree& tree, ExprId root);
 [[nodiscard]] std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root);
 
 /// An S-expression for `--debug expr` and for tests, e.g. `(dot A (cross B C))`. A symbol shows its particle

@@ -89,6 +89,7 @@ class Parser {
   std::optional<std::vector<WrittenVariable>> variables(TokenView below, bool partial);
   [[nodiscard]] std::optional<WrittenVariable> variable(SyntaxId node) const;
   [[nodiscard]] bool is_one_factor(SyntaxId operand) const;
+  [[nodiscard]] bool is_constant(SyntaxId id) const;
   SyntaxId unclear_operand(Span span);
 
   // parser_functions.cpp

@@ -67,7 +67,8 @@ SyntaxId Parser::physics_derivative(Cursor& cursor, bool partial) {
   return tree_.add_derivative(span, {partial, std::move(by)}, inner(arguments[0].content, span));
 }
 
-/// `\partial_i f`: acts on the next factor.
+/// `\partial_i f`: acts on the next factor; where another one follows that it could act on too, it is not
+/// read.
 SyntaxId Parser::partial(Cursor& cursor) {
   if (const auto slash = slash_derivative(cursor)) return *slash;
   const Token token = cursor.token();
@@ -87,13 +88,32 @@ SyntaxId Parser::partial(Cursor& cursor) {
     cursor.at = script_argument_at(cursor.tokens, cursor.at + 1).next;
     return opaque(span, "a power of `\\partial` is not read");
   }
-  const SyntaxId operand = factor(cursor);
-  const Span whole = cover(span, tree_[operand].span);
-  const SyntaxKind kind = tree_[operand].kind;
-  cursor.skip_spacing();
-  const bool more = !cursor.done() && !starts_sign(cursor) && factor_joint(cursor.token()) == Joint::none;
-  if (more && (kind == SyntaxKind::number || kind == SyntaxKind::fraction)) return unclear_operand(whole);
+  std::vector<SyntaxChild> factors;
+  bool more = true;
+  while (more && (factors.empty() || is_constant(factors.back().id))) {
+    factors.push_back({factor(cursor), factors.empty() ? Joint::none : Joint::juxtaposed});
+    cursor.skip_spacing();
+    more = !cursor.done() && !starts_sign(cursor) && factor_joint(cursor.token()) == Joint::none;
+  }
+  const Span behind = cover(tree_[factors.front().id].span, tree_[factors.back().id].span);
+  const Span whole = cover(span, behind);
+  if (more && !is_control(cursor.token(), "partial")) return unclear_operand(whole);
+  const SyntaxId operand = factors.size() == 1 ? factors[0].id : tree_.add(SyntaxKind::term, behind, factors);
   return tree_.add_derivative(whole, {true, std::move(by)}, operand);
+}
+
+/// A number, δ or ε: whether it is differentiated makes no difference.
+bool Parser::is_constant(SyntaxId id) const {
+  const auto is_number = [&](SyntaxId each) { return tree_[each].kind == SyntaxKind::number; };
+  if (tree_[id].kind == SyntaxKind::fraction) {
+    const auto parts = tree_.children(id);
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const SyntaxChild& part) { return is_number(part.id); });
+  }
+  if (tree_[id].kind != SyntaxKind::symbol) return is_number(id);
+  const WrittenSymbol& symbol = tree_.symbol(id);
+  return (symbol.letter == "\\delta" && symbol.lower.size() == 2) ||
+         (symbol.letter == "\\epsilon" && symbol.lower.size() == 3);
 }
 
 std::optional<Obstacle> Parser::read_partial_index(TokenView content, std::vector<WrittenVariable>& by) {

@@ -117,7 +117,7 @@ constexpr std::array greek_letters{
     GreekLetter{"Omega", "Ω"},   GreekLetter{"epsilon", "ϵ"}, GreekLetter{"varphi", "ϕ"},
     GreekLetter{"vartheta", "ϑ"}};
 
-constexpr std::string_view field_derivative = "derivatives of fields are not decided yet";
+constexpr std::string_view field_derivative = "this derivative is not read";
 constexpr std::string_view transcendental = "functions such as this one are not decided yet";
 
 }  // namespace

@@ -30,8 +30,8 @@ std::string value_of(const Json& value) {
   return fmt::format("({}, {}, {})", component(0), component(1), component(2));
 }
 
-/// Scalars and vectors, no particles, no free index, no derivative and no definition: what `let` and `claim`
-/// can say in one line each.
+/// Scalars and vectors of plain numbers, no particles, no free index, no derivative and no definition: what
+/// `let` and `claim` can say in one line each.
 bool is_plain(const Json& step) {
   const Json& example = step["counterexample"];
   for (const Json& use : step["uses"]) {
@@ -40,6 +40,9 @@ bool is_plain(const Json& step) {
   if (example["particles"] != 0 || !example["component"].empty()) return false;
   for (const Json& value : example["values"]) {
     if (value["rank"] > 1 || value["symbol"].get<std::string>().starts_with("\\dot")) return false;
+    for (const Json& component : value["components"]) {
+      if (component.get<std::string>().find('(') != std::string::npos) return false;  // `2*arctan(1)`
+    }
   }
   return true;
 }

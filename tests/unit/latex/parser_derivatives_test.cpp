@@ -113,7 +113,8 @@ TEST_CASE("where it is not clear how much is differentiated nothing is read") {
   CHECK(parsed("\\frac{d\\mathbf r\\cdot\\mathbf F}{dt}") == "<ambiguous-reading>");
   CHECK(parsed("\\frac{\\partial A_iB_j}{\\partial t}") == "<ambiguous-reading>");
   CHECK(parsed("\\frac{d}{dt}(a+b)c") == "<ambiguous-reading>");
-  CHECK(parsed("\\partial_i\\frac12 v^2") == "(term <ambiguous-reading> (power v 2))");
+  CHECK(parsed("\\partial_i\\frac{a}{2}v^2") == "(term <ambiguous-reading> (power v 2))");
+  CHECK(parsed("\\partial_i A_j B_k") == "(term <ambiguous-reading> B[k])");
 }
 
 TEST_CASE("a fraction of letters d is a derivative only with more below") {
@@ -162,7 +163,9 @@ TEST_CASE("a derivative with an index acts on the next factor") {
   CHECK(parsed("\\partial_i f") == "(∂/∂x[i] f)");
   CHECK(parsed("\\partial_t f + a") == "(sum +(∂/∂t f) +a)");
   CHECK(parsed("\\partial_x f\\,\\partial_\\theta g") == "(term (∂/∂x f) (∂/∂\\theta g))");
-  CHECK(parsed("\\partial_i A_j B_k") == "(term (∂/∂x[i] A[j]) B[k])");
+  CHECK(parsed("\\partial_i A_j\\cdot B_k") == "(term (∂/∂x[i] A[j]) ·B[k])");
+  CHECK(parsed("\\partial_i\\frac12 v^2") == "(∂/∂x[i] (term (fraction 1 2) (power v 2)))");
+  CHECK(parsed("\\partial_i\\epsilon_{jkl}A_l") == "(∂/∂x[i] (term \\epsilon[j,k,l] A[l]))");
   CHECK(parsed("\\partial_i\\partial_j f") == "(∂/∂x[i] (∂/∂x[j] f))");
   CHECK(parsed("\\partial_i(A_jB_j)") == "(∂/∂x[i] (group (term A[j] B[j])))");
   CHECK(parsed("\\epsilon_{ijk}\\partial_jA_k") == "(term \\epsilon[i,j,k] (∂/∂x[j] A[k]))");
