@@ -61,13 +61,19 @@ std::string bare_name(std::string name) {
   return name;
 }
 
-/// A known name that differs in face, primes or one letter of a long name.
-std::optional<std::string> likely_meant(const std::string& name, const std::vector<std::string>& known) {
+/// A known name that differs in face, primes or one letter of a long name. One that the statement has, too,
+/// is another quantity, and so is one with another number.
+std::optional<std::string> likely_meant(const std::string& name, const std::vector<std::string>& known,
+                                        const std::set<std::string>& in_statement) {
   const std::string bare = bare_name(name);
+  const auto has_digit = [](const std::string& text) {
+    return std::any_of(text.begin(), text.end(), [](char each) { return each >= '0' && each <= '9'; });
+  };
   for (const std::string& other : known) {
-    if (other == name) continue;
+    if (in_statement.contains(other)) continue;
     const std::string candidate = bare_name(other);
-    const bool long_enough = bare.size() > 4 && candidate.size() > 4;
+    const bool long_enough =
+        bare.size() > 4 && candidate.size() > 4 && !has_digit(bare) && !has_digit(candidate);
     if (candidate == bare || (long_enough && edit_distance(candidate, bare, 1) == 1)) return other;
   }
   return std::nullopt;
@@ -81,9 +87,13 @@ Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim&
           "{} {} neither declared nor defined, so this reads as a law or a condition, not as an identity",
           quoted_names(tree, symbols), symbols.size() == 1 ? "is" : "are")};
   const std::vector<std::string> known = names.known_names(tree);
+  std::set<std::string> in_statement;
+  for (const ExprId side : {claim.equation.left, claim.equation.right}) {
+    for (const SymbolId symbol : symbols_in(tree, side)) in_statement.insert(tree.symbols[symbol].name);
+  }
   for (const SymbolId symbol : symbols) {
     const std::string& name = tree.symbols[symbol].name;
-    if (const auto near = likely_meant(name, known))
+    if (const auto near = likely_meant(name, known, in_statement))
       diagnostic.help.push_back(fmt::format("is `{}` meant for `{}`?", *near, name));
   }
   diagnostic.help.push_back(

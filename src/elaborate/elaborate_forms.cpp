@@ -62,7 +62,7 @@ std::optional<Typed> Elaborator::power(SyntaxId id) {
   const Span span = syntax_[id].span;
   if (is_exponential(id)) {
     const Maybe argument = expression(syntax_.child(id, 1));
-    return argument ? exponential(*argument, span) : std::nullopt;
+    return argument ? elementary("exp", *argument, span) : std::nullopt;
   }
   squared_ = integer(syntax_.child(id, 1)) == 2 && syntax_[syntax_.child(id, 0)].kind == SyntaxKind::symbol;
   const Maybe base = expression(syntax_.child(id, 0));
@@ -251,15 +251,9 @@ std::optional<Typed> Elaborator::determinant(SyntaxId id) {
   for (std::size_t k = 0; k < 9; ++k) {
     const Maybe entry = expression(syntax_.child(id, k));
     if (!entry) return std::nullopt;
-    if (!entry->free.empty() || !entry->bound.empty()) {
-      // Each entry occurs in several products, so a letter's place in them is not that of the summation
-      // convention.
-      for (const FreeIndex& free : entry->free) {
-        const bool known = std::any_of(typed.free.begin(), typed.free.end(),
-                                       [&](const FreeIndex& old) { return old.letter == free.letter; });
-        if (!known) typed.free.push_back(free);
-      }
-    }
+    // Each entry occurs in several products, so a letter's place in them is not that of the summation
+    // convention.
+    merge_free(typed.free, entry->free);
     if (entry->rank > 1) return unsupported(span, "an entry of this determinant is a tensor");
     if (entry->rank == 1 && k >= 3)
       return unsupported(span, "vectors are read in the first row of a determinant only");

@@ -13,7 +13,7 @@ std::optional<Typed> Elaborator::function(SyntaxId id) {
   const std::string& name = syntax_.text(id);
   const SyntaxId argument = syntax_.child(id, 0);
   const Span span = syntax_[id].span;
-  if (name == "det" || name == "tr" || name == "Tr") return trace_or_determinant(argument, name != "det");
+  if (name == "det" || name == "tr") return trace_or_determinant(argument, name != "det");
   if (syntax_[argument].kind == SyntaxKind::tuple) {
     if (name == "cos" && syntax_[argument].count == 2)
       return angle_cosine(syntax_.child(argument, 0), syntax_.child(argument, 1), span);
@@ -24,10 +24,6 @@ std::optional<Typed> Elaborator::function(SyntaxId id) {
   if (name == "grad" || name == "div" || name == "curl" || name == "laplacian")
     return apply_nabla(name, *inside, span);
   return elementary(name, *inside, span);
-}
-
-std::optional<Typed> Elaborator::exponential(const Typed& argument, Span span) {
-  return elementary("exp", argument, span);
 }
 
 std::optional<Typed> Elaborator::elementary(const std::string& name, const Typed& argument, Span span) {

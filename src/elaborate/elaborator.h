@@ -141,7 +141,6 @@ class Elaborator {
   // elaborate_function.cpp
   Maybe function(SyntaxId id);
   Maybe elementary(const std::string& name, const Typed& argument, Span span);
-  Maybe exponential(const Typed& argument, Span span);
   Maybe trace_or_determinant(SyntaxId id, bool trace);
   Maybe determinant_of(SyntaxId id, const Typed& inside, Span span);
   Maybe integral(SyntaxId id);
