@@ -91,6 +91,7 @@ Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim&
   for (const ExprId side : {claim.equation.left, claim.equation.right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) in_statement.insert(tree.symbols[symbol].name);
   }
+  for (const SymbolId symbol : symbols) in_statement.insert(tree.symbols[symbol].name);
   for (const SymbolId symbol : symbols) {
     const std::string& name = tree.symbols[symbol].name;
     if (const auto near = likely_meant(name, known, in_statement))

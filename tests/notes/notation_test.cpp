@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The examples of docs/notation.md and the one of README.md, run as they are printed there.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -77,7 +78,7 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& text)
       : path_(std::filesystem::temp_directory_path() /
-              fmt::format("rigor-notation-{}.rigor", static_cast<const void*>(this))) {
+              fmt::format("rigor-notation-{}-{}.rigor", ::getpid(), static_cast<const void*>(this))) {
     std::ofstream(path_) << text;
   }
   ~TemporaryFile() { std::filesystem::remove(path_); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/document.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -69,7 +71,8 @@ std::string markdown_complaints(std::string text) { return Notes("notes.md", std
 struct Folder {
   std::filesystem::path path;
 
-  explicit Folder(const char* name) : path(std::filesystem::temp_directory_path() / name) {
+  explicit Folder(const std::string& name)
+      : path(std::filesystem::temp_directory_path() / (name + "-" + std::to_string(::getpid()))) {
     std::filesystem::remove_all(path);
     std::filesystem::create_directories(path / "notes");
   }

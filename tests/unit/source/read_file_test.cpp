@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "source/read_file.h"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -13,7 +15,8 @@ namespace {
 /// A file that is gone after the test.
 class Scratch {
  public:
-  explicit Scratch(const std::string& name) : path_(std::filesystem::temp_directory_path() / name) {}
+  explicit Scratch(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / (name + "-" + std::to_string(::getpid()))) {}
   ~Scratch() {
     std::error_code ignored;
     std::filesystem::remove(path_, ignored);
