@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The value of an expression, in components: written once, for numbers of any kind. A value of rank r is an
 // array of 3^r numbers, row by row. The two kinds are exact rationals (`sample_evaluator.h`) and rational
-// functions at the generic point
-// (`generic_evaluator.h`). A kind is a class Domain with
+// functions at the generic point (`generic_evaluator.h`). A kind is a class Domain with
 //
 //   Number                                        copyable; Number{} is 0
 //   Number number(const std::string& digits)      Number integer(int)       bool is_zero(const Number&)
@@ -12,12 +11,15 @@
 //   Number function(Function, const Number&)
 //   Number value(SymbolId, std::uint32_t particle, std::size_t component)          (of a free symbol)
 //   std::vector<Number> particle_sum(std::size_t count, body)   body(particle) gives `count` numbers
+//   void check_root(const Number& square)         throws where `root` does because there is no real root
 //   void settle(Number&)                          for a value that will be used again: brings it into its
-//   simplest form void step()                                   counts the work; throws where it is too much
+//                                                 simplest form
+//   void step()                                   counts the work; throws where it is too much
 //
 // Index and particle variables are bound in an environment of the evaluator: a definition that is unfolded
 // sees only its own bindings, so that its dummies never meet the caller's. ε and δ are looked at before the
 // other factors of a product, and before the inner sums: most terms of Σ_ijk ε_ijk … are never evaluated.
+// They alone leave terms out: 0 · 1/0 has no value (`evaluator_undefined.h`).
 // Recursion: the parser bounds a tree's depth at 256 levels; unfolded definitions add theirs, up to
 // `largest_depth`.
 #pragma once
@@ -90,9 +92,11 @@ class Evaluator {
   }
   [[nodiscard]] std::size_t slot_position(ExprId id) const;
   [[nodiscard]] int index_sign(ExprId id) const;
-  [[nodiscard]] bool is_cheap(ExprId id) const;
 
-  [[nodiscard]] Number product(ExprId id, bool scalars_only);
+  [[nodiscard]] bool is_left_out(ExprId id) const;
+  [[nodiscard]] Number scalar_factors(ExprId id);
+  void demand_value(ExprId id);
+  [[nodiscard]] bool may_lack_value(ExprId id);
   [[nodiscard]] std::optional<ExprId> defined_as_root(ExprId id) const;
   [[nodiscard]] Number scalar_power(ExprId id);
   [[nodiscard]] Number square_of_vector(const Array& v);
@@ -130,6 +134,7 @@ class Evaluator {
   std::vector<std::uint8_t> axis_;       // by index variable; 0: not bound
   std::vector<std::uint32_t> particle_;  // by particle variable
   std::unordered_map<std::uint64_t, std::vector<std::optional<Number>>> unfolded_;  // by symbol and particle
+  std::vector<std::optional<bool>> may_lack_value_;  // by node
   std::uint32_t depth_ = 0;
 };
 
@@ -138,3 +143,4 @@ class Evaluator {
 #include "algebra/evaluator_operations.h"
 #include "algebra/evaluator_products.h"
 #include "algebra/evaluator_symbols.h"
+#include "algebra/evaluator_undefined.h"

@@ -31,7 +31,7 @@ auto Evaluator<Domain>::scalar(ExprId id) -> Number {
       return value;
     }
     case Op::multiply:
-      return product(id, false);
+      return is_left_out(id) ? Number{} : scalar_factors(id);
     case Op::divide:
       return domain_->divide(scalar(child(id, 0)), scalar(child(id, 1)));
     case Op::power:

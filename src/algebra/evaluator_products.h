@@ -8,21 +8,26 @@
 
 namespace rigor {
 
+/// ε or δ among the factors is 0: that leaves the term out, whatever the other factors are.
 template <class Domain>
-bool Evaluator<Domain>::is_cheap(ExprId id) const {
-  const Op op = node(id).op;
-  return op == Op::delta || op == Op::epsilon || op == Op::number;
+bool Evaluator<Domain>::is_left_out(ExprId id) const {
+  const auto factors = tree_->children(id);
+  return std::any_of(factors.begin(), factors.end(), [this](ExprId factor) {
+    const Op op = node(factor).op;
+    return (op == Op::delta || op == Op::epsilon) && index_sign(factor) == 0;
+  });
 }
 
-/// The product of the scalar factors, the cheap ones first; what follows a zero is not evaluated.
+/// The product of the scalar factors. Behind a 0 they need only have a value.
 template <class Domain>
-auto Evaluator<Domain>::product(ExprId id, bool scalars_only) -> Number {
+auto Evaluator<Domain>::scalar_factors(ExprId id) -> Number {
   Number value = domain_->integer(1);
-  for (const bool cheap : {true, false}) {
-    for (const ExprId factor : tree_->children(id)) {
-      if (is_cheap(factor) != cheap || (scalars_only && node(factor).rank > 0)) continue;
+  for (const ExprId factor : tree_->children(id)) {
+    if (node(factor).rank > 0) continue;
+    if (domain_->is_zero(value)) {
+      demand_value(factor);
+    } else {
       value = domain_->multiply(value, scalar(factor));
-      if (domain_->is_zero(value)) return value;
     }
   }
   return value;
@@ -30,11 +35,15 @@ auto Evaluator<Domain>::product(ExprId id, bool scalars_only) -> Number {
 
 template <class Domain>
 auto Evaluator<Domain>::outer_product(ExprId id) -> Array {
-  const Number scale = product(id, true);
-  if (domain_->is_zero(scale)) return Array(component_count(node(id).rank));
-  Array value{scale};
+  if (is_left_out(id)) return Array(component_count(node(id).rank));
+  Array value{scalar_factors(id)};
+  const bool is_zero = domain_->is_zero(value.front());
   for (const ExprId factor : tree_->children(id)) {
     if (node(factor).rank == 0) continue;
+    if (is_zero) {
+      demand_value(factor);
+      continue;
+    }
     const Array right = array(factor);
     Array longer;
     longer.reserve(value.size() * right.size());
@@ -43,7 +52,7 @@ auto Evaluator<Domain>::outer_product(ExprId id) -> Array {
     }
     value = std::move(longer);
   }
-  return value;
+  return is_zero ? Array(component_count(node(id).rank)) : value;
 }
 
 /// What a scalar symbol's definition says, where that is a root: `(\Omega_1)^2 = …` defines Ω_1 by its

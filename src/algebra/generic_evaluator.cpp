@@ -27,6 +27,10 @@ Fraction GenericDomain::power(const Fraction& base, int exponent) {
   return raised;
 }
 
+void GenericDomain::check_root(const Fraction& square) const {
+  if (is_within(signs_.of(square), Sign::negative)) throw NoRealValue("a root of a negative number");
+}
+
 Fraction GenericDomain::value(SymbolId symbol, std::uint32_t frame, std::size_t component) {
   const Symbol& named = scope_->tree().symbols[symbol];
   const bool as_declared = !scope_->is_defined(symbol);

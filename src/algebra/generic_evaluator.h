@@ -42,6 +42,7 @@ class GenericDomain {
   [[nodiscard]] Fraction divide(const Fraction& a, const Fraction& b);
   [[nodiscard]] Fraction power(const Fraction& base, int exponent);
   [[nodiscard]] Fraction root(const Fraction& square) { return radicals_.root(square); }
+  void check_root(const Fraction& square) const;
   [[nodiscard]] Fraction function(Function function, const Fraction& argument) {
     return functions_.value(function, argument);
   }

@@ -61,6 +61,10 @@ ExactValue SampleDomain::root(const ExactValue& square) {
   return *std::move(root);
 }
 
+void SampleDomain::check_root(const ExactValue& square) {
+  if (cln::minusp(rational_of(square))) throw PointRejected("a root of a negative number");
+}
+
 void SampleEvaluator::look_at(const SamplePoint& point) {
   domain_.look_at(point);
   evaluator_.forget();

@@ -20,7 +20,8 @@ class NoRealValue : public Undecidable {
   using Undecidable::Undecidable;
 };
 
-/// A sample at which the statement says nothing: a division by zero, or a root that is not rational.
+/// A sample at which the statement says nothing: a division by zero, a root of a negative number, or one that
+/// is not rational.
 class PointRejected : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

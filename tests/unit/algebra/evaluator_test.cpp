@@ -106,3 +106,48 @@ TEST_CASE("powers, quotients and absolute values", "[algebra]") {
   CHECK(is_proved(page.claim(a / s, (1 / s) * a)));
   CHECK(is_proved(page.claim(page.number("0.5") * s, s / 2)));
 }
+
+TEST_CASE("a factor 0 does not give a value to a product that has none", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  const Named v = page.vector("v");
+  const Named q = page.scalar("q");
+  CHECK(is_proved(page.claim(a * (1 / a) + b * (b / (b * b)), page.number("2"))));
+  CHECK(is_refuted(page.claim(a * (1 / a) + b * (b / (b * b)), page.number("3"))));
+  CHECK_FALSE(is_refuted(page.claim(a * (1 / a), a * (1 / a))));
+  CHECK(is_proved(page.claim((a * v) * pow(a, -1), v)));
+  CHECK(is_refuted(page.claim((a * v) * pow(a, -1), 2 * v)));
+  CHECK(reason_open(page.claim(page.zero() * (1 / (a - a)), page.zero())) ==
+        "a denominator is zero for all values of the symbols");
+  CHECK_FALSE(reason_open(page.claim(page.zero() * (v / (a - a)), page.zero_vector())).empty());
+  page.define(q, 1 / (a - a));
+  CHECK_FALSE(reason_open(page.claim(page.zero() * q, page.zero())).empty());
+}
+
+TEST_CASE("what is 0 at a sample still multiplies a quotient there", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  Question question = page.claim(a * (1 / a), page.zero());
+  question.claim.relation = Relation::unequal;
+  CHECK_FALSE(is_refuted(question));
+  const Sample zero{.particles = 0,
+                    .values = {{a.symbol, 0, {"0"}}},
+                    .axes = {},
+                    .free_particles = {},
+                    .left = {},
+                    .right = {}};
+  CHECK_FALSE(replay(question, zero).has_value());
+  CHECK_FALSE(replay(page.claim(a * root(-page.number("1")), page.zero()), zero).has_value());
+  CHECK(replay(page.claim(a * root(page.number("2")), page.zero()), zero).has_value());
+}
+
+TEST_CASE("ε and δ leave out terms that have no value", "[algebra]") {
+  Page page;
+  const Named a = page.vector("A");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  const Term quotient = 1 / (at(a, i) - at(a, j));
+  CHECK(is_proved(page.claim(sum({i, j}, page.epsilon(i, j, 3) * quotient), 2 / (at(a, 1) - at(a, 2)))));
+  CHECK(is_refuted(page.claim(sum({i, j}, page.epsilon(i, j, 3) * quotient), 2 / (at(a, 2) - at(a, 1)))));
+}
