@@ -62,8 +62,14 @@ void Constraints::learn_signs(const Equation& assumption) {
     if (each_particle) evaluator_.bind(assumption.particles[0], frame);
     for_each_component(evaluator_, scope_.tree(), assumption,
                        [&](const auto&, const Fraction& left, const Fraction& right) {
-                         const ex value = domain_.with_sign_of(domain_.subtracted(right, left));
-                         domain_.signs().add_fact(value, sign);
+                         const Fraction difference = domain_.subtracted(right, left);
+                         const ex value = domain_.with_sign_of(difference);
+                         const Sign narrower = common(sign, domain_.signs().of(difference));
+                         if (narrower == Sign::negative) {  // −Σ (a − b)² ≠ 0
+                           domain_.signs().add_fact((-value).expand(), Sign::positive);
+                         } else {
+                           domain_.signs().add_fact(value, narrower == Sign::impossible ? sign : narrower);
+                         }
                          const bool nonzero = rigor::is_within(sign, Sign::not_zero);
                          if (nonzero && (!each_particle || frame != template_frame)) note_nonzero(value);
                          if (is_number(value) && !rigor::is_within(domain_.signs().of(value), sign)) {

@@ -42,9 +42,9 @@ constexpr double largest_substituted = 4000;    // terms, by the estimate
   return {1, term};
 }
 
-/// By what a fact may be multiplied so that a term of unknown sign cancels: positive numbers, in rising
-/// order.
-[[nodiscard]] std::vector<GiNaC::numeric> multiples(const ex& value, const ex& fact, const Signs& signs) {
+/// By what a fact may be multiplied so that a term cancels, one of unknown sign if signs are given: positive
+/// numbers, in rising order.
+[[nodiscard]] std::vector<GiNaC::numeric> multiples(const ex& value, const ex& fact, const Signs* signs) {
   std::map<ex, ex, GiNaC::ex_is_less> coefficients;
   for (const ex& term : terms_of(value)) {
     const auto [coefficient, monomial] = split_term(term);
@@ -54,7 +54,8 @@ constexpr double largest_substituted = 4000;    // terms, by the estimate
   for (const ex& term : terms_of(fact)) {
     const auto [coefficient, monomial] = split_term(term);
     const auto at = coefficients.find(monomial);
-    if (at == coefficients.end() || is_within(signs.of(at->second * monomial), Sign::not_negative)) continue;
+    if (at == coefficients.end()) continue;
+    if (signs != nullptr && is_within(signs->of(at->second * monomial), Sign::not_negative)) continue;
     const ex ratio = at->second / coefficient;
     if (is_positive(ratio)) found.push_back(GiNaC::ex_to<GiNaC::numeric>(ratio));
   }
@@ -69,16 +70,30 @@ constexpr double largest_substituted = 4000;    // terms, by the estimate
 /// values that are not negative.
 Sign Order::by_facts(const ex& value, const std::vector<Fact>& facts, int depth) {
   const Sign direct = domain_.signs().of(value);
+  if (direct == Sign::not_negative && depth == 0) return by_positive_facts(value, facts);
   if (direct != Sign::any || depth == largest_depth_of_facts) return direct;
   for (const Fact& fact : facts) {
     if (!rigor::is_within(fact.sign, Sign::not_negative)) continue;
-    for (const GiNaC::numeric& multiple : multiples(value, fact.value, domain_.signs())) {
+    for (const GiNaC::numeric& multiple : multiples(value, fact.value, &domain_.signs())) {
       if (++attempts_ > largest_attempts) return Sign::any;
       const Sign rest = by_facts((value - multiple * fact.value).expand(), facts, depth + 1);
       if (rigor::is_within(rest, Sign::not_negative)) return sum(rest, fact.sign);
     }
   }
   return Sign::any;
+}
+
+/// What is not negative is positive if it is a multiple of a positive fact and a rest that is not negative.
+Sign Order::by_positive_facts(const ex& value, const std::vector<Fact>& facts) {
+  for (const Fact& fact : facts) {
+    if (!rigor::is_within(fact.sign, Sign::positive)) continue;
+    for (const GiNaC::numeric& multiple : multiples(value, fact.value, nullptr)) {
+      if (++attempts_ > largest_attempts) return Sign::not_negative;
+      const ex rest = (value - multiple * fact.value).expand();
+      if (rigor::is_within(domain_.signs().of(rest), Sign::not_negative)) return Sign::positive;
+    }
+  }
+  return Sign::not_negative;
 }
 
 Sign Order::by_squares(const ex& value, int depth) {

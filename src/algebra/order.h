@@ -28,6 +28,7 @@ class Order {
   [[nodiscard]] bool proves(const GiNaC::ex& value, Sign allowed, const std::vector<Signs::Fact>& facts);
   [[nodiscard]] bool parametrize(GiNaC::ex& value, std::vector<Signs::Fact>& facts, bool any_bound);
   [[nodiscard]] Sign by_facts(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);
+  [[nodiscard]] Sign by_positive_facts(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts);
   [[nodiscard]] Sign by_squares(const GiNaC::ex& value, int depth);
   [[nodiscard]] Sign by_roots(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);
   [[nodiscard]] Sign best(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);

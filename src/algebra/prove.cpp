@@ -42,6 +42,7 @@ namespace {
         if (constraints.reduced(divisor.base).is_zero())
           throw Undecidable("a denominator is zero under the assumptions");
         constraints.note_nonzero(divisor.base);
+        if (claim.relation != Relation::equal) domain.signs().add_fact(divisor.base, Sign::not_zero);
       }
     }
   };
@@ -52,6 +53,7 @@ namespace {
   const auto is_right = [&](const Fraction& left, const Fraction& right) {
     if (claim.relation == Relation::equal) return is_zero(left, right);
     note_divisors(left, right);
+    domain.signs().conclude();
     return has_order(domain, constraints, claim.relation, domain.subtracted(right, left));
   };
   if (claim.relation != Relation::equal) domain.note_signs_as_written();

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/refute.h"
 
+#include <algorithm>
+
 namespace rigor {
 namespace {
 
 constexpr std::uint32_t quick_attempts = 24;
 constexpr std::uint32_t free_attempts = 8;
+constexpr std::size_t most_zero_alone = 8;  // symbols
 
 }  // namespace
 
@@ -73,17 +76,31 @@ bool Refuter::fails_without_assumptions() {
   return false;
 }
 
-/// Where strict orders fail: all numbers 0, or all but the scalars, which are 1.
+/// Where strict orders fail: all numbers 0, or all but the scalars, which are 1; or those of one symbol.
 std::optional<Refuter::Counterexample> Refuter::look_at_zero() {
   SplitMix random(0);
+  const auto look = [&](const SamplePoint& point) {
+    ++looked_at_zero_;
+    return fails_on(point, 0);
+  };
   for (const int scalar : {1, 0}) {
     SamplePoint point(scope_->tree(), reach_.symbols, reach_.particles ? 1 : 0);
     draw(point, scope_->tree(), Draw::tiny, random);
     for (const Coordinate& at : point.coordinates()) {
       if (!point.is_whole(at)) point.set(at, scope_->tree().symbols[at.symbol].rank == 0 ? scalar : 0);
     }
-    ++looked_at_zero_;
-    if (auto found = fails_on(point, 0)) return found;
+    if (auto found = look(point)) return found;
+  }
+  const std::size_t alone = std::min(reach_.symbols.size(), most_zero_alone);
+  for (std::size_t i = 0; i < alone && alone > 1; ++i) {
+    for (const Draw from : {Draw::tiny, Draw::along_axes}) {
+      SamplePoint point(scope_->tree(), reach_.symbols, reach_.particles ? 1 : 0);
+      draw(point, scope_->tree(), from, random);
+      for (const Coordinate& at : point.coordinates_of(reach_.symbols[i])) {
+        if (!point.is_whole(at)) point.set(at, 0);
+      }
+      if (auto found = look(point)) return found;
+    }
   }
   return std::nullopt;
 }

@@ -71,6 +71,8 @@ void Signs::know(const ex& indeterminate, Sign sign) {
 
 void Signs::add_fact(const ex& value, Sign sign) {
   if (GiNaC::is_a<GiNaC::numeric>(value) || term_count(value) > largest_fact) return;
+  const Sign narrower = common(sign, of(value));  // a sum of squares that is not 0 is positive
+  if (narrower != Sign::impossible) sign = narrower;
   for (const Fact& each : facts_) {
     if (each.value.is_equal(value) && is_within(each.sign, sign)) return;
   }

@@ -328,14 +328,16 @@ class Judging {
     judgement_.counterexample = describe(tree_, prepared_.question.claim, *decision.sample);
     Counterexample& example = *judgement_.counterexample;
     if (claim_.swapped) std::swap(example.left, example.right);
-    judgement_.diagnostics.push_back(
-        {DiagnosticKind::refuted,
-         claim_.relation,
-         fmt::format("{}: left is {}, right is {}", difference(), example.left, example.right),
-         {{claim_.left, ""}, {claim_.right, ""}}});
+    example.squared_distance = claim_.as_a_whole;
+    const std::string sides = fmt::format(": left is {}, right is {}", example.left, example.right);
+    judgement_.diagnostics.push_back({DiagnosticKind::refuted,
+                                      claim_.relation,
+                                      difference() + (claim_.as_a_whole ? "" : sides),
+                                      {{claim_.left, ""}, {claim_.right, ""}}});
   }
 
   std::string difference() const {
+    if (claim_.as_a_whole) return "the sides are equal, component by component";
     if (claim_.equation.relation != Relation::equal) return "the order does not hold";
     if (!claim_.nearly) return "the sides differ";
     return first_order_ ? "the first-order parts differ" : "the sides differ where all that is small is 0";

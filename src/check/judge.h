@@ -24,8 +24,9 @@ struct Judgement {
 /// What is judged, and where it stands.
 struct Claim {
   Equation equation;
-  bool nearly = false;   // equal to first order in what is small
-  bool swapped = false;  // `a > b` is asked as b < a
+  bool nearly = false;      // equal to first order in what is small
+  bool swapped = false;     // `a > b` is asked as b < a
+  bool as_a_whole = false;  // ≠ of vectors or tensors, asked as |left − right|² ≠ 0
   Span relation = {};
   Span left = {};
   Span right = {};

@@ -36,6 +36,7 @@ struct Counterexample {
   std::vector<Axis> component;
   std::string left;
   std::string right;
+  bool squared_distance = false;  // `left` is |left − right|², of vectors or tensors that are to be unequal
 };
 
 /// One relation of one chain.

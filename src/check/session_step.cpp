@@ -2,9 +2,11 @@
 // One step of a chain: what its relation asks, and the verdict.
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 
 #include "check/session.h"
+#include "expr/differentiate.h"
 
 namespace rigor {
 namespace {
@@ -39,6 +41,25 @@ std::optional<Diagnostic> why_not_decided(const WrittenRelation& relation) {
 bool is_order(RelationKind kind) {
   return kind == RelationKind::less || kind == RelationKind::less_or_equal || kind == RelationKind::greater ||
          kind == RelationKind::greater_or_equal || kind == RelationKind::unequal;
+}
+
+/// Vectors and tensors are unequal as a whole: a ≠ b says Σ (a − b)² ≠ 0, over all components.
+Equation as_squared_distance(ExprTree& tree, Equation unequal) {
+  const Span span = tree[unequal.left].span;
+  std::vector<Slot> slots;
+  for (int axis = 0; axis < tree[unequal.left].rank; ++axis) slots.push_back({0, tree.add_index("i")});
+  ExprId value = component_of(tree, unequal.left, slots);
+  if (!tree.is_zero_literal(unequal.right)) {
+    const ExprId right = component_of(tree, unequal.right, slots);
+    const std::array terms{value, tree.add({.op = Op::negate, .span = span}, std::span(&right, 1))};
+    value = tree.add({.op = Op::add, .span = span}, terms);
+  }
+  value = tree.add({.op = Op::power, .span = span, .exponent = 2}, std::span(&value, 1));
+  for (const Slot& slot : slots)
+    value = tree.add({.op = Op::index_sum, .span = span, .index = slot.variable}, std::span(&value, 1));
+  unequal.left = value;
+  unequal.right = tree.add_number(span, "0");
+  return unequal;
 }
 
 }  // namespace
@@ -89,12 +110,25 @@ std::optional<Claim> Session::claim_of(const ParsedChain& parsed, std::size_t wh
     equation->relation = Relation::less;
   if (relation.kind == RelationKind::less_or_equal || relation.kind == RelationKind::greater_or_equal)
     equation->relation = Relation::less_or_equal;
-  if (relation.kind == RelationKind::unequal) equation->relation = Relation::unequal;
+  const bool unequal = relation.kind == RelationKind::unequal;
+  const bool as_a_whole = unequal && tree_[equation->left].rank > 0;
+  if (unequal && !equation->indices.empty()) {
+    diagnostics.push_back({DiagnosticKind::ambiguous_reading,
+                           relation.span,
+                           "with a free index, unequal can mean every component or the whole",
+                           {},
+                           {"without indices the whole is meant, as in `\\mathbf{A} \\ne 0`",
+                            "with digits a component is meant, as in `A_1 \\ne 0`"}});
+    return std::nullopt;
+  }
+  if (unequal) equation->relation = Relation::unequal;
+  if (as_a_whole) *equation = as_squared_distance(tree_, *equation);
   const bool nearly =
       relation.kind == RelationKind::nearly || (context.first_order && !is_order(relation.kind));
   return Claim{.equation = *equation,
                .nearly = nearly,
                .swapped = swapped,
+               .as_a_whole = as_a_whole,
                .relation = relation.span,
                .left = parsed.written.sides[which].span,
                .right = parsed.written.sides[which + 1].span,

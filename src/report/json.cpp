@@ -73,6 +73,7 @@ Json json_of(const Counterexample& sample) {
   }
   object["left"] = sample.left;
   object["right"] = sample.right;
+  object["squared_distance"] = sample.squared_distance;
   return object;
 }
 

@@ -44,6 +44,7 @@ std::string print_sides(const Counterexample& sample) {
                                : fmt::format("{} = {}", printable(axis.index), axis.value);
   }
   if (!text.empty()) text += ": ";
+  if (sample.squared_distance) return text + fmt::format("|left - right|^2 is {}", sample.left);
   return text + fmt::format("left {}, right {}", sample.left, sample.right);
 }
 

@@ -37,9 +37,10 @@ bool is_plain(const Json& step) {
   for (const Json& use : step["uses"]) {
     if (use.get<std::string>().starts_with("definition")) return false;
   }
-  if (example["particles"] != 0 || !example["component"].empty()) return false;
+  if (example["particles"] != 0 || !example["component"].empty() || example["squared_distance"]) return false;
   for (const Json& value : example["values"]) {
-    if (value["rank"] > 1 || value["symbol"].get<std::string>().starts_with("\\dot")) return false;
+    const auto symbol = value["symbol"].get<std::string>();
+    if (value["rank"] > 1 || symbol.starts_with("\\dot") || symbol.starts_with("\\delta ")) return false;
     for (const Json& component : value["components"]) {
       if (component.get<std::string>().find('(') != std::string::npos) return false;  // `2*arctan(1)`
     }

@@ -216,3 +216,25 @@ TEST_CASE("a sum over pairs of particles", "[algebra]") {
   CHECK(is_refuted(
       page.claim(page.zero(), at_most, over(a, over(b, m(a) * m(b) * dot(r(a), r(a) - 2 * r(b)))))));
 }
+
+TEST_CASE("a sum of squares that is not 0 is positive", "[algebra]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named x = page.scalar("x");
+  page.given(squared(a - b), unequal, page.zero());
+  page.given(page.zero(), unequal, squared(b));
+  CHECK(is_proved(page.claim(page.zero(), less, length(a - b))));
+  CHECK(is_proved(page.claim(2 * dot(a, b), less, squared(a) + squared(b))));
+  CHECK(is_proved(page.claim(page.zero(), less, squared(b) + pow(at(b, 1), 2) + pow(x, 2))));
+  CHECK(is_refuted(page.claim(page.zero(), less, pow(at(b, 1), 2))));
+  CHECK(is_refuted(page.claim(page.zero(), less, squared(a))));
+}
+
+TEST_CASE("what an order divides by is not 0", "[algebra]") {
+  Page page;
+  const Named x = page.scalar("x");
+  CHECK(is_proved(page.claim(page.zero(), less, x * (1 / x))));
+  CHECK(is_proved(page.claim(page.zero(), unequal, x * (x / x))));
+  CHECK(is_refuted(page.claim(page.zero(), less, x * (x / x))));
+}

@@ -213,3 +213,20 @@ TEST_CASE("a definition by cases of δ or ε is compared with the built-in one")
   CHECK(verdict_on("\\delta_{ij} = \\begin{cases}0 & i = j\\\\ 1 & i \\ne j\\end{cases}") ==
         "refuted 2:13 refuted");
 }
+
+TEST_CASE("vectors and tensors are unequal as a whole") {
+  const std::string declared = rigor_says("vector \\mathbf{A}, \\mathbf{B}") + rigor_says("tensor S_{ij}");
+  CHECK(verdict_on("\\mathbf{e}_1 \\ne \\mathbf{e}_2") == "proved");
+  CHECK(verdict_on("\\mathsf{S} + \\mathbf{e}_1\\mathbf{e}_2 \\ne \\mathsf{S}", declared) == "proved");
+  CHECK(verdict_on("A > 0", declared + rigor_says("where \\mathbf{A} \\ne 0")) == "proved");
+  CHECK(verdict_on("A > 0", declared + rigor_says("where 0 \\ne \\mathbf{A}")) == "proved");
+  CHECK(verdict_on("A_1 \\ne 0", declared + rigor_says("where \\mathbf{A} \\ne 0")).starts_with("refuted"));
+  CHECK(verdict_on("A_i \\ne B_i", declared) == "not-understood 4:5 ambiguous-reading");
+  const Checked equal(declared + "$$\\mathbf{A} \\ne (1, 0, 2)$$\n");
+  const Step& step = equal.report.steps.back();
+  REQUIRE(step.counterexample.has_value());
+  CHECK(step.counterexample->squared_distance);
+  CHECK(step.counterexample->component.empty());
+  CHECK(step.counterexample->values.at(0).components == std::vector<std::string>{"1", "0", "2"});
+  CHECK(step.diagnostics.at(0).message == "the sides are equal, component by component");
+}

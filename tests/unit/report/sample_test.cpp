@@ -41,6 +41,7 @@ TEST_CASE("one particle is not called particles, and a scalar equation has no co
 
 TEST_CASE("an axis of a vector equation has no name, and a sample may need no values") {
   CHECK(print_sample({0, {}, {{"", 2}}, "1", "0"}) == "sample: component 2: left 1, right 0\n");
+  CHECK(print_sample({0, {}, {}, "0", "0", true}) == "sample: |left - right|^2 is 0\n");
   CHECK(print_sample({0, {}, {}, "1", "0"}) == "sample: left 1, right 0\n");
 }
 
