@@ -113,6 +113,7 @@ Sign Order::by_squares(const ex& value, int depth) {
     if (terms > largest_substituted) continue;
     const Sign of_rest = by_squares((p * r - q * q).expand(), depth + 1);
     if (!rigor::is_within(of_rest, Sign::not_negative)) continue;
+    if (of_p != Sign::positive && !rigor::is_within(by_squares(r, depth + 1), Sign::not_negative)) continue;
     return of_p == Sign::positive && of_rest == Sign::positive ? Sign::positive : Sign::not_negative;
   }
   return Sign::any;

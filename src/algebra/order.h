@@ -6,7 +6,7 @@
 //  it: 0 < I_1 < I_2 < I_3 becomes (a, a + b, a + b + c);
 //  3. the polynomial is a positive multiple of facts and a rest whose sign is known;
 //  4. as a quadratic p x² + 2 q x + r in an indeterminate: it is never negative if p and p r − q² are not
-//  (Lagrange's reduction: p P = (p x + q)² + p r − q²; where p = 0, by continuity);
+//  (Lagrange's reduction: p P = (p x + q)² + p r − q²) and, where p may be 0, which makes q = 0, r is not;
 //  5. U − V is not negative if U and U² − V² are not, where U has the terms that are not negative: A·B ≤
 //  |A||B|.
 // A root is positive if what stands under it is.

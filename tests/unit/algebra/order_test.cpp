@@ -238,3 +238,19 @@ TEST_CASE("what an order divides by is not 0", "[algebra]") {
   CHECK(is_proved(page.claim(page.zero(), unequal, x * (x / x))));
   CHECK(is_refuted(page.claim(page.zero(), less, x * (x / x))));
 }
+
+TEST_CASE("a quadratic whose leading coefficient may be 0 is bounded by the rest", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  const Named x = page.scalar("x");
+  page.given(page.zero(), at_most, a);
+  page.given(page.zero(), at_most, a * b);
+  const Term quadratic = a * pow(x, 2) + b;
+  CHECK(is_refuted(page.claim(page.zero(), at_most, quadratic)));
+  CHECK(is_proved(page.claim(page.zero(), at_most, quadratic + pow(b, 2) - b)));
+  page.given(a, at_most, page.zero());
+  CHECK(is_refuted(page.claim(page.zero(), at_most, quadratic)));
+  page.given(page.zero(), at_most, b);
+  CHECK(is_proved(page.claim(page.zero(), at_most, quadratic)));
+}
