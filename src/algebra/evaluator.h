@@ -11,6 +11,7 @@
 //   Number function(Function, const Number&)
 //   Number value(SymbolId, std::uint32_t particle, std::size_t component)          (of a free symbol)
 //   std::vector<Number> particle_sum(std::size_t count, body)   body(particle) gives `count` numbers
+//   Number even_power_of_root(const Number& square, int exponent)
 //   void check_root(const Number& square)         throws where `root` does because there is no real root
 //   void settle(Number&)                          for a value that will be used again: brings it into its
 //                                                 simplest form
@@ -97,7 +98,7 @@ class Evaluator {
   [[nodiscard]] Number scalar_factors(ExprId id);
   void demand_value(ExprId id);
   [[nodiscard]] bool may_lack_value(ExprId id);
-  [[nodiscard]] std::optional<ExprId> defined_as_root(ExprId id) const;
+  [[nodiscard]] const Definition* plain_definition(ExprId id) const;
   [[nodiscard]] Number scalar_power(ExprId id);
   [[nodiscard]] Number square_of_vector(const Array& v);
   [[nodiscard]] Array contraction(ExprId id);
@@ -134,7 +135,7 @@ class Evaluator {
   std::vector<std::uint8_t> axis_;       // by index variable; 0: not bound
   std::vector<std::uint32_t> particle_;  // by particle variable
   std::unordered_map<std::uint64_t, std::vector<std::optional<Number>>> unfolded_;  // by symbol and particle
-  std::vector<std::optional<bool>> may_lack_value_;  // by node
+  std::vector<std::optional<bool>> may_lack_value_;                                 // by node
   std::uint32_t depth_ = 0;
 };
 

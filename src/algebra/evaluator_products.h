@@ -55,26 +55,28 @@ auto Evaluator<Domain>::outer_product(ExprId id) -> Array {
   return is_zero ? Array(component_count(node(id).rank)) : value;
 }
 
-/// What a scalar symbol's definition says, where that is a root: `(\Omega_1)^2 = …` defines Ω_1 by its
-/// square.
+/// What a scalar symbol's definition says, if that is all the symbol stands for.
 template <class Domain>
-std::optional<ExprId> Evaluator<Domain>::defined_as_root(ExprId id) const {
-  if (node(id).op != Op::symbol || node(id).particle != no_particle || node(id).slot_count > 0)
-    return std::nullopt;
-  const Definition* definition = scope_->definition_of(node(id).symbol);
-  if (definition == nullptr || node(definition->body).op != Op::root) return std::nullopt;
-  return definition->body;
+const Definition* Evaluator<Domain>::plain_definition(ExprId id) const {
+  const ExprNode& here = node(id);
+  const bool plain = here.op == Op::symbol && here.particle == no_particle && here.slot_count == 0;
+  return plain ? scope_->definition_of(here.symbol) : nullptr;
 }
 
-/// An even power of a root takes no root.
+/// An even power needs no root that is known exactly, and none at all of what is defined by its square.
 template <class Domain>
 auto Evaluator<Domain>::scalar_power(ExprId id) -> Number {
   const int exponent = node(id).exponent;
-  const ExprId base = defined_as_root(child(id)).value_or(child(id));
+  ExprId base = child(id);
   if (exponent % 2 == 0) {
+    const Definition* definition = plain_definition(base);
+    if (definition != nullptr && node(definition->body).op == Op::root) {
+      base = definition->body;
+      if (definition->by_square) return domain_->power(scalar(child(base)), exponent / 2);
+    }
     switch (node(base).op) {
       case Op::root:
-        return domain_->power(scalar(child(base)), exponent / 2);
+        return domain_->even_power_of_root(scalar(child(base)), exponent);
       case Op::length:
         return domain_->power(square_of_vector(array(child(base))), exponent / 2);
       case Op::absolute:

@@ -42,6 +42,9 @@ class GenericDomain {
   [[nodiscard]] Fraction divide(const Fraction& a, const Fraction& b);
   [[nodiscard]] Fraction power(const Fraction& base, int exponent);
   [[nodiscard]] Fraction root(const Fraction& square) { return radicals_.root(square); }
+  [[nodiscard]] Fraction even_power_of_root(const Fraction& square, int exponent) {
+    return power(root(square), exponent);
+  }
   void check_root(const Fraction& square) const;
   [[nodiscard]] Fraction function(Function function, const Fraction& argument) {
     return functions_.value(function, argument);

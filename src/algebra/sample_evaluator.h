@@ -48,6 +48,10 @@ class SampleDomain {
   [[nodiscard]] ExactValue divide(const ExactValue& a, const ExactValue& b);
   [[nodiscard]] ExactValue power(const ExactValue& base, int exponent);
   [[nodiscard]] ExactValue root(const ExactValue& square);
+  [[nodiscard]] ExactValue even_power_of_root(const ExactValue& square, int exponent) {
+    check_root(square);
+    return power(square, exponent / 2);
+  }
   void check_root(const ExactValue& square);
   [[nodiscard]] ExactValue function(Function function, const ExactValue& argument);
   [[nodiscard]] ExactValue value(SymbolId symbol, std::uint32_t particle, std::size_t component);

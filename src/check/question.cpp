@@ -105,6 +105,7 @@ class Preparation {
   Definition differentiated(const Found& of, SymbolId symbol, By by) {
     Definition result = of.definition;
     result.symbol = symbol;
+    result.by_square = false;
     if (by != By::space) {
       result.body = differentiator(by).derivative_or_zero(of.definition.body);
       return result;

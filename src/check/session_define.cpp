@@ -57,6 +57,7 @@ std::optional<Definition> Session::as_square(const Typed& left, const Typed& rig
   Definition definition;
   definition.symbol = tree_[base.id].symbol;
   definition.body = tree_.add({.op = Op::root, .span = tree_[right.id].span}, std::span(&right.id, 1));
+  definition.by_square = true;
   return definition;
 }
 

@@ -15,11 +15,13 @@ namespace rigor {
 
 /// `symbol` at the given slots (and particle) stands for `body`. Either `indices` has one variable for each
 /// axis of the symbol and the body has rank 0, or `indices` is empty and the body has the symbol's rank.
+/// By square: the notes define the symbol's square, which may be negative, and the body is its root.
 struct Definition {
   SymbolId symbol{};
   std::vector<IndexId> indices = {};
   ParticleId particle = no_particle;
   ExprId body{};
+  bool by_square = false;
 };
 
 enum class Relation : std::uint8_t { equal, less, less_or_equal, unequal };

@@ -151,3 +151,27 @@ TEST_CASE("ε and δ leave out terms that have no value", "[algebra]") {
   CHECK(is_proved(page.claim(sum({i, j}, page.epsilon(i, j, 3) * quotient), 2 / (at(a, 1) - at(a, 2)))));
   CHECK(is_refuted(page.claim(sum({i, j}, page.epsilon(i, j, 3) * quotient), 2 / (at(a, 2) - at(a, 1)))));
 }
+
+TEST_CASE("a square of a root has a value where the root has one", "[algebra]") {
+  Page page;
+  const Named b = page.scalar("b");
+  const Named v = page.scalar("v");
+  const Sample negative{.particles = 0,
+                        .values = {{b.symbol, 0, {"-1"}}},
+                        .axes = {},
+                        .free_particles = {},
+                        .left = {},
+                        .right = {}};
+  CHECK(is_proved(page.claim(pow(root(b), 2), b)));
+  CHECK(is_refuted(page.claim(pow(root(b), 2), -b)));
+  CHECK_FALSE(is_refuted(page.claim(pow(root(b), 2), absolute(b))));
+  CHECK_FALSE(replay(page.claim(pow(root(b), 2), absolute(b)), negative).has_value());
+  page.define(v, root(b));
+  CHECK(is_proved(page.claim(pow(v, 4), pow(b, 2))));
+  CHECK(is_refuted(page.claim(pow(v, 4), 2 * pow(b, 2))));
+  CHECK_FALSE(is_refuted(page.claim(pow(v, 2), absolute(b))));
+  page.question.definitions.back().by_square = true;
+  CHECK(is_proved(page.claim(pow(v, 2), b)));
+  CHECK(is_refuted(page.claim(pow(v, 2), absolute(b))));
+  CHECK(replay(page.claim(pow(v, 2), b), negative).has_value());
+}
