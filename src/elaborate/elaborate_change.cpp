@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-Differentiator Elaborator::differentiator(By by, Slot axis) {
+Differentiator& Elaborator::differentiator(By by, Slot axis) {
   const auto dependence_of = [this, by](SymbolId symbol) {
     const Dependence dependence = names_.dependence(tree_, symbol, by);
     const bool guessed =
@@ -19,11 +19,12 @@ Differentiator Elaborator::differentiator(By by, Slot axis) {
     if (guessed && !noted) unknown_changes_.push_back(symbol);
     return dependence;
   };
-  return {tree_, by, dependence_of, axis};
+  const auto key = std::tuple(by, axis.axis, axis.variable);
+  return differentiators_.try_emplace(key, tree_, by, dependence_of, derivatives_, axis).first->second;
 }
 
 Typed Elaborator::rate_of(Typed typed, int times) {
-  Differentiator by_time = differentiator(By::time);
+  Differentiator& by_time = differentiator(By::time);
   for (int k = 0; k < times; ++k) typed.id = by_time.derivative_or_zero(typed.id);
   return typed;
 }
@@ -128,6 +129,12 @@ std::optional<Typed> Elaborator::apply_operator(std::span<const SyntaxChild> fac
   const Span span = syntax_[id].span;
   if (at + 1 >= factors.size())
     return fail(DiagnosticKind::bad_syntax, span, "`\\nabla` has nothing to act on");
+  std::size_t run = at;
+  while (run < factors.size() && is_operator(factors[run].id)) ++run;
+  if (run - at > most_axes) {
+    next = factors.size();
+    return unsupported(span, fmt::format("more than {} operators in a row are not read", most_axes));
+  }
   const Joint joint = factors[at + 1].joint;
   next = at + 2;
   const SyntaxId behind = factors[at + 1].id;

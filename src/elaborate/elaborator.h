@@ -6,10 +6,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "elaborate/letters.h"
 #include "elaborate/names.h"
+#include "expr/differentiate.h"
 #include "expr/tree.h"
 #include "latex/syntax.h"
 #include "source/diagnostic.h"
@@ -48,11 +50,14 @@ struct Reading {
 };
 
 /// Elaborates the sides of one statement (all sides share their free letters). A side with a mistake gives
-/// nothing and a diagnostic for each mistake found. Recursion is bounded by the parser's `max_nesting`.
+/// nothing and a diagnostic for each mistake found. Recursion is bounded by the parser's `max_nesting`, that
+/// of derivatives by their budget.
 class Elaborator {
  public:
   Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters,
              Diagnostics& diagnostics, Reading reading = {});
+  Elaborator(const Elaborator&) = delete;
+  Elaborator& operator=(const Elaborator&) = delete;
 
   std::optional<Typed> expression(SyntaxId id);
   /// The derivative of an expression that is elaborated already, by the time.
@@ -123,7 +128,7 @@ class Elaborator {
   Maybe rate(const WrittenSymbol& written, Span span);
   Maybe derivative(SyntaxId id);
   Maybe by_coordinate(Typed operand, const WrittenSymbol& variable, Span span);
-  Differentiator differentiator(By by, Slot axis = {});
+  Differentiator& differentiator(By by, Slot axis = {});
   bool frame_is_open(const Typed& typed, Span span);
   bool is_total_rate_of_field(const Typed& typed, Span span);
   bool is_operator(SyntaxId id) const;
@@ -197,6 +202,8 @@ class Elaborator {
   ParticleId particle(const std::string& letter);
   bool is_bound_letter(const std::string& letter) const { return bound_indices_.contains(letter); }
 
+  Maybe read(SyntaxId id);
+
   const SyntaxTree& syntax_;
   ExprTree& tree_;
   Names& names_;
@@ -204,6 +211,9 @@ class Elaborator {
   Diagnostics& diagnostics_;
   Reading reading_;
   std::vector<SymbolId> unknown_changes_;
+  DerivativeBudget derivatives_;
+  std::map<std::tuple<By, std::uint8_t, IndexId>, Differentiator>
+      differentiators_;  // each with what it knows
   std::set<std::string> summed_letters_;
   std::optional<Span> dotted_length_;
   bool squared_ = false;                            // at a symbol with the exponent 2
@@ -216,7 +226,8 @@ class Elaborator {
   std::vector<FreeIndex> slot_letters_;
   std::vector<std::string> conventions_;
   std::optional<Obstacle> guess_;
-  std::optional<Span> dyad_;  // bold letters side by side, which may be matrices
+  std::optional<std::string> region_;  // of an integral
+  std::optional<Span> dyad_;           // bold letters side by side, which may be matrices
 };
 
 /// The union of both lists by letter.
