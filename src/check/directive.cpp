@@ -252,10 +252,17 @@ std::optional<Directive> read_directive(const SourceMap& sources, Span line, Mac
 }
 
 void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax) {
+  const WrittenAxes axes = axes_in(syntax, chains.back().sides);
   for (int image = 1; image <= 2; ++image) {
     ParsedChain next = chains.back();
-    for (SyntaxId& side : next.sides) side = cyclic_image(syntax, side);
     next.image = image;
+    if (axes.obstacle) {
+      next.written.condition = axes.obstacle;
+      next.written.condition_span = axes.place;
+      chains.push_back(std::move(next));
+      return;
+    }
+    for (SyntaxId& side : next.sides) side = cyclic_image(syntax, side, axes);
     chains.push_back(std::move(next));
   }
 }

@@ -61,7 +61,8 @@ struct Directive {
 [[nodiscard]] std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment,
                                                     SyntaxTree& syntax, Diagnostics& diagnostics);
 
-/// "and cyclic permutations": the two images of the last chain, behind it.
+/// "and cyclic permutations": the two images of the last chain, behind it; where it has none, one that is on
+/// a condition which says so.
 void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax);
 
 /// The line without `# …` at its end and without blanks around it.

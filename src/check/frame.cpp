@@ -133,6 +133,8 @@ class FixedRates {
     return after;
   }
 
+  [[nodiscard]] const std::optional<std::string>& too_large() const { return budget_.exceeded; }
+
  private:
   bool is_vectors_rate(SymbolId symbol) const {
     const auto& derivation = tree_.symbols[symbol].derivation;
@@ -178,8 +180,8 @@ class FixedRates {
     const ExprId rotation = tree_.add({.op = Op::symbol, .rank = 2, .span = span, .symbol = rotation_});
     const std::array turned{rotation, vector};
     const ExprId fixed = tree_.add({.op = Op::dot, .rank = 1, .span = span}, turned);
-    Differentiator by_time(tree_, By::time,
-                           [this](SymbolId symbol) { return names_.dependence(tree_, symbol, By::time); });
+    const auto dependence_of = [this](SymbolId symbol) { return names_.dependence(tree_, symbol, By::time); };
+    Differentiator by_time(tree_, By::time, dependence_of, budget_);
     const std::array back{by_time.derivative_or_zero(fixed), rotation};
     return tree_.add({.op = Op::dot, .rank = 1, .span = span}, back);
   }
@@ -187,16 +189,23 @@ class FixedRates {
   ExprTree& tree_;
   Names& names_;
   SymbolId rotation_;
+  DerivativeBudget budget_;
 };
 
 }  // namespace
 
-void declare_frame(ExprTree& tree, Names& names, const std::string& rotating, const std::string& fixed,
-                   ExprId angular_velocity, std::size_t directive) {
+std::optional<std::string> declare_frame(ExprTree& tree, Names& names, const std::string& rotating,
+                                         const std::string& fixed, ExprId angular_velocity,
+                                         std::size_t directive) {
   Names::Scene before = names.scene();
   FrameBuilder builder(tree, names, rotating, directive, tree[angular_velocity].span);
   const SymbolId rotation = builder.rotation(angular_velocity);
-  Names::Scene after = FixedRates(tree, names, rotation).convert(before);
+  FixedRates rates(tree, names, rotation);
+  Names::Scene after = rates.convert(before);
+  if (const auto& why = rates.too_large()) {
+    names.replace(std::move(before));
+    return why;
+  }
   for (const NamedDefinition& each : names.definitions()) {
     const auto own = [&](const NamedDefinition& old) {
       return old.definition.symbol == each.definition.symbol;
@@ -206,6 +215,7 @@ void declare_frame(ExprTree& tree, Names& names, const std::string& rotating, co
   }
   names.replace(std::move(after));
   names.declare_frame({rotating, fixed, rotation, directive, 0}, std::move(before));
+  return std::nullopt;
 }
 
 }  // namespace rigor

@@ -7,14 +7,17 @@
 // does not see.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "elaborate/names.h"
 
 namespace rigor {
 
-/// `angular_velocity`: an expression of rank 1, components along the turning axes.
-void declare_frame(ExprTree& tree, Names& names, const std::string& rotating, const std::string& fixed,
-                   ExprId angular_velocity, std::size_t directive);
+/// `angular_velocity`: an expression of rank 1, components along the turning axes. Nothing is declared where
+/// the rates of vectors that were assumed before are too large to be taken over: the result says so.
+std::optional<std::string> declare_frame(ExprTree& tree, Names& names, const std::string& rotating,
+                                         const std::string& fixed, ExprId angular_velocity,
+                                         std::size_t directive);
 
 }  // namespace rigor

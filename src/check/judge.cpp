@@ -172,6 +172,11 @@ class Judging {
 
   Decision decide_prepared() {
     for (const Origin* definition : prepared_.definitions) mark_used(names_, *definition);
+    if (prepared_.too_large) {
+      Decision open;
+      open.reason = *prepared_.too_large;
+      return open;
+    }
     Decision decision = decide(prepared_.question);
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
@@ -234,6 +239,7 @@ class Judging {
     judgement_.route += ", to first order in what is small";
     for (int order = 2; order <= highest; ++order) {
       const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
+      if (higher.too_large) return;
       const Decision decision = decide(higher.question, brief);
       if (decision.outcome == Outcome::proved) continue;
       if (decision.outcome == Outcome::refuted)

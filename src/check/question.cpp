@@ -13,7 +13,8 @@
 namespace rigor {
 namespace {
 
-constexpr int largest_order = 6;  // of a derivative for which a definition is made
+/// Of a derivative for which a definition is made: no smaller than what `Differentiator` makes.
+constexpr int largest_order = 2 * most_rates + most_axes;
 
 /// A definition that the notes give, or that follows for a derivative.
 struct Found {
@@ -43,6 +44,7 @@ class Preparation {
     if (precision_ == Precision::small_order) add_small();
     for (bool grew = true; grew;) grew = add_assumptions();
     add_lengths();
+    prepared_.too_large = budget_.exceeded;
     return std::move(prepared_);
   }
 
@@ -90,9 +92,9 @@ class Preparation {
 
   /// The derivative of one order less.
   std::optional<SymbolId> parent_of(Derivation derivation, By by) {
-    std::uint8_t& order = by == By::time    ? derivation.time
-                          : by == By::space ? derivation.space
-                                            : derivation.small;
+    std::uint16_t& order = by == By::time    ? derivation.time
+                           : by == By::space ? derivation.space
+                                             : derivation.small;
     if (order == 0) return std::nullopt;
     --order;
     SymbolId parent = derivation.base;
@@ -131,7 +133,7 @@ class Preparation {
       if (guessed) note_unknown(symbol);
       return dependence;
     };
-    return {tree_, by, dependence_of, axis};
+    return {tree_, by, dependence_of, budget_, axis};
   }
 
   void note_unknown(SymbolId symbol) {
@@ -349,6 +351,7 @@ class Preparation {
   Precision precision_;
   int order_;
   Prepared prepared_;
+  DerivativeBudget budget_;
   std::set<SymbolId> reached_;
   int highest_order_ = 0;  // of a derivative in the claim, definitions unfolded
   std::map<SymbolId, std::optional<Found>> derived_;

@@ -89,7 +89,9 @@ void Session::declare_read(const Directive& directive, const Typed& typed) {
             {DiagnosticKind::bad_directive, tree_[typed.id].span, "an angular velocity is a vector"});
         return;
       }
-      declare_frame(tree_, names_, directive.rotating, directive.fixed, typed.id, directive.number);
+      if (auto why =
+              declare_frame(tree_, names_, directive.rotating, directive.fixed, typed.id, directive.number))
+        report_.diagnostics.push_back({DiagnosticKind::unsupported, directive.span, std::move(*why)});
       return;
     case DirectiveKind::constant:
       declare_constant(directive, typed);

@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// A partial derivative by the time holds the position.
-Differentiator Elaborator::differentiator(By by, Slot axis, bool partial) {
+Differentiator& Elaborator::differentiator(By by, Slot axis, bool partial) {
   const auto dependence_of = [this, by, partial](SymbolId symbol) {
     using Kind = Dependence::Kind;
     if (partial && by == By::time && names_.dependence(tree_, symbol, By::space).kind == Kind::variable)
@@ -23,11 +23,12 @@ Differentiator Elaborator::differentiator(By by, Slot axis, bool partial) {
     if (guessed && !noted) unknown_changes_.push_back(symbol);
     return dependence;
   };
-  return {tree_, by, dependence_of, axis};
+  const auto key = std::tuple(by, partial, axis.axis, axis.variable);
+  return differentiators_.try_emplace(key, tree_, by, dependence_of, derivatives_, axis).first->second;
 }
 
 Typed Elaborator::rate_of(Typed typed, int times, bool partial) {
-  Differentiator by_time = differentiator(By::time, {}, partial);
+  Differentiator& by_time = differentiator(By::time, {}, partial);
   for (int k = 0; k < times; ++k) typed.id = by_time.derivative_or_zero(typed.id);
   return typed;
 }
@@ -166,6 +167,12 @@ std::optional<Typed> Elaborator::apply_operator(std::span<const SyntaxChild> fac
   const Span span = syntax_[id].span;
   if (at + 1 >= factors.size())
     return fail(DiagnosticKind::bad_syntax, span, "`\\nabla` has nothing to act on");
+  std::size_t run = at;
+  while (run < factors.size() && acts_as_operator(syntax_, factors[run].id)) ++run;
+  if (run - at > most_axes) {
+    next = factors.size();
+    return unsupported(span, fmt::format("more than {} operators in a row are not read", most_axes));
+  }
   const Joint joint = factors[at + 1].joint;
   next = at + 2;
   const WrittenSymbol& nabla = nabla_of(id);

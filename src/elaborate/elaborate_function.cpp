@@ -115,6 +115,15 @@ std::optional<Typed> Elaborator::determinant_of(SyntaxId id, const Typed& inside
 /// ∫ f dm is Σ over the body's particles of m f. A volume element is a particle's volume V, and ρ = m/V.
 std::optional<Typed> Elaborator::integral(SyntaxId id) {
   const Span span = syntax_[id].span;
+  if (syntax_.children(id).size() > 1) {
+    const std::string& region = syntax_.text(syntax_.child(id, 1));
+    if (region_ && *region_ != region)
+      return fail(
+          DiagnosticKind::ambiguous_reading, span,
+          fmt::format("the regions `{}` and `{}` can be the same or different ones", *region_, region),
+          {"write one name for one region"});
+    region_ = region;
+  }
   const auto of_point = [&](const char* base) { return names_.resolve(tree_, {base, 0, true}, base, span); };
   const bool by_mass = syntax_.text(id) == "m";
   const ParticleId point = tree_.add_particle("∫");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace rigor {
 
@@ -17,6 +18,12 @@ Elaborator::Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, L
       reading_(std::move(reading)) {}
 
 std::optional<Typed> Elaborator::expression(SyntaxId id) {
+  Maybe typed = read(id);
+  if (!derivatives_.exceeded) return typed;
+  return unsupported(syntax_[id].span, *std::exchange(derivatives_.exceeded, std::nullopt));
+}
+
+std::optional<Typed> Elaborator::read(SyntaxId id) {
   const SyntaxNode& node = syntax_[id];
   switch (node.kind) {
     case SyntaxKind::number: {

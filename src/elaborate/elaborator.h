@@ -6,10 +6,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "elaborate/letters.h"
 #include "elaborate/names.h"
+#include "expr/differentiate.h"
 #include "expr/tree.h"
 #include "latex/syntax.h"
 #include "source/diagnostic.h"
@@ -48,11 +50,14 @@ struct Reading {
 };
 
 /// Elaborates the sides of one statement (all sides share their free letters). A side with a mistake gives
-/// nothing and a diagnostic for each mistake found. Recursion is bounded by the parser's `max_nesting`.
+/// nothing and a diagnostic for each mistake found. Recursion is bounded by the parser's `max_nesting`, that
+/// of derivatives by their budget.
 class Elaborator {
  public:
   Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters,
              Diagnostics& diagnostics, Reading reading = {});
+  Elaborator(const Elaborator&) = delete;
+  Elaborator& operator=(const Elaborator&) = delete;
 
   std::optional<Typed> expression(SyntaxId id);
   /// The derivative of an expression that is elaborated already, by the time.
@@ -127,7 +132,7 @@ class Elaborator {
   bool depends_on_other_coordinate(const Typed& operand, const WrittenSymbol& variable, Span span);
   void note_position(SymbolId symbol);
   std::string position_name(SymbolId symbol) const;
-  Differentiator differentiator(By by, Slot axis = {}, bool partial = false);
+  Differentiator& differentiator(By by, Slot axis = {}, bool partial = false);
   bool frame_is_open(const Typed& typed, Span span);
   bool is_total_rate_of_field(const Typed& typed, Span span);
   const WrittenSymbol& nabla_of(SyntaxId id) const;
@@ -201,6 +206,8 @@ class Elaborator {
   ParticleId particle(const std::string& letter);
   bool is_bound_letter(const std::string& letter) const { return bound_indices_.contains(letter); }
 
+  Maybe read(SyntaxId id);
+
   const SyntaxTree& syntax_;
   ExprTree& tree_;
   Names& names_;
@@ -208,6 +215,9 @@ class Elaborator {
   Diagnostics& diagnostics_;
   Reading reading_;
   std::vector<SymbolId> unknown_changes_;
+  DerivativeBudget derivatives_;
+  std::map<std::tuple<By, bool, std::uint8_t, IndexId>, Differentiator>
+      differentiators_;  // each with what it knows
   std::set<std::string> summed_letters_;
   std::optional<Span> dotted_length_;
   bool squared_ = false;                            // at a symbol with the exponent 2
@@ -222,7 +232,8 @@ class Elaborator {
   std::optional<Obstacle> guess_;
   std::set<std::string> positions_;  // the ways in which the statement writes the position
   bool differentiates_position_ = false;
-  std::optional<Span> dyad_;  // bold letters side by side, which may be matrices
+  std::optional<std::string> region_;  // of an integral
+  std::optional<Span> dyad_;           // bold letters side by side, which may be matrices
 };
 
 /// The union of both lists by letter.

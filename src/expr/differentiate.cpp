@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expr/differentiate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -8,11 +10,15 @@
 namespace rigor {
 
 std::optional<ExprId> Differentiator::derivative(ExprId id) {
+  if (gave_up()) return std::nullopt;
   const auto key = static_cast<std::uint32_t>(id);
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   const Span before = std::exchange(span_, tree_[id].span);
   const Maybe result = compute(id);
   span_ = before;
+  if (result && !gave_up() && tree_[*result].weight > most_terms)
+    give_up(fmt::format("derivatives of more than {} terms and factors are not decided", most_terms));
+  if (gave_up()) return std::nullopt;  // and it is not known
   known_.emplace(key, result);
   return result;
 }
@@ -76,6 +82,14 @@ std::optional<ExprId> Differentiator::of_symbol(ExprId id) {
     slots.push_back(axis_);
     return tree_.add({.op = Op::delta, .span = span_}, {}, slots);  // ∂x_i/∂x_s
   }
+  const Derivation orders = tree_.symbols[node.symbol].derivation.value_or(Derivation{});
+  const int order = by_ == By::time ? orders.time : by_ == By::space ? orders.space : orders.small;
+  const int most = by_ == By::space ? most_axes : most_rates;
+  if (order >= most) {
+    give_up(fmt::format("derivatives of an order above {}{} are not decided", most,
+                        by_ == By::space ? " by coordinates" : ""));
+    return std::nullopt;
+  }
   return of_symbol_at(node, tree_.symbols.derivative(node.symbol, by_), std::move(slots));
 }
 
@@ -123,6 +137,7 @@ std::optional<ExprId> Differentiator::of_product(ExprId id) {
   std::vector<ExprId> terms;
   for (std::size_t k = 0; k < factors.size(); ++k) {
     const Maybe changed = derivative(factors[k]);
+    if (gave_up()) return std::nullopt;
     if (!changed) continue;
     std::vector<ExprId> others = factors;
     others[k] = *changed;
@@ -218,14 +233,25 @@ std::optional<ExprId> Differentiator::of_determinant(ExprId id) {
   return terms.size() == 1 ? terms[0] : make(Op::add, tree_[id].rank, terms);
 }
 
+void Differentiator::spend(std::size_t children) {
+  const std::size_t cost = children + 1;
+  if (cost <= budget_.nodes) {
+    budget_.nodes -= cost;
+  } else if (!gave_up()) {
+    give_up("the derivatives in this statement are too large together to be decided");
+  }
+}
+
 /// The node with other children.
 ExprId Differentiator::copy(ExprId like, std::vector<ExprId> children) {
   ExprNode node = tree_[like];
   node.span = span_;
+  spend(children.size());
   return tree_.add(node, children);
 }
 
 ExprId Differentiator::make(Op op, std::uint8_t rank, std::vector<ExprId> children, std::int32_t exponent) {
+  spend(children.size());
   return tree_.add({.op = op, .rank = rank, .span = span_, .exponent = exponent}, children);
 }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -23,17 +24,29 @@ struct Dependence {
   std::uint8_t axis = 0;  // variable, a coordinate of space: which
 };
 
+/// What derivatives may cost, shared by those of one statement: each derivative of a product has as many
+/// terms as factors, so that repeated ones grow without bound, and their axes make tensors of ever higher
+/// rank.
+struct DerivativeBudget {
+  std::size_t nodes = 300'000;               // that may still be made, their children counted in
+  std::optional<std::string> exceeded = {};  // why derivatives were given up: those at hand are not right
+};
+
+inline constexpr int most_rates = 32;                 // by the time, or by what is small
+inline constexpr int most_axes = 6;                   // by coordinates
+inline constexpr std::uint32_t most_terms = 100'000;  // weight of one derivative
+
 /// d/dt, d/dε, or ∂/∂x_s with s the given slot (an axis, or an index variable that the caller binds). A
 /// vector's or tensor's derivative has its rank; the axis of ∂ is not among its axes.
-/// Recursion: as deep as the tree, whose depth the parser bounds.
+/// Recursion: as deep as the tree; that depth is bounded by the parser and by the budget.
 class Differentiator {
  public:
   using DependenceOf = std::function<Dependence(SymbolId)>;
 
-  Differentiator(ExprTree& tree, By by, DependenceOf dependence_of, Slot axis = {})
-      : tree_(tree), by_(by), axis_(axis), dependence_of_(std::move(dependence_of)) {}
+  Differentiator(ExprTree& tree, By by, DependenceOf dependence_of, DerivativeBudget& budget, Slot axis = {})
+      : tree_(tree), by_(by), axis_(axis), dependence_of_(std::move(dependence_of)), budget_(budget) {}
 
-  /// Nothing where it is zero.
+  /// Nothing where it is zero, or where the budget is exceeded.
   [[nodiscard]] std::optional<ExprId> derivative(ExprId id);
   /// The same, with a written 0 of the right rank where it is zero.
   [[nodiscard]] ExprId derivative_or_zero(ExprId id);
@@ -56,6 +69,9 @@ class Differentiator {
   Maybe of_linear(ExprId id);       // one child, linear
 
   [[nodiscard]] ExprId child(ExprId id, std::size_t which = 0) const { return tree_.children(id)[which]; }
+  void spend(std::size_t children);
+  void give_up(std::string why) { budget_.exceeded = std::move(why); }
+  [[nodiscard]] bool gave_up() const { return budget_.exceeded.has_value(); }
   ExprId copy(ExprId like, std::vector<ExprId> children);
   ExprId make(Op op, std::uint8_t rank, std::vector<ExprId> children, std::int32_t exponent = 0);
   ExprId number(const char* digits) { return tree_.add_number(span_, digits); }
@@ -65,6 +81,7 @@ class Differentiator {
   By by_;
   Slot axis_;
   DependenceOf dependence_of_;
+  DerivativeBudget& budget_;
   Span span_ = {};  // of the node at hand, for what is made of it
   std::unordered_map<std::uint32_t, Maybe> known_;
 };

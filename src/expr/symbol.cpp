@@ -50,6 +50,8 @@ SymbolId SymbolTable::derivative(SymbolId of, By by) {
       ++derivation.small;
       break;
   }
+  for (const int order : {derivation.time, derivation.space, derivation.small})
+    RIGOR_CHECK(order <= largest_derivation, (*this)[of].name, order);
   if (const auto known = find(derivation)) return *known;
   const Symbol& base = (*this)[derivation.base];
   Symbol symbol;

@@ -25,10 +25,13 @@ enum class By : std::uint8_t { time, space, small };
 /// A derivative is a symbol of its own: how often it is differentiated by what. The order does not matter.
 struct Derivation {
   SymbolId base{};
-  std::uint8_t time = 0;
-  std::uint8_t space = 0;
-  std::uint8_t small = 0;
+  std::uint16_t time = 0;
+  std::uint16_t space = 0;
+  std::uint16_t small = 0;
 };
+
+/// No order of a derivative goes beyond this; what notes may ask for is bounded in `Differentiator`.
+inline constexpr int largest_derivation = 1000;
 
 struct Symbol {
   std::string name;  // LaTeX without indices and particle label: `\mathbf{r}`, `T_{\text{rot}}`

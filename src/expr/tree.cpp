@@ -172,14 +172,17 @@ ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::sp
   RIGOR_CHECK(shape.children == any_count || shape.children == children.size(), op, children.size());
   RIGOR_CHECK(shape.slots == any_count || shape.slots == slots.size(), op, slots.size());
   std::vector<int> ranks;
+  std::uint64_t weight = 1;
   for (const ExprId child : children) {
     RIGOR_CHECK(static_cast<std::size_t>(child) < nodes_.size(), op, static_cast<std::uint32_t>(child));
+    weight += nodes_[static_cast<std::size_t>(child)].weight;
     ranks.push_back(nodes_[static_cast<std::size_t>(child)].rank);
   }
   for (const Slot& slot : slots) {
     RIGOR_CHECK(slot.axis <= 3, op, slot.axis);
     RIGOR_CHECK(slot.axis != 0 || static_cast<std::size_t>(slot.variable) < index_names_.size(), op);
   }
+  node.weight = static_cast<std::uint32_t>(std::min<std::uint64_t>(weight, 0xffffffffu));
   node.first = static_cast<std::uint32_t>(children_.size());
   node.count = static_cast<std::uint32_t>(children.size());
   node.first_slot = static_cast<std::uint32_t>(slots_.size());

@@ -63,6 +63,7 @@ struct ExprNode {
   Span span = {};
   std::uint32_t first = 0;  // into the list of children
   std::uint32_t count = 0;
+  std::uint32_t weight = 1;  // of the tree below: nodes as often as they are reached; at most 2^32 - 1
   std::uint32_t first_slot = 0;
   std::uint32_t slot_count = 0;
   SymbolId symbol{};

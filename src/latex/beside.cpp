@@ -14,6 +14,33 @@ constexpr std::size_t longest_list = 40;  // of tokens that are looked at
 
 bool is_swallowing(Remark kind) { return kind == Remark::no_sum || kind == Remark::cyclic; }
 
+bool is_visible_space(const Token& token) {
+  return is_sign(token, "~") || is_control(token, " ") || is_control(token, "enspace");
+}
+
+/// `\sin~x`: what stands behind the space belongs to the sign before it.
+bool awaits_operand(const Token& token) {
+  return token.kind == TokenKind::control && letter_of(token).empty();
+}
+
+/// A symbol with its accents, without its scripts.
+std::string bare_letter(TokenView symbol) {
+  Nesting nesting(false);
+  std::size_t end = 0;
+  while (end < symbol.size()) {
+    const bool script = symbol[end].kind == TokenKind::subscript ||
+                        symbol[end].kind == TokenKind::superscript || is_sign(symbol[end], "'");
+    if (nesting.enter(symbol[end]) == 0 && script) break;
+    ++end;
+  }
+  std::string text;
+  for (const Token& token : symbol.first(end)) {
+    if (!is_blank(token) && token.kind != TokenKind::begin_group && token.kind != TokenKind::end_group)
+      text += text_of({&token, 1});
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string spoken(TokenView tokens) {
@@ -48,19 +75,23 @@ std::size_t bracketed_remark_end(TokenView tokens, std::size_t at) {
   return is_swallowing(remark_of(spoken(tokens.subspan(at, end - at)))) ? end : at;
 }
 
-bool begins_next_dotted(TokenView before, TokenView tokens, std::size_t at) {
-  if (dots_of(tokens[at]) == 0 || before.empty()) return false;
-  const Token& space = before.back();
-  if (!is_sign(space, "~") && !is_control(space, " ") && !is_control(space, "enspace")) return false;
+Beside behind_space(TokenView before, TokenView tokens, std::size_t at) {
+  before = trim(before);
+  if (before.empty() || !is_visible_space(before.back())) return Beside::goes_on;
+  const std::size_t end = symbol_end(tokens, at);
+  const std::size_t behind = first_significant(tokens, end);
+  if (end == at || behind >= tokens.size() || !relation_kind(tokens[behind])) return Beside::goes_on;
+  std::size_t last = before.size();
+  while (last > 0 && (is_blank(before[last - 1]) || is_spacing(before[last - 1]))) --last;
+  before = before.first(last);
+  if (before.empty() || ends_open(before) || awaits_operand(before.back())) return Beside::goes_on;
   const std::size_t first = first_significant(before, 0);
-  if (first >= before.size() || before[first].text != tokens[at].text) return false;
-  const auto letter = [](TokenView from, std::size_t control) {
-    const TokenView rest = from.subspan(control + 1);
-    return text_of(argument_at(rest.first(std::min(rest.size(), longest_list)), 0).content);
-  };
-  if (letter(before, first) != letter(tokens, at)) return false;
-  const std::size_t behind = first_significant(tokens, symbol_end(tokens, at));
-  return behind < tokens.size() && relation_kind(tokens[behind]) == RelationKind::equal;
+  const std::size_t left = symbol_end(before, first);
+  const std::size_t relation = first_significant(before, left);
+  const bool again =
+      left != first && relation < before.size() && relation_kind(before[relation]) &&
+      bare_letter(before.subspan(first, left - first)) == bare_letter(tokens.subspan(at, end - at));
+  return again ? Beside::begins : Beside::unclear;
 }
 
 }  // namespace rigor

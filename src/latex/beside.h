@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "latex/tokens.h"
@@ -19,8 +20,14 @@ namespace rigor {
 /// permutations"; `at` itself for any other.
 [[nodiscard]] std::size_t bracketed_remark_end(TokenView tokens, std::size_t at);
 
-/// `\dot\omega_1 = a~\dot\omega_2 = b`: behind a visible space, the dotted letter that `before` begins with
-/// begins the next equation.
-[[nodiscard]] bool begins_next_dotted(TokenView before, TokenView tokens, std::size_t at);
+/// What a symbol does that stands behind a visible space (`~`, `\ `, `\enspace`) and directly before a
+/// relation.
+enum class Beside : std::uint8_t {
+  goes_on,  // no such symbol: it belongs to what stands before it
+  begins,   // `\dot\omega_1 = a~\dot\omega_2 = b`: the letter on the left side again, so the next equation
+  unclear,  // `a = b~c = d` is `a = b` and `c = d`, or `a = bc = d`
+};
+/// `before`: an equation with its relation.
+[[nodiscard]] Beside behind_space(TokenView before, TokenView tokens, std::size_t at);
 
 }  // namespace rigor

@@ -143,7 +143,7 @@ class StatementSplitter {
         while (++at < end) nesting.enter(tokens_[at]);
         continue;
       }
-      if (depth == 0 && block.related && begins_next_dotted(block.tokens, tokens_, at)) cut();
+      if (depth == 0 && block.related) note_beside(block, at, cut);
       if (depth == 0 && relation_kind(token) == RelationKind::implies) {
         set_condition(token.span,
                       fmt::format("`{}` between equations is not decided yet", text_of({&token, 1})));
@@ -177,6 +177,23 @@ class StatementSplitter {
       ++at;
     }
     cut();
+  }
+
+  template <class Cut>
+  void note_beside(const Block& block, std::size_t at, const Cut& cut) {
+    switch (behind_space(block.tokens, tokens_, at)) {
+      case Beside::goes_on:
+        return;
+      case Beside::begins:
+        return cut();
+      case Beside::unclear:
+        if (condition_) return;
+        condition_ = Obstacle{DiagnosticKind::ambiguous_reading,
+                              "what follows the space can be a factor, or begin the next equation",
+                              {"write `\\,` before a factor, `\\quad` before an equation"}};
+        condition_span_ = tokens_[at].span;
+        return;
+    }
   }
 
   std::size_t next_wide_space(std::size_t at) const {

@@ -83,6 +83,7 @@ class Parser {
   static bool is_derivative(TokenView above, TokenView below);
   SyntaxId derivative_fraction(Cursor& cursor, TokenView above, TokenView below, Span span);
   std::optional<SyntaxId> slash_derivative(Cursor& cursor);
+  std::optional<WrittenDerivative> written_derivative(TokenView above, TokenView below, Obstacle& obstacle);
   std::optional<WrittenDerivative> operator_in(TokenView content);
   SyntaxId bracketed_operator(Cursor& cursor, WrittenDerivative derivative, Span span);
   SyntaxId operate(Cursor& cursor, WrittenDerivative derivative, Span span);

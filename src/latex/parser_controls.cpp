@@ -9,10 +9,7 @@ namespace rigor {
 SyntaxId Parser::control(Cursor& cursor) {
   const Token token = cursor.token();
   const std::string_view name = token.text;
-  if (name == "frac" || name == "tfrac" || name == "dfrac" || name == "cfrac" || name == "nicefrac" ||
-      name == "sfrac") {
-    return fraction(cursor);
-  }
+  if (is_fraction(token)) return fraction(cursor);
   if (name == "sqrt") return root(cursor);
   if (name == "dv" || name == "derivative") return physics_derivative(cursor, false);
   if (name == "pdv" || name == "partialderivative") return physics_derivative(cursor, true);

@@ -12,10 +12,6 @@ namespace {
 
 constexpr int most_dots = 20;
 
-bool is_fraction(const Token& token) {
-  return is_control(token, "frac") || is_control(token, "dfrac") || is_control(token, "tfrac");
-}
-
 WrittenVariable by_time(std::uint8_t times, Span span) {
   WrittenVariable variable;
   variable.symbol.letter = "t";
@@ -37,6 +33,12 @@ bool goes_on_with_operand(TokenView rest) {
   const Token& token = rest[at];
   return !is_sign(token, "+") && !is_sign(token, "-") && token.text != "−" &&
          factor_joint(token) == Joint::none;
+}
+
+/// What stands behind the `d` of the numerator.
+TokenView operand_above(TokenView above) {
+  const TokenView rest = above.subspan(differential_at(above, skip_narrow(above, 0))->next);
+  return rest.subspan(skip_narrow(rest, 0));
 }
 
 }  // namespace
@@ -106,17 +108,29 @@ bool Parser::is_derivative(TokenView above, TokenView below) {
   return skip_narrow(rest, 0) < rest.size() && goes_on_with_operand(rest);
 }
 
-SyntaxId Parser::derivative_fraction(Cursor& cursor, TokenView above, TokenView below, Span span) {
+/// By what `\frac{above}{below}` differentiates, or why that is not read.
+std::optional<WrittenDerivative> Parser::written_derivative(TokenView above, TokenView below,
+                                                            Obstacle& obstacle) {
   const Differential top = *differential_at(above, skip_narrow(above, 0));
-  const auto by = variables(below, top.partial);
-  if (!by || top.order == 0) return opaque(span, "this derivative is not read");
-  if (order_of(*by) != top.order)
-    return opaque(span, "the orders above and below in this derivative differ", DiagnosticKind::bad_syntax);
-  const TokenView rest = above.subspan(top.next);
-  if (skip_narrow(rest, 0) == rest.size()) return operate(cursor, {top.partial, *by}, span);
+  auto by = variables(below, top.partial);
+  if (by && order_of(*by) == top.order) return WrittenDerivative{top.partial, std::move(*by)};
+  const bool differ = by && top.order != 0;
+  obstacle =
+      differ
+          ? Obstacle{DiagnosticKind::bad_syntax, "the orders above and below in this derivative differ", {}}
+          : Obstacle{DiagnosticKind::unsupported, "this derivative is not read", {}};
+  return std::nullopt;
+}
+
+SyntaxId Parser::derivative_fraction(Cursor& cursor, TokenView above, TokenView below, Span span) {
+  Obstacle obstacle;
+  auto derivative = written_derivative(above, below, obstacle);
+  if (!derivative) return tree_.add_opaque(span, std::move(obstacle));
+  const TokenView rest = operand_above(above);
+  if (rest.empty()) return operate(cursor, std::move(*derivative), span);
   const SyntaxId operand = inner(rest, span);
   if (!is_one_factor(operand)) return unclear_operand(span);
-  return tree_.add_derivative(span, {top.partial, *by}, operand);
+  return tree_.add_derivative(span, std::move(*derivative), operand);
 }
 
 /// `f`, `f(x)`: is it plain what the `d` before it differentiates?
@@ -162,12 +176,9 @@ std::optional<WrittenDerivative> Parser::operator_in(TokenView content) {
   const Argument above = argument_at(content, 1);
   const Argument below = argument_at(content, above.next);
   if (below.next != content.size() || !is_derivative(above.content, below.content)) return std::nullopt;
-  const Differential top = *differential_at(above.content, skip_narrow(above.content, 0));
-  const TokenView rest = above.content.subspan(top.next);
-  if (skip_narrow(rest, 0) != rest.size()) return std::nullopt;
-  auto by = variables(below.content, top.partial);
-  if (!by || order_of(*by) != top.order) return std::nullopt;
-  return WrittenDerivative{top.partial, std::move(*by)};
+  if (!operand_above(above.content).empty()) return std::nullopt;
+  Obstacle obstacle;
+  return written_derivative(above.content, below.content, obstacle);
 }
 
 SyntaxId Parser::bracketed_operator(Cursor& cursor, WrittenDerivative derivative, Span span) {

@@ -11,23 +11,29 @@
 namespace rigor {
 namespace {
 
-/// Names of all of the body. Two other regions could be different ones.
-constexpr std::string_view regions[] = {"V",
-                                        "B",
-                                        "\\mathcal V",
-                                        "\\mathcal{V}",
-                                        "\\mathcal B",
-                                        "\\mathcal{B}",
-                                        "\\text{body}",
-                                        "\\text{volume}",
-                                        "\\mathrm{body}",
-                                        "\\rm body"};
+struct Region {
+  std::string_view written;
+  std::string_view name;
+};
+
+/// Names that all of the body can have. Two of them in one statement could be different regions.
+constexpr Region regions[] = {{"V", "V"},
+                              {"B", "B"},
+                              {"\\mathcal V", "\\mathcal{V}"},
+                              {"\\mathcal{V}", "\\mathcal{V}"},
+                              {"\\mathcal B", "\\mathcal{B}"},
+                              {"\\mathcal{B}", "\\mathcal{B}"},
+                              {"\\text{body}", "\\text{body}"},
+                              {"\\text{volume}", "\\text{volume}"},
+                              {"\\mathrm{body}", "\\text{body}"},
+                              {"\\rm body", "\\text{body}"}};
 
 }  // namespace
 
 SyntaxId Parser::integral(Cursor& cursor) {
   const Token token = cursor.token();
   ++cursor.at;
+  std::string region;
   bool whole_body = true;
   bool limits = false;
   while (true) {
@@ -36,9 +42,12 @@ SyntaxId Parser::integral(Cursor& cursor) {
     const TokenKind kind = cursor.token().kind;
     if (kind != TokenKind::subscript && kind != TokenKind::superscript) break;
     const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at + 1);
-    const std::string region = text_of(argument.content);
     limits = limits || kind == TokenKind::superscript;
-    whole_body = std::find(std::begin(regions), std::end(regions), region) != std::end(regions);
+    const auto known = std::find_if(
+        std::begin(regions), std::end(regions),
+        [written = text_of(argument.content)](const Region& each) { return each.written == written; });
+    whole_body = known != std::end(regions);
+    if (whole_body) region = known->name;
     cursor.at = argument.next;
   }
   if (cursor.done()) return opaque(token.span, "the integral has no integrand", DiagnosticKind::bad_syntax);
@@ -54,7 +63,7 @@ SyntaxId Parser::integral(Cursor& cursor) {
   if (measure.count > 1) return opaque(span, "two differentials in one integral are not read");
   if (measure.name.empty())
     return opaque(span, fmt::format("an integral over `{}` is not read", measure.text));
-  return tree_.add_named(SyntaxKind::integral, span, measure.name, body);
+  return tree_.add_integral(span, measure.name, body, region);
 }
 
 /// At the differential of the integral that is being read: takes it out.

@@ -51,6 +51,12 @@ SyntaxId SyntaxTree::add_named(SyntaxKind kind, Span span, std::string name, Syn
   return add(kind, span, {&only, 1}, append(texts_, std::move(name)));
 }
 
+SyntaxId SyntaxTree::add_integral(Span span, std::string measure, SyntaxId body, const std::string& region) {
+  std::vector<SyntaxChild> children{{body}};
+  if (!region.empty()) children.push_back({add_text(SyntaxKind::text, span, region)});
+  return add(SyntaxKind::integral, span, children, append(texts_, std::move(measure)));
+}
+
 SyntaxId SyntaxTree::add_text(SyntaxKind kind, Span span, std::string text) {
   return add(kind, span, {}, append(texts_, std::move(text)));
 }

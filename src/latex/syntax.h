@@ -35,8 +35,8 @@ enum class SyntaxKind : std::uint8_t {
   cases,       // value, condition, value, condition…
   derivative,  // d/dt, ∂/∂x, ∂_i of one child (see WrittenDerivative); `\dot x` is a symbol with dots
   function,    // \cos, \exp, grad…: `text` is the name, one child is the argument (two of them: a tuple)
-  integral,    // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the child what is
-               // integrated
+  integral,    // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the first child what
+               // is integrated, the second the name of the region if it has one, as `text`
   text,        // \text{…}: words
   opaque,      // not read: `message` says why
 };
@@ -114,8 +114,9 @@ class SyntaxTree {
   SyntaxId add_component(Span span, SyntaxId base, std::vector<WrittenIndex> indices);
   SyntaxId add_big_sum(Span span, WrittenSum sum, SyntaxId body);
   SyntaxId add_derivative(Span span, WrittenDerivative derivative, SyntaxId operand);
-  SyntaxId add_named(SyntaxKind kind, Span span, std::string name, SyntaxId child);  // function and integral
-  SyntaxId add_text(SyntaxKind kind, Span span, std::string text);                   // number and text
+  SyntaxId add_named(SyntaxKind kind, Span span, std::string name, SyntaxId child);  // function
+  SyntaxId add_integral(Span span, std::string measure, SyntaxId body, const std::string& region);
+  SyntaxId add_text(SyntaxKind kind, Span span, std::string text);  // number and text
   SyntaxId add_opaque(Span span, Obstacle obstacle);
 
   [[nodiscard]] const SyntaxNode& operator[](SyntaxId id) const {

@@ -262,6 +262,11 @@ Joint factor_joint(const Token& token) {
   return Joint::none;
 }
 
+bool is_fraction(const Token& token) {
+  static const Words words{"frac", "tfrac", "dfrac", "cfrac", "nicefrac", "sfrac"};
+  return is_control(token, words);
+}
+
 std::uint8_t dots_of(const Token& token) {
   static constexpr std::array<std::string_view, 4> names{"dot", "ddot", "dddot", "ddddot"};
   if (token.kind != TokenKind::control) return 0;

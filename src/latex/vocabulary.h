@@ -65,6 +65,8 @@ struct Style {
 /// How the sign joins two factors: `\cdot`, `\times`, `\cross`, `*`, `/`; `none` where it does not.
 [[nodiscard]] Joint factor_joint(const Token& token);
 
+/// `\frac`, `\nicefrac`…: a fraction of its two arguments.
+[[nodiscard]] bool is_fraction(const Token& token);
 /// `\dot`, `\ddot`…: how many dots it sets over its argument; 0 for other tokens.
 [[nodiscard]] std::uint8_t dots_of(const Token& token);
 /// `sin` for `sin`, `tr` for `Tr`: the name of a function that is read; empty for other words.

@@ -122,6 +122,19 @@ const std::map<std::string, Recipe>& recipes() {
       {"unreadable.md", [] { return "$$" + dot_product + closing; }},
       {"random.md", random_bytes},
       {"half.tex", half_of_a_document},
+      {"wide-derivative.md", [] { return "$$\\frac{d}{dt}(" + repeated("abc", 20'000) + ") = 0$$\n"; }},
+      {"derivatives.md",
+       [] {
+         return "$$" + repeated("\\nabla^2", 5) + " f = 0$$\n\n$$" + repeated("\\nabla\\times(", 12) +
+                "\\mathbf{A}" + repeated(")", 12) + " = 0$$\n";
+       }},
+      {"rates.md",
+       [] {
+         const std::string rate = "\\frac{d^8}{dt^8}";
+         return "$$" + repeated(rate, 33) + "x = " + rate + "x$$\n";
+       }},
+      {"operators.md", [] { return "$$" + repeated("\\nabla^2", 8'000) + " f = 0$$\n"; }},
+      {"ninth-rate.md", [] { return "$$\\frac{d^9}{dt^9}(abcefghk) = 0$$\n"; }},
       {"long-chain.md", long_chain},
   };
   return table;

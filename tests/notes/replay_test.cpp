@@ -31,9 +31,10 @@ std::string value_of(const Json& value) {
 }
 
 /// Scalars and vectors of plain numbers, no particles, no free index, no derivative and no definition: what
-/// `let` and `claim` can say in one line each.
+/// `let` and `claim` can say in one line each. Of a cyclic image, the sides are not written.
 bool is_plain(const Json& step) {
   const Json& example = step["counterexample"];
+  if (step["source"].get<std::string>().find("(cyclic image ") != std::string::npos) return false;
   for (const Json& use : step["uses"]) {
     if (use.get<std::string>().starts_with("definition")) return false;
   }

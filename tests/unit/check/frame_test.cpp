@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/frame.h"
 
+#include <algorithm>
+
 #include "catch.h"
 #include "check/checked.h"
 
@@ -96,4 +98,13 @@ TEST_CASE("an angular velocity is a vector") {
   CHECK(
       lines_of(rigor_says("scalar w") + rigor_says("frame rot rotates with w in in")).find("bad-directive") !=
       std::string::npos);
+}
+
+TEST_CASE("rates that are too large to be taken over leave the frame undeclared") {
+  const std::string dots = "\\frac{d^9}{dt^9}\\frac{d^9}{dt^9}\\mathbf{A}";
+  const Checked checked(vectors + rigor_says("given " + dots + " = 0") + frame + "$$a = a$$\n");
+  const auto& told = checked.report.diagnostics;
+  CHECK(std::any_of(told.begin(), told.end(), [](const Diagnostic& each) {
+    return each.kind == DiagnosticKind::unsupported && each.message.starts_with("derivatives of more than");
+  }));
 }

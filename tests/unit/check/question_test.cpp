@@ -93,3 +93,17 @@ TEST_CASE("a small divisor proves nothing") {
     CHECK(with(notes, statement) != "proved");
   }
 }
+
+TEST_CASE("a definition defines its derivatives of high order, too") {
+  const std::string notes =
+      rigor_says("scalar a, b, x") + rigor_says("constant a") + rigor_says("let y = a t^2");
+  CHECK(with(notes, "\\frac{d^9}{dt^9}y = 0") == "proved");
+  CHECK(is_refuted(with(notes, "\\frac{d^9}{dt^9}y = a")));
+}
+
+TEST_CASE("where derivatives of an assumption are too large nothing is decided") {
+  const std::string notes = scalars + rigor_says("scalar c, q, e, f, g, h") +
+                            rigor_says("variable a, b, c, q, e, f, g, h, x") +
+                            rigor_says("given abcqefgh x = 1");
+  CHECK(with(notes, "\\frac{d^9}{dt^9}\\frac{d^9}{dt^9}x = 0").starts_with("undecided"));
+}

@@ -24,7 +24,8 @@ class Varying : public Page {
       if (symbol == k.symbol) return Dependence{Dependence::Kind::constant};
       return symbol == variable_ ? Dependence{Dependence::Kind::variable, axis_of_variable_} : Dependence{};
     };
-    Differentiator differentiator(tree, by, dependence_of, axis);
+    DerivativeBudget budget;
+    Differentiator differentiator(tree, by, dependence_of, budget, axis);
     const auto result = differentiator.derivative(of.id);
     return result ? dump(tree, *result) : "nothing";
   }
@@ -51,8 +52,9 @@ TEST_CASE("numbers, bases and constants do not change", "[expr]") {
 
 TEST_CASE("a written zero has the rank of what does not change", "[expr]") {
   Varying page;
-  Differentiator differentiator(page.tree, By::time,
-                                [](SymbolId) { return Dependence{Dependence::Kind::constant}; });
+  DerivativeBudget budget;
+  Differentiator differentiator(
+      page.tree, By::time, [](SymbolId) { return Dependence{Dependence::Kind::constant}; }, budget);
   CHECK(dump(page.tree, differentiator.derivative_or_zero(Term(page.a).id)) == "0");
   CHECK(dump(page.tree, differentiator.derivative_or_zero(Term(page.v).id)) == "(tuple 0 0 0)");
   CHECK(page.tree[differentiator.derivative_or_zero(Term(page.inertia).id)].rank == 2);
@@ -168,4 +170,42 @@ TEST_CASE("a component of a tuple or a symbol is taken where it stands open", "[
         "(component[2] (cross v w))");
   CHECK(dump(page.tree, component_of(page.tree, tuple(page.a, page.b, page.k).id, std::span(&i, 1))) ==
         "(component[i] (tuple a b k))");
+}
+
+TEST_CASE("derivatives beyond the largest order are given up", "[expr]") {
+  for (const auto& [by, most] : {std::pair(By::time, most_rates), std::pair(By::space, most_axes)}) {
+    Varying page;
+    DerivativeBudget budget;
+    Differentiator differentiator(
+        page.tree, by, [](SymbolId) { return Dependence{}; }, budget, Slot{1, {}});
+    ExprId id = Term(page.a).id;
+    for (int k = 0; k < most; ++k) id = *differentiator.derivative(id);
+    CHECK_FALSE(budget.exceeded);
+    CHECK_FALSE(differentiator.derivative(id));
+    REQUIRE(budget.exceeded);
+    CHECK(budget.exceeded->starts_with("derivatives of an order above"));
+    CHECK_FALSE(differentiator.derivative(Term(page.b).id));  // nothing more is made
+    budget.exceeded.reset();
+    CHECK_FALSE(differentiator.derivative(id));  // nor is it known to be zero
+    CHECK(budget.exceeded);
+  }
+}
+
+TEST_CASE("derivatives of a product are given up before they fill the memory", "[expr]") {
+  Varying page;
+  Term product = page.a * page.b;
+  for (int k = 0; k < 3; ++k) product = product * product;
+  DerivativeBudget budget;
+  Differentiator differentiator(
+      page.tree, By::time, [](SymbolId) { return Dependence{}; }, budget);
+  const std::size_t before = page.tree.size();
+  ExprId id = product.id;
+  int order = 0;
+  while (!budget.exceeded && order < most_rates) {
+    ++order;
+    id = differentiator.derivative_or_zero(id);
+  }
+  CHECK(budget.exceeded);
+  CHECK(order < most_rates);
+  CHECK(page.tree.size() - before < DerivativeBudget{}.nodes);
 }

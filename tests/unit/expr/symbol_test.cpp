@@ -67,3 +67,14 @@ TEST_CASE("components that exchange axes are one: of a symmetric tensor and of r
   const SymbolId of_tensor = symbols.derivative(symbols.derivative(i, By::space), By::space);
   CHECK(canonical_component(symbols[of_tensor], 27 * 1 + 9 * 0 + 3 * 2 + 1) == 27 * 0 + 9 * 1 + 3 * 1 + 2);
 }
+
+TEST_CASE("orders do not wrap", "[expr]") {
+  SymbolTable symbols;
+  const SymbolId a = symbols.add({.name = "a"});
+  SymbolId high = a;
+  for (int k = 0; k < 300; ++k) high = symbols.derivative(high, By::time);
+  CHECK(symbols[high].derivation->time == 300);
+  CHECK_FALSE(symbols.find({.base = a, .time = 301}));
+  for (int k = 300; k < largest_derivation; ++k) high = symbols.derivative(high, By::time);
+  CHECK_THROWS_AS(symbols.derivative(high, By::time), InternalError);
+}

@@ -112,7 +112,7 @@ TEST_CASE("words can say an equation for the other axes, too") {
   CHECK(statement("\\text{and cyclically } a = b") == "a = b ?unsupported");
 }
 
-TEST_CASE("equations for one dotted letter after the other are told apart") {
+TEST_CASE("behind a visible space, the letter on the left side again begins the next equation") {
   const std::string first = "\\dot{\\omega}_1 = \\frac{I_2 - I_3}{I_1} \\omega_2 \\omega_3";
   const std::string second = "\\dot{\\omega}_2 = a";
   for (const char* space : {" \\quad ", "~", "\\ ", " \\qquad "}) {
@@ -120,7 +120,19 @@ TEST_CASE("equations for one dotted letter after the other are told apart") {
     CHECK(statement(first + space + second) == first + " // " + second);
   }
   CHECK(statement("\\dot\\theta_1 = r\\dot\\theta_2 = a") == "\\dot\\theta_1 = r\\dot\\theta_2 = a");
-  CHECK(statement("\\dot x = r~\\dot\\theta = a") == "\\dot x = r~\\dot\\theta = a");
+  CHECK(statement("p_1 = a\\ p_2 = b") == "p_1 = a // p_2 = b");
+  CHECK(statement("\\mathbf{p}_1 = a\\enspace\\mathbf p_2' = b") == "\\mathbf{p}_1 = a // \\mathbf p_2' = b");
+}
+
+TEST_CASE("behind a visible space, another symbol before a relation has two readings") {
+  CHECK(statement("\\dot x = r~\\dot\\theta = a") == "\\dot x = r~\\dot\\theta = a ?ambiguous-reading");
+  CHECK(statement("a = b~c = d") == "a = b~c = d ?ambiguous-reading");
+  CHECK(statement("a + b = c\\ a < d") == "a + b = c\\ a < d ?ambiguous-reading");
+  for (const char* text : {"a = b\\,c = d", "a = b~c", "a = b +~c = d", "a = \\sin~x = d", "a~b = c = d",
+                           "a = b~(c) = d", "a = f(b~c) = d"}) {
+    INFO(text);
+    CHECK(statement(text) == text);
+  }
 }
 
 TEST_CASE("words that only name an equation or join two change nothing") {

@@ -128,6 +128,10 @@ TEST_CASE("a fraction of letters d is a derivative only with more below") {
 TEST_CASE("a subscript on a bracket or on a bar names the frame of a derivative") {
   const std::string expected = "(component[\"in\"] (group (d/dt vector:A)))";
   CHECK(parsed("\\left(\\frac{d\\mathbf A}{dt}\\right)_{\\text{in}}") == expected);
+  for (const char* fraction : {"frac", "dfrac", "tfrac", "cfrac", "nicefrac", "sfrac"}) {
+    INFO(fraction);
+    CHECK(parsed(std::string("\\left(\\") + fraction + "{d}{dt}\\right)_{\\text{in}}\\mathbf A") == expected);
+  }
   CHECK(parsed("\\left.\\frac{d\\mathbf A}{dt}\\right|_{\\text{in}}") == expected);
   CHECK(parsed("\\frac{d\\mathbf A}{dt}\\bigg|_{\\text{in}}") == expected);
   CHECK(parsed("\\frac{d\\mathbf A}{dt}\\Biggr\\vert_\\mathrm{in}") == expected);

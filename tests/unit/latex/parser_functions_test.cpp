@@ -124,9 +124,9 @@ TEST_CASE("an integral over the body has its measure and its integrand") {
   CHECK(parsed("\\int dm") == "(integral dm 1)");
   CHECK(parsed("\\int dm\\,\\mathbf r\\times\\mathbf v") == "(integral dm (term vector:r ×vector:v))");
   CHECK(parsed("\\int_B dV\\,\\rho\\left(r^2\\delta_{ij}-r_ir_j\\right)") ==
-        "(integral dV (term \\rho (group (sum +(term (power r 2) \\delta[i,j]) -(term r[i] r[j])))))");
+        "(integral dV (term \\rho (group (sum +(term (power r 2) \\delta[i,j]) -(term r[i] r[j])))) \"B\")");
   CHECK(parsed("\\int\\!\\mathbf r\\,\\mathrm dm+a") == "(sum +(integral dm vector:r) +a)");
-  CHECK(parsed("\\iiint_V\\rho\\,d^3r") == "(integral dV \\rho)");
+  CHECK(parsed("\\iiint_V\\rho\\,d^3r") == "(integral dV \\rho \"V\")");
   CHECK(parsed("\\int\\rho\\,d^3\\mathbf{r}\\,\\mathbf r") == "(integral dV (term \\rho vector:r))");
   CHECK(parsed("\\int\\dd{m}+\\int\\dd[3]{x}\\rho+\\int\\dd m") ==
         "(sum +(integral dm 1) +(integral dV \\rho) +(integral dm 1))");
@@ -137,9 +137,9 @@ TEST_CASE("an integral over the body has its measure and its integrand") {
 
 TEST_CASE("the integrals of a rigid body are read as they are written") {
   CHECK(parsed("\\int_V \\rho\\left(r^2\\delta_{ij} - r_i r_j\\right) d V") ==
-        "(integral dV (term \\rho (group (sum +(term (power r 2) \\delta[i,j]) -(term r[i] r[j])))))");
+        "(integral dV (term \\rho (group (sum +(term (power r 2) \\delta[i,j]) -(term r[i] r[j])))) \"V\")");
   CHECK(parsed("\\int_{\\text{body}}\\mathbf r\\times(\\boldsymbol\\omega\\times\\mathbf r)\\, dm") ==
-        "(integral dm (term vector:r ×(group (term vector:\\omega ×vector:r))))");
+        "(integral dm (term vector:r ×(group (term vector:\\omega ×vector:r))) \"\\text{body}\")");
   CHECK(parsed("\\frac12\\int \\mathbf v^2\\, dm") ==
         "(term (fraction 1 2) (integral dm (power vector:v 2)))");
   CHECK(parsed("\\frac{d}{dt}\\int\\rho\\,d^3 r") == "(d/dt (integral dV \\rho))");
