@@ -58,7 +58,7 @@ void Session::sight_all() {
 }
 
 void Session::follow(const Heading& heading) {
-  forget_wheres();
+  end_section();
   names_.open_section(heading.level);
   section_ = heading.title;
 }
@@ -69,7 +69,7 @@ void Session::follow(const PlacedDirective& placed) {
   Context context{.role = Role::claim, .place = placed.place, .directive = directive.number};
   switch (directive.kind) {
     case DirectiveKind::expect:
-      expectation_ = &directive;
+      expectations_.push_back(&directive);
       return;
     case DirectiveKind::skip:
       skip_ = &directive;
@@ -96,10 +96,15 @@ void Session::follow(const PlacedDirective& placed) {
   }
   if (directive.kind == DirectiveKind::claim) context.first_order = take_first_order();
   for (const ParsedChain& parsed : directive.chains) chain(parsed, context);
-  if (directive.kind == DirectiveKind::claim) forget_wheres();
+  if (directive.kind == DirectiveKind::claim) end_statement(placed.place);
 }
 
 void Session::follow(const ParsedDisplay& display) {
+  follow_chains(display);
+  end_statement(display.span);
+}
+
+void Session::follow_chains(const ParsedDisplay& display) {
   const Directive* skip = std::exchange(skip_, nullptr);
   if (skip != nullptr) names_.mark_used(skip->number);
   const bool no_relation =
@@ -135,13 +140,27 @@ void Session::follow(const ParsedDisplay& display) {
     }
   }
   if (skip == nullptr) heed_conditions(display, first_step);
-  forget_wheres();
 }
 
 bool Session::take_first_order() {
   const Directive* directive = std::exchange(first_order_, nullptr);
   if (directive != nullptr) names_.mark_used(directive->number);
   return directive != nullptr;
+}
+
+/// What was said for one statement is forgotten, also where that was not read.
+void Session::end_statement(Span span) {
+  forget_wheres();
+  static_cast<void>(take_first_order());
+  for (const Directive* expectation : std::exchange(expectations_, {})) report_unmet(*expectation, span);
+}
+
+void Session::end_section() {
+  forget_wheres();
+  for (const Directive* expectation : std::exchange(expectations_, {})) unmatched_.push_back(expectation);
+  for (const Directive** pending : {&skip_, &first_order_}) {
+    if (*pending != nullptr) unmatched_.push_back(std::exchange(*pending, nullptr));
+  }
 }
 
 void Session::forget_wheres() {
@@ -189,8 +208,9 @@ void Session::report_unused() {
   for (const auto& [directive, symbol] : constants_) {
     if (names_.seen_in_equation(symbol)) names_.mark_used(directive);
   }
+  end_section();
   for (const Directive* directive : directives_) {
-    const bool pending = directive == expectation_ || directive == skip_ || directive == first_order_;
+    const bool pending = std::find(unmatched_.begin(), unmatched_.end(), directive) != unmatched_.end();
     const bool standing = directive->kind != DirectiveKind::expect &&
                           directive->kind != DirectiveKind::skip &&
                           directive->kind != DirectiveKind::first_order;

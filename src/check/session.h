@@ -46,8 +46,13 @@ class Session {
   void declare_constant(const Directive& directive, const Typed& typed);
   void imply_primed_axes();
   ExprId whole_symbol(const Typed& typed);
+  void follow_chains(const ParsedDisplay& display);
   bool take_first_order();
-  void forget_wheres();  // what `where` assumes holds until the next statement is over
+  void end_statement(Span span);
+  void end_section();
+  void forget_wheres();
+  void excuse_refuted(const ParsedChain& parsed, std::size_t first_step);
+  void report_unmet(const Directive& expectation, Span statement);
   void report_unused();
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
 
@@ -107,10 +112,13 @@ class Session {
   std::string section_;
   std::vector<const Directive*> directives_;
   std::vector<std::pair<std::size_t, SymbolId>> constants_;  // directive, symbol
-  const Directive* expectation_ = nullptr;
+  // for the next statement; forgotten when it is over, whatever became of it
+  std::vector<const Directive*> expectations_;
   const Directive* skip_ = nullptr;
   const Directive* first_order_ = nullptr;
-  std::vector<std::size_t> wheres_;  // directives for the next statement
+  std::vector<std::size_t> wheres_;          // directives
+  std::vector<const Directive*> in_force_;   // expectations of the chain at hand
+  std::vector<const Directive*> unmatched_;  // no statement came before the end of their section
 };
 
 }  // namespace rigor

@@ -10,9 +10,6 @@
 namespace rigor {
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
-  const Directive* expectation = context.role == Role::display || context.role == Role::claim
-                                     ? std::exchange(expectation_, nullptr)
-                                     : nullptr;
   const std::size_t first_step = report_.steps.size();
   if (parsed.written.relations.empty() && !reads(parsed)) return;
   if (parsed.written.relations.empty()) {
@@ -34,17 +31,28 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *attempt, context);
   const std::vector<Side>& sides = attempt->sides;
   mark_seen(sides);
-  if (expectation == nullptr) return;
-  bool any = false;
-  for (std::size_t k = first_step; k < report_.steps.size(); ++k) {
-    report_.steps[k].expected_refuted = report_.steps[k].verdict == Verdict::refuted;
-    any = any || report_.steps[k].expected_refuted;
+  if (context.role == Role::display || context.role == Role::claim) excuse_refuted(parsed, first_step);
+}
+
+/// Each expectation is about one refuted step of the next chain, the first ones; cyclic images are the same
+/// statement again.
+void Session::excuse_refuted(const ParsedChain& parsed, std::size_t first_step) {
+  if (parsed.image == 0) in_force_ = std::exchange(expectations_, {});
+  std::size_t excused = 0;
+  for (std::size_t k = first_step; k < report_.steps.size() && excused < in_force_.size(); ++k) {
+    if (report_.steps[k].verdict != Verdict::refuted) continue;
+    report_.steps[k].expected_refuted = true;
+    ++excused;
   }
-  if (any) return;
+  if (parsed.image > 0) return;
+  for (; excused < in_force_.size(); ++excused) report_unmet(*in_force_[excused], parsed.written.span);
+}
+
+void Session::report_unmet(const Directive& expectation, Span statement) {
   report_.diagnostics.push_back({DiagnosticKind::unexpected_verdict,
-                                 expectation->span,
+                                 expectation.span,
                                  "the next statement was expected to be refuted and is not",
-                                 {{parsed.written.span, "this statement"}}});
+                                 {{statement, "this statement"}}});
 }
 
 Session::Attempt::Attempt(Session& session, const ParsedChain& parsed, const Reading& how)

@@ -3,6 +3,8 @@
 // session_step_test.cpp.
 #include "check/session.h"
 
+#include <algorithm>
+
 #include "catch.h"
 #include "check/checked.h"
 
@@ -132,6 +134,58 @@ TEST_CASE("an expected refutation is marked, one that fails to come is an error"
   CHECK(lines_of(rigor_says("expect refuted") + commuted) == "proved\n1:13 unexpected-verdict\n");
   CHECK(lines_of(rigor_says("expect refuted") + commuted + "$$\\delta_{ii} = 2$$\n") ==
         "proved\nrefuted 4:15 refuted\n1:13 unexpected-verdict\n");
+}
+
+TEST_CASE("each expectation excuses one refuted step of the next chain") {
+  const std::string scalars = rigor_says("scalar a, b");
+  const std::string expect = rigor_says("expect refuted");
+  const auto excused = [](const std::string& text) {
+    const Checked checked(text);
+    std::string marks;
+    for (const Step& step : checked.report.steps)
+      marks += step.expected_refuted ? "e" : step.verdict == Verdict::refuted ? "r" : ".";
+    for (const Diagnostic& each : checked.report.diagnostics)
+      marks += " " + std::string(info(each.kind).name);
+    return marks;
+  };
+  CHECK(excused(scalars + expect + "$$a = 2a = 3a = 4b$$\n") == "err");
+  CHECK(excused(scalars + expect + expect + "$$a = 2a = 3a = 4b$$\n") == "eer");
+  CHECK(excused(scalars + expect + expect + "$$a = 2a = a + a$$\n") == "e. unexpected-verdict");
+  CHECK(excused(scalars + expect + "$$a = 2a, \\quad b = 3b$$\n") == "er");
+  CHECK(excused(scalars + expect + "$$b = b, \\quad a = 2a$$\n") == ".r unexpected-verdict");
+  const std::string cyclic = "$$A_1B_2 = B_1A_2 \\quad\\text{and cyclic permutations}$$\n";
+  CHECK(excused(rigor_says("vector \\mathbf{A}, \\mathbf{B}") + expect + cyclic) == "eee");
+}
+
+TEST_CASE("what is said of the next statement is over with it, also where it is not read") {
+  const std::string scalars = rigor_says("scalar a, b") + rigor_says("small b");
+  const std::string unread = "$$\\frac{a}{c$$\n";
+  const std::string bare = "$$a$$\n";
+  const std::string square = "$$a^2 = 1$$\n";
+  const std::string where = rigor_says("where a = 1");
+  const auto last = [](const std::string& text) {
+    const Checked checked(text);
+    return std::string(name_of(checked.report.steps.back().verdict)) +
+           (checked.report.steps.back().expected_refuted ? " as expected" : "");
+  };
+  CHECK(last(scalars + where + square) == "proved");
+  CHECK(last(scalars + where + unread + square) == "refuted");
+  CHECK(last(scalars + where + bare + square) == "refuted");
+  CHECK(last(scalars + where + rigor_says("skip a figure") + bare + square) == "refuted");
+  const std::string first_order = rigor_says("first order");
+  const std::string small = "$$(a + b)^2 = a^2 + 2ab$$\n";
+  CHECK(last(scalars + first_order + small) == "proved");
+  CHECK(last(scalars + first_order + unread + small) == "refuted");
+  CHECK(last(scalars + first_order + rigor_says("skip a figure") + bare + small) == "refuted");
+  const std::string expect = rigor_says("expect refuted");
+  for (const std::string& passed_over : {unread, bare, rigor_says("skip a figure") + square}) {
+    const Checked checked(scalars + expect + passed_over + square);
+    CHECK_FALSE(checked.report.steps.back().expected_refuted);
+    CHECK(
+        std::any_of(checked.report.diagnostics.begin(), checked.report.diagnostics.end(),
+                    [](const Diagnostic& each) { return each.kind == DiagnosticKind::unexpected_verdict; }));
+  }
+  CHECK(last(scalars + expect + "# Another section\n" + rigor_says("scalar a") + square) == "refuted");
 }
 
 TEST_CASE("a definition or an assumption is not what is expected to be refuted") {
