@@ -31,7 +31,7 @@ class Refuter {
   [[nodiscard]] std::optional<Counterexample> quick_look();
   /// Does the claim fail where no assumption is met, either? Then it has no proof without them.
   [[nodiscard]] bool fails_without_assumptions();
-  /// All attempts that the limits allow, with up to 5 particles.
+  /// All attempts that the limits allow, with up to 6 particles; for an order, first where symbols are 0.
   [[nodiscard]] std::optional<Counterexample> search();
   /// Attempts until one point has been compared: do both sides have a value anywhere?
   void find_a_point();
