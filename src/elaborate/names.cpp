@@ -164,7 +164,7 @@ const NameKey* Names::key_of(SymbolId symbol) const {
 Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
   using Kind = Dependence::Kind;
   if (by == By::small) return {};  // what does not change in time can be small
-  const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
+  const SymbolId base = base_of(tree.symbols, symbol);
   const NameKey* base_key = key_of(base);
   for (const Constant& constant : constants_) {
     const NameKey* own = key_of(constant.symbol);
@@ -196,7 +196,7 @@ bool Names::is_field(const ExprTree& tree, SymbolId symbol) const {
 }
 
 bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
-  const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
+  const SymbolId base = base_of(tree.symbols, symbol);
   if (definition_of(base) != nullptr || definition_of(symbol) != nullptr) return true;
   const auto is_it = [&](const auto& entry) { return entry.first == base; };
   if (std::any_of(variables_.begin(), variables_.end(), is_it)) return true;
