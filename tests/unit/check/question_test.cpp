@@ -46,6 +46,20 @@ TEST_CASE("what only an assumption's derivative shows is looked for") {
   CHECK(is_refuted(with(notes, "\\ddot{\\mathbf{r}} = \\mathbf{A}\\times\\mathbf{r}")));
 }
 
+TEST_CASE("before a claim is refuted, assumptions are differentiated once more than it is") {
+  const std::string square = scalars + rigor_says("given x^2 = 0");
+  CHECK(with(square, "\\dot x = 0") == "proved");
+  CHECK(is_refuted(with(square, "\\dot x = \\dot y")));
+  const std::string circle = scalars + rigor_says("given x^2 + y^2 = 0");
+  CHECK_FALSE(is_refuted(with(circle, "\\dot x^2 + \\dot y^2 = 0")));
+  const std::string length = vectors + rigor_says("given A^2 = 0");
+  CHECK_FALSE(is_refuted(with(length, "\\dot{\\mathbf{A}} = 0")));
+  CHECK_FALSE(is_refuted(with(length, "\\dot{\\mathbf{A}}\\cdot\\dot{\\mathbf{A}} = 0")));
+  const std::string field = scalars + rigor_says("given a^2 = 0");
+  CHECK(with(field, "\\partial_x a = 0") == "proved");
+  CHECK(is_refuted(with(field, "\\partial_x a = \\partial_x b")));
+}
+
 TEST_CASE("a rule is followed as often as it can be") {
   const std::string notes = scalars + rigor_says("given \\dot x = y") + rigor_says("given \\dot y = x + 1");
   CHECK(with(notes, "\\ddot x = x + 1") == "proved");

@@ -30,6 +30,14 @@ TEST_CASE("two rules for one symbol's derivatives hold together") {
   }
 }
 
+TEST_CASE("laws of two orders hold together, whatever the claim's own order is") {
+  const std::string notes =
+      turning + rigor_says("given 2\\dot{\\mathbf{r}} = 2\\boldsymbol{\\omega}\\times\\mathbf{r}") +
+      rigor_says("given m\\ddot{\\mathbf{r}} = \\mathbf{F}");
+  CHECK(verdict_on("\\mathbf{F}\\cdot\\boldsymbol{\\omega} = 0", notes) == "proved");
+  CHECK(is_refuted(verdict_on("\\mathbf{F}\\cdot\\mathbf{r} = 0", notes)));
+}
+
 TEST_CASE("rules that contradict each other have no sample, and prove nothing") {
   const std::string notes =
       rigor_says("scalar x") + rigor_says("given \\dot x = 1") + rigor_says("given \\ddot x = 1");
