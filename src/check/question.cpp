@@ -208,8 +208,9 @@ class Preparation {
       if (!is_joined(assumption.equation)) grew = add(assumption.equation, &assumption) || grew;
     }
     for (const SmallQuantity& small : names_.small()) {
-      const bool component = tree_[small.quantity].slot_count > 0;
-      if (precision_ == Precision::small_order && component) grew = add(vanishing(small), nullptr) || grew;
+      const ExprNode node = tree_[small.quantity];
+      const bool constrained = node.slot_count > 0 || definition_of(node.symbol, 0).has_value();
+      if (precision_ == Precision::small_order && constrained) grew = add(vanishing(small), nullptr) || grew;
     }
     return grew;
   }

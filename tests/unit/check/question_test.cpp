@@ -99,6 +99,19 @@ TEST_CASE("what is defined through something small is small, too") {
   CHECK(is_refuted(with(notes, "b \\approx 0")));
 }
 
+TEST_CASE("what is defined can be small itself") {
+  const std::string let = rigor_says("let b = x - y");
+  const std::string small = rigor_says("small b");
+  for (const std::string& notes : {scalars + let + small, scalars + small + let}) {
+    CHECK(with(notes, "b^2 \\approx 0") == "proved");
+    CHECK(with(notes, "x^2 \\approx y^2 + 2yb") == "proved");
+    CHECK(with(notes, "b\\dot b \\approx 0") == "proved");
+    CHECK(is_refuted(with(notes, "x^2 \\approx y^2 + yb")));
+    CHECK(is_refuted(with(notes, "x^2 \\approx y^2")));
+    CHECK(is_refuted(with(notes, "x \\approx y")));
+  }
+}
+
 TEST_CASE("a small divisor proves nothing") {
   const std::string notes = rigor_says("scalar x, y") + rigor_says("small x, y");
   for (const char* statement : {"\\frac{x^2}{x} \\approx 0", "\\frac{x}{y} \\approx 0",
