@@ -31,6 +31,21 @@ TEST_CASE("the transport theorem follows from the rotation") {
   CHECK(in_frame(fixed_a + " = " + turning_a).starts_with("refuted"));
 }
 
+TEST_CASE("the rate of a frame's rotation is that of a quaternion's, q' = q w/2") {
+  const std::string quaternion =
+      vectors + rigor_says("vector \\mathbf{q}") + rigor_says("scalar s") +
+      rigor_says("let N = s^2 + \\mathbf{q}\\cdot\\mathbf{q}") +
+      rigor_says(
+          "let S_{ij} = \\frac{(s^2 - \\mathbf{q}\\cdot\\mathbf{q})\\delta_{ij} + 2q_iq_j - "
+          "2s\\epsilon_{ijk}q_k}{N}") +
+      rigor_says("given \\dot s = -\\frac12\\mathbf{q}\\cdot\\boldsymbol{\\omega}") +
+      rigor_says(
+          "given \\dot{\\mathbf{q}} = \\frac12 s\\,\\boldsymbol{\\omega} + "
+          "\\frac12\\mathbf{q}\\times\\boldsymbol{\\omega}");
+  CHECK(verdict_on("\\dot S_{ij} = -S_{ik}\\epsilon_{kjl}\\omega_l", quaternion) == "proved");
+  CHECK(verdict_on("\\dot S_{ij} = S_{ik}\\epsilon_{kjl}\\omega_l", quaternion).starts_with("refuted"));
+}
+
 TEST_CASE("a scalar changes alike in both frames, and ω as well") {
   CHECK(in_frame("\\left(\\frac{d}{dt}(\\mathbf{A}\\cdot\\mathbf{r})\\right)_{\\text{in}} = "
                  "\\left(\\frac{d}{dt}(\\mathbf{A}\\cdot\\mathbf{r})\\right)_{\\text{rot}}") == "proved");
