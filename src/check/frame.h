@@ -12,6 +12,7 @@
 
 namespace rigor {
 
+/// From here on components are along the turning axes; what held before is turned (check/change_of_axes.h).
 /// `angular_velocity`: an expression of rank 1, components along the turning axes.
 void declare_frame(ExprTree& tree, Names& names, const std::string& rotating, const std::string& fixed,
                    ExprId angular_velocity, std::size_t directive);

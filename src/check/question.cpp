@@ -19,6 +19,7 @@ constexpr int largest_order = 6;  // of a derivative for which a definition is m
 struct Found {
   Definition definition;
   const Origin* origin;
+  bool at_instant;
 };
 
 struct Orders {
@@ -72,7 +73,7 @@ class Preparation {
 
   std::optional<Found> definition_of(SymbolId symbol, int depth) {
     if (const NamedDefinition* named = names_.definition_of(symbol))
-      return Found{named->definition, &named->origin};
+      return Found{named->definition, &named->origin, named->at_instant};
     const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
     if (!derivation || derivation->time + derivation->space + derivation->small > largest_order ||
         depth > largest_order)
@@ -82,8 +83,12 @@ class Preparation {
     for (const By by : {By::small, By::space, By::time}) {
       if (result) break;
       if (const auto parent = parent_of(*derivation, by)) {
-        if (const auto of = definition_of(*parent, depth + 1))
-          result = Found{differentiated(*of, symbol, by), of->origin};
+        const auto of = definition_of(*parent, depth + 1);
+        if (of && of->at_instant && by == By::time) {
+          note_unknown(derivation->base);
+        } else if (of) {
+          result = Found{differentiated(*of, symbol, by), of->origin, of->at_instant};
+        }
       }
     }
     derived_[symbol] = result;
@@ -244,6 +249,7 @@ class Preparation {
       }
     }
     if (wanted.time < 0 && wanted.space < 0) return false;
+    if (named != nullptr && named->rate_of && !is_spoken_of(*named->rate_of, named)) return false;
     // Derivatives beyond what was reached can speak of it, as the second one of x² = 0 does of ẋ.
     if (wanted.time >= 0 && highest.time > 0) wanted.time += beyond_;
     if (wanted.space >= 0 && highest.space > 0) wanted.space += beyond_;
@@ -263,6 +269,18 @@ class Preparation {
         grew = take(equation, named, {time, space}, own_order) || grew;
     }
     return grew;
+  }
+
+  /// By the claim, so far as was followed, or by an assumption other than this one.
+  bool is_spoken_of(SymbolId symbol, const NamedAssumption* by_this) {
+    const auto is_it = [&](SymbolId each) { return base_of(each) == symbol; };
+    if (std::any_of(reached_.begin(), reached_.end(), is_it)) return true;
+    return std::any_of(names_.assumptions().begin(), names_.assumptions().end(),
+                       [&](const NamedAssumption& other) {
+                         if (&other == by_this) return false;
+                         const std::vector<SymbolId>& symbols = symbols_of(other.equation);
+                         return std::any_of(symbols.begin(), symbols.end(), is_it);
+                       });
   }
 
   bool take(const Equation& equation, const NamedAssumption* named, Orders orders, int own_order) {

@@ -170,10 +170,9 @@ Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
     const NameKey* own = key_of(constant.symbol);
     const bool same = constant.symbol == base || (own != nullptr && base_key != nullptr && *own == *base_key);
     if (!same) continue;
-    // A vector that does not change along fixed axes does along turning ones; principal values are no vector.
-    const bool vector =
-        base_key != nullptr && base_key->rank == 1 && !sightings.diagonal.contains(base_key->base);
-    if (vector && by == By::time && constant.frames < frames_.size()) continue;
+    // A vector or tensor that does not change along fixed axes does along turning ones.
+    const bool turns = base_key != nullptr && base_key->rank > 0 && !is_principal_value(tree.symbols, base);
+    if (turns && by == By::time && constant.frames < frames_.size()) continue;
     mark_used(constant.directive);
     return {Kind::constant};
   }
@@ -189,6 +188,11 @@ Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
   return {};
 }
 
+bool Names::is_principal_value(const SymbolTable& symbols, SymbolId symbol) const {
+  const NameKey* key = key_of(base_of(symbols, symbol));
+  return key != nullptr && key->rank == 1 && sightings.diagonal.contains(key->base);
+}
+
 bool Names::is_field(const ExprTree& tree, SymbolId symbol) const {
   const auto& derivation = tree.symbols[symbol].derivation;
   const NameKey* key = key_of(derivation ? derivation->base : symbol);
@@ -200,6 +204,8 @@ bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
   if (definition_of(base) != nullptr || definition_of(symbol) != nullptr) return true;
   const auto is_it = [&](const auto& entry) { return entry.first == base; };
   if (std::any_of(variables_.begin(), variables_.end(), is_it)) return true;
+  const auto constant = [&](const Constant& entry) { return entry.symbol == base; };
+  if (std::any_of(constants_.begin(), constants_.end(), constant)) return true;
   const NameKey* key = key_of(base);
   if (key == nullptr || by == By::small) return true;
   if (by == By::space) return sightings.fields.contains(key->base);

@@ -52,13 +52,15 @@ struct NamedDefinition {
   Definition definition;
   Origin origin;
   int depth = 0;
+  bool at_instant = false;  // said of components along other axes: it holds now, its derivatives do not
 };
 
 struct NamedAssumption {
   Equation equation;
   Origin origin;
   int depth = 0;
-  bool at_instant = false;      // said of components along other axes: it holds now, its derivatives do not
+  bool at_instant = false;            // as above
+  std::optional<SymbolId> rate_of{};  // all it says is how this changes: nothing, where nothing else has it
   bool without_sample = false;  // nothing was found that satisfies it: what is proved from it proves nothing
 };
 
@@ -117,7 +119,14 @@ class Names {
   /// What a directive defined and assumed holds no longer.
   void forget(std::size_t directive);
 
+  struct Constant {
+    SymbolId symbol{};
+    std::size_t directive = 0;
+    int depth = 0;
+    std::size_t frames = 0;  // in force where it stands
+  };
   void declare_constant(SymbolId symbol, std::size_t directive);
+  [[nodiscard]] const std::vector<Constant>& constants() const { return constants_; }
   void declare_variable(SymbolId symbol) { variables_.emplace_back(symbol, depth_); }
   /// How a symbol (or a derivative) changes; marks the directive that says so as used. What nothing is said
   /// of varies.
@@ -128,6 +137,8 @@ class Names {
   /// From here on components are along turning axes; `before` is what held without them, and holds again
   /// behind the section.
   void declare_frame(Frame frame, Scene before);
+  /// I_i where `I_{ij} = I_i\delta_{ij}` is said: three numbers that belong to axes, no vector.
+  [[nodiscard]] bool is_principal_value(const SymbolTable& symbols, SymbolId symbol) const;
   /// Does a ∂ or ∇ stand before it somewhere in the file?
   [[nodiscard]] bool is_field(const ExprTree& tree, SymbolId symbol) const;
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
@@ -171,12 +182,6 @@ class Names {
   struct ParticleLetter {
     std::size_t directive;
     int depth;
-  };
-  struct Constant {
-    SymbolId symbol{};
-    std::size_t directive = 0;
-    int depth = 0;
-    std::size_t frames = 0;  // in force where it stands
   };
   [[nodiscard]] const NameKey* key_of(SymbolId symbol) const;
 
