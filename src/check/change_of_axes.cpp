@@ -245,6 +245,89 @@ class ToTurning : Axes {
   SymbolId rotation_;
 };
 
+class ToFixed : Axes {
+ public:
+  ToFixed(ExprTree& tree, Names& names, const Frame& frame)
+      : Axes(tree, names), rotation_(frame.rotation), velocity_(frame.angular_velocity) {}
+
+  /// Nothing where a derivative of R is not known here.
+  std::optional<ExprId> convert(ExprId root) {
+    const ExprId result = converted(root);
+    return unknown_ ? std::nullopt : std::optional(result);
+  }
+
+ private:
+  bool is_rotation(ExprId id) const {
+    return tree_[id].op == Op::symbol && base_of(tree_.symbols, tree_[id].symbol) == rotation_;
+  }
+
+  ExprId converted(ExprId id) {
+    const ExprNode node = tree_[id];
+    if (node.op == Op::symbol) {
+      unknown_ = unknown_ || is_rotation(id) || (is_gradient(node.symbol) && is_rate(node.symbol));
+      if (!turns(node.symbol) || !is_rate(node.symbol)) return id;
+      const Occurrence of = occurrence(id);
+      return turning_rate(of, of.slots, of.orders);
+    }
+    const std::vector<ExprId> before(tree_.children(id).begin(), tree_.children(id).end());
+    if (node.op == Op::dot && is_rotation(before[0]))
+      return turned(converted(before[1]), occurrence(before[0]).orders, 1);
+    if (node.op == Op::dot && is_rotation(before[1]))
+      return turned(converted(before[0]), occurrence(before[1]).orders, -1);
+    std::vector<ExprId> after;
+    for (const ExprId child : before) after.push_back(converted(child));
+    if (after == before) return id;
+    const Slots slots(tree_.slots(id).begin(), tree_.slots(id).end());
+    if (node.op == Op::component) return component_of(tree_, after[0], slots);
+    if (node.op == Op::table) return tree_.add_table(node.span, after, slots, Table(tree_.table(id)));
+    return tree_.add(node, after, slots);
+  }
+
+  /// R⁽ⁿ⁾A (`side` 1) and Aᵀ R⁽ⁿ⁾ (−1) where R = 1: A, ±ω×A, ω×(ω×A) ± ω̇×A.
+  ExprId turned(ExprId vector, int orders, int side) {
+    if (tree_[vector].rank != 1 || orders > 2) {
+      unknown_ = true;
+      return vector;
+    }
+    const auto signed_by = [&](ExprId id) { return side > 0 ? id : minus(id); };
+    if (orders == 0) return vector;
+    if (orders == 1) return signed_by(cross(velocity_, vector));
+    const ExprId twice = cross(velocity_, cross(velocity_, vector));
+    return make(Op::add, twice, signed_by(cross(rate(velocity_), vector)), 1, tree_[vector].span);
+  }
+  ExprId cross(ExprId a, ExprId b) { return make(Op::cross, a, b, 1, tree_[b].span); }
+
+  /// Along the turning axes: (d/dt − ω×)ⁿ A; of a tensor, −ε_sab ω_a T_b for each axis s.
+  ExprId turning_rate(const Occurrence& of, const Slots& slots, int orders) {
+    if (of.rank == 1) {
+      ExprId vector = base(of, {});
+      for (int k = 0; k < orders; ++k)
+        vector = make(Op::add, rate(vector), minus(cross(velocity_, vector)), 1, of.span);
+      return component_of(tree_, vector, slots);
+    }
+    if (slots.empty()) return whole(of, [&](const Slots& axes) { return turning_rate(of, axes, orders); });
+    if (orders == 0) return base(of, slots);
+    std::vector<ExprId> terms{rate(turning_rate(of, slots, orders - 1))};
+    for (std::size_t axis = 0; axis < slots.size(); ++axis) {
+      const IndexId a = tree_.add_index("a");
+      const IndexId b = tree_.add_index("b");
+      Slots other = slots;
+      other[axis] = {0, b};
+      const std::array sign{slots[axis], Slot{0, a}, Slot{0, b}};
+      const Slot along{0, a};
+      const std::array factors{tree_.add({.op = Op::epsilon, .span = of.span}, {}, sign),
+                               component_of(tree_, velocity_, std::span(&along, 1)),
+                               turning_rate(of, other, orders - 1)};
+      terms.push_back(minus(summed(tree_.add({.op = Op::multiply, .span = of.span}, factors), {a, b})));
+    }
+    return tree_.add({.op = Op::add, .span = of.span}, terms);
+  }
+
+  SymbolId rotation_;
+  ExprId velocity_;
+  bool unknown_ = false;
+};
+
 }  // namespace
 
 Names::Scene along_turning_axes(ExprTree& tree, Names& names, SymbolId rotation, const Names::Scene& before) {
@@ -265,6 +348,16 @@ NamedAssumption constant_along_fixed_axes(ExprTree& tree, Names& names, SymbolId
   steady.equation = as_equation(tree, rule);
   ToTurning(tree, names, rotation).convert(steady);
   return steady;
+}
+
+std::optional<NamedDefinition> along_fixed_axes(ExprTree& tree, Names& names, const Frame& frame,
+                                                NamedDefinition made) {
+  Definition& definition = made.definition;
+  const auto body = ToFixed(tree, names, frame).convert(definition.body);
+  if (!body) return std::nullopt;
+  made.at_instant = made.at_instant || !is_covariant(tree, names, definition.body, definition.indices);
+  definition.body = *body;
+  return made;
 }
 
 }  // namespace rigor

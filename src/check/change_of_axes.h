@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said along fixed axes, said along turning ones. Components along the turning axes are
+// What is said along fixed axes, said along turning ones, and back. Components along the turning axes are
 // Rᵀ A of those along the fixed axes, with the rotation R of `frame`, which is 1 at the moment that is looked
 // at and changes at the rate Ṙ = R Ω, Ω_ij = −ε_ijk ω_k.
 #pragma once
+
+#include <optional>
 
 #include "elaborate/names.h"
 
@@ -18,5 +20,11 @@ namespace rigor {
 /// A vector or tensor that was declared constant before is constant along the fixed axes: an assumption.
 [[nodiscard]] NamedAssumption constant_along_fixed_axes(ExprTree& tree, Names& names, SymbolId rotation,
                                                         const Names::Constant& constant);
+
+/// A definition that was made in a frame, for behind it: R is 1, and the rate along the turning axes is
+/// dA/dt − ω×A. What is not covariant holds at the moment only. Nothing where R was differentiated three
+/// times or more.
+[[nodiscard]] std::optional<NamedDefinition> along_fixed_axes(ExprTree& tree, Names& names,
+                                                              const Frame& frame, NamedDefinition made);
 
 }  // namespace rigor

@@ -81,7 +81,7 @@ void declare_frame(ExprTree& tree, Names& names, const std::string& rotating, co
   FrameBuilder builder(tree, names, rotating, directive, tree[angular_velocity].span);
   const SymbolId rotation = builder.rotation(angular_velocity);
   const std::vector<NamedDefinition> with_rotation = names.definitions();
-  names.declare_frame({rotating, fixed, rotation, directive, 0}, before);
+  names.declare_frame({rotating, fixed, rotation, angular_velocity, directive, 0}, before);
   Names::Scene after = along_turning_axes(tree, names, rotation, before);
   for (const NamedDefinition& each : with_rotation) {
     const auto own = [&](const NamedDefinition& old) {
@@ -99,6 +99,23 @@ void declare_frame(ExprTree& tree, Names& names, const std::string& rotating, co
       after.assumptions.push_back(constant_along_fixed_axes(tree, names, rotation, constant));
   }
   names.replace(std::move(after));
+}
+
+void leave_frames(ExprTree& tree, Names& names, int level) {
+  for (const Frame& frame : names.frames()) {
+    if (frame.depth < level) continue;
+    Names::Scene scene = names.scene();
+    std::vector<NamedDefinition> kept;
+    for (NamedDefinition& each : scene.definitions) {
+      if (!names.is_made_in_frame(each)) {
+        kept.push_back(std::move(each));
+      } else if (auto behind = along_fixed_axes(tree, names, frame, std::move(each))) {
+        kept.push_back(std::move(*behind));
+      }
+    }
+    scene.definitions = std::move(kept);
+    names.replace(std::move(scene));
+  }
 }
 
 }  // namespace rigor

@@ -17,4 +17,8 @@ namespace rigor {
 void declare_frame(ExprTree& tree, Names& names, const std::string& rotating, const std::string& fixed,
                    ExprId angular_velocity, std::size_t directive);
 
+/// Before a heading of this level closes sections: what equations defined under a frame that ends there is
+/// said along fixed axes from here on.
+void leave_frames(ExprTree& tree, Names& names, int level);
+
 }  // namespace rigor

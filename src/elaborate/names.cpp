@@ -104,7 +104,7 @@ void Names::forget_definition(SymbolId symbol) {
 void Names::open_section(int level) {
   const auto closed = [&](const auto& entry) { return entry.depth >= level; };
   while (!frames_.empty() && closed(frames_.back())) {
-    restore(std::move(before_frames_.back()));
+    restore(before_frames_.back());
     before_frames_.pop_back();
     frames_.pop_back();
   }
@@ -120,12 +120,21 @@ void Names::open_section(int level) {
   depth_ = level;
 }
 
+bool Names::is_made_in_frame(const NamedDefinition& definition) const {
+  if (before_frames_.empty() || definition.origin.directive) return false;
+  const std::vector<NamedDefinition>& before = before_frames_.back().definitions;
+  return std::none_of(before.begin(), before.end(), [&](const NamedDefinition& old) {
+    return old.definition.symbol == definition.definition.symbol && old.origin.text == definition.origin.text;
+  });
+}
+
 void Names::restore(Scene scene) {
   for (NamedDefinition& later : definitions_) {
-    const bool known = std::any_of(
-        scene.definitions.begin(), scene.definitions.end(),
-        [&](const NamedDefinition& entry) { return entry.definition.symbol == later.definition.symbol; });
-    if (!known && !later.origin.directive) scene.definitions.push_back(std::move(later));
+    if (!is_made_in_frame(later)) continue;
+    std::erase_if(scene.definitions, [&](const NamedDefinition& old) {
+      return old.definition.symbol == later.definition.symbol;
+    });
+    scene.definitions.push_back(std::move(later));
   }
   definitions_ = std::move(scene.definitions);
   assumptions_ = std::move(scene.assumptions);

@@ -70,6 +70,7 @@ struct Frame {
   std::string rotating;
   std::string fixed;
   SymbolId rotation{};
+  ExprId angular_velocity{};
   std::size_t directive = 0;
   int depth = 0;
 };
@@ -104,7 +105,7 @@ class Names {
 
   void define(NamedDefinition definition);
   void assume(NamedAssumption assumption);
-  /// What was defined and assumed, to be taken back by `restore` (but for definitions by equations).
+  /// What was defined and assumed, to be taken back by `restore` (but for what equations define since).
   struct Scene {
     std::vector<NamedDefinition> definitions;
     std::vector<NamedAssumption> assumptions;
@@ -137,6 +138,8 @@ class Names {
   /// From here on components are along turning axes; `before` is what held without them, and holds again
   /// behind the section.
   void declare_frame(Frame frame, Scene before);
+  /// By an equation, and not before the frame in force.
+  [[nodiscard]] bool is_made_in_frame(const NamedDefinition& definition) const;
   /// I_i where `I_{ij} = I_i\delta_{ij}` is said: three numbers that belong to axes, no vector.
   [[nodiscard]] bool is_principal_value(const SymbolTable& symbols, SymbolId symbol) const;
   /// Does a ∂ or ∇ stand before it somewhere in the file?

@@ -177,6 +177,56 @@ TEST_CASE("a component that was named before a frame is one along a fixed axis")
   CHECK(verdict_on("\\dot A_3 = 0", given).starts_with("refuted"));
 }
 
+TEST_CASE("what is defined in a frame holds behind it, along fixed axes") {
+  const std::string notes =
+      vectors + rigor_says("constant m") + "## Turning\n\n" + frame +
+      "$$\\mathbf{v} = " + rate("\\mathbf{r}", "in") + "$$\n\n$$\\mathbf{u} = " + rate("\\mathbf{r}", "rot") +
+      "$$\n\n$$\\mathbf{b} = " + rate("\\mathbf{u}", "rot") + "$$\n\n$$\\mathbf{a} = " + second_rate("in") +
+      "$$\n\n$$\\mathbf{q} = " + second_rate("rot") + "$$\n\n$$T = \\frac12mv^2$$\n\n## Fixed\n\n";
+  CHECK(verdict_on("\\mathbf{v} = \\dot{\\mathbf{r}}", notes) == "proved");
+  CHECK(verdict_on("\\dot{\\mathbf{v}} = \\mathbf{a} = \\ddot{\\mathbf{r}}", notes) == "proved");
+  CHECK(verdict_on("\\mathbf{u} = \\dot{\\mathbf{r}} - \\boldsymbol{\\omega}\\times\\mathbf{r}", notes) ==
+        "proved");
+  CHECK(verdict_on("\\mathbf{q} = \\mathbf{b}", notes) == "proved");
+  CHECK(verdict_on("\\ddot{\\mathbf{r}} = \\mathbf{b} + 2\\boldsymbol{\\omega}\\times\\mathbf{u} + "
+                   "\\dot{\\boldsymbol{\\omega}}\\times\\mathbf{r} + "
+                   "\\boldsymbol{\\omega}\\times(\\boldsymbol{\\omega}\\times\\mathbf{r})",
+                   notes) == "proved");
+  CHECK(verdict_on("\\dot T = m\\mathbf{v}\\cdot\\mathbf{a}", notes) == "proved");
+  CHECK(verdict_on("\\mathbf{v} = -\\dot{\\mathbf{r}}", notes).starts_with("refuted"));
+  CHECK(verdict_on("\\mathbf{u} = \\dot{\\mathbf{r}}", notes).starts_with("refuted"));
+  CHECK(verdict_on("\\mathbf{q} = \\ddot{\\mathbf{r}}", notes).starts_with("refuted"));
+  const std::string again = notes + frame;
+  CHECK(verdict_on("\\mathbf{u} = " + rate("\\mathbf{r}", "rot"), again) == "proved");
+  CHECK(verdict_on("\\mathbf{b} = " + rate("\\mathbf{u}", "rot"), again) == "proved");
+  CHECK(verdict_on("\\mathbf{u} = " + rate("\\mathbf{r}", "in"), again).starts_with("refuted"));
+}
+
+TEST_CASE("a tensor's rate that a frame's definition has is converted behind it") {
+  const std::string notes = rigor_says("tensor K_{ij}") + vectors + "## Turning\n\n" + frame +
+                            "$$N_{ij} = \\dot K_{ij}$$\n\n## Fixed\n\n";
+  CHECK(verdict_on("N_{ii} = \\frac{d}{dt}K_{ii}", notes) == "proved");
+  CHECK(verdict_on("N_{ij} = \\dot K_{ij} - \\epsilon_{kli}\\omega_kK_{lj} - \\epsilon_{klj}\\omega_kK_{il}",
+                   notes) == "proved");
+  CHECK(verdict_on("N_{12} = \\dot K_{12}", notes).starts_with("refuted"));
+}
+
+TEST_CASE("what a frame's definition says along its axes holds for the moment behind it") {
+  const std::string notes = vectors + rigor_says("scalar g") + rigor_says("constant g") + "## Turning\n\n" +
+                            frame + "$$\\mathbf{G} = (0, 0, -g)$$\n\n## Fixed\n\n";
+  CHECK(verdict_on("\\mathbf{G}\\cdot\\mathbf{G} = g^2", notes) == "proved");
+  CHECK(verdict_on("\\dot{\\mathbf{G}} = 0", notes).find("unknown-change") != std::string::npos);
+  CHECK(verdict_on("\\dot{\\mathbf{G}} = \\boldsymbol{\\omega}\\times\\mathbf{G}", notes)
+            .find("unknown-change") != std::string::npos);
+}
+
+TEST_CASE("another meaning that a symbol got in a frame stays") {
+  const std::string notes = "# One\n\n" + vectors + "$$\\mathbf{v} = \\dot{\\mathbf{r}}$$\n\n" +
+                            "# Turning\n\n" + frame +
+                            "$$\\mathbf{v} = \\boldsymbol{\\omega}\\times\\mathbf{b}$$\n\n" + "# Fixed\n\n";
+  CHECK(verdict_on("\\mathbf{v}\\cdot\\mathbf{b} = 0", notes) == "proved");
+}
+
 TEST_CASE("what was assumed before a frame comes back behind its section") {
   const std::string before = "# Both\n\n" + rigor_says("constant m") +
                              rigor_says("given m\\ddot{\\mathbf{r}} = \\mathbf{F}") + "## Turning\n\n" +
