@@ -5,28 +5,30 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <utility>
 #include <vector>
+
+#include "check/change_of_axes.h"
 
 namespace rigor {
 namespace {
 
-/// Builds the definitions behind a frame.
+/// Builds the definitions behind a frame: R = 1, and Ṙ.
 class FrameBuilder {
  public:
   FrameBuilder(ExprTree& tree, Names& names, std::string rotating, std::size_t directive, Span span)
       : tree_(tree), names_(names), rotating_(std::move(rotating)), directive_(directive), span_(span) {}
 
   SymbolId rotation(ExprId angular_velocity) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      q_[k] = tree_.symbols.add({.name = fmt::format("q_{}", k), .declared = true});
-      define(q_[k], tree_.add_number(span_, k == 0 ? "1" : "0"));
-    }
-    for (std::size_t k = 0; k < 4; ++k)
-      define(tree_.symbols.derivative(q_[k], By::time), rate(k, angular_velocity));
     Symbol symbol{.name = fmt::format("R_{{\\text{{{}}}}}", rotating_), .rank = 2, .declared = true};
-    const SymbolId rotation = tree_.symbols.add(std::move(symbol));
-    define(rotation, matrix());
-    return rotation;
+    rotation_ = tree_.symbols.add(std::move(symbol));
+    define(rotation_, matrix([&](std::uint8_t i, std::uint8_t j) {
+             return tree_.add_number(span_, i == j ? "1" : "0");
+           }));
+    define(tree_.symbols.derivative(rotation_, By::time),
+           matrix([&](std::uint8_t i, std::uint8_t j) { return rate(i, j, angular_velocity); }));
+    return rotation_;
   }
 
  private:
@@ -34,63 +36,33 @@ class FrameBuilder {
     names_.define({{symbol, {}, no_particle, body}, {fmt::format("frame {}", rotating_), "", directive_}, 0});
   }
 
-  ExprId q(std::size_t k) { return tree_.add({.op = Op::symbol, .span = span_, .symbol = q_[k]}); }
-  ExprId product(std::vector<ExprId> factors) {
-    return tree_.add({.op = Op::multiply, .span = span_}, factors);
-  }
-  ExprId sum(std::vector<ExprId> terms) { return tree_.add({.op = Op::add, .span = span_}, terms); }
-  ExprId minus(ExprId term) { return tree_.add({.op = Op::negate, .span = span_}, std::span(&term, 1)); }
-  ExprId number(const char* digits) { return tree_.add_number(span_, digits); }
-  ExprId over(ExprId above, ExprId below) {
-    const std::array parts{above, below};
-    return tree_.add({.op = Op::divide, .span = span_}, parts);
-  }
-  ExprId velocity(ExprId vector, std::size_t axis) {
-    const Slot slot{static_cast<std::uint8_t>(axis), {}};
-    return component_of(tree_, vector, std::span(&slot, 1));
-  }
-
-  /// q' = q ω/2: q_0' = −q·ω/2 and q_i' = (q_0 ω_i + q_j ω_k − q_k ω_j)/2 for cyclic (i, j, k).
-  ExprId rate(std::size_t i, ExprId w) {
-    if (i == 0) {
-      std::vector<ExprId> terms;
-      for (std::size_t k = 1; k <= 3; ++k) terms.push_back(product({q(k), velocity(w, k)}));
-      return minus(over(sum(terms), number("2")));
-    }
-    const std::size_t j = i % 3 + 1;
-    const std::size_t k = j % 3 + 1;
-    const ExprId twice = sum({product({q(0), velocity(w, i)}), product({q(j), velocity(w, k)}),
-                              minus(product({q(k), velocity(w, j)}))});
-    return over(twice, number("2"));
-  }
-
-  ExprId matrix() {
-    std::vector<ExprId> rows;
-    for (std::size_t i = 1; i <= 3; ++i) {
-      std::vector<ExprId> row;
-      for (std::size_t j = 1; j <= 3; ++j) row.push_back(over(entry(i, j), squares(1)));
-      rows.push_back(tree_.add({.op = Op::tuple, .rank = 1, .span = span_}, row));
+  template <class Entry>
+  ExprId matrix(const Entry& entry) {
+    std::array<ExprId, 3> rows{};
+    for (std::uint8_t i = 1; i <= 3; ++i) {
+      const std::array row{entry(i, 1), entry(i, 2), entry(i, 3)};
+      rows[i - 1u] = tree_.add({.op = Op::tuple, .rank = 1, .span = span_}, row);
     }
     return tree_.add({.op = Op::tuple, .rank = 2, .span = span_}, rows);
   }
 
-  /// q_0² ± q·q
-  ExprId squares(int sign) {
-    std::vector<ExprId> terms;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const ExprId square = product({q(k), q(k)});
-      terms.push_back(k > 0 && sign < 0 ? minus(square) : square);
-    }
-    return sum(terms);
+  /// Ṙ_ij = −R_il ε_ljk ω_k = R_ik ω_l − R_il ω_k for cyclic (j, k, l).
+  ExprId rate(std::uint8_t i, std::uint8_t j, ExprId w) {
+    const auto k = static_cast<std::uint8_t>(j % 3 + 1);
+    const auto l = static_cast<std::uint8_t>(k % 3 + 1);
+    const ExprId second = product(i, l, w, k);
+    const std::array terms{product(i, k, w, l),
+                           tree_.add({.op = Op::negate, .span = span_}, std::span(&second, 1))};
+    return tree_.add({.op = Op::add, .span = span_}, terms);
   }
 
-  ExprId entry(std::size_t i, std::size_t j) {
-    const ExprId symmetric = product({number("2"), q(i), q(j)});
-    if (i == j) return sum({squares(-1), symmetric});
-    const std::size_t k = 6 - i - j;
-    const ExprId skew = product({number("2"), q(0), q(k)});
-    const bool cyclic = i % 3 + 1 == j;  // ε_ijk = 1
-    return sum({symmetric, cyclic ? minus(skew) : skew});
+  /// R_ij ω_k
+  ExprId product(std::uint8_t i, std::uint8_t j, ExprId w, std::uint8_t k) {
+    const std::array places{Slot{i, {}}, Slot{j, {}}};
+    const Slot axis{k, {}};
+    const std::array factors{tree_.add({.op = Op::symbol, .span = span_, .symbol = rotation_}, {}, places),
+                             component_of(tree_, w, std::span(&axis, 1))};
+    return tree_.add({.op = Op::multiply, .span = span_}, factors);
   }
 
   ExprTree& tree_;
@@ -98,98 +70,7 @@ class FrameBuilder {
   std::string rotating_;
   std::size_t directive_;
   Span span_;
-  std::array<SymbolId, 4> q_{};
-};
-
-}  // namespace
-
-namespace {
-
-/// Vectors' rates that were written before were taken along fixed axes: Rᵀ d(R A)/dt with components along
-/// the turning ones.
-class FixedRates {
- public:
-  FixedRates(ExprTree& tree, Names& names, SymbolId rotation)
-      : tree_(tree), names_(names), rotation_(rotation) {}
-
-  Names::Scene convert(const Names::Scene& before) {
-    Names::Scene after;
-    for (NamedDefinition each : before.definitions) {
-      if (is_vectors_rate(each.definition.symbol)) {  // a rule
-        after.assumptions.push_back(as_assumption(each));
-        continue;
-      }
-      each.definition.body = converted(each.definition.body);
-      after.definitions.push_back(std::move(each));
-    }
-    for (NamedAssumption each : before.assumptions) {
-      const bool along_fixed_axes =
-          names_an_axis(tree_, each.equation.left) || names_an_axis(tree_, each.equation.right);
-      each.at_instant = each.at_instant || along_fixed_axes;
-      each.equation.left = converted(each.equation.left);
-      each.equation.right = converted(each.equation.right);
-      after.assumptions.push_back(std::move(each));
-    }
-    return after;
-  }
-
-  [[nodiscard]] const std::optional<std::string>& too_large() const { return budget_.exceeded; }
-
- private:
-  bool is_vectors_rate(SymbolId symbol) const {
-    const auto& derivation = tree_.symbols[symbol].derivation;
-    return derivation && derivation->time > 0 && tree_.symbols[derivation->base].rank > 0;
-  }
-
-  NamedAssumption as_assumption(const NamedDefinition& rule) {
-    const Definition& definition = rule.definition;
-    ExprNode node{.op = Op::symbol, .span = tree_[definition.body].span, .symbol = definition.symbol};
-    node.particle = definition.particle;
-    NamedAssumption assumption;
-    assumption.origin = rule.origin;
-    assumption.depth = rule.depth;
-    std::vector<Slot> slots;
-    for (const IndexId index : definition.indices) slots.push_back({0, index});
-    node.rank =
-        slots.empty() ? static_cast<std::uint8_t>(tree_.symbols[definition.symbol].rank) : std::uint8_t{0};
-    assumption.equation.left = converted(tree_.add(node, {}, slots));
-    assumption.equation.right = converted(definition.body);
-    assumption.equation.indices = definition.indices;
-    if (definition.particle != no_particle) assumption.equation.particles.push_back(definition.particle);
-    return assumption;
-  }
-
-  ExprId converted(ExprId root) {
-    return replaced(tree_, root, [this](ExprId id) -> std::optional<ExprId> {
-      const ExprNode node = tree_[id];
-      if (!is_vectors_rate(node.symbol)) return std::nullopt;
-      const Derivation derivation = *tree_.symbols[node.symbol].derivation;
-      if (tree_.symbols[derivation.base].rank > 1 || derivation.space > 0 || derivation.small > 0)
-        return std::nullopt;
-      const std::vector<Slot> slots(tree_.slots(id).begin(), tree_.slots(id).end());
-      ExprNode base{.op = Op::symbol, .rank = 1, .span = node.span, .symbol = derivation.base};
-      base.particle = node.particle;
-      ExprId vector = tree_.add(base);
-      for (int k = 0; k < derivation.time; ++k) vector = rate_along_fixed_axes(vector);
-      return component_of(tree_, vector, slots);
-    });
-  }
-
-  ExprId rate_along_fixed_axes(ExprId vector) {
-    const Span span = tree_[vector].span;
-    const ExprId rotation = tree_.add({.op = Op::symbol, .rank = 2, .span = span, .symbol = rotation_});
-    const std::array turned{rotation, vector};
-    const ExprId fixed = tree_.add({.op = Op::dot, .rank = 1, .span = span}, turned);
-    const auto dependence_of = [this](SymbolId symbol) { return names_.dependence(tree_, symbol, By::time); };
-    Differentiator by_time(tree_, By::time, dependence_of, budget_);
-    const std::array back{by_time.derivative_or_zero(fixed), rotation};
-    return tree_.add({.op = Op::dot, .rank = 1, .span = span}, back);
-  }
-
-  ExprTree& tree_;
-  Names& names_;
-  SymbolId rotation_;
-  DerivativeBudget budget_;
+  SymbolId rotation_{};
 };
 
 }  // namespace
@@ -200,22 +81,49 @@ std::optional<std::string> declare_frame(ExprTree& tree, Names& names, const std
   Names::Scene before = names.scene();
   FrameBuilder builder(tree, names, rotating, directive, tree[angular_velocity].span);
   const SymbolId rotation = builder.rotation(angular_velocity);
-  FixedRates rates(tree, names, rotation);
-  Names::Scene after = rates.convert(before);
-  if (const auto& why = rates.too_large()) {
-    names.replace(std::move(before));
-    return why;
-  }
-  for (const NamedDefinition& each : names.definitions()) {
+  const std::vector<NamedDefinition> with_rotation = names.definitions();
+  names.declare_frame({rotating, fixed, rotation, angular_velocity, directive, 0}, before);
+  DerivativeBudget budget;
+  Names::Scene after = along_turning_axes(tree, names, rotation, before, budget);
+  for (const NamedDefinition& each : with_rotation) {
     const auto own = [&](const NamedDefinition& old) {
       return old.definition.symbol == each.definition.symbol;
     };
     if (std::none_of(before.definitions.begin(), before.definitions.end(), own))
       after.definitions.push_back(each);
   }
+  std::set<SymbolId> done;
+  for (const Names::Constant& constant : names.constants()) {
+    const Symbol& symbol = tree.symbols[constant.symbol];
+    const bool turns =
+        symbol.rank > 0 && !symbol.rotation && !names.is_principal_value(tree.symbols, constant.symbol);
+    if (turns && done.insert(constant.symbol).second)
+      after.assumptions.push_back(constant_along_fixed_axes(tree, names, rotation, constant, budget));
+  }
+  if (budget.exceeded) {
+    names.withdraw_frame();
+    names.replace(std::move(before));
+    return std::move(budget.exceeded);
+  }
   names.replace(std::move(after));
-  names.declare_frame({rotating, fixed, rotation, directive, 0}, std::move(before));
   return std::nullopt;
+}
+
+void leave_frames(ExprTree& tree, Names& names, int level) {
+  for (const Frame& frame : names.frames()) {
+    if (frame.depth < level) continue;
+    Names::Scene scene = names.scene();
+    std::vector<NamedDefinition> kept;
+    for (NamedDefinition& each : scene.definitions) {
+      if (!names.is_made_in_frame(each)) {
+        kept.push_back(std::move(each));
+      } else if (auto behind = along_fixed_axes(tree, names, frame, std::move(each))) {
+        kept.push_back(std::move(*behind));
+      }
+    }
+    scene.definitions = std::move(kept);
+    names.replace(std::move(scene));
+  }
 }
 
 }  // namespace rigor

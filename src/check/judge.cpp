@@ -363,15 +363,11 @@ Judgement judge(ExprTree& tree, Names& names, const Claim& claim) {
   return Judging(tree, names, claim).judge();
 }
 
-bool assumptions_have_a_sample(const ExprTree& tree, const Names& names) {
-  Question question;
-  question.tree = &tree;
-  for (const NamedDefinition& definition : names.definitions())
-    question.definitions.push_back(definition.definition);
-  for (const NamedAssumption& assumption : names.assumptions())
-    question.assumptions.push_back(assumption.equation);
-  if (question.assumptions.empty()) return true;
-  question.claim = question.assumptions.back();
+bool assumptions_have_a_sample(ExprTree& tree, Names& names) {
+  if (names.assumptions().empty()) return true;
+  const Equation last = names.assumptions().back().equation;
+  Question question = prepare(tree, names, last).question;
+  question.assumptions.push_back(last);  // also where it speaks of no symbol: 0 = 1
   return satisfiable(question);
 }
 

@@ -37,6 +37,6 @@ struct Claim {
 [[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim);
 
 /// Can the assumptions in scope be met at all, together?
-[[nodiscard]] bool assumptions_have_a_sample(const ExprTree& tree, const Names& names);
+[[nodiscard]] bool assumptions_have_a_sample(ExprTree& tree, Names& names);
 
 }  // namespace rigor

@@ -20,6 +20,7 @@ constexpr int largest_order = 2 * most_rates + most_axes;
 struct Found {
   Definition definition;
   const Origin* origin;
+  bool at_instant;
 };
 
 struct Orders {
@@ -40,9 +41,11 @@ class Preparation {
     follow(claim);
     for (const SymbolId symbol : reached_)
       highest_order_ = std::max(highest_order_, orders_of(symbol).total());
-    highest_order_ += slack_;
     if (precision_ == Precision::small_order) add_small();
-    for (bool grew = true; grew;) grew = add_assumptions();
+    for (const int beyond : {0, slack_}) {
+      beyond_ = beyond;
+      for (bool grew = true; grew;) grew = add_assumptions();
+    }
     add_lengths();
     prepared_.too_large = budget_.exceeded;
     return std::move(prepared_);
@@ -72,7 +75,7 @@ class Preparation {
 
   std::optional<Found> definition_of(SymbolId symbol, int depth) {
     if (const NamedDefinition* named = names_.definition_of(symbol))
-      return Found{named->definition, &named->origin};
+      return Found{named->definition, &named->origin, named->at_instant};
     const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
     if (!derivation || derivation->time + derivation->space + derivation->small > largest_order ||
         depth > largest_order)
@@ -82,8 +85,12 @@ class Preparation {
     for (const By by : {By::small, By::space, By::time}) {
       if (result) break;
       if (const auto parent = parent_of(*derivation, by)) {
-        if (const auto of = definition_of(*parent, depth + 1))
-          result = Found{differentiated(*of, symbol, by), of->origin};
+        const auto of = definition_of(*parent, depth + 1);
+        if (of && of->at_instant && by == By::time) {
+          note_unknown(derivation->base);
+        } else if (of) {
+          result = Found{differentiated(*of, symbol, by), of->origin, of->at_instant};
+        }
       }
     }
     derived_[symbol] = result;
@@ -166,10 +173,7 @@ class Preparation {
 
   // --- assumptions
 
-  SymbolId base_of(SymbolId symbol) const {
-    const auto& derivation = tree_.symbols[symbol].derivation;
-    return derivation ? derivation->base : symbol;
-  }
+  SymbolId base_of(SymbolId symbol) const { return rigor::base_of(tree_.symbols, symbol); }
 
   Orders orders_of(SymbolId symbol) const {
     const auto& derivation = tree_.symbols[symbol].derivation;
@@ -212,8 +216,9 @@ class Preparation {
       if (!is_joined(assumption.equation)) grew = add(assumption.equation, &assumption) || grew;
     }
     for (const SmallQuantity& small : names_.small()) {
-      const bool component = tree_[small.quantity].slot_count > 0;
-      if (precision_ == Precision::small_order && component) grew = add(vanishing(small), nullptr) || grew;
+      const ExprNode node = tree_[small.quantity];
+      const bool constrained = node.slot_count > 0 || definition_of(node.symbol, 0).has_value();
+      if (precision_ == Precision::small_order && constrained) grew = add(vanishing(small), nullptr) || grew;
     }
     return grew;
   }
@@ -234,6 +239,7 @@ class Preparation {
   bool add(const Equation& equation, const NamedAssumption* named) {
     const std::vector<SymbolId>& symbols = symbols_of(equation);
     Orders wanted{-1, -1};
+    Orders highest;
     int own_order = 0;
     for (const SymbolId own : symbols) {
       own_order = std::max(own_order, orders_of(own).total());
@@ -241,22 +247,43 @@ class Preparation {
         if (base_of(reached) != base_of(own)) continue;
         wanted.time = std::max(wanted.time, orders_of(reached).time - orders_of(own).time);
         wanted.space = std::max(wanted.space, orders_of(reached).space - orders_of(own).space);
+        highest.time = std::max(highest.time, orders_of(reached).time);
+        highest.space = std::max(highest.space, orders_of(reached).space);
       }
     }
     if (wanted.time < 0 && wanted.space < 0) return false;
+    if (named != nullptr && named->rate_of && !is_spoken_of(*named->rate_of, named)) return false;
+    // Derivatives beyond what was reached can speak of it, as the second one of x² = 0 does of ẋ.
+    if (wanted.time >= 0 && highest.time > 0) wanted.time += beyond_;
+    if (wanted.space >= 0 && highest.space > 0) wanted.space += beyond_;
     if (equation.relation != Relation::equal) wanted = {0, 0};
     if (named != nullptr && named->at_instant) {
       wanted = {0, 0};
-      if (highest_order_ > 0 && !symbols.empty()) note_unknown(symbols[0]);
+      if (highest_order_ + beyond_ > 0 && !symbols.empty()) note_unknown(symbols[0]);
     }
     bool grew = false;
-    const int more =
-        std::max(highest_order_ - own_order, 0);  // what goes beyond the claim's orders says nothing of it
+    // Laws of different orders in the same quantities meet at the highest of them.
+    highest_law_ = std::max(highest_law_, own_order);
+    const int highest_wanted =
+        beyond_ > 0 ? std::max(highest_order_ + beyond_, highest_law_) : highest_order_;
+    const int more = std::max(highest_wanted - own_order, 0);
     for (int time = 0; time <= std::clamp(wanted.time, 0, more); ++time) {
       for (int space = 0; space <= std::clamp(wanted.space, 0, more - time); ++space)
         grew = take(equation, named, {time, space}, own_order) || grew;
     }
     return grew;
+  }
+
+  /// By the claim, so far as was followed, or by an assumption other than this one.
+  bool is_spoken_of(SymbolId symbol, const NamedAssumption* by_this) {
+    const auto is_it = [&](SymbolId each) { return base_of(each) == symbol; };
+    if (std::any_of(reached_.begin(), reached_.end(), is_it)) return true;
+    return std::any_of(names_.assumptions().begin(), names_.assumptions().end(),
+                       [&](const NamedAssumption& other) {
+                         if (&other == by_this) return false;
+                         const std::vector<SymbolId>& symbols = symbols_of(other.equation);
+                         return std::any_of(symbols.begin(), symbols.end(), is_it);
+                       });
   }
 
   bool take(const Equation& equation, const NamedAssumption* named, Orders orders, int own_order) {
@@ -265,15 +292,14 @@ class Preparation {
     Equation changed = equation;
     for (int k = 0; k < orders.time; ++k) changed = derived(changed, By::time);
     for (int k = 0; k < orders.space; ++k) changed = derived(changed, By::space);
-    // beyond the claim's own orders it is not the notes that differentiate
-    if (orders.total() + own_order > highest_order_ - slack_)
-      prepared_.unknown_changes.resize(unknown_before);
     push(changed, named);
     const bool at_zero_only = named == nullptr;  // what is small vanishes to zeroth order only
     for (int k = 0; k < order_ && !at_zero_only && changed.relation == Relation::equal; ++k) {
       changed = derived(changed, By::small);
       push(changed, named);
     }
+    // beyond the claim's own orders it is not the notes that differentiate
+    if (orders.total() + own_order > highest_order_) prepared_.unknown_changes.resize(unknown_before);
     return true;
   }
 
@@ -354,6 +380,8 @@ class Preparation {
   DerivativeBudget budget_;
   std::set<SymbolId> reached_;
   int highest_order_ = 0;  // of a derivative in the claim, definitions unfolded
+  int highest_law_ = 0;    // of a derivative in an assumption as it stands
+  int beyond_ = 0;         // how far above it derivatives of assumptions are taken: 0, then `slack_`
   std::map<SymbolId, std::optional<Found>> derived_;
   std::map<ExprId, Equation> vanishing_;
   std::set<std::tuple<ExprId, ExprId, int, int>> taken_;

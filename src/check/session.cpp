@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/frame.h"
+
 namespace rigor {
 
 Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report)
@@ -59,6 +61,7 @@ void Session::sight_all() {
 
 void Session::follow(const Heading& heading) {
   end_section();
+  leave_frames(tree_, names_, heading.level);
   names_.open_section(heading.level);
   section_ = heading.title;
 }

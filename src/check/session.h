@@ -92,6 +92,8 @@ class Session {
   void add_assumption(const Typed& left, const Typed& right, const Equation& equation,
                       const ParsedChain& parsed, const Context& context, Step& step);
   bool is_rule(const Typed& left, const Typed& right);
+  bool is_determined(SymbolId symbol) const;
+  void assume_rules_above(SymbolId symbol);
   std::optional<Definition> as_square(const Typed& left, const Typed& right);
   bool stands_in_brackets(SyntaxId power) const;
   void accept(Judgement judgement, Step& step);

@@ -15,6 +15,11 @@ bool contains(const std::vector<SymbolId>& symbols, SymbolId symbol) {
   return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
 }
 
+int order_of(const ExprTree& tree, SymbolId symbol) {
+  const auto& derivation = tree.symbols[symbol].derivation;
+  return derivation ? derivation->time + derivation->space : 0;
+}
+
 }  // namespace
 
 /// The left side is one bare symbol with distinct index letters, or none, and nothing free on the right that
@@ -124,9 +129,23 @@ void Session::add_definition(const Typed& left, const Typed& right, const Parsed
     origin.text = fmt::format("let {}", name);
     origin.directive = context.directive;
   }
+  assume_rules_above(definition->symbol);
   names_.define({*definition, std::move(origin), 0});
   step.verdict = Verdict::definition;
   step.route = "definition";
+}
+
+/// What is now defined has derivatives of its own: rules for them are equations from here on.
+void Session::assume_rules_above(SymbolId symbol) {
+  Names::Scene scene = names_.scene();
+  std::erase_if(scene.definitions, [&](const NamedDefinition& rule) {
+    const SymbolId known = rule.definition.symbol;
+    const bool above = base_of(tree_.symbols, known) == base_of(tree_.symbols, symbol) &&
+                       order_of(tree_, known) > order_of(tree_, symbol);
+    if (above) scene.assumptions.push_back({as_equation(tree_, rule.definition), rule.origin, rule.depth});
+    return above;
+  });
+  names_.replace(std::move(scene));
 }
 
 /// Another section gives a symbol another meaning, in other symbols or as another number: a warning and a new
@@ -154,11 +173,22 @@ bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, c
   return true;
 }
 
+/// Does a definition say already what the symbol is, or how it changes? A second one beside it would be
+/// followed without the first: that both hold is an assumption. Of two rules, the one of lower order stays.
+bool Session::is_determined(SymbolId symbol) const {
+  const auto& definitions = names_.definitions();
+  return std::any_of(definitions.begin(), definitions.end(), [&](const NamedDefinition& entry) {
+    const SymbolId known = entry.definition.symbol;
+    return base_of(tree_.symbols, known) == base_of(tree_.symbols, symbol) &&
+           order_of(tree_, known) <= order_of(tree_, symbol);
+  });
+}
+
 /// `given \dot{\mathbf r} = …`: a derivative is replaced wherever it stands.
 bool Session::is_rule(const Typed& left, const Typed& right) {
   const auto definition = as_definition(left, right);
   if (!definition || tree_[left.id].op != Op::symbol) return false;
-  return tree_.symbols[definition->symbol].derivation && names_.definition_of(definition->symbol) == nullptr;
+  return tree_.symbols[definition->symbol].derivation && !is_determined(definition->symbol);
 }
 
 /// Rules for the components 1, 2 and 3 of one derivative are a rule for the whole.
@@ -167,7 +197,7 @@ bool Session::join_component_rules(const Typed& left) {
   const bool component = node.op == Op::symbol && tree_.symbols[node.symbol].derivation &&
                          tree_.symbols[node.symbol].rank == 1 && node.slot_count == 1 &&
                          node.particle == no_particle;
-  if (!component || names_.definition_of(node.symbol) != nullptr) return false;
+  if (!component || is_determined(node.symbol)) return false;
   std::array<const NamedAssumption*, 3> rules{};
   for (const NamedAssumption& assumption : names_.assumptions()) {
     const Equation& equation = assumption.equation;
@@ -190,6 +220,7 @@ bool Session::join_component_rules(const Typed& left) {
     if (!last && rule->origin.directive) names_.mark_used(*rule->origin.directive);
   }
   const ExprId whole = tree_.add({.op = Op::tuple, .rank = 1, .span = node.span}, components);
+  assume_rules_above(node.symbol);
   names_.define({{node.symbol, {}, no_particle, whole}, origin, 0});
   return true;
 }
@@ -201,7 +232,9 @@ void Session::add_assumption(const Typed& left, const Typed& right, const Equati
   step.verdict = Verdict::given;
   step.route = "assumption";
   if (equation.relation == Relation::equal && is_rule(left, right)) {
-    names_.define({*as_definition(left, right), std::move(origin), 0});
+    const Definition rule = *as_definition(left, right);
+    assume_rules_above(rule.symbol);
+    names_.define({rule, std::move(origin), 0});
     return;
   }
   names_.assume({equation, std::move(origin), 0});

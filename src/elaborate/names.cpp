@@ -104,7 +104,7 @@ void Names::forget_definition(SymbolId symbol) {
 void Names::open_section(int level) {
   const auto closed = [&](const auto& entry) { return entry.depth >= level; };
   while (!frames_.empty() && closed(frames_.back())) {
-    restore(std::move(before_frames_.back()));
+    restore(before_frames_.back());
     before_frames_.pop_back();
     frames_.pop_back();
   }
@@ -120,12 +120,21 @@ void Names::open_section(int level) {
   depth_ = level;
 }
 
+bool Names::is_made_in_frame(const NamedDefinition& definition) const {
+  if (before_frames_.empty() || definition.origin.directive) return false;
+  const std::vector<NamedDefinition>& before = before_frames_.back().definitions;
+  return std::none_of(before.begin(), before.end(), [&](const NamedDefinition& old) {
+    return old.definition.symbol == definition.definition.symbol && old.origin.text == definition.origin.text;
+  });
+}
+
 void Names::restore(Scene scene) {
   for (NamedDefinition& later : definitions_) {
-    const bool known = std::any_of(
-        scene.definitions.begin(), scene.definitions.end(),
-        [&](const NamedDefinition& entry) { return entry.definition.symbol == later.definition.symbol; });
-    if (!known && !later.origin.directive) scene.definitions.push_back(std::move(later));
+    if (!is_made_in_frame(later)) continue;
+    std::erase_if(scene.definitions, [&](const NamedDefinition& old) {
+      return old.definition.symbol == later.definition.symbol;
+    });
+    scene.definitions.push_back(std::move(later));
   }
   definitions_ = std::move(scene.definitions);
   assumptions_ = std::move(scene.assumptions);
@@ -151,6 +160,11 @@ void Names::declare_frame(Frame frame, Scene before) {
   before_frames_.push_back(std::move(before));
 }
 
+void Names::withdraw_frame() {
+  frames_.pop_back();
+  before_frames_.pop_back();
+}
+
 void Names::declare_small(SmallQuantity small) {
   small.depth = depth_;
   small_.push_back(std::move(small));
@@ -164,16 +178,15 @@ const NameKey* Names::key_of(SymbolId symbol) const {
 Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
   using Kind = Dependence::Kind;
   if (by == By::small) return {};  // what does not change in time can be small
-  const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
+  const SymbolId base = base_of(tree.symbols, symbol);
   const NameKey* base_key = key_of(base);
   for (const Constant& constant : constants_) {
     const NameKey* own = key_of(constant.symbol);
     const bool same = constant.symbol == base || (own != nullptr && base_key != nullptr && *own == *base_key);
     if (!same) continue;
-    // A vector that does not change along fixed axes does along turning ones; principal values are no vector.
-    const bool vector =
-        base_key != nullptr && base_key->rank == 1 && !sightings.diagonal.contains(base_key->base);
-    if (vector && by == By::time && constant.frames < frames_.size()) continue;
+    // A vector or tensor that does not change along fixed axes does along turning ones.
+    const bool turns = base_key != nullptr && base_key->rank > 0 && !is_principal_value(tree.symbols, base);
+    if (turns && by == By::time && constant.frames < frames_.size()) continue;
     mark_used(constant.directive);
     return {Kind::constant};
   }
@@ -189,6 +202,11 @@ Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
   return {};
 }
 
+bool Names::is_principal_value(const SymbolTable& symbols, SymbolId symbol) const {
+  const NameKey* key = key_of(base_of(symbols, symbol));
+  return key != nullptr && key->rank == 1 && sightings.diagonal.contains(key->base);
+}
+
 bool Names::is_field(const ExprTree& tree, SymbolId symbol) const {
   const auto& derivation = tree.symbols[symbol].derivation;
   const NameKey* key = key_of(derivation ? derivation->base : symbol);
@@ -196,10 +214,12 @@ bool Names::is_field(const ExprTree& tree, SymbolId symbol) const {
 }
 
 bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
-  const SymbolId base = tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->base : symbol;
+  const SymbolId base = base_of(tree.symbols, symbol);
   if (definition_of(base) != nullptr || definition_of(symbol) != nullptr) return true;
   const auto is_it = [&](const auto& entry) { return entry.first == base; };
   if (std::any_of(variables_.begin(), variables_.end(), is_it)) return true;
+  const auto constant = [&](const Constant& entry) { return entry.symbol == base; };
+  if (std::any_of(constants_.begin(), constants_.end(), constant)) return true;
   const NameKey* key = key_of(base);
   if (key == nullptr || by == By::small) return true;
   if (by == By::space) return sightings.fields.contains(key->base);

@@ -52,13 +52,15 @@ struct NamedDefinition {
   Definition definition;
   Origin origin;
   int depth = 0;
+  bool at_instant = false;  // said of components along other axes: it holds now, its derivatives do not
 };
 
 struct NamedAssumption {
   Equation equation;
   Origin origin;
   int depth = 0;
-  bool at_instant = false;      // said of components along other axes: it holds now, its derivatives do not
+  bool at_instant = false;            // as above
+  std::optional<SymbolId> rate_of{};  // all it says is how this changes: nothing, where nothing else has it
   bool without_sample = false;  // nothing was found that satisfies it: what is proved from it proves nothing
 };
 
@@ -68,6 +70,7 @@ struct Frame {
   std::string rotating;
   std::string fixed;
   SymbolId rotation{};
+  ExprId angular_velocity{};
   std::size_t directive = 0;
   int depth = 0;
 };
@@ -102,7 +105,7 @@ class Names {
 
   void define(NamedDefinition definition);
   void assume(NamedAssumption assumption);
-  /// What was defined and assumed, to be taken back by `restore` (but for definitions by equations).
+  /// What was defined and assumed, to be taken back by `restore` (but for what equations define since).
   struct Scene {
     std::vector<NamedDefinition> definitions;
     std::vector<NamedAssumption> assumptions;
@@ -117,7 +120,14 @@ class Names {
   /// What a directive defined and assumed holds no longer.
   void forget(std::size_t directive);
 
+  struct Constant {
+    SymbolId symbol{};
+    std::size_t directive = 0;
+    int depth = 0;
+    std::size_t frames = 0;  // in force where it stands
+  };
   void declare_constant(SymbolId symbol, std::size_t directive);
+  [[nodiscard]] const std::vector<Constant>& constants() const { return constants_; }
   void declare_variable(SymbolId symbol) { variables_.emplace_back(symbol, depth_); }
   /// How a symbol (or a derivative) changes; marks the directive that says so as used. What nothing is said
   /// of varies.
@@ -128,8 +138,14 @@ class Names {
   /// From here on components are along turning axes; `before` is what held without them, and holds again
   /// behind the section.
   void declare_frame(Frame frame, Scene before);
+  /// By an equation, and not before the frame in force.
+  [[nodiscard]] bool is_made_in_frame(const NamedDefinition& definition) const;
+  /// I_i where `I_{ij} = I_i\delta_{ij}` is said: three numbers that belong to axes, no vector.
+  [[nodiscard]] bool is_principal_value(const SymbolTable& symbols, SymbolId symbol) const;
   /// Does a ∂ or ∇ stand before it somewhere in the file?
   [[nodiscard]] bool is_field(const ExprTree& tree, SymbolId symbol) const;
+  /// As if the last frame had not been declared; its definitions stay.
+  void withdraw_frame();
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
   void declare_small(SmallQuantity small);
   [[nodiscard]] const std::vector<SmallQuantity>& small() const { return small_; }
@@ -171,12 +187,6 @@ class Names {
   struct ParticleLetter {
     std::size_t directive;
     int depth;
-  };
-  struct Constant {
-    SymbolId symbol{};
-    std::size_t directive = 0;
-    int depth = 0;
-    std::size_t frames = 0;  // in force where it stands
   };
   [[nodiscard]] const NameKey* key_of(SymbolId symbol) const;
 

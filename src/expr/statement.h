@@ -36,6 +36,9 @@ struct Equation {
   Relation relation = Relation::equal;
 };
 
+/// The symbol at its slots (and particle) equals the body.
+[[nodiscard]] Equation as_equation(ExprTree& tree, const Definition& definition);
+
 struct Question {
   const ExprTree* tree = nullptr;
   Equation claim;

@@ -67,4 +67,10 @@ class SymbolTable {
   std::map<std::array<std::uint32_t, 4>, SymbolId> derivatives_;  // by base and orders
 };
 
+/// What a derivative is of; any other symbol itself.
+[[nodiscard]] inline SymbolId base_of(const SymbolTable& symbols, SymbolId symbol) {
+  const auto& derivation = symbols[symbol].derivation;
+  return derivation ? derivation->base : symbol;
+}
+
 }  // namespace rigor

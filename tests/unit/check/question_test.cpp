@@ -46,6 +46,20 @@ TEST_CASE("what only an assumption's derivative shows is looked for") {
   CHECK(is_refuted(with(notes, "\\ddot{\\mathbf{r}} = \\mathbf{A}\\times\\mathbf{r}")));
 }
 
+TEST_CASE("before a claim is refuted, assumptions are differentiated once more than it is") {
+  const std::string square = scalars + rigor_says("given x^2 = 0");
+  CHECK(with(square, "\\dot x = 0") == "proved");
+  CHECK(is_refuted(with(square, "\\dot x = \\dot y")));
+  const std::string circle = scalars + rigor_says("given x^2 + y^2 = 0");
+  CHECK_FALSE(is_refuted(with(circle, "\\dot x^2 + \\dot y^2 = 0")));
+  const std::string length = vectors + rigor_says("given A^2 = 0");
+  CHECK_FALSE(is_refuted(with(length, "\\dot{\\mathbf{A}} = 0")));
+  CHECK_FALSE(is_refuted(with(length, "\\dot{\\mathbf{A}}\\cdot\\dot{\\mathbf{A}} = 0")));
+  const std::string field = scalars + rigor_says("given a^2 = 0");
+  CHECK(with(field, "\\partial_x a = 0") == "proved");
+  CHECK(is_refuted(with(field, "\\partial_x a = \\partial_x b")));
+}
+
 TEST_CASE("a rule is followed as often as it can be") {
   const std::string notes = scalars + rigor_says("given \\dot x = y") + rigor_says("given \\dot y = x + 1");
   CHECK(with(notes, "\\ddot x = x + 1") == "proved");
@@ -83,6 +97,19 @@ TEST_CASE("what is defined through something small is small, too") {
   const std::string notes = scalars + rigor_says("small x") + rigor_says("let b = ax");
   CHECK(with(notes, "b^2 \\approx 0") == "proved");
   CHECK(is_refuted(with(notes, "b \\approx 0")));
+}
+
+TEST_CASE("what is defined can be small itself") {
+  const std::string let = rigor_says("let b = x - y");
+  const std::string small = rigor_says("small b");
+  for (const std::string& notes : {scalars + let + small, scalars + small + let}) {
+    CHECK(with(notes, "b^2 \\approx 0") == "proved");
+    CHECK(with(notes, "x^2 \\approx y^2 + 2yb") == "proved");
+    CHECK(with(notes, "b\\dot b \\approx 0") == "proved");
+    CHECK(is_refuted(with(notes, "x^2 \\approx y^2 + yb")));
+    CHECK(is_refuted(with(notes, "x^2 \\approx y^2")));
+    CHECK(is_refuted(with(notes, "x \\approx y")));
+  }
 }
 
 TEST_CASE("a small divisor proves nothing") {

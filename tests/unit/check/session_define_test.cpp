@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is made of definitions, rules for derivatives and assumptions that speak of one symbol.
+#include "catch.h"
+#include "check/checked.h"
+#include "check/session.h"
+
+using namespace rigor;
+
+namespace {
+
+const std::string turning = rigor_says("vector \\mathbf{r}, \\boldsymbol{\\omega}, \\mathbf{F}") +
+                            rigor_says("scalar m") + rigor_says("constant \\boldsymbol{\\omega}, m");
+const std::string first = rigor_says("given \\dot{\\mathbf{r}} = \\boldsymbol{\\omega}\\times\\mathbf{r}");
+const std::string second = rigor_says("given \\ddot{\\mathbf{r}} = \\mathbf{F}/m");
+
+bool is_refuted(const std::string& line) { return line.starts_with("refuted"); }
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("two rules for one symbol's derivatives hold together") {
+  for (const std::string& both : {first + second, second + first}) {
+    const std::string notes = turning + both;
+    CHECK(verdict_on("\\mathbf{F} = m\\boldsymbol{\\omega}\\times(\\boldsymbol{\\omega}\\times\\mathbf{r})",
+                     notes) == "proved");
+    CHECK(is_refuted(verdict_on(
+        "\\mathbf{F} = -m\\boldsymbol{\\omega}\\times(\\boldsymbol{\\omega}\\times\\mathbf{r})", notes)));
+    CHECK(verdict_on("\\mathbf{F}\\cdot\\boldsymbol{\\omega} = 0", notes) == "proved");
+    CHECK(is_refuted(verdict_on("\\mathbf{F}\\cdot\\mathbf{r} = 0", notes)));
+  }
+}
+
+TEST_CASE("laws of two orders hold together, whatever the claim's own order is") {
+  const std::string notes =
+      turning + rigor_says("given 2\\dot{\\mathbf{r}} = 2\\boldsymbol{\\omega}\\times\\mathbf{r}") +
+      rigor_says("given m\\ddot{\\mathbf{r}} = \\mathbf{F}");
+  CHECK(verdict_on("\\mathbf{F}\\cdot\\boldsymbol{\\omega} = 0", notes) == "proved");
+  CHECK(is_refuted(verdict_on("\\mathbf{F}\\cdot\\mathbf{r} = 0", notes)));
+}
+
+TEST_CASE("rules that contradict each other have no sample, and prove nothing") {
+  const std::string notes =
+      rigor_says("scalar x") + rigor_says("given \\dot x = 1") + rigor_says("given \\ddot x = 1");
+  const std::string lines = lines_of(notes + "$$\\frac{d}{dt}(x\\dot x) = 1 + x$$\n\n$$\\ddot x = 1$$\n");
+  CHECK(has(lines, "no-sample"));
+  CHECK_FALSE(has(lines, "proved"));
+}
+
+TEST_CASE("an assumption without symbols that is false has no sample") {
+  CHECK(
+      has(lines_of(rigor_says("constant y") + rigor_says("given \\dot y = 1") + "$$y = y$$\n"), "no-sample"));
+}
+
+TEST_CASE("a rule for the rate of what is defined is an equation") {
+  const std::string known = rigor_says("vector \\mathbf{v}, \\mathbf{g}, \\mathbf{u}, \\mathbf{a}") +
+                            rigor_says("constant \\mathbf{g}");
+  const std::string let = rigor_says("let \\mathbf{v} = \\mathbf{u} + \\mathbf{g}t");
+  const std::string rule = rigor_says("given \\dot{\\mathbf{v}} = \\mathbf{a}");
+  for (const std::string& both : {let + rule, rule + let}) {
+    CHECK(verdict_on("\\mathbf{a} = \\mathbf{g} + \\dot{\\mathbf{u}}", known + both) == "proved");
+    CHECK(is_refuted(verdict_on("\\mathbf{a} = \\mathbf{g} - \\dot{\\mathbf{u}}", known + both)));
+    CHECK(is_refuted(verdict_on("\\mathbf{a} = \\dot{\\mathbf{u}}", known + both)));
+  }
+}
+
+TEST_CASE("a rule that a definition made an equation holds to the end of its own section") {
+  const std::string notes = "# One\n\n" + rigor_says("scalar v, a, u") + rigor_says("given \\dot v = a") +
+                            "## Within\n\n" + rigor_says("let v = u") + "$$\\dot u = a$$\n\n## Behind\n\n";
+  CHECK(verdict_on("\\dot v = a", notes) == "proved");
+  CHECK(is_refuted(verdict_on("\\dot u = a", notes)));
+}
+
+TEST_CASE("rules for three components are none for a vector that has one") {
+  const std::string notes = rigor_says("vector \\mathbf{r}, \\mathbf{A}") +
+                            rigor_says("given \\dot{\\mathbf{r}} = \\mathbf{A}") +
+                            rigor_says("given \\ddot r_1 = r_2") + rigor_says("given \\ddot r_2 = r_3") +
+                            rigor_says("given \\ddot r_3 = r_1");
+  CHECK(verdict_on("\\dot A_1 = r_2", notes) == "proved");
+  CHECK(is_refuted(verdict_on("\\dot A_1 = r_3", notes)));
+}
