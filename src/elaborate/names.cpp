@@ -176,6 +176,14 @@ const NameKey* Names::key_of(SymbolId symbol) const {
 }
 
 Dependence Names::dependence(const ExprTree& tree, SymbolId symbol, By by) {
+  Dependence result = change_of(tree, symbol, by);
+  const NamedDefinition* named = definition_of(symbol);
+  if (named != nullptr && named->definition.by_square && named->definition.particle == no_particle)
+    result.square = tree.children(named->definition.body)[0];
+  return result;
+}
+
+Dependence Names::change_of(const ExprTree& tree, SymbolId symbol, By by) {
   using Kind = Dependence::Kind;
   if (by == By::small) return {};  // what does not change in time can be small
   const SymbolId base = base_of(tree.symbols, symbol);

@@ -179,6 +179,7 @@ class Names {
   [[nodiscard]] std::vector<std::string> known_names(const ExprTree& tree) const;
 
  private:
+  [[nodiscard]] Dependence change_of(const ExprTree& tree, SymbolId symbol, By by);
   struct Entry {
     SymbolId symbol{};
     std::optional<std::size_t> directive;

@@ -168,6 +168,10 @@ std::optional<ExprId> Differentiator::of_quotient(ExprId id) {
 std::optional<ExprId> Differentiator::of_power(ExprId id) {
   const std::int32_t exponent = tree_[id].exponent;
   const ExprId base = child(id);
+  if (exponent % 2 == 0 && tree_[base].op == Op::symbol) {
+    if (const auto square = dependence_of_(tree_[base].symbol).square)
+      return derivative(exponent == 2 ? *square : make(Op::power, 0, {*square}, exponent / 2));
+  }
   const Maybe inner = derivative(base);
   if (!inner || exponent == 0) return std::nullopt;
   if (exponent == 1) return inner;

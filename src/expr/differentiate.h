@@ -22,6 +22,8 @@ struct Dependence {
   };
   Kind kind = Kind::varies;
   std::uint8_t axis = 0;  // variable, a coordinate of space: which
+  std::optional<ExprId> square =
+      {};  // what defines the symbol by its square; its own derivative has a root below
 };
 
 /// What derivatives may cost, shared by those of one statement: each derivative of a product has as many
