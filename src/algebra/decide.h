@@ -29,8 +29,14 @@ struct SideValues {
 };
 [[nodiscard]] std::optional<SideValues> replay(const Question& question, const Sample& sample);
 
-/// Are the assumptions satisfied by any sample at all? Nothing found is `false`; the reason is in the
-/// diagnostic of the caller.
-[[nodiscard]] bool satisfiable(const Question& question, const Limits& limits = {});
+/// A sample (particles and values) that satisfies all assumptions; empty if none was found. What is known of
+/// one, from fewer assumptions, is tried first, with new numbers for new symbols.
+[[nodiscard]] std::optional<Sample> satisfying_sample(const Question& question, const Sample& known = {},
+                                                      const Limits& limits = {});
+
+/// Are the assumptions satisfied by any sample at all? Nothing found is `false`.
+[[nodiscard]] inline bool satisfiable(const Question& question, const Limits& limits = {}) {
+  return satisfying_sample(question, {}, limits).has_value();
+}
 
 }  // namespace rigor

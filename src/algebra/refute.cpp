@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "algebra/sample_text.h"
+
 namespace rigor {
 namespace {
 
@@ -123,16 +125,7 @@ void Refuter::find_a_point() {
 Sample Refuter::to_sample(const Counterexample& found) const {
   Sample sample;
   sample.particles = found.point.particles();
-  for (const SymbolId symbol : reach_.symbols) {
-    const bool per_particle = scope_->tree().symbols[symbol].per_particle;
-    for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
-      SampleValue value{.symbol = symbol, .particle = p, .components = {}};
-      for (const Rational& component : found.point.values(symbol, p)) {
-        value.components.push_back(to_text(component, found.point.meaning(symbol)));
-      }
-      sample.values.push_back(std::move(value));
-    }
-  }
+  sample.values = values_of(found.point, scope_->tree());
   sample.axes = found.difference.place.axes;
   sample.free_particles = found.difference.place.particles;
   sample.left = to_text(found.difference.left);

@@ -363,12 +363,12 @@ Judgement judge(ExprTree& tree, Names& names, const Claim& claim) {
   return Judging(tree, names, claim).judge();
 }
 
-bool assumptions_have_a_sample(ExprTree& tree, Names& names) {
-  if (names.assumptions().empty()) return true;
+std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names, const Sample& known) {
+  if (names.assumptions().empty()) return Sample{};
   const Equation last = names.assumptions().back().equation;
   Question question = prepare(tree, names, last).question;
   question.assumptions.push_back(last);  // also where it speaks of no symbol: 0 = 1
-  return satisfiable(question);
+  return satisfying_sample(question, known);
 }
 
 }  // namespace rigor

@@ -36,7 +36,9 @@ struct Claim {
 
 [[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim);
 
-/// Can the assumptions in scope be met at all, together?
-[[nodiscard]] bool assumptions_have_a_sample(ExprTree& tree, Names& names);
+/// A sample that meets the last assumption together with those in scope that bear on it, if one is found;
+/// `known` met earlier ones.
+[[nodiscard]] std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names,
+                                                          const Sample& known = {});
 
 }  // namespace rigor

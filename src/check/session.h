@@ -114,6 +114,7 @@ class Session {
   std::string section_;
   std::vector<const Directive*> directives_;
   std::vector<std::pair<std::size_t, SymbolId>> constants_;  // directive, symbol
+  Sample sample_;                                            // the last one that met the assumptions in force
   // for the next statement; forgotten when it is over, whatever became of it
   std::vector<const Directive*> expectations_;
   const Directive* skip_ = nullptr;

@@ -239,8 +239,17 @@ void Session::add_assumption(const Typed& left, const Typed& right, const Equati
   }
   names_.assume({equation, std::move(origin), 0});
   if (join_component_rules(left)) return;
-  if (assumptions_have_a_sample(tree_, names_)) return;
+  const auto& assumptions = names_.assumptions();
+  const bool in_doubt = std::any_of(assumptions.begin(), assumptions.end(),
+                                    [](const NamedAssumption& each) { return each.without_sample; });
+  if (!in_doubt) {
+    if (auto sample = sample_of_assumptions(tree_, names_, sample_)) {
+      sample_ = *std::move(sample);
+      return;
+    }
+  }
   names_.doubt_last_assumption();
+  if (in_doubt) return;  // that there is no sample was said where it began
   step.diagnostics.push_back(
       {DiagnosticKind::no_sample,
        parsed.written.span,

@@ -75,6 +75,15 @@ TEST_CASE("an assumption that no sample satisfies is an error, and nothing is pr
         std::string::npos);
 }
 
+TEST_CASE("where there is no sample, none is looked for, and behind it there is one again") {
+  const std::string one = rigor_says("given a = 1");
+  const std::string two = rigor_says("where a = 2");
+  const std::string more = rigor_says("where b = 3");
+  CHECK(lines_of(one + two + more + "$$b = 3$$\n" + more + "$$b = 3$$\n") ==
+        "given\ngiven 2:19 no-sample\ngiven\nundecided 4:5 undecided\ngiven\nproved\n" +
+            std::string("1:13 unused-directive\n2:13 unused-directive\n"));
+}
+
 TEST_CASE("an assumption about a sum over particles is used inside other sums") {
   const std::string centre = rigor_says("given \\sum_\\alpha m_\\alpha\\mathbf{r}_\\alpha = 0");
   const std::string split =
