@@ -16,8 +16,7 @@ namespace rigor {
 /// one has, then one that is a whole side, then a particle's. What an assumption was solved for is not
 /// touched by others; where it is broken by them, it is solved again, a few times. Sides that an order holds
 /// apart are put at a small distance first. In the end everything is verified. Not complete: where the search
-/// finds nothing, another sample or another order
-/// (`attempt`) may do.
+/// finds nothing, another sample or another order (`attempt`) may do.
 class AssumptionSolver {
  public:
   AssumptionSolver(const Scope& scope, std::vector<std::size_t> assumptions);

@@ -208,15 +208,24 @@ class Judging {
     for (const std::string& convention : claim_.reading->conventions()) add_use("convention: " + convention);
   }
 
+  /// Under assumptions that no sample was found to satisfy, nothing is proved or refuted.
+  bool rests_on_the_impossible(const Decision& decision, const char* consequence) {
+    const bool rests =
+        std::any_of(decision.assumptions.begin(), decision.assumptions.end(), [this](std::size_t which) {
+          return prepared_.assumptions[which] != nullptr && prepared_.assumptions[which]->without_sample;
+        });
+    if (!rests) return false;
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided, consequence);
+    return true;
+  }
+
   void proved(const Decision& decision) {
-    for (const std::size_t which : decision.assumptions) {
-      if (prepared_.assumptions[which] == nullptr || !prepared_.assumptions[which]->without_sample) continue;
-      judgement_.verdict = Verdict::undecided;
-      add(DiagnosticKind::undecided,
-          "it follows from assumptions that no sample was found to satisfy, and from the impossible anything "
-          "follows");
+    if (rests_on_the_impossible(
+            decision,
+            "it follows from assumptions that no sample was found to satisfy, and from the "
+            "impossible anything follows"))
       return;
-    }
     judgement_.verdict = Verdict::proved;
     if (first_order_) note_neglected();
     const bool zero_written =
@@ -308,6 +317,9 @@ class Judging {
   void refuted(const Decision& decision) {
     mark_all_assumptions();
     if (doubts_change()) return;
+    if (rests_on_the_impossible(
+            decision, "no sample was found that satisfies all assumptions in force, so none can refute it"))
+      return;
     if (claim_.reading->guess() || claim_.doubt != nullptr) {
       const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
       judgement_.verdict = Verdict::not_understood;

@@ -235,7 +235,7 @@ class Preparation {
     return known;
   }
 
-  /// The assumption and those of its derivatives that speak of what was reached.
+  /// The assumption and those of its derivatives that speak of what was reached; one without symbols always.
   bool add(const Equation& equation, const NamedAssumption* named) {
     const std::vector<SymbolId>& symbols = symbols_of(equation);
     Orders wanted{-1, -1};
@@ -251,7 +251,7 @@ class Preparation {
         highest.space = std::max(highest.space, orders_of(reached).space);
       }
     }
-    if (wanted.time < 0 && wanted.space < 0) return false;
+    if (!symbols.empty() && wanted.time < 0 && wanted.space < 0) return false;
     if (named != nullptr && named->rate_of && !is_spoken_of(*named->rate_of, named)) return false;
     // Derivatives beyond what was reached can speak of it, as the second one of x² = 0 does of ẋ.
     if (wanted.time >= 0 && highest.time > 0) wanted.time += beyond_;

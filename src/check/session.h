@@ -44,6 +44,8 @@ class Session {
   void declare_read(const Directive& directive, const Typed& typed);
   void declare_small(const Directive& directive, const Typed& typed);
   void declare_constant(const Directive& directive, const Typed& typed);
+  void assume_rates_vanish(const Directive& directive, SymbolId symbol);
+  void check_constant(const Directive& directive);
   void imply_primed_axes();
   ExprId whole_symbol(const Typed& typed);
   void follow_chains(const ParsedDisplay& display);
@@ -91,6 +93,9 @@ class Session {
                       const Context& context, Step& step);
   void add_assumption(const Typed& left, const Typed& right, const Equation& equation,
                       const ParsedChain& parsed, const Context& context, Step& step);
+  bool is_in_doubt() const;
+  bool find_sample();  // of all assumptions in force
+  static Diagnostic no_sample(Span span);
   bool is_rule(const Typed& left, const Typed& right);
   bool is_determined(SymbolId symbol) const;
   void assume_rules_above(SymbolId symbol);

@@ -6,6 +6,7 @@
 
 #include "check/frame.h"
 #include "check/session.h"
+#include "expr/differentiate.h"
 
 namespace rigor {
 
@@ -130,6 +131,8 @@ void Session::declare_constant(const Directive& directive, const Typed& typed) {
   constants_.emplace_back(directive.number, symbol);
   if (!component) {
     names_.declare_constant(symbol, directive.number);
+    assume_rates_vanish(directive, symbol);
+    check_constant(directive);
     return;
   }
   Equation equation;
@@ -142,6 +145,41 @@ void Session::declare_constant(const Directive& directive, const Typed& typed) {
   equation.right = tree_.add_number(tree_[typed.id].span, "0");
   for (const FreeParticle& particle : typed.particles) equation.particles.push_back(particle.id);
   names_.assume({equation, {directive.text, section_, directive.number}, 0});
+  check_constant(directive);
+}
+
+/// What was given of a rate before is 0.
+void Session::assume_rates_vanish(const Directive& directive, SymbolId symbol) {
+  std::vector<Definition> rules;
+  for (const NamedDefinition& named : names_.definitions()) {
+    const auto& of = tree_.symbols[named.definition.symbol].derivation;
+    if (!of || of->base != symbol || of->time == 0) continue;
+    rules.push_back(named.definition);
+    if (named.origin.directive) names_.mark_used(*named.origin.directive);
+  }
+  for (const Definition& rule : rules) {
+    const ExprNode body = tree_[rule.body];
+    Equation equation;
+    equation.left = rule.body;
+    equation.right = zero_of_rank(tree_, body.span, body.rank);
+    equation.indices = rule.indices;
+    if (rule.particle != no_particle) equation.particles.push_back(rule.particle);
+    names_.assume({equation, {directive.text, section_, directive.number}, 0});
+  }
+}
+
+/// What is constant, and yet changes by the assumptions, makes all of them impossible.
+void Session::check_constant(const Directive& directive) {
+  if (names_.assumptions().empty() || is_in_doubt() || find_sample()) return;
+  for (const NamedAssumption& each : names_.assumptions()) {
+    if (each.origin.directive) names_.mark_used(*each.origin.directive);
+  }
+  Equation impossible;
+  impossible.left = tree_.add_number(directive.span, "0");
+  impossible.right = tree_.add_number(directive.span, "1");
+  names_.assume({impossible, {directive.text, section_, directive.number}, 0});
+  names_.doubt_last_assumption();
+  report_.diagnostics.push_back(no_sample(directive.span));
 }
 
 /// `basis \mathbf{e}_{i'}`: primed axes of any direction.

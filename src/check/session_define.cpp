@@ -239,23 +239,29 @@ void Session::add_assumption(const Typed& left, const Typed& right, const Equati
   }
   names_.assume({equation, std::move(origin), 0});
   if (join_component_rules(left)) return;
-  const auto& assumptions = names_.assumptions();
-  const bool in_doubt = std::any_of(assumptions.begin(), assumptions.end(),
-                                    [](const NamedAssumption& each) { return each.without_sample; });
-  if (!in_doubt) {
-    if (auto sample = sample_of_assumptions(tree_, names_, sample_)) {
-      sample_ = *std::move(sample);
-      return;
-    }
-  }
+  const bool is_doubted = is_in_doubt();  // then that was said where it began
+  if (!is_doubted && find_sample()) return;
   names_.doubt_last_assumption();
-  if (in_doubt) return;  // that there is no sample was said where it began
-  step.diagnostics.push_back(
-      {DiagnosticKind::no_sample,
-       parsed.written.span,
-       "no sample was found that satisfies this together with the assumptions in force",
-       {},
-       {"a proof from what cannot be proves nothing"}});
+  if (!is_doubted) step.diagnostics.push_back(no_sample(parsed.written.span));
+}
+
+bool Session::is_in_doubt() const {
+  return std::any_of(names_.assumptions().begin(), names_.assumptions().end(),
+                     [](const NamedAssumption& each) { return each.without_sample; });
+}
+
+bool Session::find_sample() {
+  auto sample = sample_of_assumptions(tree_, names_, sample_);
+  if (sample) sample_ = *std::move(sample);
+  return sample.has_value();
+}
+
+Diagnostic Session::no_sample(Span span) {
+  return {DiagnosticKind::no_sample,
+          span,
+          "no sample was found that satisfies this together with the assumptions in force",
+          {},
+          {"a proof from what cannot be proves nothing"}};
 }
 
 }  // namespace rigor

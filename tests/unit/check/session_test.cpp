@@ -84,6 +84,26 @@ TEST_CASE("where there is no sample, none is looked for, and behind it there is 
             std::string("1:13 unused-directive\n2:13 unused-directive\n"));
 }
 
+TEST_CASE("what is constant and yet changes is said at the directive, and decides nothing") {
+  const std::string declared = rigor_says("scalar a, z") + rigor_says("vector \\mathbf{w}");
+  const auto lines = [&](const std::string& first, const std::string& second, const std::string& claim) {
+    const std::string all =
+        lines_of(declared + rigor_says(first) + rigor_says(second) + "$$" + claim + "$$\n");
+    return all.substr(0, all.find("\n1:"));  // without what is not used of the declarations
+  };
+  const std::string at_second = "4:13 no-sample\n";
+  for (const char* claim : {"\\dot z = 1", "a^3 = a"}) {
+    CHECK(lines("given \\dot z = 1", "constant z", claim).starts_with("given\nundecided 5:"));
+    CHECK(lines("given \\dot z = 1", "constant z", claim).find(at_second) != std::string::npos);
+    CHECK(lines("constant z", "given \\dot z = 1", claim).starts_with("given 4:19 no-sample\nundecided 5:"));
+  }
+  CHECK(lines("given \\dot w_1 = 1", "constant \\mathbf{w}", "a^3 = a").find(at_second) != std::string::npos);
+  CHECK(lines("given \\dot w_1 = 1", "constant w_1", "a^3 = a").find(at_second) != std::string::npos);
+  CHECK(lines("given \\dot w_1 = 1", "constant w_2", "a^3 = a").starts_with("given\nrefuted"));
+  CHECK(lines("given \\dot z = a", "constant z", "a = 0").starts_with("given\nproved\n"));
+  CHECK(lines("given \\dot z = a", "constant z", "a^3 = 1").starts_with("given\nrefuted"));
+}
+
 TEST_CASE("an assumption about a sum over particles is used inside other sums") {
   const std::string centre = rigor_says("given \\sum_\\alpha m_\\alpha\\mathbf{r}_\\alpha = 0");
   const std::string split =
