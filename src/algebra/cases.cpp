@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "algebra/membership.h"
+#include "algebra/terms.h"
 
 namespace rigor {
 namespace {
@@ -17,8 +18,6 @@ constexpr int largest_cases = 24;
 constexpr int largest_substitutions = 200;
 constexpr double largest_substituted = 5000;   // terms, by the estimate
 constexpr std::size_t largest_divided = 2000;  // terms times terms
-
-[[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
 
 /// base^exponent, with 0^0 = 1 as in a polynomial; GiNaC refuses that.
 [[nodiscard]] ex natural_power(const ex& base, int exponent) {

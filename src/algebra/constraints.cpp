@@ -8,6 +8,7 @@
 
 #include "algebra/components.h"
 #include "algebra/kernel.h"
+#include "algebra/terms.h"
 
 namespace rigor {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 using GiNaC::ex;
 
 constexpr std::size_t largest_instances = 64;  // choices of the claim's particles for an assumption
-
-[[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
 
 /// The solution of an equation that is linear in x with a numeric coefficient.
 [[nodiscard]] ex solved_for(const ex& equation, const ex& x) {

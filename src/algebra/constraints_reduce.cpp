@@ -6,6 +6,7 @@
 
 #include "algebra/constraints.h"
 #include "algebra/membership.h"
+#include "algebra/terms.h"
 
 namespace rigor {
 namespace {
@@ -15,8 +16,6 @@ using GiNaC::ex;
 constexpr std::size_t largest_division = 100'000;  // terms times terms
 constexpr std::size_t largest_product = 500;       // terms
 constexpr std::size_t largest_tried = 8;           // factors that are not 0
-
-[[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
 
 /// Is a division worth its time?
 [[nodiscard]] bool is_divided(const ex& dividend, const ex& divisor) {

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "algebra/terms.h"
 #include "algebra/undecidable.h"
 
 namespace rigor {
@@ -15,16 +16,6 @@ namespace {
 using GiNaC::ex;
 
 constexpr std::size_t largest_argument = 12;  // terms
-
-/// The numeric factor of a term.
-[[nodiscard]] GiNaC::numeric coefficient_of(const ex& term) {
-  if (GiNaC::is_a<GiNaC::numeric>(term)) return GiNaC::ex_to<GiNaC::numeric>(term);
-  if (!GiNaC::is_a<GiNaC::mul>(term)) return 1;
-  for (std::size_t i = 0; i < term.nops(); ++i) {
-    if (GiNaC::is_a<GiNaC::numeric>(term.op(i))) return GiNaC::ex_to<GiNaC::numeric>(term.op(i));
-  }
-  return 1;
-}
 
 }  // namespace
 
@@ -38,9 +29,7 @@ std::vector<Functions::Multiple> Functions::multiples(Fraction argument) {
   ex divisor = 1;
   for (const Divisor& each : argument.divisors) divisor *= GiNaC::pow(each.base, each.exponent);
   std::map<std::string, Multiple> in_order;
-  const bool sum = GiNaC::is_a<GiNaC::add>(numerator);
-  for (std::size_t i = 0; i < (sum ? numerator.nops() : 1); ++i) {
-    const ex term = sum ? numerator.op(i) : numerator;
+  for (const ex& term : terms_of(numerator)) {
     const GiNaC::numeric coefficient = coefficient_of(term);
     const GiNaC::numeric count = coefficient * divisor_;
     if (!count.is_integer()) {

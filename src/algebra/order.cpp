@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "algebra/terms.h"
+
 namespace rigor {
 namespace {
 
@@ -22,24 +24,8 @@ constexpr std::size_t largest_root_sum = 20;    // terms
 constexpr std::size_t largest_quadratic = 150;  // terms
 constexpr double largest_substituted = 4000;    // terms, by the estimate
 
-[[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
 [[nodiscard]] bool is_positive(const ex& value) {
   return is_number(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_positive();
-}
-
-[[nodiscard]] std::vector<ex> terms_of(const ex& value) {
-  if (!GiNaC::is_a<GiNaC::add>(value)) return {value};
-  return {value.begin(), value.end()};
-}
-
-/// coefficient and product of powers of a term
-[[nodiscard]] std::pair<ex, ex> split_term(const ex& term) {
-  if (is_number(term)) return {term, 1};
-  if (!GiNaC::is_a<GiNaC::mul>(term)) return {1, term};
-  for (std::size_t i = 0; i < term.nops(); ++i) {
-    if (is_number(term.op(i))) return {term.op(i), term / term.op(i)};
-  }
-  return {1, term};
 }
 
 /// By what a fact may be multiplied so that a term cancels, one of unknown sign if signs are given: positive
@@ -47,12 +33,13 @@ constexpr double largest_substituted = 4000;    // terms, by the estimate
 [[nodiscard]] std::vector<GiNaC::numeric> multiples(const ex& value, const ex& fact, const Signs* signs) {
   std::map<ex, ex, GiNaC::ex_is_less> coefficients;
   for (const ex& term : terms_of(value)) {
-    const auto [coefficient, monomial] = split_term(term);
-    coefficients.emplace(monomial, coefficient);
+    const ex coefficient = coefficient_of(term);
+    coefficients.emplace(term / coefficient, coefficient);
   }
   std::vector<GiNaC::numeric> found;
   for (const ex& term : terms_of(fact)) {
-    const auto [coefficient, monomial] = split_term(term);
+    const ex coefficient = coefficient_of(term);
+    const ex monomial = term / coefficient;
     const auto at = coefficients.find(monomial);
     if (at == coefficients.end()) continue;
     if (signs != nullptr && is_within(signs->of(at->second * monomial), Sign::not_negative)) continue;

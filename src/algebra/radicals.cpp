@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
+#include "algebra/terms.h"
 #include "algebra/undecidable.h"
 
 namespace rigor {
@@ -16,8 +19,6 @@ using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
 constexpr std::size_t largest_factored = 32;  // terms; takes up to 30 ms
-
-[[nodiscard]] bool is_number(const ex& value) { return GiNaC::is_a<GiNaC::numeric>(value); }
 
 [[nodiscard]] Rational to_rational(const ex& value) {
   return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
@@ -46,12 +47,6 @@ struct SquareSplit {
   }
   split.rest = n;
   return split;
-}
-
-/// The factors of a product as GiNaC holds it, unexpanded.
-[[nodiscard]] std::vector<ex> factors_of(const ex& value) {
-  if (!GiNaC::is_a<GiNaC::mul>(value)) return {value};
-  return {value.begin(), value.end()};
 }
 
 /// base and exponent of a factor; 1 where it is no integer power.
@@ -125,6 +120,11 @@ std::vector<Radicals::Factor> Radicals::factors(const Fraction& value) {
     note_factors(found, reduced(arithmetic_.expanded(base, value.terms)), exponent, value.divisors);
   }
   for (const Divisor& each : value.divisors) note(found, each.base, -each.exponent);
+  if (found.size() < 2) return found;
+  std::map<std::string, Factor> in_order;  // GiNaC's order differs from run to run
+  for (Factor& each : found) in_order.emplace(indeterminates_.fingerprint(each.base), std::move(each));
+  found.clear();
+  for (auto& [fingerprint, factor] : in_order) found.push_back(std::move(factor));
   return found;
 }
 

@@ -59,6 +59,7 @@ class Radicals {
   [[nodiscard]] Fraction radical(const GiNaC::ex& square);
   [[nodiscard]] Fraction root_of_number(const Rational& value);
   [[nodiscard]] Fraction absolute(const GiNaC::ex& value);
+  /// In an order that is the same in every run: new radicals are made in it.
   [[nodiscard]] std::vector<Factor> factors(const Fraction& value);
   void note_factors(std::vector<Factor>& found, GiNaC::ex value, int exponent,
                     const std::vector<Divisor>& known);
