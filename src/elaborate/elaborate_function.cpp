@@ -21,8 +21,7 @@ std::optional<Typed> Elaborator::function(SyntaxId id) {
   }
   const Maybe inside = expression(argument);
   if (!inside) return inside;
-  if (name == "grad" || name == "div" || name == "curl" || name == "laplacian")
-    return apply_nabla(name, *inside, span);
+  if (const auto of_field = field_operator(name)) return apply_nabla(*of_field, *inside, span);
   return elementary(name, *inside, span);
 }
 

@@ -14,6 +14,7 @@
 #include "expr/differentiate.h"
 #include "expr/tree.h"
 #include "latex/syntax.h"
+#include "latex/vocabulary.h"
 #include "source/diagnostic.h"
 
 namespace rigor {
@@ -137,7 +138,7 @@ class Elaborator {
   bool is_total_rate_of_field(const Typed& typed, Span span);
   const WrittenSymbol& nabla_of(SyntaxId id) const;
   Maybe apply_operator(std::span<const SyntaxChild> factors, std::size_t at, std::size_t& next);
-  Maybe apply_nabla(const std::string& what, const Typed& operand, Span span);
+  Maybe apply_nabla(FieldOperator what, const Typed& operand, Span span);
   Maybe directional(const Typed& along, const Typed& operand, Span span);
   ExprId partial(ExprId id, std::uint8_t axis);
   ExprId at_axis(ExprId id, std::uint8_t axis);

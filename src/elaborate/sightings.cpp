@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "elaborate/letters.h"
+#include "latex/vocabulary.h"
 
 namespace rigor {
 namespace {
@@ -104,9 +105,7 @@ void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
         break;
       }
       case SyntaxKind::function:
-        for (const char* name : {"grad", "div", "curl", "laplacian"}) {
-          if (syntax.text(id) == name) sight_field(syntax, syntax.child(id, 0), names);
-        }
+        if (field_operator(syntax.text(id))) sight_field(syntax, syntax.child(id, 0), names);
         break;
       case SyntaxKind::term:
         for (std::size_t k = 0; k + 1 < children.size(); ++k) {

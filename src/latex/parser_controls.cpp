@@ -15,7 +15,7 @@ SyntaxId Parser::control(Cursor& cursor) {
   if (name == "pdv" || name == "partialderivative") return physics_derivative(cursor, true);
   if (name == "int" || name == "iiint") return integral(cursor);
   if (const auto known = function_name(name); !known.empty()) return function(cursor, known);
-  if (const auto known = field_operator(name); !known.empty()) return field_function(cursor, known);
+  if (field_operator(name)) return field_function(cursor, name);
   if (dots_of(token) > 0) return dotted(cursor);
   if (name == "sum") return big_sum(cursor);
   if (name == "abs" || name == "norm" || name == "qty" || name == "quantity" || name == "absolutevalue")

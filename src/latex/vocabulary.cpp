@@ -285,12 +285,13 @@ std::string_view function_name(std::string_view word) {
   return found == functions.end() ? std::string_view{} : *found;
 }
 
-std::string_view field_operator(std::string_view word) {
-  static const std::unordered_map<std::string_view, std::string_view> table{
-      {"grad", "grad"},      {"gradient", "grad"}, {"div", "div"},
-      {"divergence", "div"}, {"curl", "curl"},     {"laplacian", "laplacian"}};
+std::optional<FieldOperator> field_operator(std::string_view word) {
+  static const std::unordered_map<std::string_view, FieldOperator> table{
+      {"grad", FieldOperator::gradient},  {"gradient", FieldOperator::gradient},
+      {"div", FieldOperator::divergence}, {"divergence", FieldOperator::divergence},
+      {"curl", FieldOperator::curl},      {"laplacian", FieldOperator::laplacian}};
   const auto found = table.find(word);
-  return found == table.end() ? std::string_view{} : found->second;
+  return found == table.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::string_view unread_reason(std::string_view control) {

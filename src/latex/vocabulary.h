@@ -71,8 +71,9 @@ struct Style {
 [[nodiscard]] std::uint8_t dots_of(const Token& token);
 /// `sin` for `sin`, `tr` for `Tr`: the name of a function that is read; empty for other words.
 [[nodiscard]] std::string_view function_name(std::string_view word);
-/// `grad` for `grad` and `gradient`: the derivatives of fields that the physics package names.
-[[nodiscard]] std::string_view field_operator(std::string_view word);
+enum class FieldOperator : std::uint8_t { gradient, divergence, curl, laplacian };
+/// The derivatives of fields that the physics package names: `grad`, `gradient`, `div`…
+[[nodiscard]] std::optional<FieldOperator> field_operator(std::string_view word);
 
 /// Why a control is not read yet, e.g. "limits are not decided yet"; empty for unknown controls.
 [[nodiscard]] std::string_view unread_reason(std::string_view control);

@@ -109,10 +109,10 @@ TEST_CASE("Euler's number is a letter") {
 
 TEST_CASE("derivatives of fields by name are functions") {
   CHECK(parsed("\\grad f") == "(grad f)");
-  CHECK(parsed("\\gradient{f}") == "(grad f)");
+  CHECK(parsed("\\gradient{f}") == "(gradient f)");
   CHECK(parsed("\\grad(f+g)h") == "(term (grad (sum +f +g)) h)");
   CHECK(parsed("\\div\\mathbf A") == "(div vector:A)");
-  CHECK(parsed("\\divergence(\\mathbf A)") == "(div vector:A)");
+  CHECK(parsed("\\divergence(\\mathbf A)") == "(divergence vector:A)");
   CHECK(parsed("\\curl{\\mathbf A} + a") == "(sum +(curl vector:A) +a)");
   CHECK(parsed("\\laplacian f^2") == "(laplacian (power f 2))");
   CHECK(parsed("a\\div b") == "(term a <unsupported> b)");
