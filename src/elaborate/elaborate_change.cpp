@@ -58,13 +58,18 @@ bool Elaborator::is_total_rate_of_field(const Typed& typed, Span span) {
   return false;
 }
 
-/// `\dot x`. A dot on the length r of a vector is d|r|/dt, to the letter.
+/// `\dot x`. A dot on the length r of a vector is d|r|/dt, to the letter; on that of a particle's vector,
+/// squared, a missing bold face may be meant, as in ½ Σ m ṙ².
 std::optional<Typed> Elaborator::rate(const WrittenSymbol& written, Span span) {
   WrittenSymbol bare = written;
   const int times = std::exchange(bare.dots, std::uint8_t{0});
   Maybe typed = symbol(bare, span);
   if (!typed || frame_is_open(*typed, span) || is_total_rate_of_field(*typed, span)) return std::nullopt;
   if (tree_[typed->id].op != Op::length || !squared_) return rate_of(std::move(*typed), times);
+  const ExprNode& vector_of_length = tree_[tree_.children(typed->id)[0]];
+  const bool of_particle =
+      vector_of_length.op == Op::symbol && tree_.symbols[vector_of_length.symbol].per_particle;
+  if (!of_particle) return rate_of(std::move(*typed), times);
   dotted_length_ = span;
   if (!reading_.dots_on_vectors) return rate_of(std::move(*typed), times);
   typed->id = tree_.children(typed->id)[0];
@@ -212,9 +217,12 @@ std::optional<Typed> Elaborator::apply_operator(std::span<const SyntaxChild> fac
   if (syntax_[id].kind == SyntaxKind::power) {
     if (integer(syntax_.child(id, 1)) != 2 || joint != Joint::juxtaposed)
       return unsupported(span, "of powers of `\\nabla`, `\\nabla^2` is read");
-    return apply_nabla("laplacian", *operand, whole);
+    return apply_nabla(FieldOperator::laplacian, *operand, whole);
   }
-  return apply_nabla(joint == Joint::dot ? "div" : joint == Joint::cross ? "curl" : "grad", *operand, whole);
+  return apply_nabla(joint == Joint::dot     ? FieldOperator::divergence
+                     : joint == Joint::cross ? FieldOperator::curl
+                                             : FieldOperator::gradient,
+                     *operand, whole);
 }
 
 ExprId Elaborator::partial(ExprId id, std::uint8_t axis) {
@@ -231,32 +239,39 @@ ExprId Elaborator::sum_of(std::vector<ExprId> terms, int rank, Span span) {
 }
 
 /// (∇f)_i = ∂_i f, (∇A)_ij = ∂_i A_j, ∇·A = ∂_i A_i, (∇×A)_i = ε_ijk ∂_j A_k, ∇²A = ∂_i ∂_i A.
-std::optional<Typed> Elaborator::apply_nabla(const std::string& what, const Typed& operand, Span span) {
-  const bool of_vector = what == "div" || what == "curl";
+std::optional<Typed> Elaborator::apply_nabla(FieldOperator what, const Typed& operand, Span span) {
+  const bool of_vector = what == FieldOperator::divergence || what == FieldOperator::curl;
   if (of_vector && operand.rank != 1)
     return operand.rank > 1
                ? unsupported(span, "the divergence of a tensor is not decided in this notation")
                : fail(DiagnosticKind::rank_mismatch, span, "a divergence or curl is taken of a vector",
                       {"`\\nabla f` is the gradient"});
   if (operand.rank > 1) return unsupported(span, "derivatives of tensors are decided in index notation only");
-  Typed typed = operand;
-  std::vector<ExprId> parts;
-  for (std::uint8_t i = 1; i <= 3; ++i) {
+  const auto along = [&](std::uint8_t i) -> ExprId {
     const auto j = static_cast<std::uint8_t>(i % 3 + 1);
     const auto k = static_cast<std::uint8_t>(j % 3 + 1);
-    if (what == "grad") parts.push_back(partial(operand.id, i));
-    if (what == "div") parts.push_back(at_axis(partial(operand.id, i), i));
-    if (what == "laplacian") parts.push_back(partial(partial(operand.id, i), i));
-    if (what != "curl") continue;
-    const ExprId minus = at_axis(partial(operand.id, k), j);
-    const ExprId negated = tree_.add({.op = Op::negate, .span = span}, std::span(&minus, 1));
-    parts.push_back(sum_of({at_axis(partial(operand.id, j), k), negated}, 0, span));
-  }
-  const bool tuple = what == "grad" || what == "curl";
-  typed.rank = what == "grad" ? operand.rank + 1 : what == "div" ? 0 : operand.rank;
-  typed.id =
-      tuple ? tree_.add({.op = Op::tuple, .rank = static_cast<std::uint8_t>(typed.rank), .span = span}, parts)
-            : sum_of(parts, typed.rank, span);
+    switch (what) {
+      case FieldOperator::gradient:
+        return partial(operand.id, i);
+      case FieldOperator::divergence:
+        return at_axis(partial(operand.id, i), i);
+      case FieldOperator::laplacian:
+        return partial(partial(operand.id, i), i);
+      case FieldOperator::curl:
+        break;
+    }
+    const ExprId subtracted = at_axis(partial(operand.id, k), j);
+    const ExprId negated = tree_.add({.op = Op::negate, .span = span}, std::span(&subtracted, 1));
+    return sum_of({at_axis(partial(operand.id, j), k), negated}, 0, span);
+  };
+  std::vector<ExprId> parts{along(1), along(2), along(3)};
+  Typed typed = operand;
+  if (what == FieldOperator::gradient) ++typed.rank;
+  if (what == FieldOperator::divergence) typed.rank = 0;
+  const bool is_sum = what == FieldOperator::divergence || what == FieldOperator::laplacian;
+  const auto rank = static_cast<std::uint8_t>(typed.rank);
+  typed.id = is_sum ? sum_of(std::move(parts), typed.rank, span)
+                    : tree_.add({.op = Op::tuple, .rank = rank, .span = span}, parts);
   return typed;
 }
 

@@ -200,6 +200,7 @@ Dependence Names::change_of(const ExprTree& tree, SymbolId symbol, By by) {
   }
   const NameKey* key = key_of(symbol);
   if (key == nullptr || key->per_particle || definition_of(symbol) != nullptr) return {};
+  if (*key == NameKey{"\\pi", 0, false} && !is_declared(*key)) return {Kind::constant};
   const bool time = *key == NameKey{"t", 0, false};
   if (time) return {by == By::time ? Kind::variable : Kind::constant};
   if (by != By::space) return {};

@@ -339,10 +339,13 @@ TEST_CASE("a letter that is free on the other side is not summed, and a prime ma
   CHECK(verdict_on("A_{i'} = A_i", primed).starts_with("refuted"));
 }
 
-TEST_CASE("a dot on a length is read on the vector only where that proves the step") {
-  const std::string vector = rigor_says("vector \\mathbf{r}");
-  CHECK(verdict_on("\\dot r^2 = \\dot{\\mathbf{r}}\\cdot\\dot{\\mathbf{r}}", vector).find("dotted-length") !=
-        std::string::npos);
+TEST_CASE("a dot on a particle's length is read on the vector only where that proves the step") {
+  const std::string vector =
+      rigor_says("vector \\mathbf{r}, \\mathbf{r}_\\alpha") + rigor_says("particles \\alpha");
+  const std::string of_particle =
+      "\\dot r_\\alpha^2 = \\dot{\\mathbf{r}}_\\alpha\\cdot\\dot{\\mathbf{r}}_\\alpha";
+  CHECK(verdict_on(of_particle, vector).find("dotted-length") != std::string::npos);
+  CHECK(verdict_on("\\dot r^2 = \\dot{\\mathbf{r}}\\cdot\\dot{\\mathbf{r}}", vector).starts_with("refuted"));
   CHECK(verdict_on("r\\dot r = \\mathbf{r}\\cdot\\dot{\\mathbf{r}}", vector) == "proved");
   CHECK(verdict_on("\\dot r^2 = 2\\dot{\\mathbf{r}}\\cdot\\dot{\\mathbf{r}}", vector).starts_with("refuted"));
 }
