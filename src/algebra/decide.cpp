@@ -248,7 +248,8 @@ std::string Decider::why_open() const {
   std::string reason = "no proof";
   if (last_proof_.radicals) reason = "no proof, since its roots may depend on each other";
   if (last_proof_.unsolved_assumptions) reason = "no proof, since its assumptions have no unique solution";
-  return fmt::format("{}; it holds on {} of {} exact samples", reason, refuter_.points_compared(), tried);
+  return fmt::format("{}; it holds on all of {} exact samples on which both sides have a rational value",
+                     reason, refuter_.points_compared());
 }
 
 /// Samples that are too much work are not the end: a proof may be less.

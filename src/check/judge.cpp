@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "algebra/decide.h"
@@ -54,7 +55,7 @@ std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symb
 
 /// A symbol's name without face and braces: `\boldsymbol{\omega}` is `\omega`.
 std::string bare_name(std::string name) {
-  for (const char* mark : {"\\mathbf", "\\boldsymbol", "\\text", "\\hat", "\\mathrm", "{", "}", "'"}) {
+  for (const char* mark : {"\\mathbf", "\\boldsymbol", "\\text", "\\mathrm", "{", "}", "'"}) {
     for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark))
       name.erase(at, std::string(mark).size());
   }
@@ -62,18 +63,19 @@ std::string bare_name(std::string name) {
 }
 
 /// A known name that differs in face, primes or one letter of a long name. One that the statement has, too,
-/// is another quantity, and so is one with another number.
+/// is another quantity, and so is one with another number, sign or accent.
 std::optional<std::string> likely_meant(const std::string& name, const std::vector<std::string>& known,
                                         const std::set<std::string>& in_statement) {
   const std::string bare = bare_name(name);
-  const auto has_digit = [](const std::string& text) {
-    return std::any_of(text.begin(), text.end(), [](char each) { return each >= '0' && each <= '9'; });
+  const auto is_word = [](const std::string& text) {
+    return std::all_of(text.begin(), text.end(), [](char each) {
+      return std::isalpha(static_cast<unsigned char>(each)) != 0 || each == '\\' || each == '_';
+    });
   };
   for (const std::string& other : known) {
     if (in_statement.contains(other)) continue;
     const std::string candidate = bare_name(other);
-    const bool long_enough =
-        bare.size() > 4 && candidate.size() > 4 && !has_digit(bare) && !has_digit(candidate);
+    const bool long_enough = bare.size() > 4 && candidate.size() > 4 && is_word(bare) && is_word(candidate);
     if (candidate == bare || (long_enough && edit_distance(candidate, bare, 1) == 1)) return other;
   }
   return std::nullopt;

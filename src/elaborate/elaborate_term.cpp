@@ -101,14 +101,14 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
     if (holds_one_symbol(syntax_, next) || looks_like_argument(symbol, next) ||
         (syntax_[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
       const SyntaxId argument = syntax_.child(next, 0);
-      const bool declared = syntax_[argument].kind == SyntaxKind::symbol &&
-                            syntax_[next].kind == SyntaxKind::group &&
-                            names_.is_declared({syntax_.symbol(argument).letter, 0, false});
-      if (declared) continue;
+      const bool one_symbol =
+          syntax_[argument].kind == SyntaxKind::symbol && syntax_[next].kind == SyntaxKind::group;
+      if (one_symbol && names_.is_declared({syntax_.symbol(argument).letter, 0, false})) continue;
       fail(DiagnosticKind::ambiguous_reading, cover(syntax_[id].span, syntax_[next].span),
            "this can be a product or the value of a function",
-           {"a function's argument is not written in definitions and claims; `rigor: scalar …` for what is "
-            "in the bracket makes it a product"});
+           {"a function's argument is not written in definitions and claims",
+            fmt::format("`rigor: scalar {}` makes it a product",
+                        one_symbol ? syntax_.symbol(argument).letter : symbol.letter)});
       return true;
     }
     const bool bare_d =
