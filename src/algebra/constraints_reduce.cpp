@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "algebra/constraints.h"
+#include "algebra/expansion.h"
 #include "algebra/membership.h"
 #include "algebra/terms.h"
 
@@ -15,7 +16,8 @@ using GiNaC::ex;
 
 constexpr std::size_t largest_division = 100'000;  // terms times terms
 constexpr std::size_t largest_product = 500;       // terms
-constexpr std::size_t largest_tried = 8;           // factors that are not 0
+constexpr std::size_t largest_tried = 12;          // factors that are not 0, and their squares
+constexpr int largest_power = 2;                   // of one of them
 
 /// Is a division worth its time?
 [[nodiscard]] bool is_divided(const ex& dividend, const ex& divisor) {
@@ -66,9 +68,19 @@ bool Constraints::is_combination_times_nonzero(const ex& value, const System& sy
   if (is_zero(value)) return true;
   std::size_t tried = 0;
   return std::any_of(system.nonzero.begin(), system.nonzero.end(), [&](const ex& factor) {
-    if (is_number(factor) || term_count(factor) * term_count(value) > largest_product) return false;
-    if (++tried > largest_tried) return false;
-    return is_zero((value * factor).expand());
+    if (is_number(factor)) return false;
+    ex product = value;
+    ex alone = 1;
+    for (int power = 1; power <= largest_power; ++power) {
+      if (term_count(factor) * term_count(product) > largest_product || ++tried > largest_tried) return false;
+      product = expanded_polynomial(product * factor);
+      alone = expanded_polynomial(alone * factor);
+      if (!is_zero(product)) continue;
+      if (is_combination(alone, system.equations, all))
+        throw Undecidable("the assumptions contradict each other");
+      return true;
+    }
+    return false;
   });
 }
 
