@@ -39,7 +39,8 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {unused_directive, "unused-directive", error, "nothing uses a directive"},
     {unknown_anchor, "unknown-anchor", error, "a sidecar names a place that the notes do not have"},
 
-    {undeclared_symbol, "undeclared-symbol", not_understood, "nothing says that a symbol is meant for all values"},
+    {undeclared_symbol, "undeclared-symbol", not_understood,
+     "nothing says that a symbol is meant for all values"},
     {ambiguous_reading, "ambiguous-reading", not_understood, "the notation allows two readings"},
     {free_index_mismatch, "free-index-mismatch", error, "the free indices of two sides or two terms differ"},
     {index_repeats, "index-repeats", error, "an index occurs more than twice in one term"},
