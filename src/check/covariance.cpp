@@ -56,7 +56,6 @@ class Counting {
     return std::nullopt;
   }
 
- public:
   /// A written 0 of any rank.
   bool is_zero(ExprId id) const {
     if (tree_[id].op != Op::tuple) return tree_.is_zero_literal(id);
