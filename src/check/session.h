@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "check/chain_reading.h"
 #include "check/judge.h"
 #include "check/notes.h"
 #include "check/report.h"
@@ -59,32 +60,13 @@ class Session {
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
 
   void chain(const ParsedChain& parsed, const Context& context);
-  struct Side {
-    std::optional<Typed> typed;
-    Diagnostics diagnostics;
-  };
+  using Side = ChainReading::Side;
   bool reads(const ParsedChain& parsed);
-  /// The sides of a chain, read in one way.
-  struct Attempt {
-    Diagnostics own;
-    Reading reading;
-    Elaborator elaborator;
-    std::vector<Side> sides;
-    Attempt(Session& session, const ParsedChain& parsed, const Reading& how);
-  };
-  std::unique_ptr<Attempt> read(const ParsedChain& parsed);
-  bool is_balanced(const std::vector<Side>& sides) const;
-  Letters letters_of(const ParsedChain& parsed) const {
-    return read_letters(notes_.syntax, parsed.sides, names_);
-  }
   bool proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t which, const Claim& claim,
                                    Step& step);
-  std::optional<Claim> claim_of(const ParsedChain& parsed, std::size_t which, const Typed& left,
-                                const Typed& right, Elaborator& elaborator, const Context& context,
-                                Diagnostics& diagnostics);
-  void step(const ParsedChain& parsed, std::size_t which, Attempt& attempt, const Context& context);
-  void decide_step(const ParsedChain& parsed, std::size_t which, Attempt& attempt, const Context& context,
-                   Step& step);
+  void step(const ParsedChain& parsed, std::size_t which, ChainReading& reading, const Context& context);
+  void decide_step(const ParsedChain& parsed, std::size_t which, ChainReading& reading,
+                   const Context& context, Step& step);
   bool defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context,
                Step& step);
   bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right,

@@ -17,9 +17,9 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
                                    "no relation stands here, so there is nothing to decide"});
     return;
   }
-  const std::unique_ptr<Attempt> attempt = read(parsed);
-  for (const std::string& letter : attempt->reading.unsummed) {
-    attempt->sides[0].diagnostics.push_back(
+  const std::unique_ptr<ChainReading> reading = read_chain(notes_.syntax, tree_, names_, parsed);
+  for (const std::string& letter : reading->how().unsummed) {
+    reading->sides[0].diagnostics.push_back(
         {DiagnosticKind::unsummed_index,
          parsed.written.span,
          fmt::format(
@@ -28,8 +28,8 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
          {},
          {"say `(\\text{no sum})` beside the equation"}});
   }
-  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *attempt, context);
-  const std::vector<Side>& sides = attempt->sides;
+  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *reading, context);
+  const std::vector<Side>& sides = reading->sides;
   mark_seen(sides);
   if (context.role == Role::display || context.role == Role::claim) excuse_refuted(parsed, first_step);
 }
@@ -53,58 +53,6 @@ void Session::report_unmet(const Directive& expectation, Span statement) {
                                  expectation.span,
                                  "the next statement was expected to be refuted and is not",
                                  {{statement, "this statement"}}});
-}
-
-Session::Attempt::Attempt(Session& session, const ParsedChain& parsed, const Reading& how)
-    : reading(how),
-      elaborator(session.notes_.syntax, session.tree_, session.names_, session.letters_of(parsed), own, how) {
-  for (const SyntaxId id : parsed.sides) {
-    Side side;
-    side.typed = elaborator.expression(id);
-    side.diagnostics = std::exchange(own, {});
-    if (sides.empty() && side.typed) elaborator.expect_slots(side.typed->free);
-    sides.push_back(std::move(side));
-  }
-}
-
-/// The plain reading, unless the indices of the sides only fit in another one: a letter that is free on one
-/// side is not summed on another, or a prime does not make another letter of it.
-std::unique_ptr<Session::Attempt> Session::read(const ParsedChain& parsed) {
-  const Reading plain{.no_sum = parsed.written.no_sum};
-  auto first = std::make_unique<Attempt>(*this, parsed, plain);
-  if (parsed.sides.size() < 2 || is_balanced(first->sides)) return first;
-  Reading unsummed = plain;
-  const bool all_read = std::all_of(first->sides.begin(), first->sides.end(),
-                                    [](const Side& side) { return side.typed.has_value(); });
-  for (const Side& side : first->sides) {
-    if (!all_read) break;
-    for (const FreeIndex& free : side.typed->free) {
-      if (first->elaborator.summed_letters().contains(free.letter)) unsummed.unsummed.insert(free.letter);
-    }
-  }
-  Reading primes = plain;
-  primes.primes_on_axes = true;
-  for (const Reading& other : {unsummed, primes}) {
-    const bool differs = !other.unsummed.empty() || other.primes_on_axes;
-    if (!differs) continue;
-    auto attempt = std::make_unique<Attempt>(*this, parsed, other);
-    if (is_balanced(attempt->sides)) return attempt;
-  }
-  return first;
-}
-
-/// All sides are read, and have the same free letters (a number has none and fits all).
-bool Session::is_balanced(const std::vector<Side>& sides) const {
-  std::optional<std::set<std::string>> first;
-  for (const Side& side : sides) {
-    if (!side.typed) return false;
-    std::set<std::string> own;
-    for (const FreeIndex& free : side.typed->free) own.insert(free.letter);
-    if (is_literal_zero(tree_, *side.typed)) continue;
-    if (first && *first != own) return false;
-    first = own;
-  }
-  return true;
 }
 
 /// An expression without a relation is passed over with a warning, unless it cannot even be read: then it is
