@@ -39,6 +39,13 @@ struct Counterexample {
   bool squared_distance = false;  // `left` is |left − right|², of vectors or tensors that are to be unequal
 };
 
+/// A true statement near a refuted one.
+struct Repair {
+  bool on_left = false;   // which side is changed
+  std::string statement;  // LaTeX of the whole step, in the author's notation
+  std::string change;     // in words
+};
+
 /// One relation of one chain.
 struct Step {
   Span span;  // the relation and both its sides
@@ -55,6 +62,8 @@ struct Step {
   std::string route;
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`
   std::optional<Counterexample> counterexample;
+  std::vector<Repair> repairs;       // of a refuted step, the nearest first; at most three
+  double repair_milliseconds = 0.0;  // the time that was taken to find them
   Diagnostics diagnostics;
   double milliseconds = 0.0;
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/chain_reading.h"
+#include "check/check.h"
 #include "check/judge.h"
 #include "check/notes.h"
 #include "check/report.h"
@@ -17,10 +18,9 @@ namespace rigor {
 
 class Session {
  public:
-  Session(const SourceMap& sources, const Notes& notes, FileReport& report);
+  Session(const SourceMap& sources, const Notes& notes, FileReport& report, const CheckOptions& options);
 
-  /// `progress` is called after each event with the numbers done and in all; may be empty.
-  void run(const std::function<void(std::size_t, std::size_t)>& progress);
+  void run();
 
  private:
   /// How a chain's statements enter: as claims of the notes, or by a directive.
@@ -55,6 +55,7 @@ class Session {
   void end_section();
   void forget_wheres();
   void excuse_refuted(const ParsedChain& parsed, std::size_t first_step);
+  void suggest_repairs(const ParsedChain& parsed, const Context& context, std::size_t first_step);
   void report_unmet(const Directive& expectation, Span statement);
   void report_unused();
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
@@ -96,6 +97,7 @@ class Session {
   const SourceMap& sources_;
   const Notes& notes_;
   FileReport& report_;
+  const CheckOptions& options_;
   ExprTree tree_;
   Names names_;
   std::string section_;

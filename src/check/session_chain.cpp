@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
+#include "check/repair.h"
 #include "check/session.h"
 
 namespace rigor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
   const std::size_t first_step = report_.steps.size();
@@ -31,7 +38,35 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *reading, context);
   const std::vector<Side>& sides = reading->sides;
   mark_seen(sides);
-  if (context.role == Role::display || context.role == Role::claim) excuse_refuted(parsed, first_step);
+  if (context.role == Role::display || context.role == Role::claim) {
+    excuse_refuted(parsed, first_step);
+    suggest_repairs(parsed, context, first_step);
+  }
+}
+
+/// A side that another step supports is less likely to hold the slip.
+void Session::suggest_repairs(const ParsedChain& parsed, const Context& context, std::size_t first_step) {
+  if (options_.repairs == Repairs::none || parsed.image > 0) return;
+  const auto trust = [&](std::size_t step, bool exists) {
+    if (!exists) return Trust::unknown;
+    const Verdict verdict = report_.steps[step].verdict;
+    if (verdict == Verdict::proved) return Trust::supported;
+    return verdict == Verdict::refuted ? Trust::doubted : Trust::unknown;
+  };
+  const std::size_t count = report_.steps.size() - first_step;
+  for (std::size_t which = 0; which < count; ++which) {
+    Step& step = report_.steps[first_step + which];
+    if (step.verdict != Verdict::refuted) continue;
+    if (step.expected_refuted && options_.repairs == Repairs::of_unexpected) continue;
+    const auto start = Clock::now();
+    step.repairs = nearest_true_statements(tree_, names_,
+                                           {.parsed = parsed,
+                                            .which = which,
+                                            .first_order = context.first_order,
+                                            .left = trust(first_step + which - 1, which > 0),
+                                            .right = trust(first_step + which + 1, which + 1 < count)});
+    step.repair_milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  }
 }
 
 /// Each expectation is about one refuted step of the next chain, the first ones; cyclic images are the same

@@ -117,6 +117,16 @@ std::string print_steps(const FileReport& file, const SourceMap& sources, const 
   return text;
 }
 
+/// The nearest true statements, the first one with what was changed.
+std::string print_repairs(const Step& step, bool color) {
+  std::string text;
+  for (const Repair& repair : step.repairs) {
+    const std::string head = paint(text.empty() ? "true is:" : "     or:", Paint::strong, color);
+    text += fmt::format("{} {}\n         {}\n", head, printable(repair.statement), printable(repair.change));
+  }
+  return text;
+}
+
 std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
                               const TerminalOptions& options) {
   const RenderOptions render_options{options.color, options.width > margin ? options.width - margin : 0};
@@ -125,7 +135,8 @@ std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
     text += "\n" + render(*placed.diagnostic, sources, render_options);
     const bool has_sample = placed.step != nullptr && placed.step->counterexample.has_value();
     if (has_sample && placed.diagnostic->kind == DiagnosticKind::refuted)
-      text += print_sample(*placed.step->counterexample, options.color);
+      text += print_sample(*placed.step->counterexample, options.color) +
+              print_repairs(*placed.step, options.color);
   }
   return text;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "written.h"
+#include "latex/pieces.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-namespace rigor::twins {
+namespace rigor {
 namespace {
 
 template <std::size_t N>
@@ -155,18 +155,18 @@ bool counts_derivatives(TokenView side, std::size_t superscript) {
 
 }  // namespace
 
-std::vector<Level> levels_of(TokenView side) {
-  std::vector<Level> levels;
+std::vector<PieceLevel> levels_of(TokenView side) {
+  std::vector<PieceLevel> levels;
   std::vector<TokenView> pending{side};
   for (std::size_t k = 0; k < pending.size(); ++k) {
-    Level level{Cutter(pending[k]).cut(pending), k == 0};
+    PieceLevel level{Cutter(pending[k]).cut(pending), k == 0};
     levels.push_back(std::move(level));
   }
   return levels;
 }
 
-std::vector<Term> terms_of(const Level& level) {
-  std::vector<Term> terms;
+std::vector<PieceTerm> terms_of(const PieceLevel& level) {
+  std::vector<PieceTerm> terms;
   const Piece* sign = nullptr;
   for (const Piece& piece : level.pieces) {
     if (piece.kind == PieceKind::plus || piece.kind == PieceKind::minus) {
@@ -203,4 +203,4 @@ std::vector<TokenView> squares_of(TokenView side) {
   return squares;
 }
 
-}  // namespace rigor::twins
+}  // namespace rigor

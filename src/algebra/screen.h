@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many claims that are much alike, most of them false: which of them hold on a few exact samples that meet
+// the assumptions? What passes is not proved.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algebra/decide.h"
+
+namespace rigor {
+
+class Screen {
+ public:
+  /// Draws the samples for the question's claim, with its definitions and assumptions. The tree may not grow
+  /// symbols afterwards.
+  Screen(const Question& question, const Limits& limits = {});
+  ~Screen();
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  /// Does it speak of symbols only that the claim, what defines them and the assumptions speak of, too?
+  /// Others are not compared.
+  [[nodiscard]] bool can_compare(const Equation& claim) const;
+  /// For each claim: was it compared, and does it hold wherever it was?
+  [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims);
+  /// For each term, given as `term = 0` with the free indices of the claim: the number c ≠ 0 for which
+  /// left − right = c · term on all samples; as exact text; none if there is none.
+  [[nodiscard]] std::vector<std::optional<std::string>> multiples(const Equation& claim,
+                                                                  std::span<const Equation> terms);
+
+ private:
+  class Samples;
+  std::unique_ptr<Samples> samples_;
+};
+
+}  // namespace rigor

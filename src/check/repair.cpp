@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "algebra/screen.h"
+#include "check/chain_reading.h"
+#include "check/question.h"
+#include "latex/parse.h"
+#include "latex/rewritings.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t most_candidates = 800;
+constexpr std::size_t most_judged = 8;
+constexpr long largest_number = 12;  // in a coefficient that is offered
+
+/// How far a rewriting is from what was written: the likelier the slip, the nearer.
+int distance_of(Slip slip) {
+  switch (slip) {
+    case Slip::sign:
+      return 10;
+    case Slip::indices_swapped:
+    case Slip::order:
+      return 11;
+    case Slip::factor:
+    case Slip::index:
+      return 12;
+    case Slip::power:
+    case Slip::product:
+    case Slip::bars:
+      return 13;
+    case Slip::term_extra:
+    case Slip::term_missing:
+      return 14;
+    case Slip::rate:
+    case Slip::prime:
+    case Slip::letter:
+      return 16;
+  }
+  return 20;
+}
+
+struct Candidate {
+  std::size_t side = 0;  // 0 left, 1 right
+  Tokens tokens;         // of the side
+  std::string change;
+  int distance = 0;
+};
+
+std::optional<Coefficient> coefficient_from(const std::string& exact) {
+  const std::size_t slash = exact.find('/');
+  if (exact.size() > 8) return std::nullopt;
+  const Coefficient value{std::stol(exact),
+                          slash == std::string::npos ? 1 : std::stol(exact.substr(slash + 1))};
+  if (std::abs(value.numerator) > largest_number || value.denominator > largest_number) return std::nullopt;
+  return value;
+}
+
+class Repairing {
+ public:
+  Repairing(ExprTree& tree, Names& names, const WrongStep& wrong)
+      : tree_(tree), names_(names), wrong_(wrong) {
+    for (const WrittenSide& side : wrong.parsed.written.sides) {
+      sides_.push_back(without_layout(side.tokens));
+      syntax_of_.push_back(parse_side(sides_.back(), side.span, syntax_));
+    }
+    chain_ = wrong.parsed;
+    chain_.sides = syntax_of_;
+  }
+
+  std::vector<Repair> search() {
+    const Names before = names_;
+    std::vector<Repair> repairs;
+    if (read_original()) {
+      compare_terms();
+      rewrite_sides();
+      repairs = prove_the_nearest();
+    }
+    names_ = before;
+    return repairs;
+  }
+
+ private:
+  static constexpr std::array<const char*, 2> side_names{"left", "right"};
+
+  TokenView side(std::size_t which) const { return sides_[wrong_.which + which]; }
+
+  bool read_original() {
+    reading_ = read_chain(syntax_, tree_, names_, chain_);
+    if (!reading_->sides[wrong_.which].typed || !reading_->sides[wrong_.which + 1].typed) return false;
+    const auto claim = reading_->claim(chain_, wrong_.which, wrong_.first_order, ignored_);
+    if (!claim) return false;
+    claim_ = *claim;
+    return true;
+  }
+
+  // --- candidates
+
+  void add(std::size_t which, Slip slip, Tokens tokens, std::string change, int further = 0) {
+    const TokenView original = side(which);
+    const int longer =
+        tokens.size() > original.size() ? static_cast<int>(tokens.size() - original.size()) : 0;
+    const int distance = distance_of(slip) + std::min(longer, 8) / 2 + further + suspicion(which);
+    candidates_.push_back({which, std::move(tokens), std::move(change), distance});
+  }
+
+  /// How unlikely it is that the slip is on this side.
+  int suspicion(std::size_t which) const {
+    const Trust trust = which == 0 ? wrong_.left : wrong_.right;
+    const bool name_alone = terms_of_side(side(which)).size() == 1 && side(which).size() <= 4;
+    return (which == 0 ? 1 : 0) + (trust == Trust::supported ? 6 : 0) - (trust == Trust::doubted ? 2 : 0) +
+           (name_alone ? 4 : 0);
+  }
+
+  /// left − right = c · term says what becomes of each term, and which terms are missing.
+  void compare_terms() {
+    if (claim_.nearly || claim_.equation.relation != Relation::equal) return;
+    struct Offered {
+      std::size_t side;
+      std::optional<std::size_t> which;  // a term of the side; none: a term more
+      Tokens tokens;
+      int further = 0;
+    };
+    std::vector<Offered> offered;
+    std::set<std::string> known;
+    for (const std::size_t which : {0u, 1u}) {
+      const std::vector<SideTerm> terms = terms_of_side(side(which));
+      for (std::size_t k = 0; k < terms.size(); ++k)
+        offered.push_back({which, k, Tokens(terms[k].with_sign.begin(), terms[k].with_sign.end())});
+    }
+    const auto offer_more = [&](TokenView term, int further) {
+      Tokens tokens = without_layout(term);
+      if (!known.insert(text_of(tokens)).second || offered.size() > 200) return;
+      for (const std::size_t which : {0u, 1u}) offered.push_back({which, std::nullopt, tokens, further});
+    };
+    for (const Tokens& other : sides_) {
+      for (const SideTerm& term : terms_of_side(other)) offer_more(term.tokens, 0);
+    }
+    for (const std::size_t which : {1u, 0u}) {
+      for (const SideTerm& term : terms_of_side(side(which))) {
+        for (const Tokens& image : images_of_term(term.tokens)) offer_more(image, 1);
+      }
+    }
+    std::vector<Equation> terms;
+    std::vector<const Offered*> compared;
+    std::optional<Screen> screen;
+    for (const Offered& each : offered) {
+      if (const auto equation = against_zero(each.tokens)) {
+        terms.push_back(*equation);
+        compared.push_back(&each);
+      }
+    }
+    prepare_screen();
+    std::vector<Equation> comparable;
+    std::vector<const Offered*> offers;
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      if (!screen_->can_compare(terms[k])) continue;
+      comparable.push_back(terms[k]);
+      offers.push_back(compared[k]);
+    }
+    const auto multiples = screen_->multiples(claim_.equation, comparable);
+    for (std::size_t k = 0; k < multiples.size(); ++k) {
+      if (!multiples[k]) continue;
+      if (const auto ratio = coefficient_from(*multiples[k]))
+        offer(offers[k]->side, offers[k]->which, offers[k]->tokens, *ratio, offers[k]->further);
+    }
+  }
+
+  void offer(std::size_t which, std::optional<std::size_t> term, const Tokens& tokens, Coefficient ratio,
+             int further) {
+    const long turned = which == 0 ? -ratio.numerator : ratio.numerator;
+    if (!term) {
+      const Rewriting more = with_term(side(which), tokens, {turned, ratio.denominator});
+      add(which, Slip::term_missing, rewritten(side(which), more),
+          fmt::format("`{}` is missing on the {} side", text_of(more.text), side_names[which]), further);
+      return;
+    }
+    const Coefficient times{ratio.denominator + turned, ratio.denominator};
+    const Rewriting change = with_coefficient(side(which), *term, times);
+    const bool usual = std::abs(times.numerator) <= 2 && times.denominator <= 2;
+    add(which, change.slip, rewritten(side(which), change), words_for(which, *term, times), usual ? 0 : 2);
+  }
+
+  std::string words_for(std::size_t which, std::size_t term, Coefficient times) const {
+    const std::vector<SideTerm> terms = terms_of_side(side(which));
+    const std::string what = terms.size() == 1
+                                 ? fmt::format("the {} side", side_names[which])
+                                 : fmt::format("term {} on the {}", term + 1, side_names[which]);
+    if (times.numerator == 0)
+      return terms.size() == 1 ? fmt::format("{} is 0", what) : fmt::format("{} is one too many", what);
+    if (times.numerator == -times.denominator) return fmt::format("{} has the opposite sign", what);
+    const std::string number = times.denominator == 1
+                                   ? std::to_string(times.numerator)
+                                   : fmt::format("{}/{}", times.numerator, times.denominator);
+    return fmt::format("{} must be {} times as large", what, number);
+  }
+
+  void rewrite_sides() {
+    std::vector<TokenView> chain(sides_.begin(), sides_.end());
+    for (const std::size_t which : {1u, 0u}) {
+      for (const Rewriting& change : rewritings_of(side(which), chain)) {
+        const std::string from =
+            text_of(side(which).subspan(change.shown_begin, change.shown_end - change.shown_begin));
+        add(which, change.slip, rewritten(side(which), change),
+            fmt::format("`{}` for `{}` on the {} side", text_of(shown_after(side(which), change)), from,
+                        side_names[which]));
+      }
+    }
+  }
+
+  // --- what holds
+
+  std::optional<Typed> read(TokenView tokens) {
+    const Span place = chain_.written.sides[wrong_.which].span;
+    return reading_->elaborator().expression(parse_side(tokens, place, syntax_));
+  }
+
+  std::optional<Equation> against_zero(TokenView term) {
+    const auto typed = read(term);
+    if (!typed) return std::nullopt;
+    const auto claim = reading_->claim(chain_, wrong_.which, *typed, *reading_->sides[wrong_.which].typed,
+                                       wrong_.first_order, ignored_);
+    if (!claim) return std::nullopt;
+    Equation equation = claim->equation;
+    equation.right = zero_of_rank(tree_, tree_[equation.left].span, tree_[equation.left].rank);
+    return equation;
+  }
+
+  void prepare_screen() {
+    Prepared prepared = prepare(tree_, names_, claim_.equation, 0);
+    if (speaks_of_derivatives(prepared)) prepared = prepare(tree_, names_, claim_.equation, 1);
+    screen_.emplace(prepared.question);
+  }
+
+  std::optional<Equation> equation_of(const Candidate& candidate) {
+    const auto typed = read(candidate.tokens);
+    if (!typed) return std::nullopt;
+    const Typed& other = *reading_->sides[wrong_.which + 1 - candidate.side].typed;
+    const auto claim = reading_->claim(chain_, wrong_.which, candidate.side == 0 ? *typed : other,
+                                       candidate.side == 0 ? other : *typed, wrong_.first_order, ignored_);
+    return claim ? std::optional(claim->equation) : std::nullopt;
+  }
+
+  std::vector<Repair> prove_the_nearest() {
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+    remove_trivial();
+    std::vector<Equation> equations;
+    std::vector<const Candidate*> compared;
+    for (const Candidate& candidate : candidates_) {
+      if (equations.size() >= most_candidates) break;
+      if (const auto equation = equation_of(candidate)) {
+        equations.push_back(*equation);
+        compared.push_back(&candidate);
+      }
+    }
+    const std::vector<bool> passing = passing_of(equations);
+    std::vector<Repair> repairs;
+    std::size_t judged = 0;
+    for (std::size_t k = 0; k < compared.size(); ++k) {
+      if (!passing[k]) continue;
+      if (repairs.size() == most_repairs || judged++ == most_judged) break;
+      if (is_proved(*compared[k]))
+        repairs.push_back({compared[k]->side == 0, statement_of(*compared[k]), compared[k]->change});
+    }
+    return repairs;
+  }
+
+  std::vector<bool> passing_of(const std::vector<Equation>& equations) {
+    prepare_screen();
+    std::vector<Equation> comparable;
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < equations.size(); ++k) {
+      if (!screen_->can_compare(equations[k])) continue;
+      comparable.push_back(equations[k]);
+      places.push_back(k);
+    }
+    const std::vector<bool> passing = screen_->passing(comparable);
+    std::vector<bool> all(equations.size(), false);
+    for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = passing[k];
+    return all;
+  }
+
+  /// Twice the same, or `a = a`.
+  void remove_trivial() {
+    std::set<std::string> known;
+    std::erase_if(candidates_, [&](const Candidate& candidate) {
+      const std::string text = bare_text(candidate.tokens);
+      const std::string other = bare_text(side(1 - candidate.side));
+      return text == other || text == bare_text(side(candidate.side)) ||
+             !known.insert(fmt::format("{} {}", candidate.side, text)).second;
+    });
+  }
+
+  static std::string bare_text(TokenView tokens) {
+    Tokens bare(tokens.begin(), tokens.end());
+    std::erase_if(bare, [](const Token& token) { return is_blank(token) || is_spacing(token); });
+    return text_of(bare);
+  }
+
+  /// As it would be read in the place of what was written.
+  bool is_proved(const Candidate& candidate) {
+    ParsedChain chain = chain_;
+    const std::size_t place = wrong_.which + candidate.side;
+    chain.written.sides[place].tokens = candidate.tokens;
+    chain.sides[place] = parse_side(candidate.tokens, chain.written.sides[place].span, syntax_);
+    const auto reading = read_chain(syntax_, tree_, names_, chain);
+    if (!reading->sides[wrong_.which].typed || !reading->sides[wrong_.which + 1].typed) return false;
+    Diagnostics mismatches;
+    const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
+    if (!claim || !mismatches.empty()) return false;
+    const Judgement judgement = judge(tree_, names_, *claim);
+    return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
+  }
+
+  std::string statement_of(const Candidate& candidate) const {
+    const std::string changed = text_of(candidate.tokens);
+    const std::string other = text_of(side(1 - candidate.side));
+    return fmt::format("{} {} {}", candidate.side == 0 ? changed : other,
+                       chain_.written.relations[wrong_.which].text, candidate.side == 0 ? other : changed);
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  const WrongStep& wrong_;
+  SyntaxTree syntax_;
+  std::vector<Tokens> sides_;
+  std::vector<SyntaxId> syntax_of_;
+  ParsedChain chain_;
+  std::unique_ptr<ChainReading> reading_;
+  Claim claim_;
+  Diagnostics ignored_;
+  std::optional<Screen> screen_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+std::vector<Repair> nearest_true_statements(ExprTree& tree, Names& names, const WrongStep& wrong) {
+  return Repairing(tree, names, wrong).search();
+}
+
+}  // namespace rigor

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the author of a wrong side may have meant: the side with one slip of the pen taken back. Nothing here
+// knows what the signs mean; most rewritings are nonsense, and what is true among them is found out
+// elsewhere.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "latex/pieces.h"
+#include "latex/tokens.h"
+
+namespace rigor {
+
+/// Which slip is taken back.
+enum class Slip : std::uint8_t {
+  sign,
+  factor,  // a coefficient
+  index,   // another letter, digit or prime on a subscript
+  indices_swapped,
+  order,    // of the operands of a cross product
+  product,  // dot for cross, cross for dot
+  power,
+  bars,
+  term_missing,
+  term_extra,
+  rate,    // a dot over a letter
+  prime,   // on a letter
+  letter,  // another one
+};
+
+/// `begin` to `end` of the side's tokens become `text`. `shown_begin` to `shown_end` is what a reader
+/// compares with what it became: the sign with its term, the letter with its index.
+struct Rewriting {
+  Slip slip = Slip::sign;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  Tokens text = {};
+  std::size_t shown_begin = 0;
+  std::size_t shown_end = 0;
+};
+
+[[nodiscard]] Tokens rewritten(TokenView side, const Rewriting& rewriting);
+/// What is shown of the side, after the rewriting.
+[[nodiscard]] Tokens shown_after(TokenView side, const Rewriting& rewriting);
+
+/// A rational number as it stands before a term.
+struct Coefficient {
+  long numerator = 1;
+  long denominator = 1;
+};
+
+/// All rewritings of one side, given the sides of its chain (for the letters that occur in it). Terms of the
+/// side as a whole are changed by `with_coefficient` and `with_term`: their right coefficient can be
+/// calculated. Cost: quadratic in the letters of the side.
+[[nodiscard]] std::vector<Rewriting> rewritings_of(TokenView side, const std::vector<TokenView>& chain);
+
+/// A term of the side as a whole.
+struct SideTerm {
+  TokenView tokens;
+  TokenView with_sign;  // the sign that was typed before it included
+};
+
+/// A side that is 0 has none.
+[[nodiscard]] std::vector<SideTerm> terms_of_side(TokenView side);
+
+/// Term `which` of the side `times` as large as it is written: another sign, another number, or left out.
+[[nodiscard]] Rewriting with_coefficient(TokenView side, std::size_t which, Coefficient times);
+
+/// The side with a term more, at its end; a side that is 0 becomes the term.
+[[nodiscard]] Rewriting with_term(TokenView side, TokenView term, Coefficient times);
+
+/// A term with others of its letters, indices or digits exchanged, or turned in a cycle: what may stand
+/// beside it. Those that change nothing are left out.
+[[nodiscard]] std::vector<Tokens> images_of_term(TokenView term);
+
+/// Without blanks, alignment and line breaks: to be set in another place.
+[[nodiscard]] Tokens without_layout(TokenView tokens);
+
+}  // namespace rigor
