@@ -99,8 +99,6 @@ class Screen::Samples {
     if (reach_.particles && point.particles() < 2) return;
     try {
       if (!solver_.none() && !solver_.solve(evaluator_, point, attempt)) return;
-      evaluator_.look_at(point);
-      static_cast<void>(evaluator_.difference(question_.claim));
       points_.push_back(std::move(point));
     } catch (const PointRejected&) {
       // the next one

@@ -20,32 +20,33 @@ namespace {
 
 constexpr std::size_t most_candidates = 800;
 constexpr std::size_t most_judged = 8;
+constexpr int widest_choice = 12;    // how much further than the nearest another one may be
 constexpr long largest_number = 12;  // in a coefficient that is offered
 
-/// How far a rewriting is from what was written: the likelier the slip, the nearer.
+/// How far a rewriting is from what was written: the likelier the slip, the nearer. Tokens count one each.
 int distance_of(Slip slip) {
   switch (slip) {
     case Slip::sign:
-      return 10;
-    case Slip::indices_swapped:
     case Slip::order:
-      return 11;
+      return 20;
+    case Slip::indices_swapped:
+      return 21;
     case Slip::factor:
     case Slip::index:
-      return 12;
+      return 23;
     case Slip::power:
     case Slip::product:
     case Slip::bars:
-      return 13;
+      return 25;
     case Slip::term_extra:
     case Slip::term_missing:
-      return 14;
+      return 26;
     case Slip::rate:
     case Slip::prime:
     case Slip::letter:
-      return 16;
+      return 30;
   }
-  return 20;
+  return 40;
 }
 
 struct Candidate {
@@ -105,53 +106,73 @@ class Repairing {
   // --- candidates
 
   void add(std::size_t which, Slip slip, Tokens tokens, std::string change, int further = 0) {
-    const TokenView original = side(which);
-    const int longer =
-        tokens.size() > original.size() ? static_cast<int>(tokens.size() - original.size()) : 0;
-    const int distance = distance_of(slip) + std::min(longer, 8) / 2 + further + suspicion(which);
+    const auto longer = static_cast<int>(tokens.size()) - static_cast<int>(side(which).size());
+    const int distance = distance_of(slip) + std::clamp(longer, -4, 12) + further + suspicion(which);
     candidates_.push_back({which, std::move(tokens), std::move(change), distance});
   }
 
   /// How unlikely it is that the slip is on this side.
   int suspicion(std::size_t which) const {
     const Trust trust = which == 0 ? wrong_.left : wrong_.right;
-    const bool name_alone = terms_of_side(side(which)).size() == 1 && side(which).size() <= 4;
-    return (which == 0 ? 1 : 0) + (trust == Trust::supported ? 6 : 0) - (trust == Trust::doubted ? 2 : 0) +
-           (name_alone ? 4 : 0);
+    const bool name = which == 0 && letters_of({side(0)}).size() == 1 && side(0).size() <= 12 &&
+                      terms_of_side(side(0)).size() == 1;
+    return (which == 0 ? 1 : 0) + (trust == Trust::supported ? 12 : 0) - (trust == Trust::doubted ? 4 : 0) +
+           (name ? 6 : 0);
   }
 
-  /// left − right = c · term says what becomes of each term, and which terms are missing.
-  void compare_terms() {
-    if (claim_.nearly || claim_.equation.relation != Relation::equal) return;
-    struct Offered {
-      std::size_t side;
-      std::optional<std::size_t> which;  // a term of the side; none: a term more
-      Tokens tokens;
-      int further = 0;
-    };
+  struct Offered {
+    std::size_t side = 0;
+    std::optional<std::size_t> which = {};  // a term of the side; none: a term more
+    Tokens tokens = {};
+    int further = 0;
+  };
+
+  bool can_compare_terms() const { return !claim_.nearly && claim_.equation.relation == Relation::equal; }
+
+  /// The terms of both sides, then those that may be missing: terms of the chain, images of its terms, terms
+  /// of lines near it, simple products.
+  std::vector<Offered> terms_to_compare() const {
+    constexpr std::size_t most = 240;
     std::vector<Offered> offered;
-    std::set<std::string> known;
+    std::array<std::set<std::string>, 2> known;
     for (const std::size_t which : {0u, 1u}) {
       const std::vector<SideTerm> terms = terms_of_side(side(which));
-      for (std::size_t k = 0; k < terms.size(); ++k)
+      for (std::size_t k = 0; k < terms.size(); ++k) {
         offered.push_back({which, k, Tokens(terms[k].with_sign.begin(), terms[k].with_sign.end())});
+        known[which].insert(text_of(without_layout(terms[k].tokens)));
+      }
     }
     const auto offer_more = [&](TokenView term, int further) {
       Tokens tokens = without_layout(term);
-      if (!known.insert(text_of(tokens)).second || offered.size() > 200) return;
-      for (const std::size_t which : {0u, 1u}) offered.push_back({which, std::nullopt, tokens, further});
+      for (const std::size_t which : {1u, 0u}) {
+        if (offered.size() < most && known[which].insert(text_of(tokens)).second)
+          offered.push_back({which, std::nullopt, tokens, further});
+      }
     };
-    for (const Tokens& other : sides_) {
+    const std::vector<TokenView> chain = chain_sides();
+    for (const TokenView other : chain) {
       for (const SideTerm& term : terms_of_side(other)) offer_more(term.tokens, 0);
+    }
+    for (const TokenView other : wrong_.near) {
+      for (const SideTerm& term : terms_of_side(other)) offer_more(term.tokens, 2);
     }
     for (const std::size_t which : {1u, 0u}) {
       for (const SideTerm& term : terms_of_side(side(which))) {
-        for (const Tokens& image : images_of_term(term.tokens)) offer_more(image, 1);
+        for (const Tokens& image : images_of_term(term.tokens, chain)) offer_more(image, 1);
       }
     }
+    for (const Tokens& product : products_of(letters_of(chain))) offer_more(product, 2);
+    return offered;
+  }
+
+  std::vector<TokenView> chain_sides() const { return {sides_.begin(), sides_.end()}; }
+
+  /// left − right = c · term says what becomes of each term, and which terms are missing.
+  void compare_terms() {
+    if (!can_compare_terms()) return;
+    std::vector<Offered> offered = terms_to_compare();
     std::vector<Equation> terms;
     std::vector<const Offered*> compared;
-    std::optional<Screen> screen;
     for (const Offered& each : offered) {
       if (const auto equation = against_zero(each.tokens)) {
         terms.push_back(*equation);
@@ -204,16 +225,21 @@ class Repairing {
   }
 
   void rewrite_sides() {
-    std::vector<TokenView> chain(sides_.begin(), sides_.end());
+    const std::vector<TokenView> chain = chain_sides();
     for (const std::size_t which : {1u, 0u}) {
-      for (const Rewriting& change : rewritings_of(side(which), chain)) {
-        const std::string from =
-            text_of(side(which).subspan(change.shown_begin, change.shown_end - change.shown_begin));
-        add(which, change.slip, rewritten(side(which), change),
-            fmt::format("`{}` for `{}` on the {} side", text_of(shown_after(side(which), change)), from,
-                        side_names[which]));
-      }
+      for (const Rewriting& change : rewritings_of(side(which), chain, !can_compare_terms()))
+        add_rewriting(which, change);
+      for (const Rewriting& change : insertions_of(side(which), chain)) add_rewriting(which, change);
     }
+  }
+
+  void add_rewriting(std::size_t which, const Rewriting& change) {
+    const std::string from =
+        text_of(side(which).subspan(change.shown_begin, change.shown_end - change.shown_begin));
+    const std::string to = text_of(shown_after(side(which), change));
+    const int alphabetical = change.slip == Slip::order && to < from ? -1 : 0;
+    add(which, change.slip, rewritten(side(which), change),
+        fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]), alphabetical);
   }
 
   // --- what holds
@@ -230,6 +256,14 @@ class Repairing {
                                        wrong_.first_order, ignored_);
     if (!claim) return std::nullopt;
     Equation equation = claim->equation;
+    const bool same_places =
+        std::is_permutation(equation.indices.begin(), equation.indices.end(), claim_.equation.indices.begin(),
+                            claim_.equation.indices.end()) &&
+        std::is_permutation(equation.particles.begin(), equation.particles.end(),
+                            claim_.equation.particles.begin(), claim_.equation.particles.end());
+    if (!same_places || tree_[equation.left].rank != tree_[claim_.equation.left].rank) return std::nullopt;
+    equation.indices = claim_.equation.indices;  // in the claim's order
+    equation.particles = claim_.equation.particles;
     equation.right = zero_of_rank(tree_, tree_[equation.left].span, tree_[equation.left].rank);
     return equation;
   }
@@ -265,25 +299,47 @@ class Repairing {
     const std::vector<bool> passing = passing_of(equations);
     std::vector<Repair> repairs;
     std::size_t judged = 0;
+    int nearest = 0;
     for (std::size_t k = 0; k < compared.size(); ++k) {
       if (!passing[k]) continue;
-      if (repairs.size() == most_repairs || judged++ == most_judged) break;
-      if (is_proved(*compared[k]))
-        repairs.push_back({compared[k]->side == 0, statement_of(*compared[k]), compared[k]->change});
+      const bool far = !repairs.empty() && compared[k]->distance > nearest + widest_choice;
+      if (far || repairs.size() == most_repairs || judged++ == most_judged) break;
+      if (!is_proved(*compared[k])) continue;
+      if (repairs.empty()) nearest = compared[k]->distance;
+      repairs.push_back({compared[k]->side == 0, statement_of(*compared[k]), compared[k]->change});
     }
     return repairs;
   }
 
   std::vector<bool> passing_of(const std::vector<Equation>& equations) {
-    prepare_screen();
+    if (!claim_.nearly) {
+      prepare_screen();
+      return passing_of(equations, *screen_);
+    }
+    std::vector<bool> all(equations.size(), true);
+    for (const int order : {0, 1}) {
+      const auto at_order = [&](const Equation& equation) {
+        return prepare(tree_, names_, equation, 0, Precision::small_order, order).question;
+      };
+      std::vector<Equation> parts;
+      for (const Equation& equation : equations) parts.push_back(at_order(equation).claim);
+      const Question original = at_order(claim_.equation);
+      Screen screen(original);
+      const std::vector<bool> passing = passing_of(parts, screen);
+      for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] && passing[k];
+    }
+    return all;
+  }
+
+  static std::vector<bool> passing_of(const std::vector<Equation>& equations, Screen& screen) {
     std::vector<Equation> comparable;
     std::vector<std::size_t> places;
     for (std::size_t k = 0; k < equations.size(); ++k) {
-      if (!screen_->can_compare(equations[k])) continue;
+      if (!screen.can_compare(equations[k])) continue;
       comparable.push_back(equations[k]);
       places.push_back(k);
     }
-    const std::vector<bool> passing = screen_->passing(comparable);
+    const std::vector<bool> passing = screen.passing(comparable);
     std::vector<bool> all(equations.size(), false);
     for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = passing[k];
     return all;

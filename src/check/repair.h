@@ -21,6 +21,7 @@ struct WrongStep {
   bool first_order = false;     // `=` means ≈
   Trust left = Trust::unknown;  // supported: the step before it is proved
   Trust right = Trust::unknown;
+  std::vector<TokenView> near = {};  // sides in lines before and behind it, whose terms may be missing here
 };
 
 inline constexpr std::size_t most_repairs = 3;

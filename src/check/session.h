@@ -56,6 +56,7 @@ class Session {
   void forget_wheres();
   void excuse_refuted(const ParsedChain& parsed, std::size_t first_step);
   void suggest_repairs(const ParsedChain& parsed, const Context& context, std::size_t first_step);
+  std::vector<TokenView> sides_near(const ParsedChain& parsed) const;
   void report_unmet(const Directive& expectation, Span statement);
   void report_unused();
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);

@@ -44,6 +44,30 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
   }
 }
 
+/// What stands in the lines before and behind a chain.
+std::vector<TokenView> Session::sides_near(const ParsedChain& parsed) const {
+  constexpr std::size_t before = 6;
+  constexpr std::size_t behind = 2;
+  std::vector<const ParsedChain*> chains;
+  std::size_t own = 0;
+  const auto take = [&](const std::vector<ParsedChain>& more) {
+    for (const ParsedChain& chain : more) {
+      if (&chain == &parsed) own = chains.size();
+      chains.push_back(&chain);
+    }
+  };
+  for (const Event& event : notes_.events) {
+    if (const auto* display = std::get_if<ParsedDisplay>(&event)) take(display->chains);
+    if (const auto* placed = std::get_if<PlacedDirective>(&event)) take(placed->directive.chains);
+  }
+  std::vector<TokenView> sides;
+  for (std::size_t k = own - std::min(own, before); k < chains.size() && k <= own + behind; ++k) {
+    if (k == own) continue;
+    for (const WrittenSide& side : chains[k]->written.sides) sides.emplace_back(side.tokens);
+  }
+  return sides;
+}
+
 /// A side that another step supports is less likely to hold the slip.
 void Session::suggest_repairs(const ParsedChain& parsed, const Context& context, std::size_t first_step) {
   if (options_.repairs == Repairs::none || parsed.image > 0) return;
@@ -64,7 +88,8 @@ void Session::suggest_repairs(const ParsedChain& parsed, const Context& context,
                                             .which = which,
                                             .first_order = context.first_order,
                                             .left = trust(first_step + which - 1, which > 0),
-                                            .right = trust(first_step + which + 1, which + 1 < count)});
+                                            .right = trust(first_step + which + 1, which + 1 < count),
+                                            .near = sides_near(parsed)});
     step.repair_milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One side of a statement as it was typed, before any macro is expanded: which tokens are signs, products and
-// factors, and what stands inside what. Independent of the parser, which is under test.
+// One side of a statement as tokens: which tokens are signs, products and
+// factors, and what stands inside what. Independent of the parser, so that edits of the text can test it.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +30,7 @@ struct Piece {
 struct PieceLevel {
   std::vector<Piece> pieces;
   bool whole_side = false;
+  bool may_be_sum = false;  // in brackets, bars or an argument such as that of \frac; not that of \mathbf
 };
 
 /// One additive term: its pieces, and the sign before it if one was typed.

@@ -2,6 +2,7 @@
 #include "latex/rewritings.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -16,13 +17,29 @@ bool is_index(const Token& token) {
   return token.kind == TokenKind::letter || token.kind == TokenKind::digit;
 }
 
+/// It takes what stands behind it: a power of it alone means nothing.
+bool is_operator(const Token& token) {
+  return is_control(token, "frac") || is_control(token, "nabla") || is_control(token, "partial") ||
+         is_control(token, "int") || is_control(token, "cos") || is_control(token, "sin");
+}
+
+/// Where the letter of a symbol with its face ends: `\mathbf{A}`, `m`, `\omega`; 0 if the piece is none.
+std::size_t end_of_letter(TokenView tokens) {
+  if (tokens[0].kind == TokenKind::letter) return 1;
+  if (tokens[0].kind != TokenKind::control || is_operator(tokens[0])) return 0;
+  static const std::set<std::string_view> faces{"mathbf", "vec", "boldsymbol", "bm", "vb", "va", "hat"};
+  if (faces.contains(tokens[0].text)) return argument_at(tokens, 1).next;
+  static const std::set<std::string_view> greek{"omega", "Omega", "theta", "phi", "psi", "tau", "lambda"};
+  return greek.contains(tokens[0].text) ? 1 : 0;
+}
+
 class Rewriter {
  public:
   explicit Rewriter(TokenView side) : side_(side) {}
 
-  std::vector<Rewriting> all(const std::vector<TokenView>& chain) {
+  std::vector<Rewriting> all(const std::vector<TokenView>& chain, bool whole_side) {
     for (const PieceLevel& level : levels_of(side_)) {
-      if (!level.whole_side) terms(level);
+      if (whole_side || !level.whole_side) terms(level);
       for (std::size_t k = 0; k < level.pieces.size(); ++k) product(level, k);
       for (const Piece& piece : level.pieces) factor(piece);
     }
@@ -59,7 +76,7 @@ class Rewriter {
   /// Inside brackets; those of the whole side are compared term by term.
   void terms(const PieceLevel& level) {
     const std::vector<PieceTerm> terms = terms_of(level);
-    if (terms.size() < 2 && (terms.empty() || terms[0].sign == nullptr)) return;
+    if (terms.empty() || (terms.size() < 2 && !level.may_be_sum)) return;
     const TokenView whole{level.pieces.front().tokens.data(),
                           level.pieces.back().tokens.data() + level.pieces.back().tokens.size()};
     for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -155,12 +172,6 @@ class Rewriter {
                   {made(TokenKind::superscript, "^", tokens), made(TokenKind::digit, "2", tokens)}, tokens);
   }
 
-  /// It takes what stands behind it: a power of it alone means nothing.
-  static bool is_operator(const Token& token) {
-    return is_control(token, "frac") || is_control(token, "nabla") || is_control(token, "partial") ||
-           is_control(token, "int") || is_control(token, "cos") || is_control(token, "sin");
-  }
-
   void rates_and_primes(const Piece& piece) {
     const TokenView tokens = piece.tokens;
     for (std::size_t k = 0; k < tokens.size(); ++k) {
@@ -186,16 +197,6 @@ class Rewriter {
     }
   }
 
-  /// Where the letter of a symbol with its face ends: `\mathbf{A}`, `m`, `\omega`; 0 if the piece is none.
-  static std::size_t end_of_letter(TokenView tokens) {
-    if (tokens[0].kind == TokenKind::letter) return 1;
-    if (tokens[0].kind != TokenKind::control || is_operator(tokens[0])) return 0;
-    static const std::set<std::string_view> faces{"mathbf", "vec", "boldsymbol", "bm", "vb", "va", "hat"};
-    if (faces.contains(tokens[0].text)) return argument_at(tokens, 1).next;
-    static const std::set<std::string_view> greek{"omega", "Omega", "theta", "phi", "psi", "tau", "lambda"};
-    return greek.contains(tokens[0].text) ? 1 : 0;
-  }
-
   void subscripts(const std::vector<TokenView>& chain) {
     std::vector<Token> occurring;
     for (const TokenView side : chain) {
@@ -208,6 +209,8 @@ class Rewriter {
         }
       }
     }
+    complete(occurring, TokenKind::digit, {"1", "2", "3"});
+    complete(occurring, TokenKind::letter, {"x", "y", "z"});
     for (const TokenView subscript : subscripts_of(side_)) {
       const std::vector<const Token*> found = indices_in(subscript);
       for (std::size_t first = 0; first < found.size(); ++first) {
@@ -222,6 +225,19 @@ class Rewriter {
         if (primed) remove(Slip::index, side_.subspan(place(at) + 1, 1), subscript);
         if (!primed) insert_behind(Slip::index, at, {made(TokenKind::other, "'", at)}, subscript);
       }
+    }
+  }
+
+  /// Where one of the axes is named, any of them can be meant.
+  static void complete(std::vector<Token>& occurring, TokenKind kind,
+                       const std::array<std::string_view, 3>& axes) {
+    const auto is_there = [&](std::string_view axis) {
+      return std::any_of(occurring.begin(), occurring.end(),
+                         [&](const Token& token) { return token.kind == kind && token.text == axis; });
+    };
+    if (std::none_of(axes.begin(), axes.end(), is_there)) return;
+    for (const std::string_view axis : axes) {
+      if (!is_there(axis)) occurring.push_back({kind, axis, {}});
     }
   }
 
@@ -244,12 +260,7 @@ class Rewriter {
 
   /// Another letter with the same face that occurs in the chain.
   void letters(const std::vector<TokenView>& chain) {
-    std::vector<TokenView> bases;
-    for (const TokenView side : chain) {
-      for (const PieceLevel& level : levels_of(side)) {
-        for (const Piece& piece : level.pieces) note_base(piece, bases);
-      }
-    }
+    const std::vector<TokenView> bases = letters_of(chain);
     for (const PieceLevel& level : levels_of(side_)) {
       for (const Piece& piece : level.pieces) {
         if (piece.kind != PieceKind::factor) continue;
@@ -263,14 +274,6 @@ class Rewriter {
         }
       }
     }
-  }
-
-  static void note_base(const Piece& piece, std::vector<TokenView>& bases) {
-    if (piece.kind != PieceKind::factor) return;
-    const TokenView base = piece.tokens.first(end_of_letter(piece.tokens));
-    const bool known = std::any_of(bases.begin(), bases.end(),
-                                   [&](TokenView other) { return text_of(other) == text_of(base); });
-    if (!base.empty() && !known && bases.size() < 8) bases.push_back(base);
   }
 
   TokenView side_;
@@ -299,8 +302,100 @@ Tokens shown_after(TokenView side, const Rewriting& rewriting) {
   return result;
 }
 
-std::vector<Rewriting> rewritings_of(TokenView side, const std::vector<TokenView>& chain) {
-  return side.empty() ? std::vector<Rewriting>{} : Rewriter(side).all(chain);
+std::vector<Rewriting> rewritings_of(TokenView side, const std::vector<TokenView>& chain, bool whole_side) {
+  return side.empty() ? std::vector<Rewriting>{} : Rewriter(side).all(chain, whole_side);
+}
+
+std::vector<TokenView> letters_of(const std::vector<TokenView>& chain) {
+  constexpr std::size_t most = 8;
+  std::vector<TokenView> letters;
+  for (const TokenView side : chain) {
+    for (const PieceLevel& level : levels_of(side)) {
+      for (const Piece& piece : level.pieces) {
+        if (piece.kind != PieceKind::factor) continue;
+        const TokenView letter = piece.tokens.first(end_of_letter(piece.tokens));
+        const bool known = std::any_of(letters.begin(), letters.end(),
+                                       [&](TokenView other) { return text_of(other) == text_of(letter); });
+        if (!letter.empty() && !known && letters.size() < most) letters.push_back(letter);
+      }
+    }
+  }
+  return letters;
+}
+
+std::vector<Tokens> products_of(const std::vector<TokenView>& letters) {
+  std::vector<Tokens> products;
+  const auto join = [&](TokenView first, const Tokens& between, TokenView second) {
+    Tokens product(first.begin(), first.end());
+    product.insert(product.end(), between.begin(), between.end());
+    product.insert(product.end(), second.begin(), second.end());
+    products.push_back(std::move(product));
+  };
+  for (std::size_t a = 0; a < letters.size(); ++a) {
+    const Span at = span_of(letters[a]);
+    const bool face = letters[a].size() > 1;
+    if (!face) join(letters[a], {{TokenKind::superscript, "^", at}, {TokenKind::digit, "2", at}}, {});
+    for (std::size_t b = a + 1; b < letters.size(); ++b) {
+      if ((letters[b].size() > 1) != face) continue;
+      if (!face) join(letters[a], {}, letters[b]);
+      if (face) join(letters[a], {{TokenKind::control, "cdot", at}}, letters[b]);
+      if (face) join(letters[a], {{TokenKind::control, "times", at}}, letters[b]);
+    }
+  }
+  return products;
+}
+
+namespace {
+
+/// All terms and all factors of a chain, each once.
+std::vector<Tokens> pool_of(const std::vector<TokenView>& chain) {
+  constexpr std::size_t most = 24;
+  std::vector<Tokens> pool;
+  std::set<std::string> known;
+  const auto add = [&](TokenView tokens) {
+    Tokens bare = without_layout(tokens);
+    const bool number = !bare.empty() && bare[0].kind == TokenKind::digit;
+    if (pool.size() < most && !bare.empty() && !number && known.insert(text_of(bare)).second)
+      pool.push_back(std::move(bare));
+  };
+  for (const TokenView side : chain) {
+    for (const PieceLevel& level : levels_of(side)) {
+      if (!level.may_be_sum) continue;
+      for (const PieceTerm& term : terms_of(level)) add(term.tokens);
+      for (const Piece& piece : level.pieces) {
+        if (piece.kind == PieceKind::factor && end_of_letter(piece.tokens) > 0) add(piece.tokens);
+      }
+    }
+  }
+  return pool;
+}
+
+}  // namespace
+
+std::vector<Rewriting> insertions_of(TokenView side, const std::vector<TokenView>& chain) {
+  const std::vector<Tokens> pool = pool_of(chain);
+  std::vector<Rewriting> insertions;
+  for (const PieceLevel& level : levels_of(side)) {
+    if (level.whole_side || !level.may_be_sum || level.pieces.empty()) continue;
+    const TokenView whole{level.pieces.front().tokens.data(),
+                          level.pieces.back().tokens.data() + level.pieces.back().tokens.size()};
+    std::vector<Tokens> terms = pool;
+    for (const PieceTerm& own : terms_of(level)) {
+      for (Tokens& image : images_of_term(own.tokens, {whole})) terms.push_back(std::move(image));
+    }
+    for (const Tokens& term : terms) {
+      for (const long sign : {1, -1}) {
+        Rewriting change = with_term(whole, term, {sign, 1});
+        const auto offset = static_cast<std::size_t>(whole.data() - side.data());
+        change.begin += offset;
+        change.end += offset;
+        change.shown_begin = offset;
+        change.shown_end = offset + whole.size();
+        insertions.push_back(std::move(change));
+      }
+    }
+  }
+  return insertions;
 }
 
 }  // namespace rigor

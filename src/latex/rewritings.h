@@ -51,10 +51,14 @@ struct Coefficient {
   long denominator = 1;
 };
 
-/// All rewritings of one side, given the sides of its chain (for the letters that occur in it). Terms of the
-/// side as a whole are changed by `with_coefficient` and `with_term`: their right coefficient can be
-/// calculated. Cost: quadratic in the letters of the side.
-[[nodiscard]] std::vector<Rewriting> rewritings_of(TokenView side, const std::vector<TokenView>& chain);
+/// All rewritings of one side, given the sides of its chain (for the letters that occur in it). Where the
+/// right coefficient of a term can be calculated, `with_coefficient` and `with_term` are used for the side as
+/// a whole; otherwise (`whole_side`) its terms are rewritten like those in brackets. Cost: quadratic in the
+/// letters.
+[[nodiscard]] std::vector<Rewriting> rewritings_of(TokenView side, const std::vector<TokenView>& chain,
+                                                   bool whole_side);
+/// A term more in each of the side's brackets: one that stands somewhere in the chain, or an image of one.
+[[nodiscard]] std::vector<Rewriting> insertions_of(TokenView side, const std::vector<TokenView>& chain);
 
 /// A term of the side as a whole.
 struct SideTerm {
@@ -71,9 +75,14 @@ struct SideTerm {
 /// The side with a term more, at its end; a side that is 0 becomes the term.
 [[nodiscard]] Rewriting with_term(TokenView side, TokenView term, Coefficient times);
 
-/// A term with others of its letters, indices or digits exchanged, or turned in a cycle: what may stand
-/// beside it. Those that change nothing are left out.
-[[nodiscard]] std::vector<Tokens> images_of_term(TokenView term);
+/// A term with some of its letters, indices or digits exchanged, turned in a cycle, or replaced by other
+/// letters of the chain: what may stand beside it. Those that change nothing are left out.
+[[nodiscard]] std::vector<Tokens> images_of_term(TokenView term, const std::vector<TokenView>& chain);
+
+/// The symbols of a chain with their faces, without scripts, each once: `\mathbf{A}`, `m`.
+[[nodiscard]] std::vector<TokenView> letters_of(const std::vector<TokenView>& chain);
+/// X·Y, X×Y, XY and X² of these: the simplest terms that can be missing.
+[[nodiscard]] std::vector<Tokens> products_of(const std::vector<TokenView>& letters);
 
 /// Without blanks, alignment and line breaks: to be set in another place.
 [[nodiscard]] Tokens without_layout(TokenView tokens);

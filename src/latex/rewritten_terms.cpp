@@ -110,12 +110,6 @@ std::size_t place_in(TokenView side, TokenView part) {
 
 // --- images
 
-/// What may be exchanged: a letter with its face (`\mathbf{A}` and its length `A` alike), or a subscript.
-struct Kinds {
-  std::vector<std::string_view> letters;
-  std::vector<std::string_view> indices;
-};
-
 bool is_index_token(const Token& token) {
   return token.kind == TokenKind::letter || token.kind == TokenKind::digit;
 }
@@ -150,6 +144,8 @@ std::vector<Role> roles_of(TokenView term) {
   return roles;
 }
 
+bool is_same(const Token& a, const Token& b) { return a.kind == b.kind && a.text == b.text; }
+
 using Exchange = std::vector<std::pair<Token, Token>>;
 
 void add_exchanges(std::vector<Exchange>& exchanges, const std::vector<Token>& names) {
@@ -174,7 +170,29 @@ void add_turns(std::vector<Exchange>& exchanges, TokenKind kind,
   }
 }
 
-bool is_same(const Token& a, const Token& b) { return a.kind == b.kind && a.text == b.text; }
+/// Up to five names that stand in this role, but for digits.
+std::vector<Token> names_in(TokenView tokens, Role role) {
+  const std::vector<Role> roles = roles_of(tokens);
+  std::vector<Token> names;
+  for (std::size_t k = 0; k < tokens.size() && names.size() < 5; ++k) {
+    if (roles[k] != role || tokens[k].kind == TokenKind::digit) continue;
+    const bool known =
+        std::any_of(names.begin(), names.end(), [&](const Token& name) { return is_same(name, tokens[k]); });
+    if (!known) names.push_back(tokens[k]);
+  }
+  return names;
+}
+
+void add_replacements(std::vector<Exchange>& exchanges, const std::vector<Token>& names,
+                      const std::vector<Token>& others) {
+  for (const Token& name : names) {
+    for (const Token& other : others) {
+      const bool own =
+          std::any_of(names.begin(), names.end(), [&](const Token& each) { return is_same(each, other); });
+      if (!own) exchanges.push_back({{name, other}});
+    }
+  }
+}
 
 Tokens exchanged(TokenView term, const std::vector<Role>& roles, Role role, const Exchange& exchange) {
   Tokens result(term.begin(), term.end());
@@ -268,18 +286,10 @@ Rewriting with_term(TokenView side, TokenView term, Coefficient times) {
   return change;
 }
 
-std::vector<Tokens> images_of_term(TokenView term) {
+std::vector<Tokens> images_of_term(TokenView term, const std::vector<TokenView>& chain) {
   const std::vector<Role> roles = roles_of(term);
-  std::vector<Token> letters;
-  std::vector<Token> indices;
-  for (std::size_t k = 0; k < term.size(); ++k) {
-    if (roles[k] == Role::none) continue;
-    std::vector<Token>& names = roles[k] == Role::letter ? letters : indices;
-    const bool known =
-        std::any_of(names.begin(), names.end(), [&](const Token& name) { return is_same(name, term[k]); });
-    const bool digit = term[k].kind == TokenKind::digit;
-    if (!known && !digit && names.size() < 5) names.push_back(term[k]);
-  }
+  const std::vector<Token> letters = names_in(term, Role::letter);
+  const std::vector<Token> indices = names_in(term, Role::index);
   std::vector<Tokens> images;
   std::set<std::string> known{text_of(term)};
   const auto add = [&](Role role, const std::vector<Exchange>& exchanges) {
@@ -292,6 +302,10 @@ std::vector<Tokens> images_of_term(TokenView term) {
   std::vector<Exchange> of_indices;
   add_exchanges(of_letters, letters);
   add_exchanges(of_indices, indices);
+  for (const TokenView side : chain) {
+    add_replacements(of_letters, letters, names_in(side, Role::letter));
+    add_replacements(of_indices, indices, names_in(side, Role::index));
+  }
   add_turns(of_letters, TokenKind::letter, {"x", "y", "z"});
   add_turns(of_indices, TokenKind::letter, {"x", "y", "z"});
   add_turns(of_indices, TokenKind::digit, {"1", "2", "3"});
