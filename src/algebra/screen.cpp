@@ -17,12 +17,12 @@ constexpr std::uint32_t degenerate_attempts = 2;  // zeros and ones, on which mu
 
 class Screen::Samples {
  public:
-  Samples(const Question& question, const Limits& limits)
+  Samples(const Question& question, std::span<const ExprId> also, const Limits& limits)
       : question_(question),
         limits_(limits),
         scope_(question_, Scope::Definitions::unfolded),
-        solver_(scope_, relevant_assumptions(scope_)),
-        reach_(reach_of_sample(scope_, solver_.assumptions())),
+        solver_(scope_, all_of(question_.assumptions)),
+        reach_(reach(scope_, roots_of(question_, also))),
         evaluator_(scope_, limits_) {
     if (reach_.too_large) return;
     SampleSequence sequence(scope_.tree(), reach_, solver_.has_particle_sums());
@@ -87,6 +87,19 @@ class Screen::Samples {
   }
 
  private:
+  [[nodiscard]] static std::vector<std::size_t> all_of(const std::vector<Equation>& assumptions) {
+    std::vector<std::size_t> all(assumptions.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+  }
+
+  [[nodiscard]] static std::vector<ExprId> roots_of(const Question& question, std::span<const ExprId> also) {
+    std::vector<ExprId> roots{question.claim.left, question.claim.right};
+    for (const Equation& each : question.assumptions) roots.insert(roots.end(), {each.left, each.right});
+    roots.insert(roots.end(), also.begin(), also.end());
+    return roots;
+  }
+
   struct Multiple {
     bool none = false;
     std::optional<Rational> ratio;
@@ -145,8 +158,8 @@ class Screen::Samples {
   std::vector<SamplePoint> points_;
 };
 
-Screen::Screen(const Question& question, const Limits& limits)
-    : samples_(std::make_unique<Samples>(question, limits)) {}
+Screen::Screen(const Question& question, std::span<const ExprId> also, const Limits& limits)
+    : samples_(std::make_unique<Samples>(question, also, limits)) {}
 
 Screen::~Screen() = default;
 

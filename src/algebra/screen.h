@@ -15,15 +15,14 @@ namespace rigor {
 
 class Screen {
  public:
-  /// Draws the samples for the question's claim, with its definitions and assumptions. The tree may not grow
-  /// symbols afterwards.
-  Screen(const Question& question, const Limits& limits = {});
+  /// Draws the samples for the question's claim and other expressions, with its definitions and assumptions.
+  /// The tree may not grow symbols afterwards.
+  Screen(const Question& question, std::span<const ExprId> also, const Limits& limits = {});
   ~Screen();
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// Does it speak of symbols only that the claim, what defines them and the assumptions speak of, too?
-  /// Others are not compared.
+  /// Does it speak only of symbols that the samples have? Others are not compared.
   [[nodiscard]] bool can_compare(const Equation& claim) const;
   /// For each claim: was it compared, and does it hold wherever it was?
   [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims);

@@ -54,6 +54,8 @@ struct Candidate {
   Tokens tokens;         // of the side
   std::string change;
   int distance = 0;
+  std::optional<Equation> equation = {};  // none: not read
+  bool holds = false;                     // on all samples
 };
 
 std::optional<Coefficient> coefficient_from(const std::string& exact) {
@@ -81,8 +83,17 @@ class Repairing {
     const Names before = names_;
     std::vector<Repair> repairs;
     if (read_original()) {
-      compare_terms();
       rewrite_sides();
+      if (can_compare_terms()) offered_ = terms_to_compare();
+      read_candidates();
+      if (claim_.nearly) {
+        look_at_orders();
+      } else {
+        look_at_samples({});
+        const bool any = std::any_of(candidates_.begin(), candidates_.end(),
+                                     [](const Candidate& candidate) { return candidate.holds; });
+        if (!any) look_at_samples(known_sides());
+      }
       repairs = prove_the_nearest();
     }
     names_ = before;
@@ -125,6 +136,7 @@ class Repairing {
     std::optional<std::size_t> which = {};  // a term of the side; none: a term more
     Tokens tokens = {};
     int further = 0;
+    std::optional<Equation> equation = {};  // the term = 0; none: not read
   };
 
   bool can_compare_terms() const { return !claim_.nearly && claim_.equation.relation == Relation::equal; }
@@ -161,39 +173,13 @@ class Repairing {
         for (const Tokens& image : images_of_term(term.tokens, chain)) offer_more(image, 1);
       }
     }
-    for (const Tokens& product : products_of(letters_of(chain))) offer_more(product, 2);
+    std::vector<TokenView> nearby = chain;
+    nearby.insert(nearby.end(), wrong_.near.begin(), wrong_.near.end());
+    for (const Tokens& product : products_of(letters_of(nearby))) offer_more(product, 2);
     return offered;
   }
 
   std::vector<TokenView> chain_sides() const { return {sides_.begin(), sides_.end()}; }
-
-  /// left − right = c · term says what becomes of each term, and which terms are missing.
-  void compare_terms() {
-    if (!can_compare_terms()) return;
-    std::vector<Offered> offered = terms_to_compare();
-    std::vector<Equation> terms;
-    std::vector<const Offered*> compared;
-    for (const Offered& each : offered) {
-      if (const auto equation = against_zero(each.tokens)) {
-        terms.push_back(*equation);
-        compared.push_back(&each);
-      }
-    }
-    prepare_screen();
-    std::vector<Equation> comparable;
-    std::vector<const Offered*> offers;
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      if (!screen_->can_compare(terms[k])) continue;
-      comparable.push_back(terms[k]);
-      offers.push_back(compared[k]);
-    }
-    const auto multiples = screen_->multiples(claim_.equation, comparable);
-    for (std::size_t k = 0; k < multiples.size(); ++k) {
-      if (!multiples[k]) continue;
-      if (const auto ratio = coefficient_from(*multiples[k]))
-        offer(offers[k]->side, offers[k]->which, offers[k]->tokens, *ratio, offers[k]->further);
-    }
-  }
 
   void offer(std::size_t which, std::optional<std::size_t> term, const Tokens& tokens, Coefficient ratio,
              int further) {
@@ -202,12 +188,14 @@ class Repairing {
       const Rewriting more = with_term(side(which), tokens, {turned, ratio.denominator});
       add(which, Slip::term_missing, rewritten(side(which), more),
           fmt::format("`{}` is missing on the {} side", text_of(more.text), side_names[which]), further);
+      candidates_.back().holds = true;
       return;
     }
     const Coefficient times{ratio.denominator + turned, ratio.denominator};
     const Rewriting change = with_coefficient(side(which), *term, times);
     const bool usual = std::abs(times.numerator) <= 2 && times.denominator <= 2;
     add(which, change.slip, rewritten(side(which), change), words_for(which, *term, times), usual ? 0 : 2);
+    candidates_.back().holds = true;
   }
 
   std::string words_for(std::size_t which, std::size_t term, Coefficient times) const {
@@ -268,10 +256,98 @@ class Repairing {
     return equation;
   }
 
-  void prepare_screen() {
-    Prepared prepared = prepare(tree_, names_, claim_.equation, 0);
-    if (speaks_of_derivatives(prepared)) prepared = prepare(tree_, names_, claim_.equation, 1);
-    screen_.emplace(prepared.question);
+  void read_candidates() {
+    sort_candidates();
+    remove_trivial();
+    if (candidates_.size() > most_candidates)
+      candidates_.erase(candidates_.begin() + most_candidates, candidates_.end());
+    for (Candidate& candidate : candidates_) candidate.equation = equation_of(candidate);
+    for (Offered& term : offered_) term.equation = against_zero(term.tokens);
+  }
+
+  /// Symbols that nothing is known of are not what was meant.
+  bool is_known(ExprId side, const std::set<SymbolId>& reached) const {
+    const std::vector<SymbolId> symbols = symbols_in(tree_, side);
+    return std::all_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+      const SymbolId base = base_of(tree_.symbols, symbol);
+      return reached.contains(base) || names_.definition_of(base) != nullptr;
+    });
+  }
+
+  std::set<SymbolId> symbols_of(const Question& question) const {
+    std::set<SymbolId> symbols;
+    const auto add_all = [&](ExprId side) {
+      for (const SymbolId symbol : symbols_in(tree_, side)) symbols.insert(base_of(tree_.symbols, symbol));
+    };
+    for (const ExprId side : {question.claim.left, question.claim.right}) add_all(side);
+    for (const Definition& definition : question.definitions) add_all(definition.body);
+    for (const Equation& assumption : question.assumptions) {
+      add_all(assumption.left);
+      add_all(assumption.right);
+    }
+    return symbols;
+  }
+
+  std::vector<ExprId> known_sides() {
+    const std::set<SymbolId> reached = symbols_of(prepare(tree_, names_, claim_.equation).question);
+    std::vector<ExprId> sides;
+    const auto add_known = [&](const std::optional<Equation>& equation) {
+      if (!equation || !is_known(equation->left, reached) || !is_known(equation->right, reached)) return;
+      sides.insert(sides.end(), {equation->left, equation->right});
+    };
+    for (const Candidate& candidate : candidates_) add_known(candidate.equation);
+    for (const Offered& term : offered_) add_known(term.equation);
+    return sides;
+  }
+
+  /// `sides`: what is to be compared beyond what the claim speaks of.
+  void look_at_samples(const std::vector<ExprId>& sides) {
+    Prepared prepared = prepare(tree_, names_, claim_.equation, 0, Precision::exact, 0, sides);
+    if (speaks_of_derivatives(prepared))
+      prepared = prepare(tree_, names_, claim_.equation, 1, Precision::exact, 0, sides);
+    Screen screen(prepared.question, sides);
+    std::vector<Equation> equations;
+    for (const Candidate& candidate : candidates_)
+      equations.push_back(candidate.equation.value_or(claim_.equation));
+    const std::vector<bool> passing = passing_of(equations, screen);
+    for (std::size_t k = 0; k < passing.size(); ++k)
+      candidates_[k].holds = passing[k] && candidates_[k].equation.has_value();
+    compare_terms(screen);
+  }
+
+  /// left − right = c · term says what becomes of each term, and which terms are missing.
+  void compare_terms(Screen& screen) {
+    std::vector<Equation> terms;
+    std::vector<const Offered*> compared;
+    for (const Offered& term : offered_) {
+      if (!term.equation || !screen.can_compare(*term.equation)) continue;
+      terms.push_back(*term.equation);
+      compared.push_back(&term);
+    }
+    const auto multiples = screen.multiples(claim_.equation, terms);
+    for (std::size_t k = 0; k < multiples.size(); ++k) {
+      const auto ratio = multiples[k] ? coefficient_from(*multiples[k]) : std::nullopt;
+      if (ratio)
+        offer(compared[k]->side, compared[k]->which, compared[k]->tokens, *ratio, compared[k]->further);
+    }
+  }
+
+  /// Nearly equal: both the zeroth and the first order hold on samples.
+  void look_at_orders() {
+    for (Candidate& candidate : candidates_) candidate.holds = candidate.equation.has_value();
+    for (const int order : {0, 1}) {
+      const auto at_order = [&](const Equation& equation) {
+        return prepare(tree_, names_, equation, 0, Precision::small_order, order).question;
+      };
+      std::vector<Equation> parts;
+      for (const Candidate& candidate : candidates_)
+        parts.push_back(at_order(candidate.equation.value_or(claim_.equation)).claim);
+      const Question original = at_order(claim_.equation);
+      Screen screen(original, {});
+      const std::vector<bool> passing = passing_of(parts, screen);
+      for (std::size_t k = 0; k < passing.size(); ++k)
+        candidates_[k].holds = candidates_[k].holds && passing[k];
+    }
   }
 
   std::optional<Equation> equation_of(const Candidate& candidate) {
@@ -284,51 +360,20 @@ class Repairing {
   }
 
   std::vector<Repair> prove_the_nearest() {
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+    std::erase_if(candidates_, [](const Candidate& candidate) { return !candidate.holds; });
+    sort_candidates();
     remove_trivial();
-    std::vector<Equation> equations;
-    std::vector<const Candidate*> compared;
-    for (const Candidate& candidate : candidates_) {
-      if (equations.size() >= most_candidates) break;
-      if (const auto equation = equation_of(candidate)) {
-        equations.push_back(*equation);
-        compared.push_back(&candidate);
-      }
-    }
-    const std::vector<bool> passing = passing_of(equations);
     std::vector<Repair> repairs;
     std::size_t judged = 0;
     int nearest = 0;
-    for (std::size_t k = 0; k < compared.size(); ++k) {
-      if (!passing[k]) continue;
-      const bool far = !repairs.empty() && compared[k]->distance > nearest + widest_choice;
+    for (const Candidate& candidate : candidates_) {
+      const bool far = !repairs.empty() && candidate.distance > nearest + widest_choice;
       if (far || repairs.size() == most_repairs || judged++ == most_judged) break;
-      if (!is_proved(*compared[k])) continue;
-      if (repairs.empty()) nearest = compared[k]->distance;
-      repairs.push_back({compared[k]->side == 0, statement_of(*compared[k]), compared[k]->change});
+      if (!is_proved(candidate)) continue;
+      if (repairs.empty()) nearest = candidate.distance;
+      repairs.push_back({candidate.side == 0, statement_of(candidate), candidate.change});
     }
     return repairs;
-  }
-
-  std::vector<bool> passing_of(const std::vector<Equation>& equations) {
-    if (!claim_.nearly) {
-      prepare_screen();
-      return passing_of(equations, *screen_);
-    }
-    std::vector<bool> all(equations.size(), true);
-    for (const int order : {0, 1}) {
-      const auto at_order = [&](const Equation& equation) {
-        return prepare(tree_, names_, equation, 0, Precision::small_order, order).question;
-      };
-      std::vector<Equation> parts;
-      for (const Equation& equation : equations) parts.push_back(at_order(equation).claim);
-      const Question original = at_order(claim_.equation);
-      Screen screen(original);
-      const std::vector<bool> passing = passing_of(parts, screen);
-      for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] && passing[k];
-    }
-    return all;
   }
 
   static std::vector<bool> passing_of(const std::vector<Equation>& equations, Screen& screen) {
@@ -343,6 +388,11 @@ class Repairing {
     std::vector<bool> all(equations.size(), false);
     for (std::size_t k = 0; k < places.size(); ++k) all[places[k]] = passing[k];
     return all;
+  }
+
+  void sort_candidates() {
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
   }
 
   /// Twice the same, or `a = a`.
@@ -394,7 +444,7 @@ class Repairing {
   std::unique_ptr<ChainReading> reading_;
   Claim claim_;
   Diagnostics ignored_;
-  std::optional<Screen> screen_;
+  std::vector<Offered> offered_;
   std::vector<Candidate> candidates_;
 };
 
