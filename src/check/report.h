@@ -62,8 +62,9 @@ struct Step {
   std::string route;
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`
   std::optional<Counterexample> counterexample;
-  std::vector<Repair> repairs;       // of a refuted step, the nearest first; at most three
-  double repair_milliseconds = 0.0;  // the time that was taken to find them
+  std::vector<Repair> repairs;          // of a refuted step, the nearest first; at most three
+  std::vector<std::string> conditions;  // under which a refuted step would hold, as LaTeX; at most two
+  double repair_milliseconds = 0.0;     // the time that was taken to find them
   Diagnostics diagnostics;
   double milliseconds = 0.0;
 };

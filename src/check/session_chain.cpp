@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "check/missing_condition.h"
 #include "check/repair.h"
 #include "check/session.h"
 
@@ -83,14 +84,15 @@ void Session::suggest_repairs(const ParsedChain& parsed, const Context& context,
     if (step.verdict != Verdict::refuted) continue;
     if (step.expected_refuted && options_.repairs == Repairs::of_unexpected) continue;
     const auto start = Clock::now();
-    step.repairs = nearest_true_statements(tree_, names_,
-                                           {.parsed = parsed,
-                                            .which = which,
-                                            .first_order = context.first_order,
-                                            .left = trust(first_step + which - 1, which > 0),
-                                            .right = trust(first_step + which + 1, which + 1 < count),
-                                            .near = sides_near(parsed)});
+    const WrongStep wrong{.parsed = parsed,
+                          .which = which,
+                          .first_order = context.first_order,
+                          .left = trust(first_step + which - 1, which > 0),
+                          .right = trust(first_step + which + 1, which + 1 < count),
+                          .near = sides_near(parsed)};
+    step.repairs = nearest_true_statements(tree_, names_, wrong);
     step.repair_milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    step.conditions = missing_conditions(tree_, names_, wrong);
   }
 }
 

@@ -39,6 +39,7 @@ class Rewriter {
 
   std::vector<Rewriting> all(const std::vector<TokenView>& chain, bool whole_side) {
     for (const PieceLevel& level : levels_of(side_)) {
+      if (!level.may_be_sum) continue;
       if (whole_side || !level.whole_side) terms(level);
       for (std::size_t k = 0; k < level.pieces.size(); ++k) product(level, k);
       for (const Piece& piece : level.pieces) factor(piece);
@@ -76,7 +77,7 @@ class Rewriter {
   /// Inside brackets; those of the whole side are compared term by term.
   void terms(const PieceLevel& level) {
     const std::vector<PieceTerm> terms = terms_of(level);
-    if (terms.empty() || (terms.size() < 2 && !level.may_be_sum)) return;
+    if (terms.empty()) return;
     const TokenView whole{level.pieces.front().tokens.data(),
                           level.pieces.back().tokens.data() + level.pieces.back().tokens.size()};
     for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -263,7 +264,7 @@ class Rewriter {
     const std::vector<TokenView> bases = letters_of(chain);
     for (const PieceLevel& level : levels_of(side_)) {
       for (const Piece& piece : level.pieces) {
-        if (piece.kind != PieceKind::factor) continue;
+        if (!level.may_be_sum || piece.kind != PieceKind::factor) continue;
         const TokenView base = piece.tokens.first(end_of_letter(piece.tokens));
         for (const TokenView other : bases) {
           const bool same_face = !base.empty() && base.size() == other.size() &&
@@ -312,7 +313,7 @@ std::vector<TokenView> letters_of(const std::vector<TokenView>& chain) {
   for (const TokenView side : chain) {
     for (const PieceLevel& level : levels_of(side)) {
       for (const Piece& piece : level.pieces) {
-        if (piece.kind != PieceKind::factor) continue;
+        if (!level.may_be_sum || piece.kind != PieceKind::factor) continue;
         const TokenView letter = piece.tokens.first(end_of_letter(piece.tokens));
         const bool known = std::any_of(letters.begin(), letters.end(),
                                        [&](TokenView other) { return text_of(other) == text_of(letter); });

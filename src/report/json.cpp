@@ -99,6 +99,7 @@ Json json_of(const Step& step, const SourceMap& sources) {
     entry["change"] = repair.change;
     object["repairs"].push_back(std::move(entry));
   }
+  object["conditions"] = step.conditions;
   object["diagnostics"] = json_of(step.diagnostics, sources);
   object["milliseconds"] = std::round(step.milliseconds * 1000.0) / 1000.0;
   return object;

@@ -124,6 +124,8 @@ std::string print_repairs(const Step& step, bool color) {
     const std::string head = paint(text.empty() ? "true is:" : "     or:", Paint::strong, color);
     text += fmt::format("{} {}\n         {}\n", head, printable(repair.statement), printable(repair.change));
   }
+  for (const std::string& condition : step.conditions)
+    text += fmt::format("{} {}\n", paint("holds if:", Paint::strong, color), printable(condition));
   return text;
 }
 
