@@ -16,6 +16,12 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_tried = 40;
+constexpr Limits brief{.expanded_terms = 3'000,
+                       .steps = 20'000,
+                       .quick_points = 2,
+                       .quick_steps = 4'000,
+                       .sample_attempts = 12,
+                       .fewest_assumptions = false};
 
 /// A condition as LaTeX; small: the step is to hold to first order in it.
 struct Condition {
@@ -219,8 +225,8 @@ class Search {
 
   bool holds_given(const std::string& latex) {
     if (!assume(latex)) return false;
-    const Judgement judgement = judge(tree_, names_, *claim_);
-    return says_something(judgement) && sample_of_assumptions(tree_, names_).has_value();
+    const Judgement judgement = judge(tree_, names_, *claim_, brief);
+    return says_something(judgement) && sample_of_assumptions(tree_, names_, {}, brief).has_value();
   }
 
   bool holds_to_first_order(const std::string& latex) {
@@ -229,10 +235,20 @@ class Search {
     if (!chain || chain->sides.size() != 1) return false;
     const auto reading = read_chain(syntax_, tree_, names_, *chain);
     if (!reading->sides[0].typed || !reading->sides[0].typed->free.empty()) return false;
+    const ExprNode& quantity = tree_[reading->sides[0].typed->id];
+    if (quantity.op != Op::symbol || vanishes_without(quantity.symbol)) return false;
     names_.declare_small({.quantity = reading->sides[0].typed->id});
     Claim nearly = *claim_;
     nearly.nearly = true;
-    return says_something(judge(tree_, names_, nearly));
+    return says_something(judge(tree_, names_, nearly, brief));
+  }
+
+  /// Where both sides are proportional to what is small, it says nothing.
+  bool vanishes_without(SymbolId symbol) {
+    Question question = prepare(tree_, names_, claim_->equation).question;
+    question.zeroed.push_back(symbol);
+    const Decision decision = decide(question, brief);
+    return decision.outcome != Outcome::proved || decision.vanishes;
   }
 
   static bool says_something(const Judgement& judgement) {

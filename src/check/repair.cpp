@@ -20,6 +20,14 @@ namespace {
 
 constexpr std::size_t most_candidates = 800;
 constexpr std::size_t most_judged = 8;
+/// A neighbour of a typical step is proved with a hundredth of this.
+constexpr Limits brief{.expanded_terms = 10'000,
+                       .steps = 60'000,
+                       .quick_points = 2,
+                       .quick_steps = 4'000,
+                       .sample_attempts = 12,
+                       .fewest_assumptions = false};
+constexpr Limits screening{.steps = 200'000};
 constexpr int widest_choice = 12;    // how much further than the nearest another one may be
 constexpr long largest_number = 12;  // in a coefficient that is offered
 
@@ -225,9 +233,10 @@ class Repairing {
     const std::string from =
         text_of(side(which).subspan(change.shown_begin, change.shown_end - change.shown_begin));
     const std::string to = text_of(shown_after(side(which), change));
-    const int alphabetical = change.slip == Slip::order && to < from ? -1 : 0;
+    const bool inside = change.slip == Slip::sign || change.slip == Slip::factor;
+    const int further = change.slip == Slip::order && to < from ? -1 : (inside ? 2 : 0);
     add(which, change.slip, rewritten(side(which), change),
-        fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]), alphabetical);
+        fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]), further);
   }
 
   // --- what holds
@@ -305,7 +314,7 @@ class Repairing {
     Prepared prepared = prepare(tree_, names_, claim_.equation, 0, Precision::exact, 0, sides);
     if (speaks_of_derivatives(prepared))
       prepared = prepare(tree_, names_, claim_.equation, 1, Precision::exact, 0, sides);
-    Screen screen(prepared.question, sides);
+    Screen screen(prepared.question, sides, screening);
     std::vector<Equation> equations;
     for (const Candidate& candidate : candidates_)
       equations.push_back(candidate.equation.value_or(claim_.equation));
@@ -343,7 +352,7 @@ class Repairing {
       for (const Candidate& candidate : candidates_)
         parts.push_back(at_order(candidate.equation.value_or(claim_.equation)).claim);
       const Question original = at_order(claim_.equation);
-      Screen screen(original, {});
+      Screen screen(original, {}, screening);
       const std::vector<bool> passing = passing_of(parts, screen);
       for (std::size_t k = 0; k < passing.size(); ++k)
         candidates_[k].holds = candidates_[k].holds && passing[k];
@@ -423,7 +432,7 @@ class Repairing {
     Diagnostics mismatches;
     const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
     if (!claim || !mismatches.empty()) return false;
-    const Judgement judgement = judge(tree_, names_, *claim);
+    const Judgement judgement = judge(tree_, names_, *claim, brief);
     return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
   }
 
