@@ -49,7 +49,7 @@ class Screen::Samples {
     for (const SamplePoint& point : points_) {
       evaluator_.look_at(point);
       for (std::size_t k = 0; k < claims.size(); ++k) {
-        if (failed[k]) continue;
+        if (failed[k] || !can_compare(claims[k])) continue;
         try {
           failed[k] = !evaluator_.holds(claims[k]);
           ++compared[k];
@@ -73,7 +73,7 @@ class Screen::Samples {
       const auto difference = residuals(claim);
       if (!difference) continue;
       for (std::size_t k = 0; k < terms.size(); ++k) {
-        if (found[k].none) continue;
+        if (found[k].none || !can_compare(terms[k])) continue;
         const auto values = residuals(terms[k]);
         if (values) compare(*difference, *values, found[k]);
       }
@@ -162,8 +162,6 @@ Screen::Screen(const Question& question, std::span<const ExprId> also, const Lim
     : samples_(std::make_unique<Samples>(question, also, limits)) {}
 
 Screen::~Screen() = default;
-
-bool Screen::can_compare(const Equation& claim) const { return samples_->can_compare(claim); }
 
 std::vector<bool> Screen::passing(std::span<const Equation> claims) { return samples_->passing(claims); }
 

@@ -22,9 +22,8 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// Does it speak only of symbols that the samples have? Others are not compared.
-  [[nodiscard]] bool can_compare(const Equation& claim) const;
-  /// For each claim: was it compared, and does it hold wherever it was?
+  /// For each claim: was it compared, and does it hold wherever it was? Claims are compared that speak only
+  /// of symbols which the samples have.
   [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims);
   /// For each term, given as `term = 0` with the free indices of the claim: the number c ≠ 0 for which
   /// left − right = c · term on all samples; as exact text; none if there is none.

@@ -46,6 +46,9 @@ struct Repair {
   std::string change;     // in words
 };
 
+/// Diagnostics that are mended by a true statement near by: a refutation, indices or ranks that do not fit.
+[[nodiscard]] bool shows_repairs(DiagnosticKind kind);
+
 /// One relation of one chain.
 struct Step {
   Span span;  // the relation and both its sides

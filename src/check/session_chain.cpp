@@ -15,6 +15,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Not understood, since indices or ranks do not fit.
+bool is_malformed(const Step& step) {
+  return step.verdict == Verdict::not_understood &&
+         std::any_of(step.diagnostics.begin(), step.diagnostics.end(), [](const Diagnostic& diagnostic) {
+           return shows_repairs(diagnostic.kind) && diagnostic.kind != DiagnosticKind::refuted;
+         });
+}
+
 }  // namespace
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
@@ -81,7 +89,8 @@ void Session::suggest_repairs(const ParsedChain& parsed, const Context& context,
   const std::size_t count = report_.steps.size() - first_step;
   for (std::size_t which = 0; which < count; ++which) {
     Step& step = report_.steps[first_step + which];
-    if (step.verdict != Verdict::refuted) continue;
+    const bool refuted = step.verdict == Verdict::refuted;
+    if (!refuted && !is_malformed(step)) continue;
     if (step.expected_refuted && options_.repairs == Repairs::of_unexpected) continue;
     const auto start = Clock::now();
     const WrongStep wrong{.parsed = parsed,
@@ -92,7 +101,7 @@ void Session::suggest_repairs(const ParsedChain& parsed, const Context& context,
                           .near = sides_near(parsed)};
     step.repairs = nearest_true_statements(tree_, names_, wrong);
     step.repair_milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    step.conditions = missing_conditions(tree_, names_, wrong);
+    if (refuted) step.conditions = missing_conditions(tree_, names_, wrong);
   }
 }
 

@@ -84,6 +84,11 @@ struct SideTerm {
 /// X·Y, X×Y, XY and X² of these: the simplest terms that can be missing.
 [[nodiscard]] std::vector<Tokens> products_of(const std::vector<TokenView>& letters);
 
+/// Where the letter of a symbol with its face ends: `\mathbf{A}`, `m`, `\omega`; 0 if no symbol stands there.
+[[nodiscard]] std::size_t end_of_letter(TokenView tokens);
+/// \frac, \nabla, \cos…: a power of it alone means nothing.
+[[nodiscard]] bool takes_what_follows(const Token& token);
+
 /// Without blanks, alignment and line breaks: to be set in another place.
 [[nodiscard]] Tokens without_layout(TokenView tokens);
 

@@ -135,10 +135,13 @@ std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
   std::string text;
   for (const PlacedDiagnostic& placed : diagnostics_of(file)) {
     text += "\n" + render(*placed.diagnostic, sources, render_options);
-    const bool has_sample = placed.step != nullptr && placed.step->counterexample.has_value();
-    if (has_sample && placed.diagnostic->kind == DiagnosticKind::refuted)
-      text += print_sample(*placed.step->counterexample, options.color) +
-              print_repairs(*placed.step, options.color);
+    if (placed.step == nullptr || !shows_repairs(placed.diagnostic->kind)) continue;
+    const Step& step = *placed.step;
+    if (placed.diagnostic->kind == DiagnosticKind::refuted && step.counterexample)
+      text += print_sample(*step.counterexample, options.color);
+    const auto first = std::find_if(step.diagnostics.begin(), step.diagnostics.end(),
+                                    [](const Diagnostic& each) { return shows_repairs(each.kind); });
+    if (&*first == placed.diagnostic) text += print_repairs(step, options.color);
   }
   return text;
 }

@@ -96,6 +96,15 @@ TEST_CASE("an order is mended, too") {
         "|\\mathbf{A}|^2 \\ge 0");
 }
 
+TEST_CASE("indices that do not fit are mended as well") {
+  const Checked checked("$$(\\mathbf{A}\\times\\mathbf{B})_i = \\epsilon_{ijk}A_jB_j$$");
+  const Step& step = checked.report.steps.at(0);
+  CHECK(step.verdict == Verdict::not_understood);
+  REQUIRE(!step.repairs.empty());
+  CHECK(step.repairs[0].statement == "(\\mathbf{A}\\times\\mathbf{B})_i = \\epsilon_{ijk}A_jB_k");
+  CHECK(step.repairs[0].change == "`k` for `j` on the right side");
+}
+
 TEST_CASE("what is true already is not offered: a = a, 0 = 0") {
   const Checked checked("$$\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}$$");
   for (const Repair& repair : refuted_step(checked).repairs) {
