@@ -40,6 +40,7 @@ FileReport check_text(SourceMap& sources, const std::string& path, std::string t
   if (const auto beside = sidecar_path(path, options)) {
     auto content = read_file(*beside);
     if (!content) return unreadable(sources, *beside, content.error().reason);
+    report.sidecar = *beside;
     Diagnostics mended = mend_text(*content, 0);
     sidecar = sources.add(*beside, std::move(*content));
     for (Diagnostic& diagnostic : mended) diagnostic.span.file = *sidecar;
@@ -50,7 +51,7 @@ FileReport check_text(SourceMap& sources, const std::string& path, std::string t
   for (Diagnostic& diagnostic : mended) diagnostic.span.file = report.file;
   report.diagnostics.insert(report.diagnostics.end(), mended.begin(), mended.end());
   const Notes notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics);
-  Session(sources, notes, report).run(options.progress);
+  Session(sources, notes, report, options.recorded).run(options.progress);
   if (report.steps.empty() && report.diagnostics.empty()) {
     report.diagnostics.push_back(
         {DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "check/report.h"
+#include "check/recorded.h"
 #include "source/source_map.h"
 
 namespace rigor {
@@ -14,6 +14,7 @@ namespace rigor {
 struct CheckOptions {
   std::optional<std::string> sidecar;  // a path; without it, `NAME.rigor` beside the notes, if there is one
   std::function<void(std::size_t done, std::size_t all)> progress;  // called after each display; may be empty
+  RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
 };
 
 /// Never throws for anything that is in the notes. A file that cannot be read is reported as such.

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "algebra/decide.h"
+#include "check/counterexample.h"
+#include "check/decide_by_record.h"
 #include "check/identity_reading.h"
 #include "check/question.h"
 #include "source/suggest.h"
@@ -17,26 +19,6 @@ namespace {
 
 void mark_used(Names& names, const Origin& origin) {
   if (origin.directive) names.mark_used(*origin.directive);
-}
-
-Counterexample describe(const ExprTree& tree, const Equation& equation, const Sample& sample) {
-  Counterexample example;
-  example.particles = sample.particles;
-  for (const SampleValue& value : sample.values) {
-    const Symbol& symbol = tree.symbols[value.symbol];
-    example.values.push_back({symbol.name, value.particle, symbol.rank, value.components});
-  }
-  for (std::size_t k = 0; k < sample.axes.size(); ++k) {
-    const std::string index = k < equation.indices.size() ? tree.name(equation.indices[k]) : "";
-    example.component.push_back({index, sample.axes[k]});
-  }
-  for (std::size_t k = 0; k < sample.free_particles.size() && k < equation.particles.size(); ++k) {
-    example.component.push_back(
-        {tree.name(equation.particles[k]), static_cast<int>(sample.free_particles[k])});
-  }
-  example.left = sample.left;
-  example.right = sample.right;
-  return example;
 }
 
 std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symbols) {
@@ -179,11 +161,18 @@ class Judging {
       open.reason = *prepared_.too_large;
       return open;
     }
-    Decision decision = decide(prepared_.question);
+    Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
+                                            : decide(prepared_.question);
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
     return decision;
+  }
+
+  /// Of a step that is nearly equal, only the order that the recorded sample is about.
+  bool answers_by_record() const {
+    if (claim_.recorded == nullptr) return false;
+    return !claim_.nearly || first_order_ == is_of_first_order(claim_.recorded->example);
   }
 
   void mark_all_assumptions() {

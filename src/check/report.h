@@ -64,6 +64,7 @@ using Counts = std::array<std::uint32_t, verdict_count>;
 struct FileReport {
   std::string path;
   FileId file = 0;
+  std::string sidecar = {};  // a path; empty: there is none
   bool unreadable = false;
   std::vector<Step> steps;
   Diagnostics diagnostics;  // those of no single step

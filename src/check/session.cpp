@@ -10,8 +10,8 @@
 
 namespace rigor {
 
-Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report)
-    : sources_(sources), notes_(notes), report_(report) {}
+Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report, RecordedSteps* recorded)
+    : sources_(sources), notes_(notes), report_(report), recorded_(recorded) {}
 
 void Session::run(const std::function<void(std::size_t, std::size_t)>& progress) {
   sight_all();

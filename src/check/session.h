@@ -10,13 +10,15 @@
 
 #include "check/judge.h"
 #include "check/notes.h"
-#include "check/report.h"
+#include "check/recorded.h"
 
 namespace rigor {
 
 class Session {
  public:
-  Session(const SourceMap& sources, const Notes& notes, FileReport& report);
+  /// Recorded: steps of an earlier report, of which those that are met again are decided by their samples.
+  Session(const SourceMap& sources, const Notes& notes, FileReport& report,
+          RecordedSteps* recorded = nullptr);
 
   /// `progress` is called after each event with the numbers done and in all; may be empty.
   void run(const std::function<void(std::size_t, std::size_t)>& progress);
@@ -101,6 +103,7 @@ class Session {
   void assume_rules_above(SymbolId symbol);
   std::optional<Definition> as_square(const Typed& left, const Typed& right);
   bool stands_in_brackets(SyntaxId power) const;
+  RecordedStep* recorded_of(const Step& step);
   void accept(Judgement judgement, Step& step);
   bool join_component_rules(const Typed& left);  // true if it made one
   bool is_circular(const Typed& left, const Typed& right) const;
@@ -114,6 +117,7 @@ class Session {
   const SourceMap& sources_;
   const Notes& notes_;
   FileReport& report_;
+  RecordedSteps* recorded_;
   ExprTree tree_;
   Names names_;
   std::string section_;

@@ -92,6 +92,7 @@ Json json_of(const Step& step, const SourceMap& sources) {
   object["uses"] = step.uses;
   object["counterexample"] = step.counterexample ? json_of(*step.counterexample) : Json(nullptr);
   object["diagnostics"] = json_of(step.diagnostics, sources);
+  object["file"] = sources.path(step.span.file);
   object["milliseconds"] = std::round(step.milliseconds * 1000.0) / 1000.0;
   return object;
 }
@@ -110,6 +111,7 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
   for (const Step& step : file.steps) object["steps"].push_back(json_of(step, sources));
   object["diagnostics"] = json_of(file.diagnostics, sources);
   object["counts"] = json_of(file.counts);
+  object["sidecar"] = file.sidecar.empty() ? Json(nullptr) : Json(file.sidecar);
   return object;
 }
 

@@ -28,13 +28,14 @@ TEST_CASE("the keys of the report, a file, the counts and a step are the documen
   CHECK(keys_of(json) == Keys{"rigor", "files", "counts"});
   CHECK(json["rigor"] == std::string(version));
   const Json& file = json["files"][0];
-  CHECK(keys_of(file) == Keys{"file", "steps", "diagnostics", "counts"});
+  CHECK(keys_of(file) == Keys{"file", "steps", "diagnostics", "counts", "sidecar"});
   const Keys verdicts{"proved", "refuted", "given", "definition", "undecided", "not-understood", "skipped"};
   CHECK(keys_of(json["counts"]) == verdicts);
   CHECK(file["counts"] == json["counts"]);
   CHECK(keys_of(file["steps"][0]) == Keys{"line", "column", "end_line", "end_column", "tag", "label",
                                           "section", "source", "left", "relation", "right", "verdict",
-                                          "route", "uses", "counterexample", "diagnostics", "milliseconds"});
+                                          "route", "uses", "counterexample", "diagnostics", "file",
+                                          "milliseconds"});
 }
 
 TEST_CASE("a step that is proved") {
@@ -45,7 +46,7 @@ TEST_CASE("a step that is proved") {
     "source": "\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A}",
     "left": "\\mathbf{A}\\cdot\\mathbf{B}", "relation": "=", "right": "\\mathbf{B}\\cdot\\mathbf{A}",
     "verdict": "proved", "route": "component normal form", "uses": ["definition A (1)"],
-    "counterexample": null, "diagnostics": [], "milliseconds": 0.123})json"));
+    "counterexample": null, "diagnostics": [], "file": "notes/products.md", "milliseconds": 0.123})json"));
 }
 
 TEST_CASE("a step that is refuted has all that is needed to replay its counterexample") {
@@ -86,6 +87,14 @@ TEST_CASE("bytes that are not UTF-8 do not break the JSON") {
   Report report = example_report(sources);
   report.files[0].path = "notes/\xE9.md";
   CHECK(parsed(report, sources)["files"][0]["file"] == "notes/\uFFFD.md");
+}
+
+TEST_CASE("the sidecar of a file is named, and is null where there is none") {
+  SourceMap sources;
+  Report report = example_report(sources);
+  CHECK(parsed(report, sources)["files"][0]["sidecar"] == nullptr);
+  report.files[0].sidecar = "notes/products.rigor";
+  CHECK(parsed(report, sources)["files"][0]["sidecar"] == "notes/products.rigor");
 }
 
 TEST_CASE("a report of no file is an object all the same, and ends with a line break") {
