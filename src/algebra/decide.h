@@ -13,6 +13,7 @@ struct Limits {
   std::uint64_t quick_steps = 8'000;  // of evaluation, at samples, before a proof is tried
   std::uint32_t sample_attempts = 400;
   bool fewest_assumptions = true;  // what a proof does not need is left out of what it names
+  bool simplest_sample = true;     // a refutation's sample is made fit for a blackboard
 };
 
 /// Proved: every component of left − right has the normal form zero at the generic point. Refuted: an exact

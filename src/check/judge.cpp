@@ -148,13 +148,24 @@ class Judging {
   Decision decide_order(int order) {
     const Precision precision = claim_.nearly ? Precision::small_order : Precision::exact;
     prepared_ = prepare(tree_, names_, claim_.equation, 0, precision, order);
-    Decision decision = decide_prepared();
-    if (decision.outcome == Outcome::proved || !speaks_of_derivatives(prepared_)) return decision;
+    const bool asks_again = speaks_of_derivatives(prepared_);
+    Decision decision = decide_prepared(!asks_again);
+    if (decision.outcome == Outcome::proved || !asks_again) return decision;
     prepared_ = prepare(tree_, names_, claim_.equation, 1, precision, order);
-    return decide_prepared();
+    return decide_prepared(true);
   }
 
-  Decision decide_prepared() {
+  /// The signs of the simplest sample mean something, so that it is looked for where they are in doubt.
+  Decision decide_by_search(bool last) const {
+    Limits limits;
+    limits.simplest_sample = last && claim_.simplest_sample;
+    Decision decision = decide(prepared_.question, limits);
+    const bool in_doubt = last && !limits.simplest_sample && decision.outcome == Outcome::refuted &&
+                          undeclared_negative(*decision.sample);
+    return in_doubt ? decide(prepared_.question) : decision;
+  }
+
+  Decision decide_prepared(bool last) {
     for (const Origin* definition : prepared_.definitions) mark_used(names_, *definition);
     if (prepared_.too_large) {
       Decision open;
@@ -162,7 +173,7 @@ class Judging {
       return open;
     }
     Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
-                                            : decide(prepared_.question);
+                                            : decide_by_search(last);
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
@@ -235,7 +246,8 @@ class Judging {
                            .quick_points = 5,
                            .quick_steps = 40'000,
                            .sample_attempts = 24,
-                           .fewest_assumptions = false};
+                           .fewest_assumptions = false,
+                           .simplest_sample = false};
     judgement_.route += ", to first order in what is small";
     for (int order = 2; order <= highest; ++order) {
       const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
@@ -271,7 +283,7 @@ class Judging {
       Question question = prepared_.question;
       question.claim.left = side;
       question.claim.right = add_rational(tree_, claim_.relation, value);
-      return decide(question).outcome == Outcome::proved;
+      return decide(question, {.simplest_sample = false}).outcome == Outcome::proved;
     };
     return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
   }

@@ -10,8 +10,9 @@
 
 namespace rigor {
 
-Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report, RecordedSteps* recorded)
-    : sources_(sources), notes_(notes), report_(report), recorded_(recorded) {}
+Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report,
+                 const CheckOptions& options)
+    : sources_(sources), notes_(notes), report_(report), options_(options) {}
 
 void Session::run(const std::function<void(std::size_t, std::size_t)>& progress) {
   sight_all();

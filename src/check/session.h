@@ -8,17 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "check/check.h"
 #include "check/judge.h"
 #include "check/notes.h"
-#include "check/recorded.h"
 
 namespace rigor {
 
 class Session {
  public:
-  /// Recorded: steps of an earlier report, of which those that are met again are decided by their samples.
-  Session(const SourceMap& sources, const Notes& notes, FileReport& report,
-          RecordedSteps* recorded = nullptr);
+  /// All are kept by reference.
+  Session(const SourceMap& sources, const Notes& notes, FileReport& report, const CheckOptions& options);
 
   /// `progress` is called after each event with the numbers done and in all; may be empty.
   void run(const std::function<void(std::size_t, std::size_t)>& progress);
@@ -104,6 +103,7 @@ class Session {
   std::optional<Definition> as_square(const Typed& left, const Typed& right);
   bool stands_in_brackets(SyntaxId power) const;
   RecordedStep* recorded_of(const Step& step);
+  [[nodiscard]] bool may_be_expected(const ParsedChain& parsed) const;
   void accept(Judgement judgement, Step& step);
   bool join_component_rules(const Typed& left);  // true if it made one
   bool is_circular(const Typed& left, const Typed& right) const;
@@ -117,7 +117,7 @@ class Session {
   const SourceMap& sources_;
   const Notes& notes_;
   FileReport& report_;
-  RecordedSteps* recorded_;
+  const CheckOptions& options_;
   ExprTree tree_;
   Names names_;
   std::string section_;
@@ -130,6 +130,7 @@ class Session {
   const Directive* first_order_ = nullptr;
   std::vector<std::size_t> wheres_;          // directives
   std::vector<const Directive*> in_force_;   // expectations of the chain at hand
+  std::size_t first_step_ = 0;               // of the chain at hand
   std::vector<const Directive*> unmatched_;  // no statement came before the end of their section
 };
 

@@ -162,10 +162,19 @@ bool Session::proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t
   return true;
 }
 
+/// Is there an expectation left for the step at hand, should it be refuted?
+bool Session::may_be_expected(const ParsedChain& parsed) const {
+  const auto first = report_.steps.begin() + static_cast<std::ptrdiff_t>(first_step_);
+  const auto refuted = std::count_if(first, report_.steps.end(),
+                                     [](const Step& step) { return step.verdict == Verdict::refuted; });
+  const std::size_t expected = parsed.image == 0 ? expectations_.size() : in_force_.size();
+  return static_cast<std::size_t>(refuted) < expected;
+}
+
 /// The earlier report's step at the same place with the same text, which several steps can have if directives
 /// are anchored there. It learns which step it is.
 RecordedStep* Session::recorded_of(const Step& step) {
-  if (recorded_ == nullptr) return nullptr;
+  if (options_.recorded == nullptr) return nullptr;
   const LineColumn place = sources_.line_column(step.span.file, step.span.begin);
   const auto is_alike = [&](const Step& other) {
     return other.span.file == step.span.file && other.span.begin == step.span.begin &&
@@ -173,7 +182,7 @@ RecordedStep* Session::recorded_of(const Step& step) {
   };
   const auto earlier =
       static_cast<std::size_t>(std::count_if(report_.steps.begin(), report_.steps.end(), is_alike));
-  for (RecordedStep& each : *recorded_) {
+  for (RecordedStep& each : *options_.recorded) {
     if (each.earlier != earlier || each.line != place.line || each.column != place.column) continue;
     if (each.source != step.source || each.file != sources_.path(step.span.file)) continue;
     each.step = report_.steps.size();
@@ -202,6 +211,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, Attempt&
   step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
   if (!claim) return;
   claim->recorded = recorded_of(step);
+  claim->simplest_sample = options_.samples_of_expected || !may_be_expected(parsed);
   if (context.role == Role::given) {
     add_assumption(*left.typed, *right.typed, claim->equation, parsed, context, step);
     return;

@@ -117,7 +117,7 @@ SessionTimes timed_session(const SourceMap& sources, const Notes& notes, Decide 
   });
   const Stopwatch stopwatch;
   double before = 0.0;
-  Session(sources, notes, times.report).run([&](std::size_t, std::size_t) {
+  Session(sources, notes, times.report, {}).run([&](std::size_t, std::size_t) {
     const double now = stopwatch.milliseconds();
     times.displays.push_back(now - before - deciding);
     before = now;
