@@ -48,6 +48,9 @@ struct Replay {
 /// The sides only; empty if there is any fault.
 [[nodiscard]] std::optional<SideValues> replay(const Question& question, const Sample& sample);
 
+/// What the defined symbols that stand in the claim are worth on a sample, as far as that is rational.
+[[nodiscard]] std::vector<SampleValue> following_values(const Question& question, const Sample& sample);
+
 /// The symbols that a sample of a question has values for, in the order of its values.
 [[nodiscard]] std::vector<SymbolId> symbols_of_sample(const Question& question);
 

@@ -68,10 +68,11 @@ class Refuter {
   void shrink(Counterexample& best, std::uint64_t one_look);
   void drop_particles(Counterexample& best);
   void make_particles_alike(Counterexample& best);
+  void make_scalars_alike(Counterexample& best);
   [[nodiscard]] bool make_smaller(Counterexample& best);
   [[nodiscard]] bool may_shrink() const;
 
-  static constexpr std::uint32_t most_looks = 400;        // of an enumeration, where nothing is assumed
+  static constexpr std::uint32_t most_looks = 150;        // of an enumeration, where nothing is assumed
   static constexpr std::uint32_t most_solved_looks = 80;  // where assumptions are solved for each time
 
   const Scope* scope_;

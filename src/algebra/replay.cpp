@@ -56,6 +56,17 @@ constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at
   return std::nullopt;
 }
 
+/// Those that are written there, each once, left before right.
+[[nodiscard]] std::vector<SymbolId> symbols_in_claim(const Question& question) {
+  std::vector<SymbolId> symbols;
+  for (const ExprId side : {question.claim.left, question.claim.right}) {
+    for (const SymbolId symbol : symbols_in(*question.tree, side)) {
+      if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end()) symbols.push_back(symbol);
+    }
+  }
+  return symbols;
+}
+
 [[nodiscard]] Replay fault(Replay::Fault kind) {
   Replay result;
   result.fault = kind;
@@ -102,6 +113,35 @@ std::optional<SideValues> replay(const Question& question, const Sample& sample)
   Replay result = replay_closely(question, sample);
   if (result.fault != Replay::Fault::none) return std::nullopt;
   return std::move(result.sides);
+}
+
+std::vector<SampleValue> following_values(const Question& question, const Sample& sample) {
+  const Scope scope(question, Scope::Definitions::unfolded);
+  const Reach reached = reach_of_sample(scope, relevant_assumptions(scope));
+  std::vector<SampleValue> values;
+  if (reached.too_large) return values;
+  SamplePoint point(scope.tree(), reached.symbols, sample.particles);
+  if (fill(point, scope.tree(), sample)) return values;
+  SampleEvaluator evaluator(scope, Limits{});
+  evaluator.look_at(point);
+  for (const SymbolId symbol : symbols_in_claim(question)) {
+    const Definition* definition = scope.is_zeroed(symbol) ? nullptr : scope.definition_of(symbol);
+    if (definition == nullptr) continue;
+    const bool per_particle = scope.tree().symbols[symbol].per_particle;
+    for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
+      try {
+        SampleValue value{.symbol = symbol, .particle = p, .components = {}};
+        for (const Rational& each : evaluator.value_of(*definition, p))
+          value.components.push_back(to_text(each));
+        values.push_back(std::move(value));
+      } catch (const PointRejected&) {
+        // it has no rational value: the sides may have one all the same
+      } catch (const Undecidable&) {
+        return values;
+      }
+    }
+  }
+  return values;
 }
 
 std::vector<SymbolId> symbols_of_sample(const Question& question) {

@@ -106,6 +106,7 @@ class SampleEvaluator {
   /// left − right at all places, in the order of `places`.
   [[nodiscard]] std::vector<Rational> residuals(const Equation& equation);
   [[nodiscard]] Difference at(const Equation& equation, const Place& place);
+  [[nodiscard]] std::vector<Rational> value_of(const Definition& definition, std::uint32_t particle);
   /// How many steps of evaluation there have been.
   [[nodiscard]] std::uint64_t steps() const { return domain_.steps(); }
   /// From now on at least so many.

@@ -17,7 +17,7 @@ constexpr int passes = 3;                    // over all numbers of a point
 constexpr std::uint64_t least_shrink_steps = 30'000;
 constexpr std::uint64_t most_shrink_steps = 500'000;
 constexpr std::uint64_t cheap_look = 2'000;  // steps
-constexpr std::uint64_t looks_worth = 60;    // so many times what one look costs, between these
+constexpr std::uint64_t looks_worth = 40;    // so many times what one look costs, between these
 constexpr std::uint64_t tiny_seed = 0x74696e79;
 
 constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
@@ -119,6 +119,25 @@ void Refuter::make_particles_alike(Counterexample& best) {
   }
 }
 
+/// All of the claim's scalars 1, or all but one, which is 2: no single one need be simpler on the way there.
+void Refuter::make_scalars_alike(Counterexample& best) {
+  std::vector<Coordinate> scalars;
+  for (const SymbolId symbol : claim_symbols_) {
+    const Symbol& named = scope_->tree().symbols[symbol];
+    if (named.rank == 0 && !named.per_particle && best.drawn.is_free({symbol})) scalars.push_back({symbol});
+  }
+  if (scalars.size() < 2) return;
+  SamplePoint alike = best.drawn;
+  for (const Coordinate& at : scalars) alike.set(at, 1);
+  consider(best, alike, best.attempt);
+  for (const Coordinate& at : scalars) {
+    if (!may_shrink()) return;
+    SamplePoint changed = alike;
+    changed.set(at, 2);
+    consider(best, changed, best.attempt);
+  }
+}
+
 /// One pass over the numbers of the point; true if one became smaller.
 bool Refuter::make_smaller(Counterexample& best) {
   bool any = false;
@@ -150,14 +169,15 @@ void Refuter::descend(Counterexample& best) {
   drop_particles(best);
   clear_symbols(best);
   make_particles_alike(best);
+  make_scalars_alike(best);
   for (int pass = 0; pass < passes && make_smaller(best); ++pass) {
   }
   exchange_axes(best);
 }
 
-/// Descents and enumerations in an order that depends on what a look costs. Where nothing is assumed, a
-/// descent tells how far to enumerate. To meet differential equations may cost a thousand times more, the
-/// less the more numbers are 0.
+/// Descents and enumerations, as what a look costs allows. Where nothing is assumed, a descent tells how far
+/// to enumerate. To meet differential equations may cost a thousand times more, the less the more numbers
+/// are 0.
 void Refuter::shrink(Counterexample& best, std::uint64_t one_look) {
   const std::uint64_t budget = std::clamp(looks_worth * one_look, least_shrink_steps, most_shrink_steps);
   evaluator_.allow_more(4 * budget);
@@ -165,11 +185,11 @@ void Refuter::shrink(Counterexample& best, std::uint64_t one_look) {
     shrinks_until_ = evaluator_.steps() + budget;
     part();
   };
-  const bool few_first = !solver_.none() && one_look > cheap_look && best.point.particles() == 0;
-  if (few_first) with_budget([&] { look_among_few(best); });
-  if (!few_first && !solver_.none()) with_budget([&] { look_among_tiny_points(best); });
+  const bool is_costly = one_look > cheap_look;
+  if (is_costly && best.point.particles() == 0) with_budget([&] { look_among_few(best); });
+  if (!is_costly && !solver_.none()) with_budget([&] { look_among_tiny_points(best); });
   with_budget([&] { descend(best); });
-  if (few_first || complexity(best.point).nonzero <= (solver_.none() ? 1 : few)) return;
+  if (is_costly || complexity(best.point).nonzero <= (solver_.none() ? 1 : few)) return;
   const Complexity before = complexity(best.point);
   with_budget([&] { look_among_few(best); });
   if (solver_.none() && complexity(best.point).nonzero > few) look_among_tiny_points(best);

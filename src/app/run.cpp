@@ -3,8 +3,6 @@
 
 #include <chrono>
 #include <exception>
-#include <functional>
-#include <utility>
 
 #include "app/command_line.h"
 #include "app/progress.h"
@@ -20,15 +18,6 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-/// What is not printed need not be made fit for printing.
-CheckOptions options_of(const CheckCommand& command, std::function<void(std::size_t, std::size_t)> progress) {
-  CheckOptions options;
-  options.sidecar = command.sidecar;
-  options.progress = std::move(progress);
-  options.samples_of_expected = command.json;
-  return options;
-}
-
 /// Every file in its turn, with the counts of all.
 Report check_all(const CheckCommand& command, SourceMap& sources, std::ostream& err) {
   const auto start = SteadyClock::now();
@@ -36,7 +25,7 @@ Report check_all(const CheckCommand& command, SourceMap& sources, std::ostream& 
   Report report;
   for (const std::string& path : command.files) {
     const auto show = [&](std::size_t done, std::size_t all) { progress.update(path, done, all); };
-    report.files.push_back(check_file(sources, path, options_of(command, show)));
+    report.files.push_back(check_file(sources, path, CheckOptions{command.sidecar, show}));
     const Counts& counts = report.files.back().counts;
     for (std::size_t i = 0; i < verdict_count; ++i) report.counts[i] += counts[i];
   }

@@ -42,14 +42,54 @@ Result<Sample> placed(const Question& question, const Counterexample& example) {
   return sample;
 }
 
+Counterexample::Value described(const ExprTree& tree, const SampleValue& value) {
+  const Symbol& symbol = tree.symbols[value.symbol];
+  return {symbol.name, value.particle, symbol.rank, value.components};
+}
+
+/// Which derivatives a reader needs to see that the assumptions hold and the sides differ: those in the step,
+/// and those in what is assumed, but for what vanishes.
+class Needed {
+ public:
+  explicit Needed(const Prepared& prepared) : tree_(*prepared.question.tree) {
+    Question question = prepared.question;
+    question.assumptions.resize(prepared.without_slack);
+    by_assumptions_ = symbols_of_sample(question);
+    question.assumptions.clear();
+    by_claim_ = symbols_of_sample(question);
+  }
+  [[nodiscard]] bool is_needed(const SampleValue& value) const {
+    if (!tree_.symbols[value.symbol].derivation || is_in(by_claim_, value.symbol)) return true;
+    const bool vanishes = std::all_of(value.components.begin(), value.components.end(),
+                                      [](const std::string& each) { return each == "0"; });
+    return !vanishes && is_in(by_assumptions_, value.symbol);
+  }
+
+ private:
+  static bool is_in(const std::vector<SymbolId>& symbols, SymbolId symbol) {
+    return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
+  }
+
+  const ExprTree& tree_;
+  std::vector<SymbolId> by_assumptions_;
+  std::vector<SymbolId> by_claim_;
+};
+
 }  // namespace
 
-Counterexample describe(const ExprTree& tree, const Equation& claim, const Sample& sample) {
+Counterexample describe(const Prepared& prepared, const Sample& sample) {
+  const ExprTree& tree = *prepared.question.tree;
+  const Equation& claim = prepared.question.claim;
+  const Needed needed(prepared);
   Counterexample example;
   example.particles = sample.particles;
   for (const SampleValue& value : sample.values) {
-    const Symbol& symbol = tree.symbols[value.symbol];
-    example.values.push_back({symbol.name, value.particle, symbol.rank, value.components});
+    example.values.push_back(described(tree, value));
+    example.values.back().beyond = !needed.is_needed(value);
+  }
+  for (const SampleValue& value : following_values(prepared.question, sample)) {
+    const Span seen = tree.symbols[value.symbol].first_seen;  // the rotation behind a frame is not written
+    if (seen.begin != seen.end) example.follows.push_back(described(tree, value));
   }
   for (std::size_t k = 0; k < sample.axes.size(); ++k) {
     const std::string index = k < claim.indices.size() ? tree.name(claim.indices[k]) : "";

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "base/result.h"
+#include "check/question.h"
 #include "check/report.h"
-#include "expr/statement.h"
 
 namespace rigor {
 
-[[nodiscard]] Counterexample describe(const ExprTree& tree, const Equation& claim, const Sample& sample);
+[[nodiscard]] Counterexample describe(const Prepared& prepared, const Sample& sample);
 
 /// The sample that a description gives for a question: its symbols are found by name, rank and particle,
 /// those that are called alike in their order. An error says what does not fit.

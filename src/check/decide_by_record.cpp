@@ -36,6 +36,21 @@ std::string fault_of(const Prepared& prepared, const Replay& replay, const SideV
   return replay.differ ? "" : "the step holds on the sample";
 }
 
+/// The first of the recorded values that does not follow; empty if all do.
+std::string fault_of_following(const Prepared& prepared, const Sample& sample,
+                               const Counterexample& example) {
+  if (example.follows.empty()) return "";
+  const Counterexample now = describe(prepared, sample);
+  for (const Counterexample::Value& value : example.follows) {
+    const bool found = std::any_of(now.follows.begin(), now.follows.end(), [&](const auto& each) {
+      return each.symbol == value.symbol && each.particle == value.particle && each.rank == value.rank &&
+             each.components == value.components;
+    });
+    if (!found) return fmt::format("the value of `{}` does not follow from the sample", value.symbol);
+  }
+  return "";
+}
+
 }  // namespace
 
 Decision decide_by_record(const Prepared& prepared, bool swapped, RecordedStep& recorded) {
@@ -49,7 +64,9 @@ Decision decide_by_record(const Prepared& prepared, bool swapped, RecordedStep& 
   SideValues sides{recorded.example.left, recorded.example.right};
   if (swapped) std::swap(sides.left, sides.right);
   const Replay replay = replay_closely(prepared.question, *sample);
-  decision.reason = recorded.fault = fault_of(prepared, replay, sides);
+  recorded.fault = fault_of(prepared, replay, sides);
+  if (recorded.fault.empty()) recorded.fault = fault_of_following(prepared, *sample, recorded.example);
+  decision.reason = recorded.fault;
   if (!recorded.fault.empty()) return decision;
   sample->left = replay.sides.left;
   sample->right = replay.sides.right;

@@ -155,16 +155,7 @@ class Judging {
     return decide_prepared(true);
   }
 
-  /// The signs of the simplest sample mean something, so that it is looked for where they are in doubt.
-  Decision decide_by_search(bool last) const {
-    Limits limits;
-    limits.simplest_sample = last && claim_.simplest_sample;
-    Decision decision = decide(prepared_.question, limits);
-    const bool in_doubt = last && !limits.simplest_sample && decision.outcome == Outcome::refuted &&
-                          undeclared_negative(*decision.sample);
-    return in_doubt ? decide(prepared_.question) : decision;
-  }
-
+  /// Unless it is the last word, any sample will do.
   Decision decide_prepared(bool last) {
     for (const Origin* definition : prepared_.definitions) mark_used(names_, *definition);
     if (prepared_.too_large) {
@@ -173,7 +164,7 @@ class Judging {
       return open;
     }
     Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
-                                            : decide_by_search(last);
+                                            : decide(prepared_.question, {.simplest_sample = last});
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
@@ -346,7 +337,7 @@ class Judging {
       return;
     }
     judgement_.verdict = Verdict::refuted;
-    judgement_.counterexample = describe(tree_, prepared_.question.claim, *decision.sample);
+    judgement_.counterexample = describe(prepared_, *decision.sample);
     Counterexample& example = *judgement_.counterexample;
     if (claim_.swapped) std::swap(example.left, example.right);
     example.squared_distance = claim_.as_a_whole;

@@ -35,7 +35,6 @@ struct Claim {
   const Elaborator* reading = nullptr;  // for its conventions and guesses
   const Obstacle* doubt = nullptr;      // words beside it that may restrict it
   RecordedStep* recorded = nullptr;     // a sample to be put in instead of a search
-  bool simplest_sample = true;          // if not, any sample will do for a refutation
 };
 
 [[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim);

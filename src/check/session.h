@@ -103,7 +103,6 @@ class Session {
   std::optional<Definition> as_square(const Typed& left, const Typed& right);
   bool stands_in_brackets(SyntaxId power) const;
   RecordedStep* recorded_of(const Step& step);
-  [[nodiscard]] bool may_be_expected(const ParsedChain& parsed) const;
   void accept(Judgement judgement, Step& step);
   bool join_component_rules(const Typed& left);  // true if it made one
   bool is_circular(const Typed& left, const Typed& right) const;
@@ -130,7 +129,6 @@ class Session {
   const Directive* first_order_ = nullptr;
   std::vector<std::size_t> wheres_;          // directives
   std::vector<const Directive*> in_force_;   // expectations of the chain at hand
-  std::size_t first_step_ = 0;               // of the chain at hand
   std::vector<const Directive*> unmatched_;  // no statement came before the end of their section
 };
 

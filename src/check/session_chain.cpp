@@ -10,7 +10,7 @@
 namespace rigor {
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
-  const std::size_t first_step = first_step_ = report_.steps.size();
+  const std::size_t first_step = report_.steps.size();
   if (parsed.written.relations.empty() && !reads(parsed)) return;
   if (parsed.written.relations.empty()) {
     report_.diagnostics.push_back({DiagnosticKind::no_relation, parsed.written.span,

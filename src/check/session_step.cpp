@@ -162,15 +162,6 @@ bool Session::proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t
   return true;
 }
 
-/// Is there an expectation left for the step at hand, should it be refuted?
-bool Session::may_be_expected(const ParsedChain& parsed) const {
-  const auto first = report_.steps.begin() + static_cast<std::ptrdiff_t>(first_step_);
-  const auto refuted = std::count_if(first, report_.steps.end(),
-                                     [](const Step& step) { return step.verdict == Verdict::refuted; });
-  const std::size_t expected = parsed.image == 0 ? expectations_.size() : in_force_.size();
-  return static_cast<std::size_t>(refuted) < expected;
-}
-
 /// The earlier report's step at the same place with the same text, which several steps can have if directives
 /// are anchored there. It learns which step it is.
 RecordedStep* Session::recorded_of(const Step& step) {
@@ -211,7 +202,6 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, Attempt&
   step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
   if (!claim) return;
   claim->recorded = recorded_of(step);
-  claim->simplest_sample = options_.samples_of_expected || !may_be_expected(parsed);
   if (context.role == Role::given) {
     add_assumption(*left.typed, *right.typed, claim->equation, parsed, context, step);
     return;

@@ -60,16 +60,23 @@ class Entry {
   std::string way_;
 };
 
-Counterexample read_example(const Entry& from) {
-  Counterexample example;
-  example.particles = from["particles"].count();
-  for (const Entry& each : from["values"].entries()) {
-    Counterexample::Value& value = example.values.emplace_back();
+std::vector<Counterexample::Value> read_values(const Entry& from) {
+  std::vector<Counterexample::Value> values;
+  for (const Entry& each : from.entries()) {
+    Counterexample::Value& value = values.emplace_back();
     value.symbol = each["symbol"].text();
     value.particle = each["particle"].count();
     value.rank = static_cast<int>(each["rank"].count());
     for (const Entry& component : each["components"].entries()) value.components.push_back(component.text());
   }
+  return values;
+}
+
+Counterexample read_example(const Entry& from) {
+  Counterexample example;
+  example.particles = from["particles"].count();
+  example.values = read_values(from["values"]);
+  if (from.has("follows")) example.follows = read_values(from["follows"]);
   for (const Entry& each : from["component"].entries())
     example.component.push_back({each["index"].text(), static_cast<int>(each["value"].count())});
   example.left = from["left"].text();

@@ -120,5 +120,13 @@ TEST_CASE("a step to first order, and a condition that only a derivative of an a
   CHECK(motion.fault() == "");
 }
 
+TEST_CASE("what is said to follow has to follow") {
+  Replayed notes("<!-- rigor:\nscalar x\nlet y = 2x\n-->\n$$y = x$$\n");
+  REQUIRE(notes.example().follows.size() == 1);
+  CHECK(notes.fault() == "");
+  notes.example().follows[0].components = {"7"};
+  CHECK(notes.fault() == "the value of `y` does not follow from the sample");
+}
+
 }  // namespace
 }  // namespace rigor

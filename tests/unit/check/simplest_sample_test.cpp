@@ -2,7 +2,6 @@
 // The sample of a refutation is the one that a lecturer would write on a blackboard.
 #include <array>
 #include <string>
-#include <utility>
 
 #include "catch.h"
 #include "check/check.h"
@@ -85,36 +84,23 @@ TEST_CASE("the sample of a refutation is the simplest") {
   }
 }
 
-TEST_CASE("the sample of a refutation that is expected is simplified only where it is asked for") {
-  const std::string text =
-      "<!-- rigor: expect refuted -->\n$$\\mathbf A\\times\\mathbf B = \\mathbf B\\times\\mathbf A$$\n"
-      "$$\\mathbf A\\times\\mathbf B = \\mathbf B\\times\\mathbf A$$\n";
-  const auto samples = [&](bool of_expected) {
-    SourceMap sources;
-    CheckOptions options;
-    options.samples_of_expected = of_expected;
-    const FileReport report = check_text(sources, "notes.md", text, options);
-    REQUIRE(report.steps.size() == 2);
-    CHECK(report.steps[0].expected_refuted);
-    CHECK_FALSE(report.steps[1].expected_refuted);
-    return std::pair(print_sample(*report.steps[0].counterexample),
-                     print_sample(*report.steps[1].counterexample));
-  };
-  const auto both = samples(true);
-  CHECK(both.first == both.second);
-  const auto printed = samples(false);
-  CHECK(printed.first != printed.second);
-  CHECK(printed.second == both.second);
+TEST_CASE("what defined symbols in the step are worth is said, as far as the notes have them") {
+  CHECK(
+      sample_of("scalar m\nvector \\mathbf{v}\nlet \\mathbf{p} = m\\mathbf{v}",
+                "\\mathbf{p} = \\mathbf{v}") ==
+      "sample: m = 0, \\mathbf{v} = (1, 0, 0); hence \\mathbf{p} = (0, 0, 0); component 1: left 0, right 1");
+  const std::string frame =
+      "vector \\mathbf{r}, \\boldsymbol{\\omega}\nframe rot rotates with \\boldsymbol{\\omega} in in";
+  const std::string sample = sample_of(frame,
+                                       "\\left(\\frac{d\\mathbf{r}}{dt}\\right)_{\\text{in}} = "
+                                       "\\left(\\frac{d\\mathbf{r}}{dt}\\right)_{\\text{rot}}");
+  CHECK(sample.starts_with("sample: "));
+  CHECK(sample.find("R_") == std::string::npos);
 }
 
-TEST_CASE("a verdict does not depend on whether its sample is simplified") {
-  const std::string statement = "<!-- rigor: expect refuted -->\n$$|m\\mathbf v| = mv$$\n";
-  SourceMap sources;
-  CheckOptions options;
-  options.samples_of_expected = false;
-  const FileReport report = check_text(sources, "notes.md", statement, options);
-  REQUIRE(report.steps.size() == 1);
-  CHECK(report.steps[0].verdict == Verdict::undecided);
+TEST_CASE("derivatives that only derivatives of an assumption speak of are not printed") {
+  const std::string law = "scalar x, k\nconstant k\ngiven \\ddot{x} = -k^2x";
+  CHECK(sample_of(law, "\\dot{x} = kx") == "sample: \\dot{x} = 1, k = 0, x = 0; left 1, right 0");
 }
 
 }  // namespace

@@ -56,9 +56,10 @@ TEST_CASE("a step that is refuted has all that is needed to replay its counterex
   CHECK(step["uses"] == Json::array());
   CHECK(step["counterexample"].dump() ==
         R"({"particles":0,"values":[)"
-        R"({"symbol":"\\mathbf{A}","particle":0,"rank":1,"components":["1","0","0"]},)"
-        R"({"symbol":"\\mathbf{B}","particle":0,"rank":1,"components":["0","1","0"]}],)"
-        R"("component":[{"index":"","value":3}],"left":"1","right":"-1","squared_distance":false})");
+        R"({"symbol":"\\mathbf{A}","particle":0,"rank":1,"components":["1","0","0"],"beyond":false},)"
+        R"({"symbol":"\\mathbf{B}","particle":0,"rank":1,"components":["0","1","0"],"beyond":false}],)"
+        R"("component":[{"index":"","value":3}],"left":"1","right":"-1","squared_distance":false,)"
+        R"("follows":[]})");
   CHECK(step["diagnostics"].dump() ==
         R"([{"kind":"refuted","severity":"refuted","line":3,"column":30,"end_line":3,"end_column":31,)"
         R"("file":"notes/products.md","message":"the sides differ","labels":[],"help":[]}])");
