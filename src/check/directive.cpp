@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/warning_names.h"
 #include "latex/cyclic_image.h"
 #include "latex/parse.h"
 #include "source/suggest.h"
@@ -27,7 +28,8 @@ constexpr std::array directive_words{
     DirectiveWord{"rotation", DirectiveKind::rotation}, DirectiveWord{"basis", DirectiveKind::basis},
     DirectiveWord{"frame", DirectiveKind::frame},       DirectiveWord{"small", DirectiveKind::small},
     DirectiveWord{"variable", DirectiveKind::variable}, DirectiveWord{"where", DirectiveKind::where},
-    DirectiveWord{"order", DirectiveKind::first_order}};
+    DirectiveWord{"order", DirectiveKind::first_order}, DirectiveWord{"allow", DirectiveKind::allow},
+    DirectiveWord{"warn", DirectiveKind::warn}};
 
 /// Directives that the design names and this version does not decide with.
 constexpr std::array later_words{"units"};
@@ -110,6 +112,9 @@ class DirectiveReader {
       return bad(line, "`order` is no directive by itself",
                  "`first order` says how the next statement is meant");
     }
+    if (directive.kind == DirectiveKind::allow || directive.kind == DirectiveKind::warn)
+      return read_warning_names(sources_, opening.rest, directive, diagnostics_) ? std::optional(directive)
+                                                                                 : std::nullopt;
     if (directive.kind == DirectiveKind::frame) return frame(opening.rest, std::move(directive));
     if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
     const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);

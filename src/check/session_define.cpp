@@ -114,10 +114,18 @@ bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& r
     if (earlier->origin.directive) names_.mark_used(*earlier->origin.directive);
     step.diagnostics.push_back(
         {DiagnosticKind::redefinition, step.relation_span,
-         fmt::format("`{}` replaces `{}`", written(tree_[left.typed->id].span), earlier->origin.text)});
+         fmt::format("`{}` replaces `{}`", written(tree_[left.typed->id].span), earlier->origin.text),
+         earlier_place(*earlier)});
   }
   add_definition(*left.typed, *right.typed, parsed, context, step);
   return true;
+}
+
+/// Where a symbol was defined before.
+std::vector<Label> Session::earlier_place(const NamedDefinition& earlier) const {
+  const Span place = tree_[earlier.definition.body].span;
+  if (place.empty()) return {};
+  return {{place, "the earlier definition"}};
 }
 
 void Session::add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
@@ -168,7 +176,8 @@ bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, c
   step.diagnostics.push_back(
       {DiagnosticKind::redefinition, step.relation_span,
        fmt::format("`{}` has another meaning than in `{}`, which is forgotten from here on",
-                   written(tree_[left.id].span), earlier->origin.text)});
+                   written(tree_[left.id].span), earlier->origin.text),
+       earlier_place(*earlier)});
   add_definition(left, right, parsed, {}, step);
   return true;
 }

@@ -2,6 +2,7 @@
 // One step of a chain: what its relation asks, and the verdict.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "check/session.h"
@@ -62,6 +63,13 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
     step.diagnostics.push_back(*reason);
   } else if (readable) {
     decide_step(parsed, which, reading, context, step);
+  }
+  if (readable && parsed.image == 0) {
+    const bool directed = context.role == Role::let || context.role == Role::given;
+    const bool passing =
+        directed && std::find(wheres_.begin(), wheres_.end(), context.directive) != wheres_.end();
+    stated_.push_back({sides[which].typed->id, sides[which + 1].typed->id, relation.span, relation.kind,
+                       !directed, passing, report_.steps.size()});
   }
   step.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   add(std::move(step));
