@@ -25,6 +25,7 @@ namespace {
 struct Parity {
   std::set<SymbolId> symbols;
   bool odd = false;
+  friend bool operator==(const Parity&, const Parity&) = default;
 };
 
 template <class T>
@@ -116,6 +117,18 @@ class ParityReader {
     return first;
   }
 
+  /// Of components that are all mirrored alike; a zero fits any.
+  std::optional<Parity> common(std::span<const ExprId> components) const {
+    std::optional<Parity> first;
+    for (const ExprId component : components) {
+      const auto& own = known_.at(component);
+      if (!own && !tree_.is_zero_literal(component)) return std::nullopt;
+      if (own && first && *own != *first) return std::nullopt;
+      if (own) first = own;
+    }
+    return first;
+  }
+
   std::optional<Parity> of(ExprId id) {
     const ExprNode& node = tree_[id];
     const auto children = tree_.children(id);
@@ -147,6 +160,7 @@ class ParityReader {
       case Op::function:
         return node.function == Function::sin ? known_.at(children[0]) : Parity{};
       case Op::tuple:
+        return common(children);
       case Op::determinant:
       case Op::table:
         return std::nullopt;
