@@ -34,9 +34,12 @@ constexpr std::array directive_words{
 /// Directives that the design names and this version does not decide with.
 constexpr std::array later_words{"units"};
 
-bool is_adjective(const std::string& word) {
-  return word == "symmetric" || word == "unit" || word == "first";
+/// Those of symbols, before or behind the kind.
+bool describes_symbols(const std::string& word) {
+  return word == "symmetric" || word == "unit" || word == "polar" || word == "axial";
 }
+
+bool is_adjective(const std::string& word) { return describes_symbols(word) || word == "first"; }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -64,8 +67,7 @@ Opening read_opening(const SourceMap& sources, Span line) {
   while (true) {
     const std::size_t before = at;
     const std::string word = next_word(text, at);
-    const bool adjective =
-        word == "symmetric" || word == "unit" || (word == "first" && opening.words.empty());
+    const bool adjective = describes_symbols(word) || (word == "first" && opening.words.empty());
     const bool kind_known = std::any_of(opening.words.begin(), opening.words.end(),
                                         [](const std::string& known) { return !is_adjective(known); });
     if (kind_known && !adjective) {
@@ -106,6 +108,8 @@ class DirectiveReader {
     const auto kind = kind_of(opening.words, line, directive);
     if (!kind) return std::nullopt;
     directive.kind = *kind;
+    if (directive.polar && directive.kind != DirectiveKind::vector)
+      return bad(line, "only a vector is declared polar or axial", "e.g. `axial vector \\mathbf{B}`");
     if (directive.kind == DirectiveKind::skip) return directive;
     if (directive.kind == DirectiveKind::first_order) {
       if (opening.words.front() == "first") return directive;
@@ -132,6 +136,7 @@ class DirectiveReader {
     for (const std::string& word : words) {
       if (word == "symmetric") directive.symmetric = true;
       if (word == "unit") directive.unit = true;
+      if (word == "polar" || word == "axial") directive.polar = word == "polar";
     }
     for (const std::string& word : words) {
       const auto known = std::find_if(directive_words.begin(), directive_words.end(),

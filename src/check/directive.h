@@ -47,6 +47,7 @@ struct Directive {
   std::size_t number = 0;  // in the file, for "was it used?"
   bool symmetric = false;
   bool unit = false;
+  std::optional<bool> polar = {};  // `polar vector`, `axial vector`
   std::vector<SyntaxId>
       symbols;  // vector, scalar, tensor, particles, constant, small…; frame: the angular velocity
   std::vector<ParsedChain> chains;            // let, given, where, claim

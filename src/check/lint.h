@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include "check/notes.h"
@@ -22,6 +23,9 @@ struct StatedEquation {
   bool by_notes = false;  // in a display or a `claim`: no assumption, and no `let`
   bool passing = false;   // what holds for the next statement only
   std::size_t step = 0;   // of the report
+  [[nodiscard]] bool is_equation() const {
+    return kind == RelationKind::equal || kind == RelationKind::identical || kind == RelationKind::defines;
+  }
 };
 
 struct LintInput {
@@ -30,6 +34,7 @@ struct LintInput {
   const ExprTree& tree;
   const std::vector<StatedEquation>& stated;  // in the order of the notes; without cyclic images
   const FileReport& report;
+  const std::map<SymbolId, bool>& mirrored;  // declared: does it change its sign in a mirror?
 };
 
 /// What a lint found. A finding of a kind that is off unless asked for can be `certain` of being wanted.

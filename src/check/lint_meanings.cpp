@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same signs for two symbols: `r_\alpha` is the length of `\mathbf{r}_\alpha` in one place and a number
 // of its own in another. Which symbol is meant was settled by a declaration or by the company it keeps; this
-// only compares what was settled.
+// only compares what was settled. And the letter of a length for something else that is made of the vector:
+// `r_\alpha = |\mathbf{n}\times\mathbf{r}_\alpha|`.
 #include <fmt/format.h>
 
 #include <map>
@@ -39,6 +40,42 @@ std::string words_of(const SymbolReading& reading) {
   return "a tensor";
 }
 
+/// Does a vector itself stand here, other than by its length?
+bool mentions(const ExprTree& tree, ExprId root, SymbolId vector) {
+  std::set<ExprId> in_lengths;
+  for (const ExprId id : nodes_below(tree, {root})) {  // parents first
+    if (tree[id].op == Op::length && tree[tree.children(id)[0]].span == tree[id].span)
+      in_lengths.insert(tree.children(id)[0]);
+    const bool whole = tree[id].op == Op::symbol && tree[id].symbol == vector && tree[id].slot_count == 0;
+    if (whole && !in_lengths.contains(id)) return true;
+  }
+  return false;
+}
+
+/// A length that is set equal to something else made of its vector.
+Findings lint_other_lengths(const LintInput& input) {
+  const ExprTree& tree = input.tree;
+  Findings findings;
+  for (const StatedEquation& stated : input.stated) {
+    const Step& step = input.report.steps[stated.step];
+    const bool open = step.verdict == Verdict::not_understood || step.verdict == Verdict::refuted;
+    const bool length = tree[stated.left].op == Op::length && stated.is_equation();
+    if (!stated.by_notes || !open || step.expected_refuted || !length) continue;
+    const ExprId vector = tree.children(stated.left)[0];
+    const Span span = tree[stated.left].span;
+    const bool plain_letter = tree[vector].op == Op::symbol && tree[vector].span == span;
+    if (!plain_letter || !mentions(tree, stated.right, tree[vector].symbol)) continue;
+    findings.push_back(
+        {{DiagnosticKind::two_meanings,
+          span,
+          fmt::format("`{}` is the length of `{}`, and is set equal to something else made of it",
+                      input.sources.text(span), tree.symbols[tree[vector].symbol].name),
+          {{tree[stated.right].span, ""}},
+          {"another letter for it, or `where … := …`, keeps them apart"}}});
+  }
+  return findings;
+}
+
 }  // namespace
 
 Findings lint_meanings(const LintInput& input) {
@@ -46,7 +83,7 @@ Findings lint_meanings(const LintInput& input) {
   const std::map<Extent, SymbolReading> readings = symbol_readings(input);
   std::map<std::string, SymbolReading> first;
   std::set<std::string> said;
-  Findings findings;
+  Findings findings = lint_other_lengths(input);
   for (const WrittenStatement& statement : statements_in(input.notes)) {
     for (const SyntaxId id : nodes_below(syntax, statement.chain->sides)) {
       if (syntax[id].kind != SyntaxKind::symbol) continue;

@@ -4,10 +4,10 @@
 //
 // Everything in space is mirrored through the origin, and the axes stay. A quantity then changes its sign (1)
 // or does not (0): 1 for polar vectors, 0 for axial ones, 0 for numbers, 1 for pseudoscalars. Products,
-// `\cdot`, `\times` and ε add signs modulo 2, ∇ adds 1, terms and sides agree. The position changes its sign;
-// of other symbols nothing is assumed, so that each equation is linear in unknown signs, and a contradiction
-// between equations is one whatever they are. Cost: that of the elimination, cubic in the number of symbols
-// at most.
+// `\cdot`, `\times` and ε add signs modulo 2, ∇ adds 1, terms and sides agree. The position changes its sign,
+// what is declared `polar` does; of other symbols nothing is assumed, so that each equation is linear in
+// unknown signs, and a contradiction between equations is one whatever they are. Cost: that of the
+// elimination, cubic in the number of symbols at most.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ class Elimination {
 /// The parity of an expression, with what its sums demand. Nothing: it fits any, or is not known.
 class ParityReader {
  public:
-  explicit ParityReader(const ExprTree& tree) : tree_(tree) {}
+  explicit ParityReader(const LintInput& input) : tree_(input.tree), declared_(input.mirrored) {}
 
   std::optional<Parity> read(ExprId root) {
     std::vector<ExprId> nodes = nodes_below(tree_, {root});
@@ -92,6 +92,8 @@ class ParityReader {
     if (tree_.symbols[base].rotation) return parity;
     const bool position = tree_.symbols[base].rank == 1 && (name == "\\mathbf{r}" || name == "\\mathbf{x}");
     if (position) return Parity{{}, !parity.odd};
+    const auto declared = declared_.find(base);
+    if (declared != declared_.end()) return Parity{{}, parity.odd != declared->second};
     parity.symbols = {base};
     return parity;
   }
@@ -169,23 +171,19 @@ class ParityReader {
   }
 
   const ExprTree& tree_;
+  const std::map<SymbolId, bool>& declared_;
   std::map<ExprId, std::optional<Parity>> known_;
 };
-
-bool is_equation(const StatedEquation& stated) {
-  return stated.kind == RelationKind::equal || stated.kind == RelationKind::identical ||
-         stated.kind == RelationKind::defines;
-}
 
 }  // namespace
 
 Findings lint_parity(const LintInput& input) {
   Elimination elimination;
-  ParityReader reader(input.tree);
+  ParityReader reader(input);
   Findings findings;
   for (std::size_t k = 0; k < input.stated.size(); ++k) {
     const StatedEquation& stated = input.stated[k];
-    if (!is_equation(stated) || input.report.steps[stated.step].verdict == Verdict::refuted) continue;
+    if (!stated.is_equation() || input.report.steps[stated.step].verdict == Verdict::refuted) continue;
     reader.demands.clear();
     const auto left = reader.read(stated.left);
     const auto right = reader.read(stated.right);

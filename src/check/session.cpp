@@ -30,7 +30,7 @@ void Session::run() {
 /// What is silenced is kept apart; whatever silences something, and whatever asks for a warning, is used.
 void Session::report_lints() {
   const LintScopes scopes(notes_);
-  lint({sources_, notes_, tree_, stated_, report_}, scopes, report_);
+  lint({sources_, notes_, tree_, stated_, report_, mirrored_}, scopes, report_);
   for (const std::size_t directive : silence(scopes, report_)) names_.mark_used(directive);
   for (const Directive* directive : directives_) {
     if (directive->kind == DirectiveKind::warn) names_.mark_used(directive->number);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -110,6 +111,7 @@ class Session {
   std::vector<const Directive*> directives_;
   std::vector<std::pair<std::size_t, SymbolId>> constants_;  // directive, symbol
   Sample sample_;                                            // the last one that met the assumptions in force
+  std::map<SymbolId, bool> mirrored_;                        // declared polar (true) or axial
   std::vector<StatedEquation> stated_;                       // for the lints
   // for the next statement; forgotten when it is over, whatever became of it
   std::vector<const Directive*> expectations_;

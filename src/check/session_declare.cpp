@@ -251,6 +251,7 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
   declared.unit = key.rank == 1 && (directive.unit || symbol.accent == Accent::hat);
   declared.first_seen = notes_.syntax[id].span;
   const SymbolId declared_symbol = names_.declare(tree_, key, std::move(declared), directive.number);
+  if (directive.polar) mirrored_[declared_symbol] = *directive.polar;
   if (directive.kind == DirectiveKind::rotation) declare_rotation(directive, key, declared_symbol);
   const bool whole = symbol.face == Face::plain && symbol.accent == Accent::none && axes == 0;
   if (whole && key.rank > 0) names_.declare_plain(key);

@@ -36,6 +36,14 @@ TEST_CASE("a letter that is a number here and a length there has two meanings") 
   CHECK(warnings(vectors + length + length).empty());
 }
 
+TEST_CASE("a length that is set equal to something else made of its vector has two meanings") {
+  CHECK(warnings(display("r_\\alpha = |\\mathbf{n}\\times\\mathbf{r}_\\alpha|")) == "1:3 two-meanings");
+  CHECK(warnings(display("r_\\alpha = |\\mathbf{r}_\\alpha|")).empty());
+  CHECK(
+      warnings(display("\\mathbf{r} = a\\mathbf{n}") + display("r = \\frac{p}{1 + e\\cos\\theta}")).empty());
+  CHECK(warnings(display("\\mathbf{v} = \\dot{\\mathbf{r}}") + display("v = r\\omega")).empty());
+}
+
 TEST_CASE("the rate of a length and a component have the vector's one meaning") {
   CHECK(warnings(display("\\frac{d}{dt}\\omega^2 = 2\\omega\\dot\\omega") +
                  display("\\omega_i\\omega_i = |\\boldsymbol{\\omega}|^2"))
@@ -107,6 +115,14 @@ TEST_CASE("what is axial by one equation is not polar by another") {
   CHECK(warnings(asked + display("\\mathbf{B} = \\nabla\\times\\mathbf{a}") +
                  display("\\mathbf{G} = \\mathbf{B} + \\mathbf{a}")) == "3:14 mixed-parity");
   CHECK(warnings(spin + display("\\mathbf{M} = \\mathbf{L} + \\mathbf{r}")).empty());
+}
+
+TEST_CASE("what is declared polar or axial is mirrored so") {
+  const std::string asked = rigor_says("warn mixed-parity") + rigor_says("axial vector \\mathbf{B}") +
+                            rigor_says("polar vector \\mathbf{E}");
+  CHECK(warnings(asked + display("\\mathbf{E} = \\mathbf{B}")) == "4:14 mixed-parity");
+  CHECK(warnings(asked + display("\\mathbf{E} = \\mathbf{v}\\times\\mathbf{B}")).empty());
+  CHECK(lines_of(rigor_says("axial scalar h") + display("h = h")).starts_with("proved\n1:"));
 }
 
 TEST_CASE("a definition is unused if no other equation mentions its symbol or a rate of it") {
