@@ -196,6 +196,12 @@ void Session::forget_wheres() {
   for (const std::size_t directive : std::exchange(wheres_, {})) names_.forget(directive);
 }
 
+/// Is this said by a `where`?
+bool Session::is_for_now(const Context& context) const {
+  const bool directed = context.role == Role::let || context.role == Role::given;
+  return directed && std::find(wheres_.begin(), wheres_.end(), context.directive) != wheres_.end();
+}
+
 /// `(A×B)² = A²B², A·B = 0`: a law beside an equation on its line may be the condition under which it holds.
 /// Then what was refuted without it is not understood.
 void Session::heed_conditions(const ParsedDisplay& display, std::size_t first_step) {

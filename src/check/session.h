@@ -58,6 +58,7 @@ class Session {
   void end_statement(Span span);
   void end_section();
   void forget_wheres();
+  bool is_for_now(const Context& context) const;
   void excuse_refuted(const ParsedChain& parsed, std::size_t first_step);
   void suggest_repairs(const ParsedChain& parsed, const Context& context, std::size_t first_step);
   std::vector<TokenView> sides_near(const ParsedChain& parsed) const;

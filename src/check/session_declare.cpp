@@ -216,7 +216,7 @@ void Session::declare_for_now(const Directive& directive, SyntaxId id) {
   const WrittenName name = take_apart(symbol, Letters{}, names_);
   const bool plain = symbol.face == Face::plain && symbol.accent == Accent::none && symbol.dots == 0;
   const NameKey key{name.base, 0, name.per_particle()};
-  if (!plain || !name.axes.empty() || names_.is_declared(key)) return;
+  if (!plain || !name.axes.empty() || names_.find(key)) return;
   Symbol declared;
   declared.name = key.base;
   declared.first_seen = notes_.syntax[id].span;

@@ -111,6 +111,13 @@ bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& r
   const bool seen = names_.seen_in_equation(definition->symbol);
   if (context.role == Role::display && (known || rate || (seen && !named_definition))) return false;
   if (const NamedDefinition* earlier = names_.definition_of(definition->symbol)) {
+    if (is_for_now(context)) {
+      step.diagnostics.push_back({DiagnosticKind::bad_directive, step.relation_span,
+                                  fmt::format("`{}` has a meaning already, which `where` cannot set aside",
+                                              written(tree_[left.typed->id].span)),
+                                  earlier_place(*earlier)});
+      return true;
+    }
     if (earlier->origin.directive) names_.mark_used(*earlier->origin.directive);
     step.diagnostics.push_back(
         {DiagnosticKind::redefinition, step.relation_span,

@@ -2,7 +2,6 @@
 // One step of a chain: what its relation asks, and the verdict.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 
 #include "check/session.h"
@@ -66,8 +65,7 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
   }
   if (readable && parsed.image == 0) {
     const bool directed = context.role == Role::let || context.role == Role::given;
-    const bool passing =
-        directed && std::find(wheres_.begin(), wheres_.end(), context.directive) != wheres_.end();
+    const bool passing = is_for_now(context);
     stated_.push_back({sides[which].typed->id, sides[which + 1].typed->id, relation.span, relation.kind,
                        !directed, passing, report_.steps.size()});
   }
