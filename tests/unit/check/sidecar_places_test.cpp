@@ -3,6 +3,7 @@
 #include "check/sidecar_places.h"
 
 #include "catch.h"
+#include "check/check.h"
 #include "check/session.h"
 
 using namespace rigor;
@@ -17,7 +18,8 @@ std::pair<std::uint32_t, std::string> place_of(const std::string& sidecar) {
   FileReport report;
   report.file = notes_file;
   const Notes notes = read_notes(sources, notes_file, &beside, report.diagnostics);
-  Session(sources, notes, report).run({});
+  const CheckOptions options;
+  Session(sources, notes, report, options).run();
   for (const Step& step : report.steps) {
     if (step.diagnostics.empty()) continue;
     const std::vector<Label>& labels = step.diagnostics[0].labels;
