@@ -14,6 +14,8 @@
 
 namespace rigor {
 
+class LintScopes;
+
 /// A relation whose two sides were read.
 struct StatedEquation {
   ExprId left{};
@@ -57,6 +59,6 @@ Findings lint_definitions(const LintInput& input);  // unused-definition
 
 /// Adds all findings that are wanted where they stand to `report`, which `input` refers to: to the step that
 /// they stand in, if there is one.
-void lint(const LintInput& input, const class LintScopes& scopes, FileReport& report);
+void lint(const LintInput& input, const LintScopes& scopes, FileReport& report);
 
 }  // namespace rigor

@@ -5,6 +5,7 @@
 // `r_\alpha = |\mathbf{n}\times\mathbf{r}_\alpha|`.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -40,6 +41,22 @@ std::string words_of(const SymbolReading& reading) {
   return "a tensor";
 }
 
+/// `v` of `\mathbf{v}`, `\hat{v}` and `\hat{\mathbf{v}}`.
+std::string_view letter_of(std::string_view name) {
+  const auto open = name.rfind('{');
+  if (open == std::string_view::npos) return name;
+  return name.substr(open + 1, name.find('}', open) - open - 1);
+}
+
+/// Does a unit vector of the same letter stand here? Perhaps it is the vector's own direction.
+bool has_direction(const ExprTree& tree, ExprId root, SymbolId vector) {
+  const std::vector<SymbolId> symbols = symbols_in(tree, root);
+  return std::any_of(symbols.begin(), symbols.end(), [&](SymbolId other) {
+    return other != vector && tree.symbols[other].unit &&
+           letter_of(tree.symbols[other].name) == letter_of(tree.symbols[vector].name);
+  });
+}
+
 /// Does a vector itself stand here, other than by its length?
 bool mentions(const ExprTree& tree, ExprId root, SymbolId vector) {
   std::set<ExprId> in_lengths;
@@ -65,6 +82,7 @@ Findings lint_other_lengths(const LintInput& input) {
     const Span span = tree[stated.left].span;
     const bool plain_letter = tree[vector].op == Op::symbol && tree[vector].span == span;
     if (!plain_letter || !mentions(tree, stated.right, tree[vector].symbol)) continue;
+    if (has_direction(tree, stated.right, tree[vector].symbol)) continue;
     findings.push_back(
         {{DiagnosticKind::two_meanings,
           span,

@@ -41,6 +41,7 @@ TEST_CASE("a length that is set equal to something else made of its vector has t
   CHECK(warnings(display("r_\\alpha = |\\mathbf{r}_\\alpha|")).empty());
   CHECK(
       warnings(display("\\mathbf{r} = a\\mathbf{n}") + display("r = \\frac{p}{1 + e\\cos\\theta}")).empty());
+  CHECK(warnings(display("v = \\mathbf{v}\\cdot\\hat{\\mathbf{v}}")).empty());
   CHECK(warnings(display("\\mathbf{v} = \\dot{\\mathbf{r}}") + display("v = r\\omega")).empty());
 }
 
