@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/warning_names.h"
 #include "latex/cyclic_image.h"
 #include "latex/parse.h"
 #include "source/suggest.h"
@@ -27,14 +28,18 @@ constexpr std::array directive_words{
     DirectiveWord{"rotation", DirectiveKind::rotation}, DirectiveWord{"basis", DirectiveKind::basis},
     DirectiveWord{"frame", DirectiveKind::frame},       DirectiveWord{"small", DirectiveKind::small},
     DirectiveWord{"variable", DirectiveKind::variable}, DirectiveWord{"where", DirectiveKind::where},
-    DirectiveWord{"order", DirectiveKind::first_order}};
+    DirectiveWord{"order", DirectiveKind::first_order}, DirectiveWord{"allow", DirectiveKind::allow},
+    DirectiveWord{"warn", DirectiveKind::warn}};
 
 /// Directives that the design names and this version does not decide with.
 constexpr std::array later_words{"units"};
 
-bool is_adjective(const std::string& word) {
-  return word == "symmetric" || word == "unit" || word == "first";
+/// Those of symbols, before or behind the kind.
+bool describes_symbols(const std::string& word) {
+  return word == "symmetric" || word == "unit" || word == "polar" || word == "axial";
 }
+
+bool is_adjective(const std::string& word) { return describes_symbols(word) || word == "first"; }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -62,8 +67,7 @@ Opening read_opening(const SourceMap& sources, Span line) {
   while (true) {
     const std::size_t before = at;
     const std::string word = next_word(text, at);
-    const bool adjective =
-        word == "symmetric" || word == "unit" || (word == "first" && opening.words.empty());
+    const bool adjective = describes_symbols(word) || (word == "first" && opening.words.empty());
     const bool kind_known = std::any_of(opening.words.begin(), opening.words.end(),
                                         [](const std::string& known) { return !is_adjective(known); });
     if (kind_known && !adjective) {
@@ -104,12 +108,17 @@ class DirectiveReader {
     const auto kind = kind_of(opening.words, line, directive);
     if (!kind) return std::nullopt;
     directive.kind = *kind;
+    if (directive.polar && directive.kind != DirectiveKind::vector)
+      return bad(line, "only a vector is declared polar or axial", "e.g. `axial vector \\mathbf{B}`");
     if (directive.kind == DirectiveKind::skip) return directive;
     if (directive.kind == DirectiveKind::first_order) {
       if (opening.words.front() == "first") return directive;
       return bad(line, "`order` is no directive by itself",
                  "`first order` says how the next statement is meant");
     }
+    if (directive.kind == DirectiveKind::allow || directive.kind == DirectiveKind::warn)
+      return read_warning_names(sources_, opening.rest, directive, diagnostics_) ? std::optional(directive)
+                                                                                 : std::nullopt;
     if (directive.kind == DirectiveKind::frame) return frame(opening.rest, std::move(directive));
     if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
     const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
@@ -127,6 +136,7 @@ class DirectiveReader {
     for (const std::string& word : words) {
       if (word == "symmetric") directive.symmetric = true;
       if (word == "unit") directive.unit = true;
+      if (word == "polar" || word == "axial") directive.polar = word == "polar";
     }
     for (const std::string& word : words) {
       const auto known = std::find_if(directive_words.begin(), directive_words.end(),

@@ -29,7 +29,9 @@ enum class DirectiveKind : std::uint8_t {
   first_order,  // the `=` of the next statement means "to first order in what is small"
   claim,
   expect,
-  skip
+  skip,
+  allow,  // silences warnings
+  warn    // asks for them
 };
 
 /// One side of a chain after parsing, and a chain of them.
@@ -45,10 +47,13 @@ struct Directive {
   std::size_t number = 0;  // in the file, for "was it used?"
   bool symmetric = false;
   bool unit = false;
+  std::optional<bool> polar = {};  // `polar vector`, `axial vector`
   std::vector<SyntaxId>
       symbols;  // vector, scalar, tensor, particles, constant, small…; frame: the angular velocity
-  std::vector<ParsedChain> chains;  // let, given, where, claim
-  std::string rotating;             // frame: the labels
+  std::vector<ParsedChain> chains;            // let, given, where, claim
+  std::vector<DiagnosticKind> warnings = {};  // allow, warn
+  bool here = false;                          // allow, warn: of the next statement only
+  std::string rotating;                       // frame: the labels
   std::string fixed;
   std::string text;  // as written, without comment
 };

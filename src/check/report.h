@@ -83,6 +83,7 @@ struct FileReport {
   bool unreadable = false;
   std::vector<Step> steps;
   Diagnostics diagnostics;  // those of no single step
+  Diagnostics silenced;     // warnings that an `allow` keeps out of all others
   Counts counts{};
 };
 

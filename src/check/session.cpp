@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "check/frame.h"
+#include "check/lint_scopes.h"
+#include "check/sidecar_places.h"
 
 namespace rigor {
 
@@ -20,7 +22,19 @@ void Session::run() {
     std::visit([this](const auto& event) { follow(event); }, notes_.events[k]);
     if (options_.progress) options_.progress(k + 1, notes_.events.size());
   }
+  report_lints();
+  label_places(notes_, report_);
   report_unused();
+}
+
+/// What is silenced is kept apart; whatever silences something, and whatever asks for a warning, is used.
+void Session::report_lints() {
+  const LintScopes scopes(notes_);
+  lint({sources_, notes_, tree_, stated_, report_, mirrored_}, scopes, report_);
+  for (const std::size_t directive : silence(scopes, report_)) names_.mark_used(directive);
+  for (const Directive* directive : directives_) {
+    if (directive->kind == DirectiveKind::warn) names_.mark_used(directive->number);
+  }
 }
 
 /// How symbols are written anywhere in the file decides what their letters mean everywhere.
@@ -83,8 +97,8 @@ void Session::follow(const PlacedDirective& placed) {
       return;
     case DirectiveKind::where:
       wheres_.push_back(directive.number);
-      context.role = Role::given;
-      break;
+      follow_where(directive, context);
+      return;
     case DirectiveKind::claim:
       names_.mark_used(directive.number);
       break;
@@ -101,6 +115,17 @@ void Session::follow(const PlacedDirective& placed) {
   if (directive.kind == DirectiveKind::claim) context.first_order = take_first_order();
   for (const ParsedChain& parsed : directive.chains) chain(parsed, context);
   if (directive.kind == DirectiveKind::claim) end_statement(placed.place);
+}
+
+/// An assumption, or with `:=` a symbol of its own, for the next statement.
+void Session::follow_where(const Directive& directive, Context context) {
+  for (const ParsedChain& parsed : directive.chains) {
+    const bool defines = parsed.written.relations[0].kind == RelationKind::defines;
+    context.role = defines ? Role::let : Role::given;
+    if (defines) declare_for_now(directive, parsed.sides[0]);
+    chain(parsed, context);
+    if (defines) names_.mark_unused(directive.number);  // so far it was read by itself only
+  }
 }
 
 void Session::follow(const ParsedDisplay& display) {
@@ -169,6 +194,12 @@ void Session::end_section() {
 
 void Session::forget_wheres() {
   for (const std::size_t directive : std::exchange(wheres_, {})) names_.forget(directive);
+}
+
+/// Is this said by a `where`?
+bool Session::is_for_now(const Context& context) const {
+  const bool directed = context.role == Role::let || context.role == Role::given;
+  return directed && std::find(wheres_.begin(), wheres_.end(), context.directive) != wheres_.end();
 }
 
 /// `(A×B)² = A²B², A·B = 0`: a law beside an equation on its line may be the condition under which it holds.

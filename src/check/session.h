@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "check/chain_reading.h"
 #include "check/check.h"
 #include "check/judge.h"
+#include "check/lint.h"
 #include "check/notes.h"
 
 namespace rigor {
@@ -36,7 +38,9 @@ class Session {
   void follow(const Heading& heading);
   void follow(const PlacedDirective& placed);
   void follow(const ParsedDisplay& display);
+  void follow_where(const Directive& directive, Context context);
   void declare(const Directive& directive);
+  void declare_for_now(const Directive& directive, SyntaxId id);
   void declare_symbol(const Directive& directive, SyntaxId id);
   void declare_rotation(const Directive& directive, const NameKey& key, SymbolId symbol);
   void declare_basis(const Directive& directive, SyntaxId id);
@@ -54,10 +58,12 @@ class Session {
   void end_statement(Span span);
   void end_section();
   void forget_wheres();
+  bool is_for_now(const Context& context) const;
   void excuse_refuted(const ParsedChain& parsed, std::size_t first_step);
   void suggest_repairs(const ParsedChain& parsed, const Context& context, std::size_t first_step);
   std::vector<TokenView> sides_near(const ParsedChain& parsed) const;
   void report_unmet(const Directive& expectation, Span statement);
+  void report_lints();
   void report_unused();
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
 
@@ -73,6 +79,7 @@ class Session {
                Step& step);
   bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right,
                  Step& step);
+  std::vector<Label> earlier_place(const NamedDefinition& earlier) const;
   void add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
                       const Context& context, Step& step);
   void add_assumption(const Typed& left, const Typed& right, const Equation& equation,
@@ -106,6 +113,8 @@ class Session {
   std::vector<const Directive*> directives_;
   std::vector<std::pair<std::size_t, SymbolId>> constants_;  // directive, symbol
   Sample sample_;                                            // the last one that met the assumptions in force
+  std::map<SymbolId, bool> mirrored_;                        // declared polar (true) or axial
+  std::vector<StatedEquation> stated_;                       // for the lints
   // for the next statement; forgotten when it is over, whatever became of it
   std::vector<const Directive*> expectations_;
   const Directive* skip_ = nullptr;

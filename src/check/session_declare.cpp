@@ -209,6 +209,20 @@ void Session::declare_rotation(const Directive& directive, const NameKey& key, S
   if (mixed.contains(key.base)) names_.mark_used(directive.number);
 }
 
+/// A plain letter that would be the length of a vector is a number of its own where it is given a meaning.
+void Session::declare_for_now(const Directive& directive, SyntaxId id) {
+  if (notes_.syntax[id].kind != SyntaxKind::symbol) return;
+  const WrittenSymbol& symbol = notes_.syntax.symbol(id);
+  const WrittenName name = take_apart(symbol, Letters{}, names_);
+  const bool plain = symbol.face == Face::plain && symbol.accent == Accent::none && symbol.dots == 0;
+  const NameKey key{name.base, 0, name.per_particle()};
+  if (!plain || !name.axes.empty() || names_.find(key)) return;
+  Symbol declared;
+  declared.name = key.base;
+  declared.first_seen = notes_.syntax[id].span;
+  names_.declare(tree_, key, std::move(declared), directive.number);
+}
+
 void Session::declare_symbol(const Directive& directive, SyntaxId id) {
   const WrittenSymbol& symbol = notes_.syntax.symbol(id);
   const WrittenName name = take_apart(symbol, Letters{}, names_);
@@ -237,6 +251,7 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
   declared.unit = key.rank == 1 && (directive.unit || symbol.accent == Accent::hat);
   declared.first_seen = notes_.syntax[id].span;
   const SymbolId declared_symbol = names_.declare(tree_, key, std::move(declared), directive.number);
+  if (directive.polar) mirrored_[declared_symbol] = *directive.polar;
   if (directive.kind == DirectiveKind::rotation) declare_rotation(directive, key, declared_symbol);
   const bool whole = symbol.face == Face::plain && symbol.accent == Accent::none && axes == 0;
   if (whole && key.rank > 0) names_.declare_plain(key);

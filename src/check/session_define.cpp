@@ -111,13 +111,28 @@ bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& r
   const bool seen = names_.seen_in_equation(definition->symbol);
   if (context.role == Role::display && (known || rate || (seen && !named_definition))) return false;
   if (const NamedDefinition* earlier = names_.definition_of(definition->symbol)) {
+    if (is_for_now(context)) {
+      step.diagnostics.push_back({DiagnosticKind::bad_directive, step.relation_span,
+                                  fmt::format("`{}` has a meaning already, which `where` cannot set aside",
+                                              written(tree_[left.typed->id].span)),
+                                  earlier_place(*earlier)});
+      return true;
+    }
     if (earlier->origin.directive) names_.mark_used(*earlier->origin.directive);
     step.diagnostics.push_back(
         {DiagnosticKind::redefinition, step.relation_span,
-         fmt::format("`{}` replaces `{}`", written(tree_[left.typed->id].span), earlier->origin.text)});
+         fmt::format("`{}` replaces `{}`", written(tree_[left.typed->id].span), earlier->origin.text),
+         earlier_place(*earlier)});
   }
   add_definition(*left.typed, *right.typed, parsed, context, step);
   return true;
+}
+
+/// Where a symbol was defined before.
+std::vector<Label> Session::earlier_place(const NamedDefinition& earlier) const {
+  const Span place = tree_[earlier.definition.body].span;
+  if (place.empty()) return {};
+  return {{place, "the earlier definition"}};
 }
 
 void Session::add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
@@ -168,7 +183,8 @@ bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, c
   step.diagnostics.push_back(
       {DiagnosticKind::redefinition, step.relation_span,
        fmt::format("`{}` has another meaning than in `{}`, which is forgotten from here on",
-                   written(tree_[left.id].span), earlier->origin.text)});
+                   written(tree_[left.id].span), earlier->origin.text),
+       earlier_place(*earlier)});
   add_definition(left, right, parsed, {}, step);
   return true;
 }

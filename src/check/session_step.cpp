@@ -64,6 +64,12 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
   } else if (readable) {
     decide_step(parsed, which, reading, context, step);
   }
+  if (readable && parsed.image == 0) {
+    const bool directed = context.role == Role::let || context.role == Role::given;
+    const bool passing = is_for_now(context);
+    stated_.push_back({sides[which].typed->id, sides[which + 1].typed->id, relation.span, relation.kind,
+                       !directed, passing, report_.steps.size()});
+  }
   step.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   add(std::move(step));
 }

@@ -94,4 +94,17 @@ Typed Elaborator::sum_over(Typed body, const std::vector<FreeIndex>& letters) {
   return body;
 }
 
+void Elaborator::warn_of_bold_index(const WrittenName& name, const std::string& whole, Span span) {
+  std::string list;
+  for (const WrittenIndex& axis : name.axes) list += axis.text + std::string(axis.primes, '\'');
+  const bool one = name.axes.size() == 1;
+  diagnostics_.push_back({DiagnosticKind::bold_index,
+                          span,
+                          fmt::format("`{}` is a {}, yet it carries the {} `{}`; read as the component",
+                                      whole, one ? "vector" : "tensor", one ? "index" : "indices", list),
+                          {},
+                          {one ? fmt::format("write `{}_{}`", name.base, list)
+                               : fmt::format("write `{}_{{{}}}`", name.base, list)}});
+}
+
 }  // namespace rigor

@@ -163,17 +163,12 @@ std::optional<Typed> Elaborator::vector_symbol(const WrittenSymbol& written, Wri
   const bool hatted = written.accent == Accent::hat && written.face == Face::plain;
   const bool whole_vector_known =
       names_.is_declared({name.base, 1, particle}) || names_.sightings.bold.contains({name.base, particle});
-  if (name.axes.size() == 1 && (whole_vector_known || hatted) && !is_bound_letter(name.axes[0].text)) {
-    if (!hatted) {
-      diagnostics_.push_back(
-          {DiagnosticKind::bold_index,
-           span,
-           fmt::format("`{}` is a vector, yet it carries the index `{}`; read as the component",
-                       bold(name.base), name.axes[0].text),
-           {},
-           {fmt::format("write `{}_{}`", name.base, name.axes[0].text)}});
-    }
-    return make_symbol(written, name.base, 1, name, name.axes, span);
+  const int rank = static_cast<int>(name.axes.size());
+  const bool tensor_component = rank > 1 && names_.is_declared({name.base, rank, particle});
+  if (tensor_component ||
+      (rank == 1 && (whole_vector_known || hatted) && !is_bound_letter(name.axes[0].text))) {
+    if (!hatted) warn_of_bold_index(name, bold(name.base), span);
+    return make_symbol(written, name.base, rank, name, name.axes, span);
   }
   return fail(DiagnosticKind::ambiguous_reading, span,
               fmt::format("the index on `{}` can name a particle, a component or a label", bold(name.base)),

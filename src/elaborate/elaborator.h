@@ -179,6 +179,7 @@ class Elaborator {
   bool sum_repeated(const std::vector<Typed>& factors, std::vector<FreeIndex>& to_sum,
                     std::vector<FreeIndex>& free, std::vector<FreeIndex>& bound);
   void note_riding(const std::string& letter, const std::vector<FreeIndex>& where, std::size_t riding);
+  void warn_of_bold_index(const WrittenName& name, const std::string& whole, Span span);
   Typed sum_over(Typed body, const std::vector<FreeIndex>& letters);
 
   // elaborate_sum.cpp

@@ -142,6 +142,7 @@ void Names::restore(Scene scene) {
 
 void Names::forget(std::size_t directive) {
   const auto brought = [&](const auto& entry) { return entry.origin.directive == directive; };
+  std::erase_if(entries_, [&](const auto& entry) { return entry.second.directive == directive; });
   std::erase_if(definitions_, brought);
   std::erase_if(assumptions_, brought);
   for (Scene& scene : before_frames_) {

@@ -117,7 +117,7 @@ class Names {
     assumptions_ = std::move(scene.assumptions);
   }
 
-  /// What a directive defined and assumed holds no longer.
+  /// What a directive declared, defined and assumed holds no longer.
   void forget(std::size_t directive);
 
   struct Constant {
@@ -174,6 +174,7 @@ class Names {
   }
 
   void mark_used(std::size_t directive);
+  void mark_unused(std::size_t directive) { used_.erase(directive); }
   [[nodiscard]] bool is_used(std::size_t directive) const { return used_.contains(directive); }
   /// The names in scope, for suggestions.
   [[nodiscard]] std::vector<std::string> known_names(const ExprTree& tree) const;

@@ -127,6 +127,7 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
   object["steps"] = Json::array();
   for (const Step& step : file.steps) object["steps"].push_back(json_of(step, sources));
   object["diagnostics"] = json_of(file.diagnostics, sources);
+  object["silenced"] = json_of(file.silenced, sources);
   object["counts"] = json_of(file.counts);
   object["sidecar"] = file.sidecar.empty() ? Json(nullptr) : Json(file.sidecar);
   return object;

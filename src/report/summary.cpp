@@ -22,12 +22,14 @@ struct Extras {
   std::size_t expected = 0;  // refuted, as a directive says
   std::size_t errors = 0;
   std::size_t warnings = 0;
+  std::size_t silenced = 0;
 };
 
 Extras count_extras(const Report& report) {
   Extras extras;
   for (const FileReport& file : report.files) {
     extras.steps += file.steps.size();
+    extras.silenced += file.silenced.size();
     for (const Step& step : file.steps)
       if (step.verdict == Verdict::refuted && step.expected_refuted) ++extras.expected;
     for (const PlacedDiagnostic& placed : diagnostics_of(file)) {
@@ -53,6 +55,7 @@ std::string print_summary(const Report& report) {
                       count(Verdict::not_understood), count(Verdict::skipped));
   if (extras.errors > 0) text += "; " + count_of(extras.errors, "error");
   if (extras.warnings > 0) text += (extras.errors > 0 ? ", " : "; ") + count_of(extras.warnings, "warning");
+  if (extras.silenced > 0) text += fmt::format("; {} silenced", extras.silenced);
   return text + "; " + print_time(report.milliseconds);
 }
 

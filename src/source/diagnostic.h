@@ -54,6 +54,17 @@ enum class DiagnosticKind : std::uint8_t {
   no_real_value,
   circular_definition,
   redefinition,
+  // lints: what is read, and is perhaps not what was meant
+  two_meanings,
+  shared_letter,
+  mixed_spelling,
+  plain_vector,
+  hidden_index,
+  idle_sum,
+  mixed_frames,
+  scalar_zero,
+  mixed_parity,
+  unused_definition,
   // verdicts
   refuted,
   undecided,
@@ -68,6 +79,7 @@ struct DiagnosticInfo {
   std::string_view name;  // as printed in brackets, e.g. "index-repeats"
   Severity severity;
   std::string_view summary;  // one line, for the documentation
+  bool off = false;          // reported only where `warn` asks for it
 };
 
 [[nodiscard]] std::span<const DiagnosticInfo> diagnostic_table();

@@ -162,3 +162,31 @@ TEST_CASE("a chain is parsed side by side") {
   CHECK(dump_syntax(syntax, chains[0].sides[0]) == "(sum +a +b)");
   CHECK(dump_syntax(syntax, chains[0].sides[2]) == "vector:d");
 }
+
+TEST_CASE("`allow` and `warn` name warnings, with a reason behind a colon") {
+  const auto warnings = [](const std::string& line) {
+    const Reading reading(line);
+    std::string names;
+    for (const DiagnosticKind kind : reading.directive.value().warnings)
+      names += (names.empty() ? "" : " ") + std::string(info(kind).name);
+    return names;
+  };
+  CHECK(kind_of("allow bold-index") == DirectiveKind::allow);
+  CHECK(kind_of("warn bold-index") == DirectiveKind::warn);
+  CHECK(warnings("allow bold-index, idle-sum: as in the book, (7)") == "bold-index idle-sum");
+  CHECK(warnings("warn scalar-zero mixed-parity") == "scalar-zero mixed-parity");
+  CHECK(Reading("allow here idle-sum").directive.value().here);
+  CHECK_FALSE(Reading("allow idle-sum: here").directive.value().here);
+  CHECK(read("allow bold-idx") == "7 bad-directive");
+  CHECK(help_of("allow bold-indx") == "did you mean `bold-index`?");
+  CHECK(read("allow refuted, bold-index") == "7 bad-directive");
+  CHECK(read("allow : why") == "1 bad-directive");
+  CHECK(read("warn here") == "1 bad-directive");
+}
+
+TEST_CASE("only a vector is declared polar or axial") {
+  CHECK(Reading("axial vector \\mathbf{B}").directive.value().polar == false);
+  CHECK(Reading("vector (polar) \\mathbf{E}").directive.value().polar == true);
+  CHECK_FALSE(Reading("vector \\mathbf{E}").directive.value().polar.has_value());
+  CHECK(read("axial scalar h") == "1 bad-directive");
+}

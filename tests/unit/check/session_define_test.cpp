@@ -78,3 +78,33 @@ TEST_CASE("rules for three components are none for a vector that has one") {
   CHECK(verdict_on("\\dot A_1 = r_2", notes) == "proved");
   CHECK(is_refuted(verdict_on("\\dot A_1 = r_3", notes)));
 }
+
+TEST_CASE("`where` with `:=` gives a plain letter a meaning for the next statement only") {
+  const std::string vectors = rigor_says("vector \\mathbf{r}, \\mathbf{n}");
+  const std::string local = vectors + rigor_says("where r := |\\mathbf{n}\\times\\mathbf{r}|");
+  CHECK(verdict_on("r^2 = |\\mathbf{n}\\times\\mathbf{r}|^2", local) == "proved");
+  CHECK(is_refuted(verdict_on("r^2 = \\mathbf{r}\\cdot\\mathbf{r}", local)));
+  const std::string behind = local + "$$r \\ge 0$$\n";
+  CHECK(verdict_on("r^2 = \\mathbf{r}\\cdot\\mathbf{r}", behind).starts_with("proved"));
+  CHECK(has(lines_of(local + "$$\\mathbf{n}\\times\\mathbf{n} = 0$$\n"), "unused-directive"));
+}
+
+TEST_CASE("`where` with `:=` leaves what it does not name alone, and sets no meaning aside") {
+  const std::string defined = "$$s = 2a$$\n";
+  CHECK(has(lines_of(defined + rigor_says("where s := 3a") + "$$s = 3a$$\n"), "bad-directive"));
+  CHECK(verdict_on("s = 2a", defined + rigor_says("where u := 3a") + "$$u = 3a$$\n") == "proved");
+  const std::string vector =
+      rigor_says("vector \\mathbf{a}") + rigor_says("where \\mathbf{u} := 2\\mathbf{a}");
+  CHECK(verdict_on("\\mathbf{u}\\times\\mathbf{a} = 0", vector) == "proved");
+}
+
+TEST_CASE("a second definition shows the first one") {
+  const Checked checked("# A\n$$p = ab$$\n# B\n$$p = c + d$$\n");
+  REQUIRE(checked.report.steps.size() == 2);
+  const Diagnostics& diagnostics = checked.report.steps[1].diagnostics;
+  REQUIRE(diagnostics.size() == 1);
+  CHECK(diagnostics[0].kind == DiagnosticKind::redefinition);
+  REQUIRE(diagnostics[0].labels.size() == 1);
+  const Span first = diagnostics[0].labels[0].span;
+  CHECK(checked.sources.line_column(first.file, first.begin).line == 2);
+}

@@ -61,5 +61,11 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("only warnings are off unless asked for") {
+  for (const DiagnosticInfo& entry : diagnostic_table())
+    CHECK((!entry.off || entry.severity == Severity::warning));
+  CHECK(info(DiagnosticKind::scalar_zero).off);
+}
+
 }  // namespace
 }  // namespace rigor

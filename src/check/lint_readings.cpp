@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/lint_readings.h"
+
+#include <set>
+
+namespace rigor {
+namespace {
+
+Meaning meaning_of(const ExprNode& node) {
+  if (node.op == Op::length) return Meaning::length;
+  if (node.rank == 0) return Meaning::number;
+  return node.rank == 1 ? Meaning::vector : Meaning::tensor;
+}
+
+}  // namespace
+
+std::map<Extent, SymbolReading> symbol_readings(const LintInput& input) {
+  const ExprTree& tree = input.tree;
+  std::map<Extent, SymbolReading> readings;
+  std::set<Extent> composed;
+  for (const StatedEquation& stated : input.stated) {
+    for (const ExprId id : nodes_below(tree, {stated.left, stated.right})) {
+      const bool length = tree[id].op == Op::length && tree[tree.children(id)[0]].op == Op::symbol;
+      const ExprNode& node = length ? tree[tree.children(id)[0]] : tree[id];
+      const Extent extent = extent_of(tree[id].span);
+      if (node.op != Op::symbol || node.slot_count > 0) {
+        composed.insert(extent);
+        continue;
+      }
+      SymbolReading reading{meaning_of(tree[id]), node.symbol, tree.symbols[node.symbol].name, tree[id].span};
+      const auto [known, fresh] = readings.try_emplace(extent, reading);
+      if (!fresh && length) known->second = std::move(reading);  // the vector alone is part of the length
+    }
+  }
+  for (const Extent& extent : composed) {
+    const auto found = readings.find(extent);
+    if (found != readings.end() && found->second.meaning != Meaning::length) readings.erase(found);
+  }
+  return readings;
+}
+
+}  // namespace rigor
