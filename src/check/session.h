@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "check/chain_ends.h"
 #include "check/check.h"
 #include "check/judge.h"
 #include "check/notes.h"
@@ -75,6 +76,11 @@ class Session {
   };
   std::unique_ptr<Attempt> read(const ParsedChain& parsed);
   bool is_balanced(const std::vector<Side>& sides) const;
+  Link across(const ParsedChain& parsed, std::size_t left, std::size_t right, Attempt& attempt);
+  void explain_slips(const ParsedChain& parsed, std::size_t first_step, Attempt& attempt,
+                     const Context& context);
+  void explain_slip(const ParsedChain& parsed, std::size_t first_step, std::size_t which,
+                    const ChainPlace& place);
   Letters letters_of(const ParsedChain& parsed) const {
     return read_letters(notes_.syntax, parsed.sides, names_);
   }

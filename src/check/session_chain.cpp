@@ -29,6 +29,7 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
          {"say `(\\text{no sum})` beside the equation"}});
   }
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *attempt, context);
+  if (options_.recorded == nullptr) explain_slips(parsed, first_step, *attempt, context);
   const std::vector<Side>& sides = attempt->sides;
   mark_seen(sides);
   if (context.role == Role::display || context.role == Role::claim) excuse_refuted(parsed, first_step);
