@@ -17,7 +17,7 @@ constexpr int passes = 3;                    // over all numbers of a point
 constexpr std::uint64_t least_shrink_steps = 30'000;
 constexpr std::uint64_t most_shrink_steps = 500'000;
 constexpr std::uint64_t cheap_look = 2'000;  // steps
-constexpr std::uint64_t looks_worth = 40;    // so many times what one look costs, between these
+constexpr std::uint64_t looks_worth = 34;    // so many times what one look costs, between these
 constexpr std::uint64_t tiny_seed = 0x74696e79;
 
 constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};

@@ -43,7 +43,7 @@ struct Counterexample {
 
 /// Where a refuted step stands in its chain of equalities. Steps count from 0.
 struct ChainPlace {
-  bool first_wrong = false;  // what comes before holds, or was put right again
+  bool first_wrong = false;    // what comes before holds, or was put right again
   bool undoes = false;         // it takes back the slip of the first wrong step
   bool stays = false;          // of a first wrong step: its slip is there at the end of the chain
   std::size_t first_step = 0;  // of a later step: the first wrong one
