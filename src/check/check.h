@@ -14,7 +14,6 @@ namespace rigor {
 struct CheckOptions {
   std::optional<std::string> sidecar;  // a path; without it, `NAME.rigor` beside the notes, if there is one
   std::function<void(std::size_t done, std::size_t all)> progress;  // called after each display; may be empty
-  bool samples_of_expected = true;
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
 };
 
