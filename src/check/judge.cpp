@@ -102,7 +102,8 @@ ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
 
 class Judging {
  public:
-  Judging(ExprTree& tree, Names& names, const Claim& claim) : tree_(tree), names_(names), claim_(claim) {}
+  Judging(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits)
+      : tree_(tree), names_(names), claim_(claim), limits_(limits) {}
 
   Judgement judge() {
     Decision decision = decide_order(0);
@@ -163,8 +164,10 @@ class Judging {
       open.reason = *prepared_.too_large;
       return open;
     }
+    Limits limits = limits_;
+    limits.simplest_sample = limits.simplest_sample && last;
     Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
-                                            : decide(prepared_.question, {.simplest_sample = last});
+                                            : decide(prepared_.question, limits);
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
@@ -358,6 +361,7 @@ class Judging {
   ExprTree& tree_;
   Names& names_;
   const Claim& claim_;
+  Limits limits_;
   Prepared prepared_;
   bool first_order_ = false;
   Judgement judgement_;
@@ -365,16 +369,17 @@ class Judging {
 
 }  // namespace
 
-Judgement judge(ExprTree& tree, Names& names, const Claim& claim) {
-  return Judging(tree, names, claim).judge();
+Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits) {
+  return Judging(tree, names, claim, limits).judge();
 }
 
-std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names, const Sample& known) {
+std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names, const Sample& known,
+                                            const Limits& limits) {
   if (names.assumptions().empty()) return Sample{};
   const Equation last = names.assumptions().back().equation;
   Question question = prepare(tree, names, last).question;
   question.assumptions.push_back(last);  // also where it speaks of no symbol: 0 = 1
-  return satisfying_sample(question, known);
+  return satisfying_sample(question, known, limits);
 }
 
 }  // namespace rigor

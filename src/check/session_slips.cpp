@@ -46,21 +46,14 @@ void add_label(Step& step, Span span, std::string text) {
 }  // namespace
 
 /// Is one side of a chain equal to another that is not beside it? Judged as a step would be.
-Link Session::across(const ParsedChain& parsed, std::size_t left, std::size_t right, Attempt& attempt) {
-  const Side& from = attempt.sides[left];
-  const Side& to = attempt.sides[right];
+Link Session::across(const ParsedChain& parsed, std::size_t left, std::size_t right, ChainReading& reading) {
+  const Side& from = reading.sides[left];
+  const Side& to = reading.sides[right];
   if (!from.typed || !to.typed) return Link::open;
-  const Span relation = parsed.written.relations[right - 1].span;
   Diagnostics mismatches;
-  const auto equation = attempt.elaborator.equation(*from.typed, *to.typed, {relation, mismatches});
-  if (!equation) return Link::open;
-  const Claim claim{.equation = *equation,
-                    .relation = relation,
-                    .left = parsed.written.sides[left].span,
-                    .right = parsed.written.sides[right].span,
-                    .reading = &attempt.elaborator,
-                    .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr};
-  switch (judge(tree_, names_, claim).verdict) {
+  const auto claim = reading.claim(parsed, right - 1, *from.typed, *to.typed, false, mismatches);
+  if (!claim) return Link::open;
+  switch (judge(tree_, names_, *claim).verdict) {
     case Verdict::proved:
       return Link::holds;
     case Verdict::refuted:
@@ -72,7 +65,7 @@ Link Session::across(const ParsedChain& parsed, std::size_t left, std::size_t ri
 
 /// Says of each refuted step of a chain whether it is the first wrong one, what becomes of its slip, and
 /// whether it only takes back an earlier one.
-void Session::explain_slips(const ParsedChain& parsed, std::size_t first_step, Attempt& attempt,
+void Session::explain_slips(const ParsedChain& parsed, std::size_t first_step, ChainReading& reading,
                             const Context& context) {
   const std::vector<WrittenRelation>& relations = parsed.written.relations;
   if (context.first_order || parsed.written.condition || relations.size() < 2 ||
@@ -82,7 +75,7 @@ void Session::explain_slips(const ParsedChain& parsed, std::size_t first_step, A
   for (std::size_t k = 0; k < relations.size(); ++k)
     links.push_back(link_of(report_.steps[first_step + k], relations[k]));
   if (std::count(links.begin(), links.end(), Link::fails) == 0) return;
-  const auto decide_across = [&](std::size_t i, std::size_t k) { return across(parsed, i, k, attempt); };
+  const auto decide_across = [&](std::size_t i, std::size_t k) { return across(parsed, i, k, reading); };
   const auto places = places_in_chain(links, decide_across);
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k]) explain_slip(parsed, first_step, k, *places[k]);

@@ -109,6 +109,15 @@ Json json_of(const Step& step, const SourceMap& sources) {
   object["route"] = step.route;
   object["uses"] = step.uses;
   object["counterexample"] = step.counterexample ? json_of(*step.counterexample) : Json(nullptr);
+  object["repairs"] = Json::array();
+  for (const Repair& repair : step.repairs) {
+    Json entry;
+    entry["side"] = repair.on_left ? "left" : "right";
+    entry["statement"] = repair.statement;
+    entry["change"] = repair.change;
+    object["repairs"].push_back(std::move(entry));
+  }
+  object["conditions"] = step.conditions;
   object["diagnostics"] = json_of(step.diagnostics, sources);
   object["file"] = sources.path(step.span.file);
   object["chain"] = step.chain ? json_of(*step.chain) : Json(nullptr);

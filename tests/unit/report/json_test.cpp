@@ -32,10 +32,10 @@ TEST_CASE("the keys of the report, a file, the counts and a step are the documen
   const Keys verdicts{"proved", "refuted", "given", "definition", "undecided", "not-understood", "skipped"};
   CHECK(keys_of(json["counts"]) == verdicts);
   CHECK(file["counts"] == json["counts"]);
-  CHECK(keys_of(file["steps"][0]) == Keys{"line", "column", "end_line", "end_column", "tag", "label",
-                                          "section", "source", "left", "relation", "right", "verdict",
-                                          "route", "uses", "counterexample", "diagnostics", "file", "chain",
-                                          "milliseconds"});
+  CHECK(keys_of(file["steps"][0]) ==
+        Keys{"line",           "column",  "end_line",   "end_column",  "tag",     "label", "section",
+             "source",         "left",    "relation",   "right",       "verdict", "route", "uses",
+             "counterexample", "repairs", "conditions", "diagnostics", "file",    "chain", "milliseconds"});
 }
 
 TEST_CASE("a step that is proved") {
@@ -46,7 +46,8 @@ TEST_CASE("a step that is proved") {
     "source": "\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A}",
     "left": "\\mathbf{A}\\cdot\\mathbf{B}", "relation": "=", "right": "\\mathbf{B}\\cdot\\mathbf{A}",
     "verdict": "proved", "route": "component normal form", "uses": ["definition A (1)"],
-    "counterexample": null, "diagnostics": [], "file": "notes/products.md", "chain": null, "milliseconds": 0.123})json"));
+    "counterexample": null, "repairs": [], "conditions": [], "diagnostics": [], "file": "notes/products.md",
+    "chain": null, "milliseconds": 0.123})json"));
 }
 
 TEST_CASE("a step that is refuted has all that is needed to replay its counterexample") {
