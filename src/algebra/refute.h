@@ -67,6 +67,7 @@ class Refuter {
   void descend(Counterexample& best);
   void shrink(Counterexample& best, std::uint64_t one_look);
   void drop_particles(Counterexample& best);
+  void take_multiples_away(Counterexample& best);
   void make_particles_alike(Counterexample& best);
   void make_scalars_alike(Counterexample& best);
   [[nodiscard]] bool make_smaller(Counterexample& best);

@@ -107,6 +107,7 @@ Complexity complexity(const SamplePoint& point) {
   double weight = 1;
   for (const Coordinate& at : point.coordinates()) {
     const auto all = point.values(at.symbol, at.particle);
+    if (!cln::zerop(point[at])) result.size += point.meaning(at.symbol).multiple - 1;
     const bool rotation = point.is_whole(at) && all.size() == 9;
     if (rotation) result.nonzero += strangeness(all);
     const std::span<const Rational> own = point.is_whole(at) ? all : all.subspan(at.component, 1);

@@ -96,7 +96,7 @@ class SamplePoint {
 struct Complexity {
   std::uint32_t particles = 0;
   std::uint32_t nonzero = 0;
-  double size = 0;      // Σ |numerator| + 3 (denominator − 1), and 3/2 for a minus sign
+  double size = 0;  // Σ |numerator| + 3 (denominator − 1), 3/2 for a minus sign, k − 1 of 2k arctan t
   double lateness = 0;  // of axes and particles, the earlier symbols first
   friend auto operator<=>(const Complexity&, const Complexity&) = default;
 };

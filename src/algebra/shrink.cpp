@@ -17,7 +17,7 @@ constexpr int passes = 3;                    // over all numbers of a point
 constexpr std::uint64_t least_shrink_steps = 30'000;
 constexpr std::uint64_t most_shrink_steps = 500'000;
 constexpr std::uint64_t cheap_look = 2'000;  // steps
-constexpr std::uint64_t looks_worth = 40;    // so many times what one look costs, between these
+constexpr std::uint64_t looks_worth = 34;    // so many times what one look costs, between these
 constexpr std::uint64_t tiny_seed = 0x74696e79;
 
 constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
@@ -100,6 +100,21 @@ void Refuter::exchange_axes(Counterexample& best) {
     consider(best, best.drawn.with_exchanged(p - 1, p), best.attempt);
 }
 
+/// Angles and logarithms themselves, not multiples of them.
+void Refuter::take_multiples_away(Counterexample& best) {
+  SamplePoint plain = best.drawn;
+  bool any = false;
+  for (const SymbolId symbol : reach_.symbols) {
+    Meaning meaning = plain.meaning(symbol);
+    if (meaning.multiple == 1) continue;
+    meaning.multiple = 1;
+    plain.mean(symbol, meaning);
+    for (const Coordinate& at : plain.coordinates_of(symbol)) plain.set(at, 1);
+    any = true;
+  }
+  if (any) consider(best, plain, best.attempt);
+}
+
 void Refuter::drop_particles(Counterexample& best) {
   for (std::uint32_t particle = best.drawn.particles(); particle > 0; --particle) {
     if (best.drawn.particles() > 1) consider(best, best.drawn.without_particle(particle), best.attempt);
@@ -167,6 +182,7 @@ bool Refuter::make_smaller(Counterexample& best) {
 /// One thing after the other made smaller in the best sample so far.
 void Refuter::descend(Counterexample& best) {
   drop_particles(best);
+  take_multiples_away(best);
   clear_symbols(best);
   make_particles_alike(best);
   make_scalars_alike(best);

@@ -129,8 +129,11 @@ void Refuter::look_among_few(Counterexample& best) {
     looks_left_ = solver_.none() ? most_looks : most_solved_looks;
     look_among_few(best, particles, scalar, values);
   };
+  const SymbolTable& symbols = scope_->tree().symbols;
+  const bool has_scalars = std::any_of(reach_.symbols.begin(), reach_.symbols.end(),
+                                       [&](SymbolId symbol) { return symbols[symbol].rank == 0; });
   look(1, ones);
-  look(0, ones);
+  if (has_scalars) look(0, ones);
   if (!(complexity(best.point) < before)) look(1, twos);
 }
 

@@ -18,7 +18,6 @@ struct CheckOptions {
   std::optional<std::string> sidecar = {};  // without it, `NAME.rigor` beside the notes, if there is one
   std::function<void(std::size_t done, std::size_t all)> progress = {};  // called after each display
   Repairs repairs = Repairs::of_unexpected;
-  bool samples_of_expected = true;
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
 };
 

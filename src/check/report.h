@@ -41,6 +41,15 @@ struct Counterexample {
   bool squared_distance = false;  // `left` is |left − right|², of vectors or tensors that are to be unequal
 };
 
+/// Where a refuted step stands in its chain of equalities. Steps count from 0.
+struct ChainPlace {
+  bool first_wrong = false;    // what comes before holds, or was put right again
+  bool undoes = false;         // it takes back the slip of the first wrong step
+  bool stays = false;          // of a first wrong step: its slip is there at the end of the chain
+  std::size_t first_step = 0;  // of a later step: the first wrong one
+  std::optional<std::size_t> undone_at = {};  // of a first wrong step: the one that takes its slip back
+};
+
 /// A true statement near a refuted one.
 struct Repair {
   bool on_left = false;   // which side is changed
@@ -67,6 +76,7 @@ struct Step {
   std::string route;
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`
   std::optional<Counterexample> counterexample;
+  std::optional<ChainPlace> chain;      // of a refuted step, if the chain has other steps
   std::vector<Repair> repairs;          // of a refuted step, the nearest first; at most three
   std::vector<std::string> conditions;  // under which a refuted step would hold, as LaTeX; at most two
   double repair_milliseconds = 0.0;     // the time that was taken to find them

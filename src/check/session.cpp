@@ -231,6 +231,7 @@ void Session::heed_conditions(const ParsedDisplay& display, std::size_t first_st
       step.verdict = Verdict::not_understood;
       ++report_.counts[static_cast<std::size_t>(step.verdict)];
       step.counterexample.reset();
+      step.chain.reset();
       step.diagnostics = {{DiagnosticKind::unsupported,
                            step.relation_span,
                            "it does not hold for all values, and what stands beside it may be its condition",

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "check/chain_ends.h"
 #include "check/chain_reading.h"
 #include "check/check.h"
 #include "check/judge.h"
@@ -70,6 +71,11 @@ class Session {
   void chain(const ParsedChain& parsed, const Context& context);
   using Side = ChainReading::Side;
   bool reads(const ParsedChain& parsed);
+  Link across(const ParsedChain& parsed, std::size_t left, std::size_t right, ChainReading& reading);
+  void explain_slips(const ParsedChain& parsed, std::size_t first_step, ChainReading& reading,
+                     const Context& context);
+  void explain_slip(const ParsedChain& parsed, std::size_t first_step, std::size_t which,
+                    const ChainPlace& place);
   bool proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t which, const Claim& claim,
                                    Step& step);
   void step(const ParsedChain& parsed, std::size_t which, ChainReading& reading, const Context& context);

@@ -45,6 +45,7 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
          {"say `(\\text{no sum})` beside the equation"}});
   }
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *reading, context);
+  if (options_.recorded == nullptr) explain_slips(parsed, first_step, *reading, context);
   const std::vector<Side>& sides = reading->sides;
   mark_seen(sides);
   if (context.role == Role::display || context.role == Role::claim) {

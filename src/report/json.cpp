@@ -85,6 +85,16 @@ Json json_of(const Counterexample& sample) {
   return object;
 }
 
+Json json_of(const ChainPlace& place) {
+  Json object;
+  object["first_wrong"] = place.first_wrong;
+  object["undone_at"] = place.undone_at ? Json(*place.undone_at) : Json(nullptr);
+  object["stays"] = place.stays;
+  object["undoes"] = place.undoes;
+  object["first_step"] = place.first_wrong ? Json(nullptr) : Json(place.first_step);
+  return object;
+}
+
 Json json_of(const Step& step, const SourceMap& sources) {
   Json object;
   add_place(object, step.span, sources);
@@ -110,6 +120,7 @@ Json json_of(const Step& step, const SourceMap& sources) {
   object["conditions"] = step.conditions;
   object["diagnostics"] = json_of(step.diagnostics, sources);
   object["file"] = sources.path(step.span.file);
+  object["chain"] = step.chain ? json_of(*step.chain) : Json(nullptr);
   object["milliseconds"] = std::round(step.milliseconds * 1000.0) / 1000.0;
   return object;
 }

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <span>
+#include <string_view>
 
 #include "base/paint.h"
 #include "base/utf8.h"
@@ -25,21 +27,36 @@ std::string print_components(std::span<const std::string> components, int rank) 
   return fmt::format("({})", rows);
 }
 
-/// The values of one particle (0: of no particle), joined by commas.
-std::string print_list(std::span<const Counterexample::Value> values, std::uint32_t particle) {
+/// `I_i` and `I_{ij}` where a sample has both; else the name alone.
+std::string print_name(const Counterexample& sample, const Counterexample::Value& value) {
+  constexpr std::string_view indices = "ijkl";
+  const auto is_namesake = [&](const Counterexample::Value& other) {
+    return other.symbol == value.symbol && other.rank != value.rank && !other.beyond;
+  };
+  const bool alone = std::none_of(sample.values.begin(), sample.values.end(), is_namesake) &&
+                     std::none_of(sample.follows.begin(), sample.follows.end(), is_namesake);
+  const std::size_t rank = value.rank > 0 ? static_cast<std::size_t>(value.rank) : 0;
+  if (alone || rank == 0 || rank > indices.size()) return printable(value.symbol);
+  const std::string_view own = indices.substr(0, rank);
+  return printable(value.symbol) + (rank == 1 ? fmt::format("_{}", own) : fmt::format("_{{{}}}", own));
+}
+
+/// Some values of one particle (0: of no particle), joined by commas.
+std::string print_list(const Counterexample& sample, std::span<const Counterexample::Value> values,
+                       std::uint32_t particle) {
   std::string list;
   for (const Counterexample::Value& value : values) {
     if (value.particle != particle || value.beyond) continue;
     list += list.empty() ? "" : ", ";
-    list += fmt::format("{} = {}", printable(value.symbol), print_components(value.components, value.rank));
+    list += fmt::format("{} = {}", print_name(sample, value), print_components(value.components, value.rank));
   }
   return list;
 }
 
 /// The sample's values, and then what follows from them.
 std::string print_values(const Counterexample& sample, std::uint32_t particle) {
-  const std::string values = print_list(sample.values, particle);
-  const std::string follows = print_list(sample.follows, particle);
+  const std::string values = print_list(sample, sample.values, particle);
+  const std::string follows = print_list(sample, sample.follows, particle);
   if (follows.empty()) return values;
   return fmt::format("{}{}hence {}", values, values.empty() ? "" : "; ", follows);
 }

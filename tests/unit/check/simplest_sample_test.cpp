@@ -2,6 +2,7 @@
 // The sample of a refutation is the one that a lecturer would write on a blackboard.
 #include <array>
 #include <string>
+#include <utility>
 
 #include "catch.h"
 #include "check/check.h"
@@ -38,6 +39,10 @@ const std::array statements{
     Refuted{"scalar x", "x^3 = x", "sample: x = 2; left 8, right 2"},
     Refuted{"scalar x", "\\sqrt{x^2} = x", "sample: x = -1; left 1, right -1"},
     Refuted{"scalar x, y", "\\frac{1}{x+y} = \\frac1x + \\frac1y", "sample: x = 1, y = 1; left 1/2, right 2"},
+    // angles: a quarter turn, not a multiple of something else
+    Refuted{"scalar x", "\\cos x = 1", "sample: x = 2*arctan(1); left 0, right 1"},
+    Refuted{"constant \\nu", "\\partial_t\\cos(\\nu t) = \\nu\\sin(\\nu t)",
+            "sample: \\nu = 1, t = 2*arctan(1); left -1, right 1"},
     // vectors: along axes, the first axes first
     Refuted{"", "\\mathbf A\\times\\mathbf B = \\mathbf B\\times\\mathbf A",
             "sample: \\mathbf{A} = (1, 0, 0), \\mathbf{B} = (0, 1, 0); component 3: left 1, right -1"},
@@ -101,6 +106,34 @@ TEST_CASE("what defined symbols in the step are worth is said, as far as the not
 TEST_CASE("derivatives that only derivatives of an assumption speak of are not printed") {
   const std::string law = "scalar x, k\nconstant k\ngiven \\ddot{x} = -k^2x";
   CHECK(sample_of(law, "\\dot{x} = kx") == "sample: \\dot{x} = 1, k = 0, x = 0; left 1, right 0");
+}
+
+/// Numbers that are not 0, and those of them that are not 1 or -1.
+std::pair<std::size_t, std::size_t> count_numbers(const Counterexample& example) {
+  std::pair<std::size_t, std::size_t> counts{0, 0};
+  for (const Counterexample::Value& value : example.values) {
+    for (const std::string& component : value.components) {
+      if (component == "0") continue;
+      ++counts.first;
+      if (component != "1" && component != "-1") ++counts.second;
+    }
+  }
+  return counts;
+}
+
+TEST_CASE("samples of several partial differential equations have few numbers, all of them 1") {
+  SourceMap sources;
+  const FileReport report = check_file(sources, "tests/notes/fail/waves.tex");
+  int fields = 0;
+  for (const Step& step : report.steps) {
+    if (!step.counterexample || step.counterexample->values.size() < 10) continue;
+    INFO(step.source);
+    const auto [not_zero, not_one] = count_numbers(*step.counterexample);
+    CHECK(not_zero <= 8);
+    CHECK(not_one == 0);
+    ++fields;
+  }
+  CHECK(fields == 3);
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ TEST_CASE("the keys of the report, a file, the counts and a step are the documen
   CHECK(keys_of(json["counts"]) == verdicts);
   CHECK(file["counts"] == json["counts"]);
   CHECK(keys_of(file["steps"][0]) ==
-        Keys{"line",           "column",  "end_line",   "end_column",  "tag",     "label",       "section",
-             "source",         "left",    "relation",   "right",       "verdict", "route",       "uses",
-             "counterexample", "repairs", "conditions", "diagnostics", "file",    "milliseconds"});
+        Keys{"line",           "column",  "end_line",   "end_column",  "tag",     "label", "section",
+             "source",         "left",    "relation",   "right",       "verdict", "route", "uses",
+             "counterexample", "repairs", "conditions", "diagnostics", "file",    "chain", "milliseconds"});
 }
 
 TEST_CASE("a step that is proved") {
@@ -47,7 +47,7 @@ TEST_CASE("a step that is proved") {
     "left": "\\mathbf{A}\\cdot\\mathbf{B}", "relation": "=", "right": "\\mathbf{B}\\cdot\\mathbf{A}",
     "verdict": "proved", "route": "component normal form", "uses": ["definition A (1)"],
     "counterexample": null, "repairs": [], "conditions": [], "diagnostics": [], "file": "notes/products.md",
-    "milliseconds": 0.123})json"));
+    "chain": null, "milliseconds": 0.123})json"));
 }
 
 TEST_CASE("a step that is refuted has all that is needed to replay its counterexample") {
@@ -89,6 +89,17 @@ TEST_CASE("bytes that are not UTF-8 do not break the JSON") {
   Report report = example_report(sources);
   report.files[0].path = "notes/\xE9.md";
   CHECK(parsed(report, sources)["files"][0]["file"] == "notes/\uFFFD.md");
+}
+
+TEST_CASE("the place of a step in its chain") {
+  SourceMap sources;
+  Report report = example_report(sources);
+  report.files[0].steps[1].chain = ChainPlace{.first_wrong = true, .undone_at = 4};
+  CHECK(parsed(report, sources)["files"][0]["steps"][1]["chain"].dump() ==
+        R"({"first_wrong":true,"undone_at":4,"stays":false,"undoes":false,"first_step":null})");
+  report.files[0].steps[1].chain = ChainPlace{.undoes = true, .first_step = 2};
+  CHECK(parsed(report, sources)["files"][0]["steps"][1]["chain"].dump() ==
+        R"({"first_wrong":false,"undone_at":null,"stays":false,"undoes":true,"first_step":2})");
 }
 
 TEST_CASE("the sidecar of a file is named, and is null where there is none") {

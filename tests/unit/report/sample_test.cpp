@@ -70,5 +70,14 @@ TEST_CASE("what follows from the values stands behind them, and what nobody need
         "  left 1, right 0\n");
 }
 
+TEST_CASE("symbols that differ in their number of indices only are printed with them") {
+  Counterexample moments{0, {{"I", 0, 1, {"1", "0", "0"}}, {"\\omega", 0, 0, {"2"}}}, {}, "1", "0"};
+  CHECK(print_sample(moments) == "sample: I = (1, 0, 0), \\omega = 2; left 1, right 0\n");
+  moments.follows = {{"I", 0, 2, {"1", "0", "0", "0", "0", "0", "0", "0", "0"}}};
+  CHECK(print_sample(moments) ==
+        "sample: I_i = (1, 0, 0), \\omega = 2; hence I_{ij} = ((1, 0, 0), (0, 0, 0), (0, 0, 0)); left 1, "
+        "right 0\n");
+}
+
 }  // namespace
 }  // namespace rigor
