@@ -85,6 +85,7 @@ struct Grammar {
                                       "Directives beside the notes (default: NAME.rigor, if it exists)");
     sidecar_option->type_name("FILE");
     check.add_flag("--strict", command.strict, "Count warnings as errors");
+    check.add_flag("--dimensions", command.dimensions, "Print what was found of each symbol's dimension");
     check.add_option("--color", color, "`auto`, `always` or `never`")
         ->type_name("WHEN")
         ->check(one_of("colour setting", {"auto", "always", "never"}));

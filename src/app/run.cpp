@@ -38,6 +38,7 @@ TerminalOptions terminal_options(const CheckCommand& command, const std::ostream
   options.color =
       command.color == ColorWhen::always || (command.color == ColorWhen::automatic && screen.takes_color);
   if (screen.width > 0) options.width = screen.width;
+  options.dimensions = command.dimensions;
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "expr/dimension.h"
 #include "latex/macros.h"
 #include "latex/split.h"
 #include "source/diagnostic.h"
@@ -23,6 +24,7 @@ enum class DirectiveKind : std::uint8_t {
   basis,
   frame,
   small,
+  units,
   let,
   given,
   where,        // an assumption for the next statement only
@@ -47,8 +49,9 @@ struct Directive {
   bool unit = false;
   std::vector<SyntaxId>
       symbols;  // vector, scalar, tensor, particles, constant, small…; frame: the angular velocity
-  std::vector<ParsedChain> chains;  // let, given, where, claim
-  std::string rotating;             // frame: the labels
+  std::vector<Dimension> dimensions;  // units: one for each symbol
+  std::vector<ParsedChain> chains;    // let, given, where, claim
+  std::string rotating;               // frame: the labels
   std::string fixed;
   std::string text;  // as written, without comment
 };

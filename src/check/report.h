@@ -59,6 +59,12 @@ struct Step {
   double milliseconds = 0.0;
 };
 
+/// What was found of one symbol's dimension.
+struct SymbolDimension {
+  std::string symbol;                    // LaTeX, with letters for its indices: `I_{ij}`, `m_\alpha`
+  std::optional<std::string> dimension;  // `M L^2 T^{-1}`; nothing: it is free
+};
+
 using Counts = std::array<std::uint32_t, verdict_count>;
 
 struct FileReport {
@@ -66,7 +72,8 @@ struct FileReport {
   FileId file = 0;
   bool unreadable = false;
   std::vector<Step> steps;
-  Diagnostics diagnostics;  // those of no single step
+  Diagnostics diagnostics;                  // those of no single step
+  std::vector<SymbolDimension> dimensions;  // in the order of first mention
   Counts counts{};
 };
 

@@ -19,6 +19,7 @@ void Session::run(const std::function<void(std::size_t, std::size_t)>& progress)
     std::visit([this](const auto& event) { follow(event); }, notes_.events[k]);
     if (progress) progress(k + 1, notes_.events.size());
   }
+  finish_dimensions();
   report_unused();
 }
 
@@ -63,6 +64,7 @@ void Session::follow(const Heading& heading) {
   end_section();
   leave_frames(tree_, names_, heading.level);
   names_.open_section(heading.level);
+  dimensions_.enter_section();
   section_ = heading.title;
 }
 
@@ -167,6 +169,7 @@ void Session::end_section() {
 }
 
 void Session::forget_wheres() {
+  dimensions_.forget_assumed();
   for (const std::size_t directive : std::exchange(wheres_, {})) names_.forget(directive);
 }
 

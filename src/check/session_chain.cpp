@@ -32,6 +32,7 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
   const std::vector<Side>& sides = attempt->sides;
   mark_seen(sides);
   if (context.role == Role::display || context.role == Role::claim) excuse_refuted(parsed, first_step);
+  record_dimensions(parsed, *attempt, context, first_step);
 }
 
 /// Each expectation is about one refuted step of the next chain, the first ones; cyclic images are the same

@@ -110,6 +110,13 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
   for (const Step& step : file.steps) object["steps"].push_back(json_of(step, sources));
   object["diagnostics"] = json_of(file.diagnostics, sources);
   object["counts"] = json_of(file.counts);
+  object["dimensions"] = Json::array();
+  for (const SymbolDimension& entry : file.dimensions) {
+    Json symbol;
+    symbol["symbol"] = entry.symbol;
+    symbol["dimension"] = entry.dimension ? Json(*entry.dimension) : Json(nullptr);
+    object["dimensions"].push_back(std::move(symbol));
+  }
   return object;
 }
 
