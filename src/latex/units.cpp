@@ -7,99 +7,10 @@
 #include <charconv>
 #include <utility>
 
+#include "latex/unit_table.h"
+
 namespace rigor {
 namespace {
-
-/// A unit by its sign and its word in siunitx.
-struct NamedUnit {
-  std::string_view sign;
-  std::string_view word;
-  std::array<std::int8_t, 7> exponents;  // kg, m, s, A, K, mol, cd
-  std::int64_t factor = 1;
-  int ten = 0;
-};
-
-constexpr auto unit_table = std::to_array<NamedUnit>({
-    {"g", "gram", {1}, 1, -3},
-    {"m", "metre", {0, 1}},
-    {"m", "meter", {0, 1}},
-    {"s", "second", {0, 0, 1}},
-    {"A", "ampere", {0, 0, 0, 1}},
-    {"K", "kelvin", {0, 0, 0, 0, 1}},
-    {"mol", "mole", {0, 0, 0, 0, 0, 1}},
-    {"cd", "candela", {0, 0, 0, 0, 0, 0, 1}},
-    {"N", "newton", {1, 1, -2}},
-    {"J", "joule", {1, 2, -2}},
-    {"W", "watt", {1, 2, -3}},
-    {"Pa", "pascal", {1, -1, -2}},
-    {"Hz", "hertz", {0, 0, -1}},
-    {"C", "coulomb", {0, 0, 1, 1}},
-    {"V", "volt", {1, 2, -3, -1}},
-    {"F", "farad", {-1, -2, 4, 2}},
-    {"\\Omega", "ohm", {1, 2, -3, -2}},
-    {"S", "siemens", {-1, -2, 3, 2}},
-    {"Wb", "weber", {1, 2, -2, -1}},
-    {"T", "tesla", {1, 0, -2, -1}},
-    {"H", "henry", {1, 2, -2, -2}},
-    {"min", "minute", {0, 0, 1}, 60},
-    {"h", "hour", {0, 0, 1}, 3600},
-    {"d", "day", {0, 0, 1}, 86400},
-    {"L", "litre", {0, 3}, 1, -3},
-    {"l", "liter", {0, 3}, 1, -3},
-    {"t", "tonne", {1}, 1000},
-    {"bar", "bar", {1, -1, -2}, 1, 5},
-    {"rad", "radian", {}},
-    {"sr", "steradian", {}},
-});
-
-struct Prefix {
-  std::string_view sign;
-  std::string_view word;
-  int ten;
-};
-
-constexpr auto prefix_table = std::to_array<Prefix>({{"da", "deca", 1},
-                                                     {"h", "hecto", 2},
-                                                     {"k", "kilo", 3},
-                                                     {"M", "mega", 6},
-                                                     {"G", "giga", 9},
-                                                     {"T", "tera", 12},
-                                                     {"P", "peta", 15},
-                                                     {"d", "deci", -1},
-                                                     {"c", "centi", -2},
-                                                     {"m", "milli", -3},
-                                                     {"\\mu", "micro", -6},
-                                                     {"µ", "micro", -6},
-                                                     {"n", "nano", -9},
-                                                     {"p", "pico", -12},
-                                                     {"f", "femto", -15}});
-
-/// Units of which no multiples are made by prefixes.
-bool takes_prefix(const NamedUnit& unit) {
-  return unit.factor == 1 && unit.sign != "rad" && unit.sign != "sr";
-}
-
-WrittenUnit unit_of(const NamedUnit& named, int ten = 0) {
-  WrittenUnit unit;
-  for (std::size_t k = 0; k < unit.exponents.size(); ++k) unit.exponents[k] = named.exponents[k];
-  unit.factor = named.factor;
-  unit.ten = named.ten + ten;
-  return unit;
-}
-
-std::optional<WrittenUnit> unit_by_sign(std::string_view sign) {
-  for (const NamedUnit& named : unit_table) {
-    if (named.sign == sign) return unit_of(named);
-  }
-  for (const Prefix& prefix : prefix_table) {
-    if (!sign.starts_with(prefix.sign)) continue;
-    for (const NamedUnit& named : unit_table) {
-      if (takes_prefix(named) && named.sign == sign.substr(prefix.sign.size()))
-        return unit_of(named, prefix.ten);
-    }
-  }
-  return std::nullopt;
-}
 
 std::optional<WrittenUnit> dimension_by_letter(std::string_view letter) {
   static constexpr std::array<std::string_view, 3> letters{"M", "L", "T"};
@@ -242,9 +153,8 @@ class UnitReader {
       return word();
     const std::size_t begin = at_;
     if (take("µ") || take_control("mu")) take(" ");
-    if (!take_control("Omega") && !take("Ω")) {
-      while (!done() && is_letter(text_[at_])) ++at_;
-    }
+    while (!done() && is_letter(text_[at_])) ++at_;
+    if (!take_control("Omega")) static_cast<void>(take("Ω"));
     std::string sign(text_.substr(begin, at_ - begin));
     std::erase(sign, ' ');
     if (const auto ohm = sign.find("Ω"); ohm != std::string::npos) sign.replace(ohm, 2, "\\Omega");
@@ -257,19 +167,11 @@ class UnitReader {
   }
 
   std::optional<WrittenUnit> word() {
-    int ten = 0;
-    for (bool more = true; more;) {
-      more = false;
-      for (const Prefix& prefix : prefix_table) {
-        if (!take_control(prefix.word)) continue;
-        ten += prefix.ten;
-        more = true;
-      }
-    }
-    if (take_control("kilogram")) return unit_of(unit_table[0], ten + 3);
-    for (const NamedUnit& named : unit_table) {
-      if (take_control(named.word)) return unit_of(named, ten);
-    }
+    std::string_view rest = text_.substr(at_);
+    const std::size_t before = rest.size();
+    const auto unit = take_unit_words(rest);
+    at_ += before - rest.size();
+    if (unit) return unit;
     return fail(fmt::format("`{}` is no unit", text_.substr(at_)));
   }
 
@@ -305,6 +207,11 @@ std::optional<WrittenUnit> read_unit(std::string_view text, UnitNames names, std
   auto unit = reader.read();
   if (problem != nullptr) *problem = reader.problem();
   return unit;
+}
+
+bool is_unit_word(std::string_view text, bool spaced) {
+  if (text.empty() || text == "1" || text == "d" || (text.size() == 1 && !spaced)) return false;
+  return read_unit(text, UnitNames::units).has_value();
 }
 
 }  // namespace rigor

@@ -34,4 +34,8 @@ enum class UnitNames : std::uint8_t {
 [[nodiscard]] std::optional<WrittenUnit> read_unit(std::string_view text, UnitNames names,
                                                    std::string* problem = nullptr);
 
+/// Is a roman word behind a number a unit? A single letter needs a space before it, since `2\mathrm{V}` can
+/// be twice a volume; `\mathrm{d}` is a differential.
+[[nodiscard]] bool is_unit_word(std::string_view text, bool spaced);
+
 }  // namespace rigor
