@@ -132,9 +132,13 @@ void DimensionRecorder::in_body(const ExprNode& node, std::vector<DimensionEquat
   const auto equal = [&](DimensionForm left, DimensionForm right) {
     demand(equations, {std::move(left), std::move(right), node.span, node.span, Alike::known});
   };
-  if (is(node.symbol, {"V", 0, true})) equal(one(unknown_of(node.symbol)), one(space_unknown, 3));
-  static const std::array<NameKey, 4> positions{
-      {{"r", 1, true}, {"x", 0, true}, {"y", 0, true}, {"z", 0, true}}};
+  if (is(node.symbol, {"V", 0, true})) {
+    equal(one(unknown_of(node.symbol)), one(space_unknown, 3));
+    if (const auto position = names_.find({"r", 1, true}))
+      equal(one(unknown_of(*position)), one(space_unknown));
+  }
+  static const std::array<NameKey, 5> positions{
+      {{"r", 1, true}, {"r", 0, true}, {"x", 0, true}, {"y", 0, true}, {"z", 0, true}}};
   for (const NameKey& key : positions) {
     if (is(node.symbol, key)) equal(one(unknown_of(node.symbol)), one(space_unknown));
   }

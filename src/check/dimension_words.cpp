@@ -39,15 +39,12 @@ std::string DimensionWords::text_of(const DimensionForm& form) const {
   return text.empty() ? "1" : text;
 }
 
-/// The symbol whose dimension an earlier statement gave, and this equation gives otherwise; one that stands
-/// alone on a side before others, then the one with the fewest statements behind it. A line of `units` is
-/// compared with others of its kind.
+/// A symbol that stands alone, as a side or a term, and whose dimension an earlier statement gave. A line of
+/// `units` is compared with others of its kind.
 std::optional<DimensionWords::Blamed> DimensionWords::blamed(
     const DimensionEquation& equation, const DimensionSystem::Contradiction& contradiction) const {
   DimensionForm difference = equation.left;
   difference.add(equation.right, -1);
-  std::optional<Blamed> best;
-  std::size_t best_rank = 0;
   using Kind = DimensionReason::Kind;
   const Kind kind = equation.alike == Alike::known ? Kind::units : Kind::statement;
   for (const auto& [unknown, factor] : difference.unknowns) {
@@ -58,16 +55,13 @@ std::optional<DimensionWords::Blamed> DimensionWords::blamed(
     const bool by_time = std::any_of(known.reasons.begin(), known.reasons.end(), [&](const auto& entry) {
       return reasons_[entry.first].kind == DimensionReason::Kind::time;
     });
-    const bool named = !record_.unknowns[unknown].text.empty();
-    if (!known.form.unknowns.empty() || places.empty() || by_time || !named) continue;
     const bool alone = is_alone(equation.left, unknown) || is_alone(equation.right, unknown);
-    const std::size_t rank = places.size() + (alone ? 0 : 1000);
-    if (best && best_rank <= rank) continue;
-    best_rank = rank;
-    best = Blamed{unknown, known.form.fixed,
+    const bool named = !record_.unknowns[unknown].text.empty();
+    if (!alone || !named || !known.form.unknowns.empty() || places.empty() || by_time) continue;
+    return Blamed{unknown, known.form.fixed,
                   known.form.fixed - contradiction.ratio * (SmallRational(1) / factor), places.back()};
   }
-  return best;
+  return std::nullopt;
 }
 
 std::string DimensionWords::compared(const DimensionEquation& equation) const {

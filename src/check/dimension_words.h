@@ -30,6 +30,10 @@ class DimensionWords {
                  const std::vector<DimensionReason>& reasons, const SourceMap& sources)
       : record_(record), known_(known), reasons_(reasons), sources_(sources) {}
 
+  /// Nothing but `units` lines and the equation itself are needed.
+  [[nodiscard]] bool is_declared(const DimensionSystem::Contradiction& contradiction) const {
+    return places_of(contradiction.reasons, DimensionReason::Kind::statement).empty();
+  }
   [[nodiscard]] Diagnostic describe(const DimensionEquation& equation,
                                     const DimensionSystem::Contradiction& contradiction, Span place) const;
 

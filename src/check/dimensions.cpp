@@ -123,7 +123,8 @@ class Solving {
       const DimensionWords words(record_, own, reasons_, sources_);
       const auto contradiction = own.add(equation.left, equation.right, reason);
       if (!contradiction) continue;
-      if (report)
+      const bool meant = step_of(statement).verdict != Verdict::proved || words.is_declared(*contradiction);
+      if (report && meant)
         say(statement, words.describe(equation, *contradiction, step_of(statement).relation_span), equation);
       agree = false;
       break;

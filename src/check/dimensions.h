@@ -2,8 +2,9 @@
 // Dimensions of one file: every symbol's, and the places where two of them disagree.
 //
 // Sources, in the order of the notes: what `units` declares; then laws, definitions, assumptions, and what is
-// undecided. What is proved follows from these, so that it is compared with them and adds nothing, and so are
-// claims made by directives, and what is refuted, unless that was expected.
+// undecided. Compared with these are claims made by directives, and what is refuted, unless that was
+// expected. What is proved is true whatever its letters stand for: it only has to agree with what `units`
+// says of them.
 //
 // Without `units` every symbol could be a number, and nothing contradicts anything. Then the time is taken
 // for a quantity of its own, unless some statement alone makes a number of it, as `\dot x = x` does; what

@@ -73,7 +73,7 @@ struct FileReport {
   bool unreadable = false;
   std::vector<Step> steps;
   Diagnostics diagnostics;                  // those of no single step
-  std::vector<SymbolDimension> dimensions;  // in the order of first mention
+  std::vector<SymbolDimension> dimensions;  // the time first, others as first met
   Counts counts{};
 };
 
