@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/dimension_form.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace rigor {
+
+bool DimensionForm::is_valid() const {
+  return fixed.is_valid() && std::all_of(unknowns.begin(), unknowns.end(),
+                                         [](const auto& entry) { return entry.second.is_valid(); });
+}
 
 void DimensionForm::add(Unknown unknown, const SmallRational& factor) {
   const auto [entry, is_new] = unknowns.try_emplace(unknown, factor);

@@ -23,6 +23,7 @@ struct DimensionForm {
   bool any = false;
 
   [[nodiscard]] bool is_none() const { return unknowns.empty() && fixed.is_none(); }
+  [[nodiscard]] bool is_valid() const;  // every exponent fits into its type
   void add(Unknown unknown, const SmallRational& factor);
   void add(const DimensionForm& other, const SmallRational& factor);
 };

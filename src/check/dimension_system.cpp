@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/dimension_system.h"
 
-#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace rigor {
 namespace {
-
-bool is_valid(const DimensionForm& form) {
-  return form.fixed.is_valid() && std::all_of(form.unknowns.begin(), form.unknowns.end(),
-                                              [](const auto& entry) { return entry.second.is_valid(); });
-}
 
 void add_scaled(Reasons& to, const Reasons& reasons, const SmallRational& factor) {
   for (const auto& [reason, own] : reasons) {
@@ -51,7 +46,7 @@ std::optional<DimensionSystem::Contradiction> DimensionSystem::add(const Dimensi
   difference.add(right, -1);
   if (difference.any) return std::nullopt;
   Reduced reduced = reduce(difference);
-  if (!is_valid(reduced.form)) return std::nullopt;
+  if (!reduced.form.is_valid()) return std::nullopt;
   if (reduced.form.unknowns.empty()) {
     if (reduced.form.fixed.is_none()) return std::nullopt;
     return Contradiction{reduced.form.fixed, std::move(reduced.reasons)};
@@ -65,7 +60,7 @@ std::optional<DimensionSystem::Contradiction> DimensionSystem::add(const Dimensi
   made.value.add(reduced.form, scale);
   made.reasons[reason] = scale * SmallRational(-1);
   add_scaled(made.reasons, reduced.reasons, scale);
-  if (!is_valid(made.value)) return std::nullopt;
+  if (!made.value.is_valid()) return std::nullopt;
   for (auto& [unknown, row] : rows_) {
     const auto found = row.value.unknowns.find(pivot);
     if (found == row.value.unknowns.end()) continue;

@@ -48,6 +48,6 @@ class DimensionSystem {
 };
 
 /// More rows than this are not made; equations beyond it are left out.
-inline constexpr std::size_t most_dimension_rows = 2000;
+inline constexpr std::size_t most_dimension_rows = 1000;
 
 }  // namespace rigor

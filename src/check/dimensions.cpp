@@ -54,11 +54,7 @@ class Solving {
   void solve() {
     if (record_.units.empty() && !makes_time_a_number()) {
       weak_time_ = note_reason({});
-      DimensionForm time;
-      time.add(time_unknown, 1);
-      DimensionForm second;
-      second.fixed = Dimension::of(BaseQuantity::time);
-      static_cast<void>(system_.add(time, second, *weak_time_));
+      take_time(*weak_time_);
     }
     for (const DimensionEquation& fact : record_.facts)
       static_cast<void>(system_.add(fact.left, fact.right,
@@ -82,6 +78,14 @@ class Solving {
   Reason note_reason(DimensionReason reason) {
     reasons_.push_back(reason);
     return static_cast<Reason>(reasons_.size() - 1);
+  }
+
+  void take_time(Reason reason) {
+    DimensionForm time;
+    time.add(time_unknown, 1);
+    DimensionForm second;
+    second.fixed = Dimension::of(BaseQuantity::time);
+    static_cast<void>(system_.add(time, second, reason));
   }
 
   void declare(const DeclaredUnit& unit) {
@@ -119,6 +123,7 @@ class Solving {
     }
     bool agree = true;
     for (const DimensionEquation& equation : statement.equations) {
+      if (is_left_out(equation)) continue;
       const Reason reason = note_reason(written(statement, equation));
       const DimensionWords words(record_, own, reasons_, sources_);
       const auto contradiction = own.add(equation.left, equation.right, reason);
@@ -147,9 +152,17 @@ class Solving {
   }
 
   void take(const DimensionStatement& statement) {
-    for (const DimensionEquation& equation : statement.equations)
+    for (const DimensionEquation& equation : statement.equations) {
+      if (is_left_out(equation)) continue;
       static_cast<void>(
           system_.add(equation.left, equation.right, note_reason(written(statement, equation))));
+    }
+  }
+
+  /// `v = 2` where nothing is declared: the unit is left out rather than the quantity a number.
+  bool is_left_out(const DimensionEquation& equation) const {
+    return weak_time_ && equation.alike == Alike::sides &&
+           (equation.left.is_none() || equation.right.is_none());
   }
 
   DimensionReason written(const DimensionStatement& statement, const DimensionEquation& equation) const {
@@ -162,8 +175,9 @@ class Solving {
     return first.file == second.file ? cover(first, second) : second;
   }
 
-  /// What is proved still says what its symbols are, where nothing else does.
+  /// What is proved still says what its symbols are, where nothing else does; and t is the time.
   void complete() {
+    if (!record_.units.empty()) take_time(note_reason({}));
     for (const DimensionStatement& statement : record_.statements) {
       const bool follows = part_of(statement, step_of(statement)) == Part::follows;
       if (follows && statement.source == DimensionSource::law && agrees(statement, false)) take(statement);
@@ -202,7 +216,7 @@ class Solving {
     DimensionForm own;
     own.add(unknown, 1);
     const DimensionForm form = system.reduce(own).form;
-    return form.unknowns.empty() ? std::optional(form.fixed) : std::nullopt;
+    return form.unknowns.empty() && form.is_valid() ? std::optional(form.fixed) : std::nullopt;
   }
 
   void list() {

@@ -91,6 +91,19 @@ void every_drop_is_found(const std::string& path, const CheckOptions& options, s
   }
 }
 
+TEST_CASE("what is true has no diagnostic about dimensions") {
+  std::vector<std::string> paths = notes_in("pass");
+  for (const std::string& path : notes_in("../../derivations")) paths.push_back(path);
+  if (std::filesystem::exists(RIGOR_ORIGINAL_NOTES)) {
+    for (const std::string& path : notes_in(RIGOR_ORIGINAL_NOTES)) paths.push_back(path);
+  }
+  CHECK(paths.size() > 40);
+  for (const std::string& path : paths) {
+    INFO(path);
+    CHECK_FALSE(reports_dimensions(check(path, text_of(path), {})));
+  }
+}
+
 TEST_CASE("a position, a mass or an angular velocity that is left out is found by its dimension") {
   every_drop_is_found("../../derivations/rigid-bodies.md", {}, 60);
 }

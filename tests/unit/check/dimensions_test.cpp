@@ -42,6 +42,18 @@ TEST_CASE("dimensions follow from definitions, laws and assumptions") {
         "t: T, x: L, m: M, F: M L T^{-2}, W: M L^2 T^{-2}");
 }
 
+TEST_CASE("t is the time, where nothing else is said of it") {
+  CHECK(table_of(rigor_says("units x: L") + display("v = \\dot x")) == "t: T, x: L, v: L T^{-1}");
+  CHECK(table_of(rigor_says("units x: L, t: L") + display("v = \\dot x")) == "t: L, x: L, v: 1");
+  CHECK(table_of(rigor_says("units x: L, v: 1") + display("x = vt")) == "t: L, x: L, v: 1");
+}
+
+TEST_CASE("a number is no statement about dimensions where nothing is declared") {
+  CHECK(said_of(display("v = 2, \\qquad x = 5") + rigor_says("given x = vt")).empty());
+  CHECK_FALSE(said_of(rigor_says("units t: T") + display("v = 2, \\qquad x = 5") + rigor_says("given x = vt"))
+                  .empty());
+}
+
 TEST_CASE("what nothing settles is free") {
   CHECK(table_of(units + display("x = vt + ab")) == "t: T, x: L, m: M, v: L T^{-1}, a: free, b: free");
 }
