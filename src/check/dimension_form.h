@@ -29,7 +29,14 @@ struct DimensionForm {
 };
 
 /// What has to have one dimension.
-enum class Alike : std::uint8_t { sides, terms, components, argument, known };
+enum class Alike : std::uint8_t {
+  sides,
+  number,  // sides, of which one holds nothing but numbers: its unit can be left out
+  terms,
+  components,
+  argument,
+  known,
+};
 
 struct DimensionEquation {
   DimensionForm left;

@@ -6,6 +6,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "latex/vocabulary.h"
+
 namespace rigor {
 namespace {
 
@@ -35,9 +37,27 @@ std::array<bool, 4> differentiated_axes(const ExprTree& tree, ExprId left, ExprI
   return axes;
 }
 
+/// `2`, `(1, 0, 3)`, `3\hat{x}`
+bool holds_only_numbers(const ExprTree& tree, ExprId root) {
+  std::vector<ExprId> pending{root};
+  std::unordered_set<std::uint32_t> seen;
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    if (!seen.insert(static_cast<std::uint32_t>(id)).second) continue;
+    const Op op = tree[id].op;
+    if (op == Op::symbol || op == Op::delta || op == Op::epsilon) return false;
+    for (const ExprId child : tree.children(id)) pending.push_back(child);
+  }
+  return true;
+}
+
 /// `m_\alpha`, `I_{ij}`, `\mathbf{r}_\alpha`: a vector's bold letter needs no index.
 std::string written_name(const Symbol& symbol) {
-  const bool whole = symbol.name.starts_with("\\") && symbol.name.find('{') != std::string::npos;
+  const std::string letter = symbol.name.substr(0, symbol.name.find_first_of("_'"));
+  const bool greek = letter.starts_with("\\") &&
+                     !letter_of({TokenKind::control, letter.substr(1), symbol.first_seen}).empty();
+  const bool whole = letter.starts_with("\\") && !greek;
   std::string indices = symbol.per_particle ? "\\alpha" : "";
   if (!whole && symbol.rank > 0) {
     if (symbol.per_particle) indices += " ";
@@ -182,8 +202,12 @@ void DimensionRecorder::add(const Statement& statement) {
   const DimensionForm left = reader(statement.inner_left ? made.equations : inner_left).read(statement.left);
   const DimensionForm right = reader(made.equations).read(statement.right);
   relate_positions(statement, made.equations);
-  if (statement.compared)
-    demand(made.equations, {left, right, statement.left_span, statement.right_span, Alike::sides});
+  if (statement.compared) {
+    const bool number =
+        holds_only_numbers(tree_, statement.left) || holds_only_numbers(tree_, statement.right);
+    demand(made.equations,
+           {left, right, statement.left_span, statement.right_span, number ? Alike::number : Alike::sides});
+  }
   made.assumed = assumed_;
   for (const ExprId side : {statement.left, statement.right}) {
     for (const SymbolId symbol : symbols_in(tree_, side)) {

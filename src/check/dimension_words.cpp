@@ -74,6 +74,9 @@ std::string DimensionWords::compared(const DimensionEquation& equation) const {
       return fmt::format("components have different dimensions: {} and {}", left, right);
     case Alike::argument:
       return fmt::format("the argument of a function has the dimension {}", left);
+    case Alike::number:
+      return fmt::format("a number stands where a quantity of dimension {} is meant",
+                         equation.left.is_none() ? right : left);
     case Alike::known:
       return fmt::format("what has the dimension {} cannot have the dimension {}", left, right);
     case Alike::sides:
@@ -88,13 +91,14 @@ Diagnostic DimensionWords::describe(const DimensionEquation& equation,
       contradiction.reasons.begin(), contradiction.reasons.end(),
       [&](const auto& entry) { return reasons_[entry.first].kind == DimensionReason::Kind::time; });
   const std::vector<Span> places = places_of(contradiction.reasons, DimensionReason::Kind::statement);
-  const auto blame = by_time ? std::nullopt : blamed(equation, contradiction);
-  Diagnostic diagnostic{DiagnosticKind::dimension_mismatch,
-                        equation.alike == Alike::sides ? place : equation.right_span, compared(equation)};
+  const bool sides = equation.alike == Alike::sides || equation.alike == Alike::number;
+  const auto blame =
+      by_time || equation.alike == Alike::number ? std::nullopt : blamed(equation, contradiction);
+  Diagnostic diagnostic{DiagnosticKind::dimension_mismatch, sides ? place : equation.right_span,
+                        compared(equation)};
   if (equation.left_span != equation.right_span) {
     diagnostic.labels.push_back({equation.left_span, text_of(equation.left)});
-    if (equation.alike == Alike::sides)
-      diagnostic.labels.push_back({equation.right_span, text_of(equation.right)});
+    if (sides) diagnostic.labels.push_back({equation.right_span, text_of(equation.right)});
   }
   if (blame) {
     diagnostic.kind = DiagnosticKind::dimension_clash;
@@ -104,7 +108,10 @@ Diagnostic DimensionWords::describe(const DimensionEquation& equation,
     diagnostic.labels.push_back({blame->earlier, blame->before.text()});
     return diagnostic;
   }
-  if (by_time) {
+  if (equation.alike == Alike::number) {
+    diagnostic.kind = DiagnosticKind::dimension_doubt;
+    diagnostic.help = {"its unit may be left out; with it, it is written like `3\\,\\mathrm{m}`"};
+  } else if (by_time) {
     diagnostic.kind = DiagnosticKind::dimension_doubt;
     diagnostic.message += ", if the time is no number";
     diagnostic.help = {"`rigor: units …` says what is meant; `units t: 1` that the time is a number"};

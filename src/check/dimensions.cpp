@@ -68,6 +68,10 @@ class Solving {
       const Part part = part_of(statement, step_of(statement));
       if (part == Part::follows || part == Part::mistaken) static_cast<void>(agrees(statement, true));
     }
+    numbers_count_ = !weak_time_;
+    for (const DimensionStatement& statement : record_.statements) {
+      if (numbers_count_ && part_of(statement, step_of(statement)) != Part::none) compare_number(statement);
+    }
     complete();
     list();
   }
@@ -138,6 +142,15 @@ class Solving {
     return agree;
   }
 
+  void compare_number(const DimensionStatement& statement) {
+    if (statement.equations.empty() || statement.equations.back().alike != Alike::number) return;
+    const DimensionEquation& equation = statement.equations.back();
+    const DimensionWords words(record_, system_, reasons_, sources_);
+    const auto contradiction = DimensionSystem(&system_).add(equation.left, equation.right, 0);
+    if (contradiction)
+      say(statement, words.describe(equation, *contradiction, step_of(statement).relation_span), equation);
+  }
+
   void say(const DimensionStatement& statement, Diagnostic diagnostic, const DimensionEquation& equation) {
     Step& step = step_of(statement);
     const bool doubt = diagnostic.kind == DiagnosticKind::dimension_doubt;
@@ -159,10 +172,9 @@ class Solving {
     }
   }
 
-  /// `v = 2` where nothing is declared: the unit is left out rather than the quantity a number.
+  /// `v = 2`: a unit can be left out, so that this is no source; it is compared when all else is known.
   bool is_left_out(const DimensionEquation& equation) const {
-    return weak_time_ && equation.alike == Alike::sides &&
-           (equation.left.is_none() || equation.right.is_none());
+    return equation.alike == Alike::number && !numbers_count_;
   }
 
   DimensionReason written(const DimensionStatement& statement, const DimensionEquation& equation) const {
@@ -179,8 +191,9 @@ class Solving {
   void complete() {
     if (!record_.units.empty()) take_time(note_reason({}));
     for (const DimensionStatement& statement : record_.statements) {
-      const bool follows = part_of(statement, step_of(statement)) == Part::follows;
-      if (follows && statement.source == DimensionSource::law && agrees(statement, false)) take(statement);
+      const Part part = part_of(statement, step_of(statement));
+      const bool says = part == Part::source || part == Part::follows;
+      if (says && statement.source == DimensionSource::law && agrees(statement, false)) take(statement);
     }
     for (const DimensionStatement& statement : record_.statements) {
       const bool follows = part_of(statement, step_of(statement)) == Part::follows;
@@ -243,6 +256,7 @@ class Solving {
   std::vector<DimensionReason> reasons_;
   std::map<Unknown, std::optional<Dimension>> found_locally_;  // nothing: in two ways
   std::optional<Reason> weak_time_;
+  bool numbers_count_ = false;  // what holds only numbers is compared
 };
 
 }  // namespace

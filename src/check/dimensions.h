@@ -8,7 +8,8 @@
 //
 // Without `units` every symbol could be a number, and nothing contradicts anything. Then the time is taken
 // for a quantity of its own, unless some statement alone makes a number of it, as `\dot x = x` does; what
-// disagrees with that is a warning, and never said of what is proved.
+// disagrees with that is a warning, and never said of what is proved. So is a number where a quantity is
+// declared, whose unit can be left out.
 #pragma once
 
 #include "check/dimension_record.h"

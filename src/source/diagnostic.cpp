@@ -50,7 +50,7 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {dimension_clash, "dimension-clash", error,
      "a symbol has another dimension than an earlier line gives it"},
     {dimension_doubt, "dimension-doubt", warning,
-     "dimensions disagree, if the time is no number; nothing declares any"},
+     "dimensions disagree, unless a unit is left out or the time is a number"},
     {bold_index, "bold-index", warning, "a bold symbol carries an index; it is read as the component"},
     {dotted_length, "dotted-length", warning,
      "a dot stands on a length; it is read as the length of the vector's derivative"},

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With the dimensions of a mass, a position and the time declared, every position, its rate and every mass in
-// the displays of the rigid-body notes is left out in its turn, in its place what has no dimension and the
-// same number of axes. Each time a dimension must be reported.
+// With the dimensions of a mass, a position and the time declared, those of all other quantities of the
+// rigid-body notes are found. Then every position, its rate, every mass and angular velocity in their
+// displays is left out in its turn, in its place what has no dimension and the same number of axes. Each time
+// a dimension must be reported. What is true gets no such report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <regex>
 
 #include "catch.h"
@@ -80,9 +83,42 @@ FileReport check(const std::string& path, const std::string& text, const CheckOp
   return check_text(sources, path, text, options);
 }
 
+/// What the report found of these symbols, as far as it is something else.
+std::string differences(const FileReport& report, const std::map<std::string, std::string>& expected) {
+  std::string text;
+  for (const auto& [symbol, dimension] : expected) {
+    const auto entry = std::find_if(report.dimensions.begin(), report.dimensions.end(),
+                                    [&](const SymbolDimension& each) { return each.symbol == symbol; });
+    const std::string found =
+        entry == report.dimensions.end() ? "not there" : entry->dimension.value_or("free");
+    if (found != dimension) text += fmt::format("{}: {}, not {}\n", symbol, found, dimension);
+  }
+  return text;
+}
+
+const std::map<std::string, std::string> of_rigid_bodies{{"t", "T"},
+                                                         {"m_\\alpha", "M"},
+                                                         {"M", "M"},
+                                                         {"\\mathbf{r}_\\alpha", "L"},
+                                                         {"\\mathbf{r}'_\\alpha", "L"},
+                                                         {"\\mathbf{R}", "L"},
+                                                         {"\\mathbf{V}", "L T^{-1}"},
+                                                         {"\\mathbf{v}_\\alpha", "L T^{-1}"},
+                                                         {"\\boldsymbol{\\omega}", "T^{-1}"},
+                                                         {"\\mathbf{F}_\\alpha", "M L T^{-2}"},
+                                                         {"\\mathbf{f}_\\alpha", "M L T^{-2}"},
+                                                         {"T_{\\text{trans}}", "M L^2 T^{-2}"},
+                                                         {"T_{\\text{rot}}", "M L^2 T^{-2}"},
+                                                         {"I_{ij}", "M L^2"},
+                                                         {"\\mathbf{L}", "M L^2 T^{-1}"},
+                                                         {"\\Omega_{1}", "T^{-1}"},
+                                                         {"\\Omega_{2}", "T^{-1}"}};
+
 void every_drop_is_found(const std::string& path, const CheckOptions& options, std::size_t at_least) {
   const std::string notes = text_of(path);
-  CHECK_FALSE(reports_dimensions(check(path, notes, options)));
+  const FileReport report = check(path, notes, options);
+  CHECK_FALSE(reports_dimensions(report));
+  CHECK(differences(report, of_rigid_bodies) == "");
   const std::vector<Mutant> mutants = mutants_of(notes);
   CHECK(mutants.size() >= at_least);
   for (const Mutant& mutant : mutants) {
