@@ -23,8 +23,11 @@ Report check_all(const CheckCommand& command, SourceMap& sources, std::ostream& 
   Progress progress(err, screen_of(err).is_terminal);
   Report report;
   for (const std::string& path : command.files) {
-    const auto show = [&](std::size_t done, std::size_t all) { progress.update(path, done, all); };
-    report.files.push_back(check_file(sources, path, CheckOptions{command.sidecar, show}));
+    const CheckOptions options{
+        .sidecar = command.sidecar,
+        .progress = [&](std::size_t done, std::size_t all) { progress.update(path, done, all); },
+        .repairs = command.json ? Repairs::of_all : Repairs::of_unexpected};
+    report.files.push_back(check_file(sources, path, options));
     const Counts& counts = report.files.back().counts;
     for (std::size_t i = 0; i < verdict_count; ++i) report.counts[i] += counts[i];
   }

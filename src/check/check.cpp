@@ -50,7 +50,7 @@ FileReport check_text(SourceMap& sources, const std::string& path, std::string t
   for (Diagnostic& diagnostic : mended) diagnostic.span.file = report.file;
   report.diagnostics.insert(report.diagnostics.end(), mended.begin(), mended.end());
   const Notes notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics);
-  Session(sources, notes, report).run(options.progress);
+  Session(sources, notes, report, options).run();
   if (report.steps.empty() && report.diagnostics.empty()) {
     report.diagnostics.push_back(
         {DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});

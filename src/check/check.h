@@ -11,9 +11,15 @@
 
 namespace rigor {
 
+/// Of which refuted steps nearest true statements are looked for.
+enum class Repairs : std::uint8_t { none, of_unexpected, of_all };
+
 struct CheckOptions {
-  std::optional<std::string> sidecar;  // a path; without it, `NAME.rigor` beside the notes, if there is one
-  std::function<void(std::size_t done, std::size_t all)> progress;  // called after each display; may be empty
+  std::optional<std::string> sidecar =
+      {};  // a path; without it, `NAME.rigor` beside the notes, if there is one
+  std::function<void(std::size_t done, std::size_t all)> progress =
+      {};  // called after each display; may be empty
+  Repairs repairs = Repairs::of_unexpected;
 };
 
 /// Never throws for anything that is in the notes. A file that cannot be read is reported as such.

@@ -120,7 +120,8 @@ ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
 
 class Judging {
  public:
-  Judging(ExprTree& tree, Names& names, const Claim& claim) : tree_(tree), names_(names), claim_(claim) {}
+  Judging(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits)
+      : tree_(tree), names_(names), claim_(claim), limits_(limits) {}
 
   Judgement judge() {
     Decision decision = decide_order(0);
@@ -179,7 +180,7 @@ class Judging {
       open.reason = *prepared_.too_large;
       return open;
     }
-    Decision decision = decide(prepared_.question);
+    Decision decision = decide(prepared_.question, limits_);
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
@@ -366,6 +367,7 @@ class Judging {
   ExprTree& tree_;
   Names& names_;
   const Claim& claim_;
+  Limits limits_;
   Prepared prepared_;
   bool first_order_ = false;
   Judgement judgement_;
@@ -373,16 +375,17 @@ class Judging {
 
 }  // namespace
 
-Judgement judge(ExprTree& tree, Names& names, const Claim& claim) {
-  return Judging(tree, names, claim).judge();
+Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits) {
+  return Judging(tree, names, claim, limits).judge();
 }
 
-std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names, const Sample& known) {
+std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names, const Sample& known,
+                                            const Limits& limits) {
   if (names.assumptions().empty()) return Sample{};
   const Equation last = names.assumptions().back().equation;
   Question question = prepare(tree, names, last).question;
   question.assumptions.push_back(last);  // also where it speaks of no symbol: 0 = 1
-  return satisfying_sample(question, known);
+  return satisfying_sample(question, known, limits);
 }
 
 }  // namespace rigor

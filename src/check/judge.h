@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra/decide.h"
 #include "check/report.h"
 #include "elaborate/elaborator.h"
 #include "elaborate/names.h"
@@ -34,11 +35,12 @@ struct Claim {
   const Obstacle* doubt = nullptr;      // words beside it that may restrict it
 };
 
-[[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim);
+[[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits = {});
 
 /// A sample that meets the last assumption together with those in scope that bear on it, if one is found;
 /// `known` met earlier ones.
 [[nodiscard]] std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names,
-                                                          const Sample& known = {});
+                                                          const Sample& known = {},
+                                                          const Limits& limits = {});
 
 }  // namespace rigor

@@ -34,11 +34,12 @@ class Preparation {
   Preparation(ExprTree& tree, Names& names, int slack, Precision precision, int order)
       : tree_(tree), names_(names), slack_(slack), precision_(precision), order_(order) {}
 
-  Prepared prepare(Equation claim) {
+  Prepared prepare(Equation claim, std::span<const ExprId> also) {
     for (int k = 0; k < order_; ++k) claim = derived(claim, By::small);
     prepared_.question.tree = &tree_;
     prepared_.question.claim = claim;
     follow(claim);
+    for (const ExprId each : also) follow(Equation{.left = each, .right = each});
     for (const SymbolId symbol : reached_)
       highest_order_ = std::max(highest_order_, orders_of(symbol).total());
     if (precision_ == Precision::small_order) add_small();
@@ -391,8 +392,8 @@ class Preparation {
 }  // namespace
 
 Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack, Precision precision,
-                 int order) {
-  return Preparation(tree, names, slack, precision, order).prepare(claim);
+                 int order, std::span<const ExprId> also) {
+  return Preparation(tree, names, slack, precision, order).prepare(claim, also);
 }
 
 bool speaks_of_derivatives(const Prepared& prepared) {

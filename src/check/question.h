@@ -4,6 +4,7 @@
 // all times and places, so that derivatives of assumptions are assumptions.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "elaborate/names.h"
@@ -24,9 +25,11 @@ enum class Precision : std::uint8_t { exact, small_order };
 
 /// `slack`: by how many orders derivatives of assumptions may go beyond those in the claim: a condition may
 /// only show in them. `order`: which derivative by the small parameter is asked for, where everything small
-/// is 0; 0 and 1 make "equal to first order".
+/// is 0; 0 and 1 make "equal to first order". `also`: expressions that are to be evaluated under the same
+/// definitions and assumptions.
 [[nodiscard]] Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack = 0,
-                               Precision precision = Precision::exact, int order = 0);
+                               Precision precision = Precision::exact, int order = 0,
+                               std::span<const ExprId> also = {});
 
 /// Do the assumptions that a question took speak of derivatives, so that more slack may show more?
 [[nodiscard]] bool speaks_of_derivatives(const Prepared& prepared);

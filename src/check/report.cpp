@@ -11,6 +11,12 @@ std::string_view name_of(Verdict verdict) {
   return names[static_cast<std::size_t>(verdict)];
 }
 
+bool shows_repairs(DiagnosticKind kind) {
+  return kind == DiagnosticKind::refuted || kind == DiagnosticKind::free_index_mismatch ||
+         kind == DiagnosticKind::index_repeats || kind == DiagnosticKind::index_clash ||
+         kind == DiagnosticKind::rank_mismatch;
+}
+
 Tally tally(const Report& report, bool strict) {
   Tally total;
   const auto note = [&](const Diagnostics& diagnostics, bool refutation_is_expected) {

@@ -39,6 +39,16 @@ struct Counterexample {
   bool squared_distance = false;  // `left` is |left − right|², of vectors or tensors that are to be unequal
 };
 
+/// A true statement near a refuted one.
+struct Repair {
+  bool on_left = false;   // which side is changed
+  std::string statement;  // LaTeX of the whole step, in the author's notation
+  std::string change;     // in words
+};
+
+/// Diagnostics that are mended by a true statement near by: a refutation, indices or ranks that do not fit.
+[[nodiscard]] bool shows_repairs(DiagnosticKind kind);
+
 /// One relation of one chain.
 struct Step {
   Span span;  // the relation and both its sides
@@ -55,6 +65,9 @@ struct Step {
   std::string route;
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`
   std::optional<Counterexample> counterexample;
+  std::vector<Repair> repairs;          // of a refuted step, the nearest first; at most three
+  std::vector<std::string> conditions;  // under which a refuted step would hold, as LaTeX; at most two
+  double repair_milliseconds = 0.0;     // the time that was taken to find them
   Diagnostics diagnostics;
   double milliseconds = 0.0;
 };

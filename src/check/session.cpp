@@ -10,14 +10,15 @@
 
 namespace rigor {
 
-Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report)
-    : sources_(sources), notes_(notes), report_(report) {}
+Session::Session(const SourceMap& sources, const Notes& notes, FileReport& report,
+                 const CheckOptions& options)
+    : sources_(sources), notes_(notes), report_(report), options_(options) {}
 
-void Session::run(const std::function<void(std::size_t, std::size_t)>& progress) {
+void Session::run() {
   sight_all();
   for (std::size_t k = 0; k < notes_.events.size(); ++k) {
     std::visit([this](const auto& event) { follow(event); }, notes_.events[k]);
-    if (progress) progress(k + 1, notes_.events.size());
+    if (options_.progress) options_.progress(k + 1, notes_.events.size());
   }
   finish_dimensions();
   report_unused();

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "check/chain_reading.h"
+#include "check/check.h"
 #include "check/dimension_record.h"
 #include "check/judge.h"
 #include "check/notes.h"
@@ -17,10 +19,9 @@ namespace rigor {
 
 class Session {
  public:
-  Session(const SourceMap& sources, const Notes& notes, FileReport& report);
+  Session(const SourceMap& sources, const Notes& notes, FileReport& report, const CheckOptions& options);
 
-  /// `progress` is called after each event with the numbers done and in all; may be empty.
-  void run(const std::function<void(std::size_t, std::size_t)>& progress);
+  void run();
 
  private:
   /// How a chain's statements enter: as claims of the notes, or by a directive.
@@ -55,37 +56,20 @@ class Session {
   void end_section();
   void forget_wheres();
   void excuse_refuted(const ParsedChain& parsed, std::size_t first_step);
+  void suggest_repairs(const ParsedChain& parsed, const Context& context, std::size_t first_step);
+  std::vector<TokenView> sides_near(const ParsedChain& parsed) const;
   void report_unmet(const Directive& expectation, Span statement);
   void report_unused();
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
 
   void chain(const ParsedChain& parsed, const Context& context);
-  struct Side {
-    std::optional<Typed> typed;
-    Diagnostics diagnostics;
-  };
+  using Side = ChainReading::Side;
   bool reads(const ParsedChain& parsed);
-  /// The sides of a chain, read in one way.
-  struct Attempt {
-    Diagnostics own;
-    Reading reading;
-    Elaborator elaborator;
-    std::vector<Side> sides;
-    Attempt(Session& session, const ParsedChain& parsed, const Reading& how);
-  };
-  std::unique_ptr<Attempt> read(const ParsedChain& parsed);
-  bool is_balanced(const std::vector<Side>& sides) const;
-  Letters letters_of(const ParsedChain& parsed) const {
-    return read_letters(notes_.syntax, parsed.sides, names_);
-  }
   bool proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t which, const Claim& claim,
                                    Step& step);
-  std::optional<Claim> claim_of(const ParsedChain& parsed, std::size_t which, const Typed& left,
-                                const Typed& right, Elaborator& elaborator, const Context& context,
-                                Diagnostics& diagnostics);
-  void step(const ParsedChain& parsed, std::size_t which, Attempt& attempt, const Context& context);
-  void decide_step(const ParsedChain& parsed, std::size_t which, Attempt& attempt, const Context& context,
-                   Step& step);
+  void step(const ParsedChain& parsed, std::size_t which, ChainReading& reading, const Context& context);
+  void decide_step(const ParsedChain& parsed, std::size_t which, ChainReading& reading,
+                   const Context& context, Step& step);
   bool defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context,
                Step& step);
   bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right,
@@ -108,7 +92,7 @@ class Session {
   std::optional<Definition> as_definition(const Typed& left, const Typed& right);
   void mark_seen(const std::vector<Side>& sides);
   void declare_units(const Directive& directive);
-  void record_dimensions(const ParsedChain& parsed, const Attempt& attempt, const Context& context,
+  void record_dimensions(const ParsedChain& parsed, ChainReading& reading, const Context& context,
                          std::size_t first_step);
   void finish_dimensions();
   Step new_step(const ParsedChain& parsed, std::size_t which, const Context& context) const;
@@ -119,6 +103,7 @@ class Session {
   const SourceMap& sources_;
   const Notes& notes_;
   FileReport& report_;
+  const CheckOptions& options_;
   ExprTree tree_;
   Names names_;
   std::string section_;

@@ -3,11 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
+#include "check/missing_condition.h"
+#include "check/repair.h"
 #include "check/session.h"
 
 namespace rigor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Not understood, since indices or ranks do not fit.
+bool is_malformed(const Step& step) {
+  return step.verdict == Verdict::not_understood &&
+         std::any_of(step.diagnostics.begin(), step.diagnostics.end(), [](const Diagnostic& diagnostic) {
+           return shows_repairs(diagnostic.kind) && diagnostic.kind != DiagnosticKind::refuted;
+         });
+}
+
+}  // namespace
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
   const std::size_t first_step = report_.steps.size();
@@ -17,9 +33,9 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
                                    "no relation stands here, so there is nothing to decide"});
     return;
   }
-  const std::unique_ptr<Attempt> attempt = read(parsed);
-  for (const std::string& letter : attempt->reading.unsummed) {
-    attempt->sides[0].diagnostics.push_back(
+  const std::unique_ptr<ChainReading> reading = read_chain(notes_.syntax, tree_, names_, parsed);
+  for (const std::string& letter : reading->how().unsummed) {
+    reading->sides[0].diagnostics.push_back(
         {DiagnosticKind::unsummed_index,
          parsed.written.span,
          fmt::format(
@@ -28,11 +44,66 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
          {},
          {"say `(\\text{no sum})` beside the equation"}});
   }
-  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *attempt, context);
-  const std::vector<Side>& sides = attempt->sides;
+  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *reading, context);
+  const std::vector<Side>& sides = reading->sides;
   mark_seen(sides);
-  if (context.role == Role::display || context.role == Role::claim) excuse_refuted(parsed, first_step);
-  record_dimensions(parsed, *attempt, context, first_step);
+  record_dimensions(parsed, *reading, context, first_step);
+  if (context.role == Role::display || context.role == Role::claim) {
+    excuse_refuted(parsed, first_step);
+    suggest_repairs(parsed, context, first_step);
+  }
+}
+
+/// What stands in the lines before and behind a chain.
+std::vector<TokenView> Session::sides_near(const ParsedChain& parsed) const {
+  constexpr std::size_t before = 6;
+  constexpr std::size_t behind = 2;
+  std::vector<const ParsedChain*> chains;
+  std::size_t own = 0;
+  const auto take = [&](const std::vector<ParsedChain>& more) {
+    for (const ParsedChain& chain : more) {
+      if (&chain == &parsed) own = chains.size();
+      chains.push_back(&chain);
+    }
+  };
+  for (const Event& event : notes_.events) {
+    if (const auto* display = std::get_if<ParsedDisplay>(&event)) take(display->chains);
+    if (const auto* placed = std::get_if<PlacedDirective>(&event)) take(placed->directive.chains);
+  }
+  std::vector<TokenView> sides;
+  for (std::size_t k = own - std::min(own, before); k < chains.size() && k <= own + behind; ++k) {
+    if (k == own) continue;
+    for (const WrittenSide& side : chains[k]->written.sides) sides.emplace_back(side.tokens);
+  }
+  return sides;
+}
+
+/// A side that another step supports is less likely to hold the slip.
+void Session::suggest_repairs(const ParsedChain& parsed, const Context& context, std::size_t first_step) {
+  if (options_.repairs == Repairs::none || parsed.image > 0) return;
+  const auto trust = [&](std::size_t step, bool exists) {
+    if (!exists) return Trust::unknown;
+    const Verdict verdict = report_.steps[step].verdict;
+    if (verdict == Verdict::proved) return Trust::supported;
+    return verdict == Verdict::refuted ? Trust::doubted : Trust::unknown;
+  };
+  const std::size_t count = report_.steps.size() - first_step;
+  for (std::size_t which = 0; which < count; ++which) {
+    Step& step = report_.steps[first_step + which];
+    const bool refuted = step.verdict == Verdict::refuted;
+    if (!refuted && !is_malformed(step)) continue;
+    if (step.expected_refuted && options_.repairs == Repairs::of_unexpected) continue;
+    const auto start = Clock::now();
+    const WrongStep wrong{.parsed = parsed,
+                          .which = which,
+                          .first_order = context.first_order,
+                          .left = trust(first_step + which - 1, which > 0),
+                          .right = trust(first_step + which + 1, which + 1 < count),
+                          .near = sides_near(parsed)};
+    step.repairs = nearest_true_statements(tree_, names_, wrong);
+    step.repair_milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (refuted) step.conditions = missing_conditions(tree_, names_, wrong);
+  }
 }
 
 /// Each expectation is about one refuted step of the next chain, the first ones; cyclic images are the same
@@ -54,58 +125,6 @@ void Session::report_unmet(const Directive& expectation, Span statement) {
                                  expectation.span,
                                  "the next statement was expected to be refuted and is not",
                                  {{statement, "this statement"}}});
-}
-
-Session::Attempt::Attempt(Session& session, const ParsedChain& parsed, const Reading& how)
-    : reading(how),
-      elaborator(session.notes_.syntax, session.tree_, session.names_, session.letters_of(parsed), own, how) {
-  for (const SyntaxId id : parsed.sides) {
-    Side side;
-    side.typed = elaborator.expression(id);
-    side.diagnostics = std::exchange(own, {});
-    if (sides.empty() && side.typed) elaborator.expect_slots(side.typed->free);
-    sides.push_back(std::move(side));
-  }
-}
-
-/// The plain reading, unless the indices of the sides only fit in another one: a letter that is free on one
-/// side is not summed on another, or a prime does not make another letter of it.
-std::unique_ptr<Session::Attempt> Session::read(const ParsedChain& parsed) {
-  const Reading plain{.no_sum = parsed.written.no_sum};
-  auto first = std::make_unique<Attempt>(*this, parsed, plain);
-  if (parsed.sides.size() < 2 || is_balanced(first->sides)) return first;
-  Reading unsummed = plain;
-  const bool all_read = std::all_of(first->sides.begin(), first->sides.end(),
-                                    [](const Side& side) { return side.typed.has_value(); });
-  for (const Side& side : first->sides) {
-    if (!all_read) break;
-    for (const FreeIndex& free : side.typed->free) {
-      if (first->elaborator.summed_letters().contains(free.letter)) unsummed.unsummed.insert(free.letter);
-    }
-  }
-  Reading primes = plain;
-  primes.primes_on_axes = true;
-  for (const Reading& other : {unsummed, primes}) {
-    const bool differs = !other.unsummed.empty() || other.primes_on_axes;
-    if (!differs) continue;
-    auto attempt = std::make_unique<Attempt>(*this, parsed, other);
-    if (is_balanced(attempt->sides)) return attempt;
-  }
-  return first;
-}
-
-/// All sides are read, and have the same free letters (a number has none and fits all).
-bool Session::is_balanced(const std::vector<Side>& sides) const {
-  std::optional<std::set<std::string>> first;
-  for (const Side& side : sides) {
-    if (!side.typed) return false;
-    std::set<std::string> own;
-    for (const FreeIndex& free : side.typed->free) own.insert(free.letter);
-    if (is_literal_zero(tree_, *side.typed)) continue;
-    if (first && *first != own) return false;
-    first = own;
-  }
-  return true;
 }
 
 /// An expression without a relation is passed over with a warning, unless it cannot even be read: then it is

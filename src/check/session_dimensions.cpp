@@ -24,17 +24,17 @@ void Session::declare_units(const Directive& directive) {
 }
 
 /// A reading that was only a guess says nothing of dimensions.
-void Session::record_dimensions(const ParsedChain& parsed, const Attempt& attempt, const Context& context,
+void Session::record_dimensions(const ParsedChain& parsed, ChainReading& reading, const Context& context,
                                 std::size_t first_step) {
-  const auto guess = attempt.elaborator.guess();
+  const auto guess = reading.elaborator().guess();
   if (guess && guess->kind == DiagnosticKind::ambiguous_reading) return;
   const bool where = context.role == Role::given &&
                      std::find(wheres_.begin(), wheres_.end(), context.directive) != wheres_.end();
   const bool local = where || context.role == Role::claim;
   bool read_before = false;
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) {
-    const Side& left = attempt.sides[k];
-    const Side& right = attempt.sides[k + 1];
+    const Side& left = reading.sides[k];
+    const Side& right = reading.sides[k + 1];
     if (!left.typed || !right.typed || first_step + k >= report_.steps.size()) {
       read_before = false;
       continue;

@@ -2,7 +2,6 @@
 // One step of a chain: what its relation asks, and the verdict.
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 
 #include "check/session.h"
@@ -38,37 +37,14 @@ std::optional<Diagnostic> why_not_decided(const WrittenRelation& relation) {
   }
 }
 
-bool is_order(RelationKind kind) {
-  return kind == RelationKind::less || kind == RelationKind::less_or_equal || kind == RelationKind::greater ||
-         kind == RelationKind::greater_or_equal || kind == RelationKind::unequal;
-}
-
-/// Vectors and tensors are unequal as a whole: a ≠ b says Σ (a − b)² ≠ 0, over all components.
-Equation as_squared_distance(ExprTree& tree, Equation unequal) {
-  const Span span = tree[unequal.left].span;
-  std::vector<Slot> slots;
-  for (int axis = 0; axis < tree[unequal.left].rank; ++axis) slots.push_back({0, tree.add_index("i")});
-  ExprId value = component_of(tree, unequal.left, slots);
-  if (!tree.is_zero_literal(unequal.right)) {
-    const ExprId right = component_of(tree, unequal.right, slots);
-    const std::array terms{value, tree.add({.op = Op::negate, .span = span}, std::span(&right, 1))};
-    value = tree.add({.op = Op::add, .span = span}, terms);
-  }
-  value = tree.add({.op = Op::power, .span = span, .exponent = 2}, std::span(&value, 1));
-  for (const Slot& slot : slots)
-    value = tree.add({.op = Op::index_sum, .span = span, .index = slot.variable}, std::span(&value, 1));
-  unequal.left = value;
-  unequal.right = tree.add_number(span, "0");
-  return unequal;
-}
-
 }  // namespace
 
-void Session::step(const ParsedChain& parsed, std::size_t which, Attempt& attempt, const Context& context) {
+void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& reading,
+                   const Context& context) {
   const auto start = Clock::now();
   Step step = new_step(parsed, which, context);
   const WrittenRelation& relation = parsed.written.relations[which];
-  const std::vector<Side>& sides = attempt.sides;
+  const std::vector<Side>& sides = reading.sides;
   for (const std::size_t side : {which, which + 1}) {
     const bool first_mention = which == 0 || side == which + 1;
     const bool blocked_by_it_alone =
@@ -85,55 +61,10 @@ void Session::step(const ParsedChain& parsed, std::size_t which, Attempt& attemp
   } else if (const auto reason = why_not_decided(relation)) {
     step.diagnostics.push_back(*reason);
   } else if (readable) {
-    decide_step(parsed, which, attempt, context, step);
+    decide_step(parsed, which, reading, context, step);
   }
   step.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
   add(std::move(step));
-}
-
-/// The sides as one equation or order, greater turned into less.
-std::optional<Claim> Session::claim_of(const ParsedChain& parsed, std::size_t which, const Typed& left,
-                                       const Typed& right, Elaborator& elaborator, const Context& context,
-                                       Diagnostics& diagnostics) {
-  const WrittenRelation& relation = parsed.written.relations[which];
-  const bool swapped =
-      relation.kind == RelationKind::greater || relation.kind == RelationKind::greater_or_equal;
-  Elaborator::Mismatch place{relation.span, diagnostics};
-  auto equation = elaborator.equation(swapped ? right : left, swapped ? left : right, place);
-  if (!equation) return std::nullopt;
-  if (is_order(relation.kind) && relation.kind != RelationKind::unequal && tree_[equation->left].rank > 0) {
-    diagnostics.push_back(
-        {DiagnosticKind::rank_mismatch, relation.span, "vectors and tensors have no order"});
-    return std::nullopt;
-  }
-  if (relation.kind == RelationKind::less || relation.kind == RelationKind::greater)
-    equation->relation = Relation::less;
-  if (relation.kind == RelationKind::less_or_equal || relation.kind == RelationKind::greater_or_equal)
-    equation->relation = Relation::less_or_equal;
-  const bool unequal = relation.kind == RelationKind::unequal;
-  const bool as_a_whole = unequal && tree_[equation->left].rank > 0;
-  if (unequal && !equation->indices.empty()) {
-    diagnostics.push_back({DiagnosticKind::ambiguous_reading,
-                           relation.span,
-                           "with a free index, unequal can mean every component or the whole",
-                           {},
-                           {"without indices the whole is meant, as in `\\mathbf{A} \\ne 0`",
-                            "with digits a component is meant, as in `A_1 \\ne 0`"}});
-    return std::nullopt;
-  }
-  if (unequal) equation->relation = Relation::unequal;
-  if (as_a_whole) *equation = as_squared_distance(tree_, *equation);
-  const bool nearly =
-      relation.kind == RelationKind::nearly || (context.first_order && !is_order(relation.kind));
-  return Claim{.equation = *equation,
-               .nearly = nearly,
-               .swapped = swapped,
-               .as_a_whole = as_a_whole,
-               .relation = relation.span,
-               .left = parsed.written.sides[which].span,
-               .right = parsed.written.sides[which + 1].span,
-               .reading = &elaborator,
-               .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr};
 }
 
 /// `\frac12 m\dot r^2` where the velocity is meant: if the letter is wrong and the vector is right, it is
@@ -141,12 +72,11 @@ std::optional<Claim> Session::claim_of(const ParsedChain& parsed, std::size_t wh
 bool Session::proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t which, const Claim& claim,
                                           Step& step) {
   if (!claim.reading->has_dotted_length()) return false;
-  Attempt attempt(*this, parsed, Reading{.no_sum = parsed.written.no_sum, .dots_on_vectors = true});
-  const Side& left = attempt.sides[which];
-  const Side& right = attempt.sides[which + 1];
-  if (!left.typed || !right.typed) return false;
+  ChainReading reading(notes_.syntax, tree_, names_, parsed,
+                       {.no_sum = parsed.written.no_sum, .dots_on_vectors = true});
+  if (!reading.sides[which].typed || !reading.sides[which + 1].typed) return false;
   Diagnostics mismatches;
-  const auto other = claim_of(parsed, which, *left.typed, *right.typed, attempt.elaborator, {}, mismatches);
+  const auto other = reading.claim(parsed, which, false, mismatches);
   if (!other) return false;
   Judgement judgement = judge(tree_, names_, *other);
   if (judgement.verdict != Verdict::proved) return false;
@@ -169,16 +99,15 @@ void Session::accept(Judgement judgement, Step& step) {
   step.diagnostics.insert(step.diagnostics.end(), judgement.diagnostics.begin(), judgement.diagnostics.end());
 }
 
-void Session::decide_step(const ParsedChain& parsed, std::size_t which, Attempt& attempt,
+void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainReading& reading,
                           const Context& context, Step& step) {
-  const Side& left = attempt.sides[which];
-  const Side& right = attempt.sides[which + 1];
+  const Side& left = reading.sides[which];
+  const Side& right = reading.sides[which + 1];
   const WrittenRelation& relation = parsed.written.relations[which];
   const bool may_define = which == 0 && !is_order(relation.kind) && relation.kind != RelationKind::nearly;
   if (may_define && defines(parsed, left, right, context, step)) return;
   Diagnostics mismatches;
-  const auto claim =
-      claim_of(parsed, which, *left.typed, *right.typed, attempt.elaborator, context, mismatches);
+  const auto claim = reading.claim(parsed, which, context.first_order, mismatches);
   step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
   if (!claim) return;
   if (context.role == Role::given) {
@@ -198,10 +127,10 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, Attempt&
   const bool open = judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided ||
                     judgement.verdict == Verdict::not_understood;
   if (open && proves_with_dots_on_vectors(parsed, which, *claim, step)) return;
-  if (judgement.verdict == Verdict::refuted && !attempt.reading.unsummed.empty()) {
+  if (judgement.verdict == Verdict::refuted && !reading.how().unsummed.empty()) {
     step.diagnostics = {{DiagnosticKind::free_index_mismatch, relation.span,
                          fmt::format("index `{}` is free on one side and summed on the other",
-                                     *attempt.reading.unsummed.begin())}};
+                                     *reading.how().unsummed.begin())}};
     return;
   }
   const Op op = tree_[left.typed->id].op;

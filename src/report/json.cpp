@@ -91,6 +91,15 @@ Json json_of(const Step& step, const SourceMap& sources) {
   object["route"] = step.route;
   object["uses"] = step.uses;
   object["counterexample"] = step.counterexample ? json_of(*step.counterexample) : Json(nullptr);
+  object["repairs"] = Json::array();
+  for (const Repair& repair : step.repairs) {
+    Json entry;
+    entry["side"] = repair.on_left ? "left" : "right";
+    entry["statement"] = repair.statement;
+    entry["change"] = repair.change;
+    object["repairs"].push_back(std::move(entry));
+  }
+  object["conditions"] = step.conditions;
   object["diagnostics"] = json_of(step.diagnostics, sources);
   object["milliseconds"] = std::round(step.milliseconds * 1000.0) / 1000.0;
   return object;

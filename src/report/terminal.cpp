@@ -117,15 +117,31 @@ std::string print_steps(const FileReport& file, const SourceMap& sources, const 
   return text;
 }
 
+/// The nearest true statements, the first one with what was changed.
+std::string print_repairs(const Step& step, bool color) {
+  std::string text;
+  for (const Repair& repair : step.repairs) {
+    const std::string head = paint(text.empty() ? "true is:" : "     or:", Paint::strong, color);
+    text += fmt::format("{} {}\n         {}\n", head, printable(repair.statement), printable(repair.change));
+  }
+  for (const std::string& condition : step.conditions)
+    text += fmt::format("{} {}\n", paint("holds if:", Paint::strong, color), printable(condition));
+  return text;
+}
+
 std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
                               const TerminalOptions& options) {
   const RenderOptions render_options{options.color, options.width > margin ? options.width - margin : 0};
   std::string text;
   for (const PlacedDiagnostic& placed : diagnostics_of(file)) {
     text += "\n" + render(*placed.diagnostic, sources, render_options);
-    const bool has_sample = placed.step != nullptr && placed.step->counterexample.has_value();
-    if (has_sample && placed.diagnostic->kind == DiagnosticKind::refuted)
-      text += print_sample(*placed.step->counterexample, options.color);
+    if (placed.step == nullptr || !shows_repairs(placed.diagnostic->kind)) continue;
+    const Step& step = *placed.step;
+    if (placed.diagnostic->kind == DiagnosticKind::refuted && step.counterexample)
+      text += print_sample(*step.counterexample, options.color);
+    const auto first = std::find_if(step.diagnostics.begin(), step.diagnostics.end(),
+                                    [](const Diagnostic& each) { return shows_repairs(each.kind); });
+    if (&*first == placed.diagnostic) text += print_repairs(step, options.color);
   }
   return text;
 }

@@ -117,12 +117,13 @@ SessionTimes timed_session(const SourceMap& sources, const Notes& notes, Decide 
   });
   const Stopwatch stopwatch;
   double before = 0.0;
-  Session(sources, notes, times.report).run([&](std::size_t, std::size_t) {
+  const CheckOptions options{.progress = [&](std::size_t, std::size_t) {
     const double now = stopwatch.milliseconds();
     times.displays.push_back(now - before - deciding);
     before = now;
     deciding = 0.0;
-  });
+  }};
+  Session(sources, notes, times.report, options).run();
   times.decisions.resize(times.report.steps.size());
   return times;
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "written.h"
+#include "latex/pieces.h"
 
 namespace rigor::twins {
 namespace {
@@ -35,7 +35,7 @@ class Mutator {
   Mutator(const SourceMap& sources, TokenView side) : sources_(sources), side_(side) {}
 
   std::vector<Edit> edits(const std::vector<TokenView>& statement) {
-    for (const Level& level : levels_of(side_)) {
+    for (const PieceLevel& level : levels_of(side_)) {
       products(level);
       terms(level);
     }
@@ -65,7 +65,7 @@ class Mutator {
     add(slip, Span{span.file, span.begin, span.begin}, std::move(addition));
   }
 
-  void products(const Level& level) {
+  void products(const PieceLevel& level) {
     for (std::size_t k = 0; k < level.pieces.size(); ++k) {
       const Piece& piece = level.pieces[k];
       if (piece.kind == PieceKind::bars) add(Slip::bars_dropped, piece.tokens, unbarred(piece));
@@ -88,8 +88,8 @@ class Mutator {
     return fmt::format("({}){}", text(bars.inside), script == std::string::npos ? "" : tail.substr(script));
   }
 
-  void terms(const Level& level) {
-    const std::vector<Term> terms = terms_of(level);
+  void terms(const PieceLevel& level) {
+    const std::vector<PieceTerm> terms = terms_of(level);
     if (terms.size() < 2 && !level.whole_side) return;
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (text(terms[k].tokens) == "0") continue;
@@ -99,7 +99,7 @@ class Mutator {
     }
   }
 
-  void sign(const Term& term) {
+  void sign(const PieceTerm& term) {
     if (term.sign == nullptr) {
       insert(Slip::sign, term.tokens, "-");
     } else {
@@ -107,7 +107,7 @@ class Mutator {
     }
   }
 
-  void factors(const Term& term) {
+  void factors(const PieceTerm& term) {
     std::size_t digits = 0;
     while (digits < term.tokens.size() && term.tokens[digits].kind == TokenKind::digit) ++digits;
     if (digits == 0) {
@@ -121,8 +121,8 @@ class Mutator {
   }
 
   /// With its own sign, or for the first term with the plus of the next one.
-  void drop(const std::vector<Term>& terms, std::size_t which) {
-    const Term& term = terms[which];
+  void drop(const std::vector<PieceTerm>& terms, std::size_t which) {
+    const PieceTerm& term = terms[which];
     Span span = span_of(term.tokens);
     if (term.sign != nullptr) span = cover(span, span_of(term.sign->tokens));
     if (which == 0) {

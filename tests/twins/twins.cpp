@@ -58,7 +58,7 @@ Span right_of(const Step& step) { return {step.span.file, step.relation_span.end
 
 class Mutations {
  public:
-  explicit Mutations(const std::string& path) : path_(path) {
+  Mutations(const std::string& path, Repairs repairs) : path_(path), repairs_(repairs) {
     auto text = read_file(path);
     RIGOR_CHECK(text.has_value(), path);
     text_ = *std::move(text);
@@ -144,16 +144,36 @@ class Mutations {
     std::string said = "no step";
     std::string source = {};
     bool open = false;  // a declaration might settle it
+    std::vector<Repair> repairs = {};
+    double milliseconds = 0.0;  // that they took
   };
 
   /// What is said to the step whose relation stands at `relation` of the text.
   Judged judge(std::string text, std::size_t relation) const {
     SourceMap sources;
-    const FileReport report = check_text(sources, path_, std::move(text));
+    const FileReport report = check_text(sources, path_, std::move(text), {.repairs = repairs_});
     const Step* step = step_at(report, relation);
     if (step == nullptr) return {};
     const bool open = has(*step, {DiagnosticKind::undeclared_symbol, DiagnosticKind::ambiguous_reading});
-    return {outcome_of(*step), summary_of(*step), step->source, open};
+    return {outcome_of(*step), summary_of(*step),        step->source, open,
+            step->repairs,     step->repair_milliseconds};
+  }
+
+  static std::string without_blanks(std::string text) {
+    std::erase_if(text, [](char each) { return each == ' ' || each == '&' || each == '\n'; });
+    return text;
+  }
+
+  static Suggested suggested(const Judged& judged, const Step& original, bool on_left) {
+    Suggested result{.count = judged.repairs.size(), .milliseconds = judged.milliseconds};
+    for (std::size_t k = 0; k < judged.repairs.size(); ++k) {
+      const Repair& repair = judged.repairs[k];
+      if (k == 0) result.first = repair.statement;
+      if (repair.on_left == on_left && result.place == 0) result.place = k + 1;
+      result.is_original =
+          result.is_original || without_blanks(repair.statement) == without_blanks(original.source);
+    }
+    return result;
   }
 
   void mutate(std::size_t item, const Display& display) {
@@ -188,8 +208,8 @@ class Mutations {
           if (again.outcome == Outcome::refuted_declared || again.outcome == Outcome::malformed)
             judged = again;
         }
-        result_.twins.push_back(
-            {edit.slip, place_of(step), step.source, judged.source, judged.outcome, judged.said});
+        result_.twins.push_back({edit.slip, place_of(step), step.source, judged.source, judged.outcome,
+                                 judged.said, suggested(judged, step, side == &left)});
       }
     }
   }
@@ -200,6 +220,7 @@ class Mutations {
   }
 
   std::string path_;
+  Repairs repairs_;
   std::string text_;
   SourceMap sources_;
   FileReport whole_;
@@ -216,6 +237,6 @@ std::string_view name_of(Outcome outcome) {
   return names[static_cast<std::size_t>(outcome)];
 }
 
-Twins twins_of(const std::string& path) { return Mutations(path).all(); }
+Twins twins_of(const std::string& path, Repairs repairs) { return Mutations(path, repairs).all(); }
 
 }  // namespace rigor::twins

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "check/check.h"
 #include "mutate.h"
 
 namespace rigor::twins {
@@ -30,6 +31,16 @@ inline constexpr std::size_t outcome_count = 7;
 
 [[nodiscard]] std::string_view name_of(Outcome outcome);
 
+/// What was suggested for a refuted twin. A suggestion that changes the side which was spoilt is proved equal
+/// to the other side, which is the original's: so it equals the original.
+struct Suggested {
+  std::size_t count = 0;
+  std::size_t place = 0;     // of the first that equals the original, from 1; 0: none does
+  bool is_original = false;  // one of them is the original, letter by letter
+  std::string first = {};
+  double milliseconds = 0.0;
+};
+
 struct Twin {
   Slip slip;
   std::string place;  // of the original: `rigid-bodies.md:44`
@@ -37,6 +48,7 @@ struct Twin {
   std::string twin;
   Outcome outcome = Outcome::failed;
   std::string said;  // the verdict and the kinds of its diagnostics
+  Suggested suggested = {};
 };
 
 struct Twins {
@@ -47,6 +59,6 @@ struct Twins {
 };
 
 /// Of a file relative to the working directory.
-[[nodiscard]] Twins twins_of(const std::string& path);
+[[nodiscard]] Twins twins_of(const std::string& path, Repairs repairs = Repairs::none);
 
 }  // namespace rigor::twins

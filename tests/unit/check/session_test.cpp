@@ -269,9 +269,10 @@ TEST_CASE("progress is told after each event") {
   const Notes notes = read_notes(sources, file, nullptr, diagnostics);
   FileReport report;
   std::string told;
-  Session(sources, notes, report).run([&](std::size_t done, std::size_t all) {
+  const CheckOptions options{.progress = [&](std::size_t done, std::size_t all) {
     told += std::to_string(done) + "/" + std::to_string(all) + " ";
-  });
+  }};
+  Session(sources, notes, report, options).run();
   CHECK(told == "1/3 2/3 3/3 ");
 }
 

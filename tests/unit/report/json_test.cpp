@@ -34,7 +34,8 @@ TEST_CASE("the keys of the report, a file, the counts and a step are the documen
   CHECK(file["counts"] == json["counts"]);
   CHECK(keys_of(file["steps"][0]) == Keys{"line", "column", "end_line", "end_column", "tag", "label",
                                           "section", "source", "left", "relation", "right", "verdict",
-                                          "route", "uses", "counterexample", "diagnostics", "milliseconds"});
+                                          "route", "uses", "counterexample", "repairs", "conditions",
+                                          "diagnostics", "milliseconds"});
 }
 
 TEST_CASE("a step that is proved") {
@@ -45,7 +46,7 @@ TEST_CASE("a step that is proved") {
     "source": "\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A}",
     "left": "\\mathbf{A}\\cdot\\mathbf{B}", "relation": "=", "right": "\\mathbf{B}\\cdot\\mathbf{A}",
     "verdict": "proved", "route": "component normal form", "uses": ["definition A (1)"],
-    "counterexample": null, "diagnostics": [], "milliseconds": 0.123})json"));
+    "counterexample": null, "repairs": [], "conditions": [], "diagnostics": [], "milliseconds": 0.123})json"));
 }
 
 TEST_CASE("a step that is refuted has all that is needed to replay its counterexample") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One side of a statement as it was typed, before any macro is expanded: which tokens are signs, products and
-// factors, and what stands inside what. Independent of the parser, which is under test.
+// One side of a statement as tokens: which tokens are signs, products and
+// factors, and what stands inside what. Independent of the parser, so that edits of the text can test it.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "latex/tokens.h"
 
-namespace rigor::twins {
+namespace rigor {
 
 enum class PieceKind : std::uint8_t {
   plus,
@@ -27,24 +27,25 @@ struct Piece {
 };
 
 /// Pieces beside each other at one depth of brackets. Layout (blanks, `&`, `\\`, spacing) is left out.
-struct Level {
+struct PieceLevel {
   std::vector<Piece> pieces;
   bool whole_side = false;
+  bool may_be_sum = false;  // in brackets, bars or an argument such as that of \frac; not that of \mathbf
 };
 
 /// One additive term: its pieces, and the sign before it if one was typed.
-struct Term {
+struct PieceTerm {
   const Piece* sign = nullptr;
   TokenView tokens;
 };
 
 /// The side itself, then what stands in its brackets, bars and arguments.
-[[nodiscard]] std::vector<Level> levels_of(TokenView side);
-[[nodiscard]] std::vector<Term> terms_of(const Level& level);
+[[nodiscard]] std::vector<PieceLevel> levels_of(TokenView side);
+[[nodiscard]] std::vector<PieceTerm> terms_of(const PieceLevel& level);
 
 /// What stands in each subscript, those of `\sum` left out.
 [[nodiscard]] std::vector<TokenView> subscripts_of(TokenView side);
 /// Each `^2`, both tokens (and braces), but for those of `\nabla^2` and `\partial^2`.
 [[nodiscard]] std::vector<TokenView> squares_of(TokenView side);
 
-}  // namespace rigor::twins
+}  // namespace rigor

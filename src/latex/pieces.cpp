@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "written.h"
+#include "latex/pieces.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-namespace rigor::twins {
+namespace rigor {
 namespace {
 
 template <std::size_t N>
@@ -37,12 +37,25 @@ int change_of_depth(const Token& token) {
   return 0;
 }
 
+/// What stands inside of something, to be cut in its turn.
+struct Inner {
+  TokenView tokens;
+  bool may_be_sum = false;
+};
+
+/// Controls whose arguments are sums as often as not.
+bool takes_sum(const Token& control) {
+  static constexpr std::array<std::string_view, 9> controls{"frac", "tfrac", "dfrac",      "sqrt", "abs",
+                                                            "norm", "qty",   "underbrace", "boxed"};
+  return is_one_of(control, controls);
+}
+
 /// Cuts one level into pieces; what it passes by on the way down is kept as further levels.
 class Cutter {
  public:
   explicit Cutter(TokenView tokens) : tokens_(tokens) {}
 
-  std::vector<Piece> cut(std::vector<TokenView>& inner) {
+  std::vector<Piece> cut(std::vector<Inner>& inner) {
     inner_ = &inner;
     std::vector<Piece> pieces;
     while (at_ < tokens_.size()) {
@@ -89,12 +102,12 @@ class Cutter {
                       [](const Token& other) { return is_sign(other, ")") || is_sign(other, "]"); });
     }
     if (token.kind == TokenKind::digit) return number();
-    if (token.kind == TokenKind::begin_group) return arguments(factor);
+    if (token.kind == TokenKind::begin_group) return arguments(factor, true);
     ++at_;
     if (token.kind == TokenKind::control && factor.kind != PieceKind::big_sum) {
       const bool bars = token.text == "abs" || token.text == "norm";
       const bool fraction = token.text == "frac" || token.text == "tfrac" || token.text == "dfrac";
-      arguments(factor);
+      arguments(factor, takes_sum(token));
       if (bars) factor.kind = PieceKind::bars;
       while (fraction && at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
     }
@@ -113,18 +126,18 @@ class Cutter {
     if (end > begin && is_size(tokens_[end - 1])) --end;
     factor.kind = kind;
     factor.inside = tokens_.subspan(begin, end - begin);
-    inner_->push_back(factor.inside);
+    inner_->push_back({factor.inside, true});
   }
 
   void number() {
     while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
   }
 
-  void arguments(Piece& factor) {
+  void arguments(Piece& factor, bool may_be_sum) {
     while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::begin_group) {
       const Argument argument = argument_at(tokens_, at_);
       factor.inside = argument.content;
-      inner_->push_back(argument.content);
+      inner_->push_back({argument.content, may_be_sum});
       at_ = argument.next;
     }
   }
@@ -139,7 +152,7 @@ class Cutter {
 
   TokenView tokens_;
   std::size_t at_ = 0;
-  std::vector<TokenView>* inner_ = nullptr;
+  std::vector<Inner>* inner_ = nullptr;
 };
 
 /// `\nabla^2`, `d^2x`, `\partial t^2`: how often, not a power.
@@ -155,18 +168,19 @@ bool counts_derivatives(TokenView side, std::size_t superscript) {
 
 }  // namespace
 
-std::vector<Level> levels_of(TokenView side) {
-  std::vector<Level> levels;
-  std::vector<TokenView> pending{side};
+std::vector<PieceLevel> levels_of(TokenView side) {
+  std::vector<PieceLevel> levels;
+  std::vector<Inner> pending{{side, true}};
   for (std::size_t k = 0; k < pending.size(); ++k) {
-    Level level{Cutter(pending[k]).cut(pending), k == 0};
+    const Inner inner = pending[k];
+    PieceLevel level{Cutter(inner.tokens).cut(pending), k == 0, inner.may_be_sum};
     levels.push_back(std::move(level));
   }
   return levels;
 }
 
-std::vector<Term> terms_of(const Level& level) {
-  std::vector<Term> terms;
+std::vector<PieceTerm> terms_of(const PieceLevel& level) {
+  std::vector<PieceTerm> terms;
   const Piece* sign = nullptr;
   for (const Piece& piece : level.pieces) {
     if (piece.kind == PieceKind::plus || piece.kind == PieceKind::minus) {
@@ -203,4 +217,4 @@ std::vector<TokenView> squares_of(TokenView side) {
   return squares;
 }
 
-}  // namespace rigor::twins
+}  // namespace rigor

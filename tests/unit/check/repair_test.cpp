@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A small wrong note in, the nearest true statements out.
+#include "check/repair.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "check/checked.h"
+
+using namespace rigor;
+
+namespace {
+
+const Step& refuted_step(const Checked& checked) {
+  const auto found = std::find_if(checked.report.steps.begin(), checked.report.steps.end(),
+                                  [](const Step& step) { return step.verdict == Verdict::refuted; });
+  REQUIRE(found != checked.report.steps.end());
+  return *found;
+}
+
+/// What is offered first for the first wrong step of a note, and in which words.
+Repair nearest(const std::string& note) {
+  const Checked checked(note);
+  const Step& step = refuted_step(checked);
+  REQUIRE(!step.repairs.empty());
+  return step.repairs.front();
+}
+
+}  // namespace
+
+TEST_CASE("a wrong sign is named by its term") {
+  const Repair repair =
+      nearest("$$(\\mathbf{A}\\times\\mathbf{B})^2 = A^2B^2 + (\\mathbf{A}\\cdot\\mathbf{B})^2$$");
+  CHECK(repair.statement == "(\\mathbf{A}\\times\\mathbf{B})^2 = A^2B^2 - (\\mathbf{A}\\cdot\\mathbf{B})^2");
+  CHECK(repair.change == "term 2 on the right has the opposite sign");
+  CHECK_FALSE(repair.on_left);
+}
+
+TEST_CASE("a wrong coefficient is calculated, whatever it is") {
+  const Repair repair = nearest(rigor_says("scalar a, b") + "$$(a + b)^3 = a^3 + 7a^2b + 3ab^2 + b^3$$");
+  CHECK(repair.statement == "(a + b)^3 = a^3 + 3a^2b + 3ab^2 + b^3");
+  CHECK(repair.change == "term 2 on the right must be 3/7 times as large");
+}
+
+TEST_CASE("a term that is one too many, and one that is missing") {
+  CHECK(nearest(rigor_says("scalar a, b, c") + "$$a(b + c) = ab + ac + bc$$").statement ==
+        "a(b + c) = ab + ac");
+  CHECK(
+      nearest(
+          "$$\\mathbf{A}\\times(\\mathbf{B}\\times\\mathbf{C}) = \\mathbf{B}(\\mathbf{A}\\cdot\\mathbf{C})$$")
+          .statement ==
+      "\\mathbf{A}\\times(\\mathbf{B}\\times\\mathbf{C}) = \\mathbf{B}(\\mathbf{A}\\cdot\\mathbf{C}) - "
+      "\\mathbf{C}(\\mathbf{A}\\cdot\\mathbf{B})");
+  CHECK(nearest(rigor_says("scalar a, b") + "$$(a + b)^2 = a^2 + b^2$$").statement ==
+        "(a + b)^2 = a^2 + b^2 + 2ab");
+}
+
+TEST_CASE("swapped and replaced indices are found") {
+  CHECK(nearest("$$\\epsilon_{ijk}A_jB_k = (\\mathbf{B}\\times\\mathbf{A})_i$$").statement ==
+        "\\epsilon_{ijk}A_jB_k = (\\mathbf{A}\\times\\mathbf{B})_i");
+  const Repair repair = nearest(rigor_says("tensor T_{ij}") + "$$T_{ij}A_iB_j = T_{ij}B_iA_j$$");
+  CHECK(repair.statement == "T_{ij}A_iB_j = T_{ji}B_iA_j");
+  CHECK(repair.change == "`ji` for `ij` on the right side");
+}
+
+TEST_CASE("a term of the line before can be the missing one") {
+  const std::string note = rigor_says("particles \\alpha") + rigor_says("vector \\mathbf{V}") +
+                           "$$\\sum_\\alpha m_\\alpha|\\mathbf{V} + \\mathbf{v}_\\alpha|^2 = \\sum_\\alpha "
+                           "m_\\alpha V^2 + 2\\mathbf{V}\\cdot\\sum_\\alpha m_\\alpha\\mathbf{v}_\\alpha + "
+                           "\\sum_\\alpha m_\\alpha v_\\alpha^2$$\n\n"
+                           "$$\\sum_\\alpha m_\\alpha|\\mathbf{V} + \\mathbf{v}_\\alpha|^2 = \\sum_\\alpha "
+                           "m_\\alpha V^2 + \\sum_\\alpha m_\\alpha v_\\alpha^2$$\n";
+  CHECK(nearest(note).change ==
+        "`+ 2\\mathbf{V}\\cdot\\sum_\\alpha m_\\alpha\\mathbf{v}_\\alpha` is missing on the right side");
+}
+
+TEST_CASE("the side that another step supports is believed") {
+  const Repair repair = nearest(
+      "$$\\mathbf{A}\\cdot(\\mathbf{B} + \\mathbf{C}) = \\mathbf{A}\\cdot\\mathbf{B} + "
+      "\\mathbf{A}\\cdot\\mathbf{C} = \\mathbf{B}\\cdot\\mathbf{A} - \\mathbf{C}\\cdot\\mathbf{A}$$");
+  CHECK_FALSE(repair.on_left);
+}
+
+TEST_CASE("a definition on the left is not what is wrong") {
+  const std::string note = rigor_says("scalar m, v") + "$$T = \\frac{1}{2}mv^2$$\n\n$$T = mv^2$$\n";
+  CHECK(nearest(note).statement == "T = \\frac{1}{2}mv^2");
+}
+
+TEST_CASE("what holds to first order is mended to first order") {
+  const std::string note = rigor_says("scalar x") + rigor_says("small x") + "$$(1 + x)^2 \\approx 1 + x$$\n";
+  CHECK(nearest(note).statement == "(1 + x)^2 \\approx 1 + 2x");
+}
+
+TEST_CASE("an order is mended, too") {
+  CHECK(nearest(rigor_says("vector \\mathbf{A}") + "$$-|\\mathbf{A}|^2 \\ge 0$$").statement ==
+        "|\\mathbf{A}|^2 \\ge 0");
+}
+
+TEST_CASE("indices that do not fit are mended as well") {
+  const Checked checked("$$(\\mathbf{A}\\times\\mathbf{B})_i = \\epsilon_{ijk}A_jB_j$$");
+  const Step& step = checked.report.steps.at(0);
+  CHECK(step.verdict == Verdict::not_understood);
+  REQUIRE(!step.repairs.empty());
+  CHECK(step.repairs[0].statement == "(\\mathbf{A}\\times\\mathbf{B})_i = \\epsilon_{ijk}A_jB_k");
+  CHECK(step.repairs[0].change == "`k` for `j` on the right side");
+}
+
+TEST_CASE("what is true already is not offered: a = a, 0 = 0") {
+  const Checked checked("$$\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}$$");
+  for (const Repair& repair : refuted_step(checked).repairs) {
+    CHECK(repair.statement != "\\mathbf{A}\\times\\mathbf{B} = \\mathbf{A}\\times\\mathbf{B}");
+    CHECK(repair.statement != "\\mathbf{B}\\times\\mathbf{A} = \\mathbf{B}\\times\\mathbf{A}");
+  }
+}
+
+TEST_CASE("each statement that is offered is proved when it is written so") {
+  const std::string wrong =
+      "$$\\mathbf{A}\\times(\\mathbf{B}\\times\\mathbf{C}) = \\mathbf{B}(\\mathbf{A}\\cdot\\mathbf{C}) + "
+      "\\mathbf{C}(\\mathbf{A}\\cdot\\mathbf{B})$$";
+  const Checked checked(wrong);
+  REQUIRE(!refuted_step(checked).repairs.empty());
+  for (const Repair& repair : refuted_step(checked).repairs)
+    CHECK(lines_of("$$" + repair.statement + "$$") == "proved\n");
+}
+
+TEST_CASE("the search leaves no trace: what follows is read as without it") {
+  const std::string wrong = "$$\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}$$\n\n";
+  const std::string next = "$$\\dot{\\mathbf{A}} = \\mathbf{B}'$$\n\n$$\\mathbf{A}'\\cdot\\mathbf{B} = 0$$\n";
+  const auto verdicts = [&](Repairs repairs) {
+    SourceMap sources;
+    std::string text;
+    for (const Step& step : check_text(sources, "note.md", wrong + next, {.repairs = repairs}).steps)
+      text += std::string(name_of(step.verdict)) + " ";
+    return text;
+  };
+  CHECK(verdicts(Repairs::of_all) == verdicts(Repairs::none));
+}
+
+TEST_CASE("what is expected to be refuted is mended only if all is asked for") {
+  const std::string note =
+      rigor_says("expect refuted") + "$$\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}$$\n";
+  const auto offered = [&](Repairs repairs) {
+    SourceMap sources;
+    return check_text(sources, "note.md", note, {.repairs = repairs}).steps.at(0).repairs.size();
+  };
+  CHECK(offered(Repairs::of_unexpected) == 0);
+  CHECK(offered(Repairs::of_all) > 0);
+}
