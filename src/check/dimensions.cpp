@@ -122,8 +122,10 @@ class Solving {
     const std::size_t before = reasons_.size();
     for (const std::size_t assumed : statement.assumed) {
       const DimensionStatement& other = record_.statements[assumed];
-      for (const DimensionEquation& equation : other.equations)
+      for (const DimensionEquation& equation : other.equations) {
+        if (is_left_out(equation)) continue;
         static_cast<void>(own.add(equation.left, equation.right, note_reason(written(other, equation))));
+      }
     }
     bool agree = true;
     for (const DimensionEquation& equation : statement.equations) {

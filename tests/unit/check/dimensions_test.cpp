@@ -56,6 +56,8 @@ TEST_CASE("a number alone settles nothing, and is doubted where a quantity is kn
         "a number stands where a quantity of dimension L T^{-1} is meant\n");
   CHECK(said_of(rigor_says("units \\mathbf{r}: L") + display("\\mathbf{r} = (1, 2, 3)")) ==
         "a number stands where a quantity of dimension L is meant\n");
+  CHECK(said_of(rigor_says("units x: L, t: T") + rigor_says("where k = 2") + rigor_says("claim x = kt"))
+            .empty());
   CHECK(table_of(rigor_says("units t: T") + display("n = 3, \\qquad s = nt")) == "t: T, n: 1, s: T");
 }
 
