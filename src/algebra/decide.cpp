@@ -233,7 +233,8 @@ Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
   decision.route = "exact sample";
   decision.unfolded = refuter_.reach().unfolded;
   decision.assumptions = refuter_.assumptions();
-  decision.sample = refuter_.simplest(counterexample);
+  decision.sample =
+      limits_.simplest_sample ? refuter_.simplest(counterexample) : refuter_.to_sample(counterexample);
   return decision;
 }
 

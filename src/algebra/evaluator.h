@@ -66,6 +66,8 @@ class Evaluator {
 
   [[nodiscard]] Number scalar(ExprId id);
   [[nodiscard]] Array array(ExprId id);
+  /// All components of what is defined, for a particle (0: of no particle).
+  [[nodiscard]] Array value_of(const Definition& definition, std::uint32_t particle);
 
  private:
   /// Counts a level of recursion for as long as it lives.

@@ -27,6 +27,15 @@ auto Evaluator<Domain>::whole_symbol(const ExprNode& symbol) -> Array {
 }
 
 template <class Domain>
+auto Evaluator<Domain>::value_of(const Definition& definition, std::uint32_t particle) -> Array {
+  Array value;
+  const std::size_t count = component_count(tree_->symbols[definition.symbol].rank);
+  value.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) value.push_back(unfolded_component(definition, particle, i));
+  return value;
+}
+
+template <class Domain>
 auto Evaluator<Domain>::unfolded_component(const Definition& definition, std::uint32_t particle,
                                            std::size_t component) -> Number {
   const std::uint64_t key = (static_cast<std::uint64_t>(definition.symbol) << 32) | particle;

@@ -10,6 +10,8 @@
 namespace rigor {
 namespace {
 
+constexpr std::size_t longest_text = 4'000;  // signs of a number that is read: ours have 200 digits at most
+
 [[nodiscard]] bool is_natural(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
@@ -35,6 +37,7 @@ Rational from_digits(const std::string& digits) {
 }
 
 std::optional<Rational> from_text(std::string_view text) {
+  if (text.size() > longest_text) return std::nullopt;
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
   const std::size_t slash = text.find('/');

@@ -29,7 +29,8 @@ Refuter::Refuter(const Scope& scope, const Limits& limits)
       solver_(scope, relevant_assumptions(scope)),
       reach_(reach_of_sample(scope, solver_.assumptions())),
       evaluator_(scope, limits),
-      sequence_(scope.tree(), reach_, solver_.has_particle_sums()) {}
+      sequence_(scope.tree(), reach_, solver_.has_particle_sums()),
+      claim_symbols_(rigor::reach(scope, scope.question().claim).symbols) {}
 
 std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& drawn, std::uint32_t attempt,
                                                          const Complexity* below) {

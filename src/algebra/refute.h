@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "algebra/decide.h"
@@ -38,6 +39,8 @@ class Refuter {
   /// The simplest counterexample found from a given one: tiny points first, then one number after the other
   /// made smaller.
   [[nodiscard]] Sample simplest(const Counterexample& found);
+  /// As it is.
+  [[nodiscard]] Sample to_sample(const Counterexample& found) const;
 
   [[nodiscard]] const Reach& reach() const { return reach_; }
   [[nodiscard]] const std::vector<std::size_t>& assumptions() const { return solver_.assumptions(); }
@@ -56,12 +59,21 @@ class Refuter {
   [[nodiscard]] std::optional<Counterexample> fails_on(const SamplePoint& drawn, std::uint32_t attempt,
                                                        const Complexity* below = nullptr);
   void consider(Counterexample& best, const SamplePoint& drawn, std::uint32_t attempt);
+  void look_among_few(Counterexample& best);
+  void look_among_few(Counterexample& best, std::uint32_t particles, int scalar, std::span<const int> values);
   void look_among_tiny_points(Counterexample& best);
+  void clear_symbols(Counterexample& best);
+  void exchange_axes(Counterexample& best);
+  void descend(Counterexample& best);
+  void shrink(Counterexample& best, std::uint64_t one_look);
   void drop_particles(Counterexample& best);
   void make_particles_alike(Counterexample& best);
+  void make_scalars_alike(Counterexample& best);
   [[nodiscard]] bool make_smaller(Counterexample& best);
   [[nodiscard]] bool may_shrink() const;
-  [[nodiscard]] Sample to_sample(const Counterexample& found) const;
+
+  static constexpr std::uint32_t most_looks = 150;        // of an enumeration, where nothing is assumed
+  static constexpr std::uint32_t most_solved_looks = 80;  // where assumptions are solved for each time
 
   const Scope* scope_;
   Limits limits_;
@@ -71,9 +83,14 @@ class Refuter {
   std::optional<SamplePoint> point_;  // the one that is being looked at
   SampleSequence sequence_;
   std::uint32_t points_compared_ = 0;
-  std::uint32_t looked_at_zero_ = 0;  // points
-  std::uint64_t shrinks_until_ = 0;   // steps
+  std::uint32_t looked_at_zero_ = 0;     // points
+  std::uint64_t shrinks_until_ = 0;      // steps
+  std::vector<SymbolId> claim_symbols_;  // free symbols that the claim reaches, in its order
+  std::uint32_t looks_left_ = 0;         // of an enumeration
 };
+
+/// The unit vectors along the axes, or the rotations that a reader knows, the simplest first.
+[[nodiscard]] std::vector<std::vector<Rational>> simple_wholes(const Symbol& symbol);
 
 /// The claim and the assumptions that bear on it: what a sample has to give values for.
 [[nodiscard]] Reach reach_of_sample(const Scope& scope, const std::vector<std::size_t>& assumptions);

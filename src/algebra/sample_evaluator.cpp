@@ -125,6 +125,13 @@ Difference SampleEvaluator::at(const Equation& equation, const Place& place) {
           rational_of(evaluator_.array(equation.right)[component])};
 }
 
+std::vector<Rational> SampleEvaluator::value_of(const Definition& definition, std::uint32_t particle) {
+  std::vector<Rational> components;
+  for (const ExactValue& each : evaluator_.value_of(definition, particle))
+    components.push_back(rational_of(each));
+  return components;
+}
+
 std::vector<Place> SampleEvaluator::places(const Equation& equation) const {
   const std::size_t rank = scope_->tree()[equation.left].rank;
   std::vector<Place> all;

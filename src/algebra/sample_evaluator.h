@@ -2,6 +2,7 @@
 // Expressions and equations on an exact sample.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -67,6 +68,7 @@ class SampleDomain {
   void settle(ExactValue&) {}
   void step();
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
+  void allow_more(std::uint64_t steps) { largest_steps_ = std::max(largest_steps_, steps_ + steps); }
 
  private:
   const SamplePoint* point_ = nullptr;
@@ -104,8 +106,11 @@ class SampleEvaluator {
   /// left − right at all places, in the order of `places`.
   [[nodiscard]] std::vector<Rational> residuals(const Equation& equation);
   [[nodiscard]] Difference at(const Equation& equation, const Place& place);
+  [[nodiscard]] std::vector<Rational> value_of(const Definition& definition, std::uint32_t particle);
   /// How many steps of evaluation there have been.
   [[nodiscard]] std::uint64_t steps() const { return domain_.steps(); }
+  /// From now on at least so many.
+  void allow_more(std::uint64_t steps) { domain_.allow_more(steps); }
   [[nodiscard]] std::vector<Place> places(const Equation& equation) const;
 
  private:

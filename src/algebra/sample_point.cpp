@@ -91,17 +91,35 @@ SamplePoint SamplePoint::without_particle(std::uint32_t particle) const {
   return smaller;
 }
 
+SamplePoint SamplePoint::with_exchanged(std::uint32_t first, std::uint32_t second) const {
+  SamplePoint exchanged = *this;
+  for (const SymbolId symbol : symbols_) {
+    if (!tree_->symbols[symbol].per_particle) continue;
+    exchanged.set_all(symbol, first, values(symbol, second));
+    exchanged.set_all(symbol, second, values(symbol, first));
+  }
+  return exchanged;
+}
+
 Complexity complexity(const SamplePoint& point) {
+  constexpr double fade = 1.0 / 32;
   Complexity result{.particles = point.particles()};
+  double weight = 1;
   for (const Coordinate& at : point.coordinates()) {
     const auto all = point.values(at.symbol, at.particle);
     const bool rotation = point.is_whole(at) && all.size() == 9;
     if (rotation) result.nonzero += strangeness(all);
-    for (const Rational& value : point.is_whole(at) ? all : all.subspan(at.component, 1)) {
+    const std::span<const Rational> own = point.is_whole(at) ? all : all.subspan(at.component, 1);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      const Rational& value = own[k];
       if (cln::zerop(value)) continue;
-      if (!rotation) ++result.nonzero;
+      if (!rotation) {
+        result.nonzero += point.is_twofold(at) ? 2 : 1;
+        result.lateness += weight * static_cast<double>(at.component + k + at.particle) / 64;
+        weight *= fade;
+      }
       result.size += cln::double_approx(cln::abs(cln::numerator(value))) +
-                     3 * (cln::double_approx(cln::denominator(value)) - 1) + (cln::minusp(value) ? 0.5 : 0.0);
+                     3 * (cln::double_approx(cln::denominator(value)) - 1) + (cln::minusp(value) ? 1.5 : 0.0);
     }
   }
   return result;

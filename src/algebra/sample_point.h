@@ -43,6 +43,11 @@ class SamplePoint {
     const Symbol& named = tree_->symbols[at.symbol];
     return named.unit || named.rotation;
   }
+  /// Is it written twice, off the diagonal of a symmetric tensor?
+  [[nodiscard]] bool is_twofold(const Coordinate& at) const {
+    const Symbol& named = tree_->symbols[at.symbol];
+    return named.symmetric && named.rank == 2 && at.component % 4 != 0;
+  }
   /// Can it take any value? Not one that is whole, nor an angle or a logarithm.
   [[nodiscard]] bool is_free(const Coordinate& at) const {
     return !is_whole(at) && meaning(at.symbol).kind == Meaning::Kind::itself;
@@ -69,6 +74,8 @@ class SamplePoint {
 
   /// The same values for one particle less.
   [[nodiscard]] SamplePoint without_particle(std::uint32_t particle) const;
+  /// The same particles, two of them exchanged.
+  [[nodiscard]] SamplePoint with_exchanged(std::uint32_t first, std::uint32_t second) const;
 
  private:
   static constexpr std::uint32_t absent = 0xffffffffu;
@@ -84,12 +91,13 @@ class SamplePoint {
   std::vector<Meaning> meaning_;  // by symbol
 };
 
-/// How large a point's simplicity is: the fewer particles, then numbers that are not 0, then digits, the
-/// simpler. A rotation counts by how strange it is.
+/// How far a point is from simple: particles first, then numbers that are not 0, then their digits, then how
+/// late their axes are. A rotation counts by how strange it is, a tensor's numbers off the diagonal twice.
 struct Complexity {
   std::uint32_t particles = 0;
   std::uint32_t nonzero = 0;
-  double size = 0;  // Σ |numerator| + 3 (denominator − 1), and 1/2 for a minus sign
+  double size = 0;      // Σ |numerator| + 3 (denominator − 1), and 3/2 for a minus sign
+  double lateness = 0;  // of axes and particles, the earlier symbols first
   friend auto operator<=>(const Complexity&, const Complexity&) = default;
 };
 [[nodiscard]] Complexity complexity(const SamplePoint& point);

@@ -20,9 +20,11 @@ namespace {
 
 Meaning meaning_in(const Sample& sample, SymbolId symbol) {
   for (const SampleValue& value : sample.values) {
-    if (value.symbol != symbol || value.components.size() != 1) continue;
-    const auto read = read_number(value.components[0]);
-    if (read && read->meaning.kind != Meaning::Kind::itself) return read->meaning;
+    if (value.symbol != symbol) continue;
+    for (const std::string& component : value.components) {
+      const auto read = read_number(component);
+      if (read && read->meaning.kind != Meaning::Kind::itself) return read->meaning;
+    }
   }
   return {};
 }

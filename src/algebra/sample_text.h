@@ -12,7 +12,7 @@ namespace rigor {
 /// The values of all symbols of a point, in its order.
 [[nodiscard]] std::vector<SampleValue> values_of(const SamplePoint& point, const ExprTree& tree);
 
-/// What the sample's numbers for a scalar stand for: 0 is an angle and a logarithm, too.
+/// What the sample's numbers for a symbol stand for: 0 is an angle and a logarithm, too.
 [[nodiscard]] Meaning meaning_in(const Sample& sample, SymbolId symbol);
 
 /// The numbers of a value; empty if they do not fit its symbol.

@@ -59,19 +59,22 @@ ColorWhen color_of(const std::string& word) {
   return word == "never" ? ColorWhen::never : ColorWhen::automatic;
 }
 
-CommandLine usage_error(std::string reason) {
+CommandLine usage_error(std::string reason, std::string_view command = "check") {
   if (reason.starts_with("A ") || reason.starts_with("The ")) reason[0] += 'a' - 'A';
-  return {std::nullopt, fmt::format("rigor: {}\nTry `rigor check --help`.\n", reason), ExitCode::usage};
+  return {.text = fmt::format("rigor: {}\nTry `rigor {} --help`.\n", reason, command),
+          .code = ExitCode::usage};
 }
 
 /// The command line's grammar and the words that were read.
 struct Grammar {
   CLI::App app{"rigor checks the equations in physics notes.", "rigor"};
   CheckCommand command;
+  ReplayCommand replay;
   std::string sidecar;
   std::string color = "auto";
   std::vector<std::string> topics;
   CLI::Option* sidecar_option = nullptr;
+  CLI::App* replay_app = nullptr;
 
   Grammar() {
     app.set_version_flag("--version", fmt::format("rigor {}", version), "Print the version and exit");
@@ -86,13 +89,23 @@ struct Grammar {
     sidecar_option->type_name("FILE");
     check.add_flag("--strict", command.strict, "Count warnings as errors");
     check.add_flag("--dimensions", command.dimensions, "Print what was found of each symbol's dimension");
-    check.add_option("--color", color, "`auto`, `always` or `never`")
-        ->type_name("WHEN")
-        ->check(one_of("colour setting", {"auto", "always", "never"}));
+    add_color(check);
     check.add_option("--debug", topics, describe_topics())
         ->type_name("TOPIC")
         ->allow_extra_args(false)
         ->check(one_of("topic", topic_names()));
+    replay_app = app.add_subcommand("replay", "Put the samples of a report into the notes again");
+    replay_app->footer(footer());
+    replay_app->add_option("REPORT", replay.report, "What `rigor check --json` printed")
+        ->required()
+        ->type_name("");
+    add_color(*replay_app);
+  }
+
+  void add_color(CLI::App& to) {
+    to.add_option("--color", color, "`auto`, `always` or `never`")
+        ->type_name("WHEN")
+        ->check(one_of("colour setting", {"auto", "always", "never"}));
   }
 };
 
@@ -100,8 +113,9 @@ struct Grammar {
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
   if (const std::string_view first = argc > 1 ? argv[1] : "";
-      !first.empty() && first[0] != '-' && first != "check") {
-    return usage_error(fmt::format("`{}` is no command; did you mean `check`?", first));
+      !first.empty() && first[0] != '-' && first != "check" && first != "replay") {
+    const std::string_view meant = first.starts_with('r') ? "replay" : "check";
+    return usage_error(fmt::format("`{}` is no command; did you mean `{}`?", first, meant), meant);
   }
   Grammar grammar;
   try {
@@ -109,9 +123,13 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     std::ostringstream text;
     grammar.app.exit(asked, text, text);
-    return {std::nullopt, text.str(), ExitCode::ok};
+    return {.text = text.str()};
   } catch (const CLI::ParseError& error) {
-    return usage_error(error.what());
+    return usage_error(error.what(), grammar.replay_app->parsed() ? "replay" : "check");
+  }
+  if (grammar.replay_app->parsed()) {
+    grammar.replay.color = color_of(grammar.color);
+    return {.replay = std::move(grammar.replay)};
   }
   CheckCommand& command = grammar.command;
   if (grammar.sidecar_option->count() > 0) command.sidecar = grammar.sidecar;
@@ -120,7 +138,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
         fmt::format("`--sidecar` belongs to one file, and {} are given", command.files.size()));
   command.color = color_of(grammar.color);
   for (const std::string& name : grammar.topics) command.debug.push_back(topic_of(name));
-  return {std::move(command), {}, ExitCode::ok};
+  return {.check = std::move(command)};
 }
 
 }  // namespace rigor

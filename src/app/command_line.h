@@ -25,10 +25,17 @@ struct CheckCommand {
   std::vector<DebugTopic> debug;
 };
 
+/// `rigor replay`: a report made by `rigor check --json`.
+struct ReplayCommand {
+  std::string report;
+  ColorWhen color = ColorWhen::automatic;
+};
+
 /// Either a command, or a text to print and the code to end with: `--help`, `--version`, or what is wrong.
 struct CommandLine {
-  std::optional<CheckCommand> check;
-  std::string text;
+  std::optional<CheckCommand> check = {};
+  std::optional<ReplayCommand> replay = {};
+  std::string text = {};
   ExitCode code = ExitCode::ok;
 };
 

@@ -7,8 +7,8 @@ namespace rigor {
 namespace {
 
 constexpr auto table = std::to_array<ExitCodeInfo>({
-    {ExitCode::ok, "every claim is proved, or as expected"},
-    {ExitCode::wrong, "something is refuted or malformed"},
+    {ExitCode::ok, "every claim is proved, or as expected; every refutation replayed is confirmed"},
+    {ExitCode::wrong, "something is refuted, malformed or not confirmed"},
     {ExitCode::open, "something is undecided or not understood, and nothing is refuted or malformed"},
     {ExitCode::usage, "the command line is wrong"},
     {ExitCode::no_input, "a file is missing or unreadable"},
@@ -24,6 +24,11 @@ ExitCode exit_code(const Report& report, bool strict) {
   if (found.unreadable) return ExitCode::no_input;
   if (found.wrong) return ExitCode::wrong;
   return found.open ? ExitCode::open : ExitCode::ok;
+}
+
+ExitCode exit_code(const ReplayTally& tally) {
+  if (tally.unreadable) return ExitCode::no_input;
+  return tally.malformed || tally.not_confirmed > 0 ? ExitCode::wrong : ExitCode::ok;
 }
 
 }  // namespace rigor

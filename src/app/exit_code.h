@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "check/report.h"
+#include "report/replay_text.h"
 
 namespace rigor {
 
@@ -31,5 +32,7 @@ struct ExitCodeInfo {
 
 /// An unreadable file comes before something wrong, that before something open. `strict`: warnings are wrong.
 [[nodiscard]] ExitCode exit_code(const Report& report, bool strict);
+/// The same order; a report of which nothing is refuted is confirmed.
+[[nodiscard]] ExitCode exit_code(const ReplayTally& tally);
 
 }  // namespace rigor

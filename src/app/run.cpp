@@ -6,6 +6,7 @@
 
 #include "app/command_line.h"
 #include "app/progress.h"
+#include "app/replay.h"
 #include "app/screen.h"
 #include "base/check.h"
 #include "check/check.h"
@@ -35,14 +36,11 @@ Report check_all(const CheckCommand& command, SourceMap& sources, std::ostream& 
   return report;
 }
 
-TerminalOptions terminal_options(const CheckCommand& command, const std::ostream& out) {
-  const Screen screen = screen_of(out);
-  TerminalOptions options;
-  options.color =
-      command.color == ColorWhen::always || (command.color == ColorWhen::automatic && screen.takes_color);
-  if (screen.width > 0) options.width = screen.width;
-  options.dimensions = command.dimensions;
-  return options;
+/// A code, unless what belongs to it could not be written.
+int written(ExitCode code, std::ostream& out, std::ostream& err) {
+  if (out.flush()) return number_of(code);
+  err << "rigor: the report could not be written\n";
+  return number_of(ExitCode::internal);
 }
 
 int check(const CheckCommand& command, std::ostream& out, std::ostream& err) {
@@ -50,13 +48,10 @@ int check(const CheckCommand& command, std::ostream& out, std::ostream& err) {
   const Report report = check_all(command, sources, err);
   for (const DebugTopic topic : command.debug)
     for (const FileReport& file : report.files) err << print_debug(topic, file, sources);
-  out << (command.json ? to_json(report, sources)
-                       : print_report(report, sources, terminal_options(command, out)));
-  if (!out.flush()) {
-    err << "rigor: the report could not be written\n";
-    return number_of(ExitCode::internal);
-  }
-  return number_of(exit_code(report, command.strict));
+  TerminalOptions options = terminal_options(command.color, out);
+  options.dimensions = command.dimensions;
+  out << (command.json ? to_json(report, sources) : print_report(report, sources, options));
+  return written(exit_code(report, command.strict), out, err);
 }
 
 }  // namespace
@@ -78,6 +73,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
   return run_guarded(err, [&] {
     const CommandLine line = parse_command_line(argc, argv);
     if (line.check) return check(*line.check, out, err);
+    if (line.replay) return written(replay(*line.replay, out, err), out, err);
     (line.code == ExitCode::ok ? out : err) << line.text;
     return number_of(line.code);
   });

@@ -31,4 +31,12 @@ Screen screen_of(const std::ostream& stream) {
   return screen;
 }
 
+TerminalOptions terminal_options(ColorWhen color, const std::ostream& stream) {
+  const Screen screen = screen_of(stream);
+  TerminalOptions options;
+  options.color = color == ColorWhen::always || (color == ColorWhen::automatic && screen.takes_color);
+  if (screen.width > 0) options.width = screen.width;
+  return options;
+}
+
 }  // namespace rigor

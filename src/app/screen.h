@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <ostream>
 
+#include "app/command_line.h"
+#include "report/terminal.h"
+
 namespace rigor {
 
 /// What is known of the terminal behind a stream.
@@ -15,5 +18,8 @@ struct Screen {
 
 /// Only std::cout and std::cerr can be terminals.
 [[nodiscard]] Screen screen_of(const std::ostream& stream);
+
+/// How a report is printed there.
+[[nodiscard]] TerminalOptions terminal_options(ColorWhen color, const std::ostream& stream);
 
 }  // namespace rigor

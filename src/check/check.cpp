@@ -40,6 +40,7 @@ FileReport check_text(SourceMap& sources, const std::string& path, std::string t
   if (const auto beside = sidecar_path(path, options)) {
     auto content = read_file(*beside);
     if (!content) return unreadable(sources, *beside, content.error().reason);
+    report.sidecar = *beside;
     Diagnostics mended = mend_text(*content, 0);
     sidecar = sources.add(*beside, std::move(*content));
     for (Diagnostic& diagnostic : mended) diagnostic.span.file = *sidecar;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "check/report.h"
+#include "check/recorded.h"
 #include "source/source_map.h"
 
 namespace rigor {
@@ -15,11 +15,11 @@ namespace rigor {
 enum class Repairs : std::uint8_t { none, of_unexpected, of_all };
 
 struct CheckOptions {
-  std::optional<std::string> sidecar =
-      {};  // a path; without it, `NAME.rigor` beside the notes, if there is one
-  std::function<void(std::size_t done, std::size_t all)> progress =
-      {};  // called after each display; may be empty
+  std::optional<std::string> sidecar = {};  // without it, `NAME.rigor` beside the notes, if there is one
+  std::function<void(std::size_t done, std::size_t all)> progress = {};  // called after each display
   Repairs repairs = Repairs::of_unexpected;
+  bool samples_of_expected = true;
+  RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
 };
 
 /// Never throws for anything that is in the notes. A file that cannot be read is reported as such.

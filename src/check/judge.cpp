@@ -8,6 +8,8 @@
 #include <set>
 
 #include "algebra/decide.h"
+#include "check/counterexample.h"
+#include "check/decide_by_record.h"
 #include "check/identity_reading.h"
 #include "check/question.h"
 #include "source/suggest.h"
@@ -17,26 +19,6 @@ namespace {
 
 void mark_used(Names& names, const Origin& origin) {
   if (origin.directive) names.mark_used(*origin.directive);
-}
-
-Counterexample describe(const ExprTree& tree, const Equation& equation, const Sample& sample) {
-  Counterexample example;
-  example.particles = sample.particles;
-  for (const SampleValue& value : sample.values) {
-    const Symbol& symbol = tree.symbols[value.symbol];
-    example.values.push_back({symbol.name, value.particle, symbol.rank, value.components});
-  }
-  for (std::size_t k = 0; k < sample.axes.size(); ++k) {
-    const std::string index = k < equation.indices.size() ? tree.name(equation.indices[k]) : "";
-    example.component.push_back({index, sample.axes[k]});
-  }
-  for (std::size_t k = 0; k < sample.free_particles.size() && k < equation.particles.size(); ++k) {
-    example.component.push_back(
-        {tree.name(equation.particles[k]), static_cast<int>(sample.free_particles[k])});
-  }
-  example.left = sample.left;
-  example.right = sample.right;
-  return example;
 }
 
 std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symbols) {
@@ -167,24 +149,35 @@ class Judging {
   Decision decide_order(int order) {
     const Precision precision = claim_.nearly ? Precision::small_order : Precision::exact;
     prepared_ = prepare(tree_, names_, claim_.equation, 0, precision, order);
-    Decision decision = decide_prepared();
-    if (decision.outcome == Outcome::proved || !speaks_of_derivatives(prepared_)) return decision;
+    const bool asks_again = speaks_of_derivatives(prepared_);
+    Decision decision = decide_prepared(!asks_again);
+    if (decision.outcome == Outcome::proved || !asks_again) return decision;
     prepared_ = prepare(tree_, names_, claim_.equation, 1, precision, order);
-    return decide_prepared();
+    return decide_prepared(true);
   }
 
-  Decision decide_prepared() {
+  /// Unless it is the last word, any sample will do.
+  Decision decide_prepared(bool last) {
     for (const Origin* definition : prepared_.definitions) mark_used(names_, *definition);
     if (prepared_.too_large) {
       Decision open;
       open.reason = *prepared_.too_large;
       return open;
     }
-    Decision decision = decide(prepared_.question, limits_);
+    Limits limits = limits_;
+    limits.simplest_sample = limits.simplest_sample && last;
+    Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
+                                            : decide(prepared_.question, limits);
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
     return decision;
+  }
+
+  /// Of a step that is nearly equal, only the order that the recorded sample is about.
+  bool answers_by_record() const {
+    if (claim_.recorded == nullptr) return false;
+    return !claim_.nearly || first_order_ == is_of_first_order(claim_.recorded->example);
   }
 
   void mark_all_assumptions() {
@@ -247,7 +240,8 @@ class Judging {
                            .quick_points = 5,
                            .quick_steps = 40'000,
                            .sample_attempts = 24,
-                           .fewest_assumptions = false};
+                           .fewest_assumptions = false,
+                           .simplest_sample = false};
     judgement_.route += ", to first order in what is small";
     for (int order = 2; order <= highest; ++order) {
       const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
@@ -283,7 +277,7 @@ class Judging {
       Question question = prepared_.question;
       question.claim.left = side;
       question.claim.right = add_rational(tree_, claim_.relation, value);
-      return decide(question).outcome == Outcome::proved;
+      return decide(question, {.simplest_sample = false}).outcome == Outcome::proved;
     };
     return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
   }
@@ -346,7 +340,7 @@ class Judging {
       return;
     }
     judgement_.verdict = Verdict::refuted;
-    judgement_.counterexample = describe(tree_, prepared_.question.claim, *decision.sample);
+    judgement_.counterexample = describe(prepared_, *decision.sample);
     Counterexample& example = *judgement_.counterexample;
     if (claim_.swapped) std::swap(example.left, example.right);
     example.squared_distance = claim_.as_a_whole;

@@ -14,6 +14,8 @@
 
 namespace rigor {
 
+struct RecordedStep;
+
 struct Judgement {
   Verdict verdict = Verdict::not_understood;
   std::string route;
@@ -33,6 +35,7 @@ struct Claim {
   Span right = {};
   const Elaborator* reading = nullptr;  // for its conventions and guesses
   const Obstacle* doubt = nullptr;      // words beside it that may restrict it
+  RecordedStep* recorded = nullptr;     // a sample to be put in instead of a search
 };
 
 [[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits = {});

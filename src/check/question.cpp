@@ -46,6 +46,7 @@ class Preparation {
     for (const int beyond : {0, slack_}) {
       beyond_ = beyond;
       for (bool grew = true; grew;) grew = add_assumptions();
+      if (beyond == 0) prepared_.without_slack = prepared_.question.assumptions.size();
     }
     add_lengths();
     prepared_.too_large = budget_.exceeded;

@@ -16,6 +16,7 @@ struct Prepared {
   Question question;
   std::vector<const Origin*> definitions;           // where each of the question's definitions comes from
   std::vector<const NamedAssumption*> assumptions;  // the same; nullptr where a kind implies it (|n| = 1)
+  std::size_t without_slack = 0;                    // so many of the assumptions would be there without slack
   std::optional<std::string> too_large = {};        // why derivatives are missing: then nothing is decided
   std::vector<SymbolId> unknown_changes;            // differentiated, though nothing says whether they change
 };

@@ -26,6 +26,7 @@ struct Counterexample {
     std::uint32_t particle = 0;  // from 1; 0: no particle label
     int rank = 0;
     std::vector<std::string> components;  // exact, row by row
+    bool beyond = false;  // a derivative that only derivatives of assumptions speak of: not printed
   };
   struct Axis {
     std::string index;  // `i`; empty for an axis of a vector equation
@@ -36,6 +37,7 @@ struct Counterexample {
   std::vector<Axis> component;
   std::string left;
   std::string right;
+  std::vector<Value> follows = {};  // what the values make of the defined symbols that stand in the step
   bool squared_distance = false;  // `left` is |left − right|², of vectors or tensors that are to be unequal
 };
 
@@ -83,6 +85,7 @@ using Counts = std::array<std::uint32_t, verdict_count>;
 struct FileReport {
   std::string path;
   FileId file = 0;
+  std::string sidecar = {};  // a path; empty: there is none
   bool unreadable = false;
   std::vector<Step> steps;
   Diagnostics diagnostics;                  // those of no single step

@@ -13,12 +13,12 @@
 #include "check/dimension_record.h"
 #include "check/judge.h"
 #include "check/notes.h"
-#include "check/report.h"
 
 namespace rigor {
 
 class Session {
  public:
+  /// All are kept by reference.
   Session(const SourceMap& sources, const Notes& notes, FileReport& report, const CheckOptions& options);
 
   void run();
@@ -86,6 +86,7 @@ class Session {
   void assume_rules_above(SymbolId symbol);
   std::optional<Definition> as_square(const Typed& left, const Typed& right);
   bool stands_in_brackets(SyntaxId power) const;
+  RecordedStep* recorded_of(const Step& step);
   void accept(Judgement judgement, Step& step);
   bool join_component_rules(const Typed& left);  // true if it made one
   bool is_circular(const Typed& left, const Typed& right) const;

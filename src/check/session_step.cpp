@@ -2,6 +2,7 @@
 // One step of a chain: what its relation asks, and the verdict.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "check/session.h"
@@ -91,6 +92,26 @@ bool Session::proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t
   return true;
 }
 
+/// The earlier report's step at the same place with the same text, which several steps can have if directives
+/// are anchored there. It learns which step it is.
+RecordedStep* Session::recorded_of(const Step& step) {
+  if (options_.recorded == nullptr) return nullptr;
+  const LineColumn place = sources_.line_column(step.span.file, step.span.begin);
+  const auto is_alike = [&](const Step& other) {
+    return other.span.file == step.span.file && other.span.begin == step.span.begin &&
+           other.source == step.source;
+  };
+  const auto earlier =
+      static_cast<std::size_t>(std::count_if(report_.steps.begin(), report_.steps.end(), is_alike));
+  for (RecordedStep& each : *options_.recorded) {
+    if (each.earlier != earlier || each.line != place.line || each.column != place.column) continue;
+    if (each.source != step.source || each.file != sources_.path(step.span.file)) continue;
+    each.step = report_.steps.size();
+    return &each;
+  }
+  return nullptr;
+}
+
 void Session::accept(Judgement judgement, Step& step) {
   step.verdict = judgement.verdict;
   step.route = std::move(judgement.route);
@@ -107,9 +128,10 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   const bool may_define = which == 0 && !is_order(relation.kind) && relation.kind != RelationKind::nearly;
   if (may_define && defines(parsed, left, right, context, step)) return;
   Diagnostics mismatches;
-  const auto claim = reading.claim(parsed, which, context.first_order, mismatches);
+  auto claim = reading.claim(parsed, which, context.first_order, mismatches);
   step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
   if (!claim) return;
+  claim->recorded = recorded_of(step);
   if (context.role == Role::given) {
     add_assumption(*left.typed, *right.typed, claim->equation, parsed, context, step);
     return;

@@ -52,16 +52,22 @@ Json json_of(const Diagnostics& diagnostics, const SourceMap& sources) {
   return array;
 }
 
+Json json_of(const Counterexample::Value& value) {
+  Json object;
+  object["symbol"] = value.symbol;
+  object["particle"] = value.particle;
+  object["rank"] = value.rank;
+  object["components"] = value.components;
+  return object;
+}
+
 Json json_of(const Counterexample& sample) {
   Json object;
   object["particles"] = sample.particles;
   object["values"] = Json::array();
   for (const Counterexample::Value& value : sample.values) {
-    Json entry;
-    entry["symbol"] = value.symbol;
-    entry["particle"] = value.particle;
-    entry["rank"] = value.rank;
-    entry["components"] = value.components;
+    Json entry = json_of(value);
+    entry["beyond"] = value.beyond;
     object["values"].push_back(std::move(entry));
   }
   object["component"] = Json::array();
@@ -74,6 +80,8 @@ Json json_of(const Counterexample& sample) {
   object["left"] = sample.left;
   object["right"] = sample.right;
   object["squared_distance"] = sample.squared_distance;
+  object["follows"] = Json::array();
+  for (const Counterexample::Value& value : sample.follows) object["follows"].push_back(json_of(value));
   return object;
 }
 
@@ -101,6 +109,7 @@ Json json_of(const Step& step, const SourceMap& sources) {
   }
   object["conditions"] = step.conditions;
   object["diagnostics"] = json_of(step.diagnostics, sources);
+  object["file"] = sources.path(step.span.file);
   object["milliseconds"] = std::round(step.milliseconds * 1000.0) / 1000.0;
   return object;
 }
@@ -119,6 +128,7 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
   for (const Step& step : file.steps) object["steps"].push_back(json_of(step, sources));
   object["diagnostics"] = json_of(file.diagnostics, sources);
   object["counts"] = json_of(file.counts);
+  object["sidecar"] = file.sidecar.empty() ? Json(nullptr) : Json(file.sidecar);
   object["dimensions"] = Json::array();
   for (const SymbolDimension& entry : file.dimensions) {
     Json symbol;

@@ -26,14 +26,22 @@ std::string print_components(std::span<const std::string> components, int rank) 
 }
 
 /// The values of one particle (0: of no particle), joined by commas.
-std::string print_values(const Counterexample& sample, std::uint32_t particle) {
+std::string print_list(std::span<const Counterexample::Value> values, std::uint32_t particle) {
   std::string list;
-  for (const Counterexample::Value& value : sample.values) {
-    if (value.particle != particle) continue;
+  for (const Counterexample::Value& value : values) {
+    if (value.particle != particle || value.beyond) continue;
     list += list.empty() ? "" : ", ";
     list += fmt::format("{} = {}", printable(value.symbol), print_components(value.components, value.rank));
   }
   return list;
+}
+
+/// The sample's values, and then what follows from them.
+std::string print_values(const Counterexample& sample, std::uint32_t particle) {
+  const std::string values = print_list(sample.values, particle);
+  const std::string follows = print_list(sample.follows, particle);
+  if (follows.empty()) return values;
+  return fmt::format("{}{}hence {}", values, values.empty() ? "" : "; ", follows);
 }
 
 std::string print_sides(const Counterexample& sample) {
@@ -59,7 +67,7 @@ std::string print_sample(const Counterexample& sample, bool color) {
   }
   std::string text =
       fmt::format("{} {} particle{}", head, sample.particles, sample.particles == 1 ? "" : "s");
-  text += common.empty() ? "\n" : fmt::format(", {}\n", common);
+  text += common.empty() ? "\n" : fmt::format("{} {}\n", common.starts_with("hence ") ? ";" : ",", common);
   for (std::uint32_t particle = 1; particle <= sample.particles; ++particle) {
     const std::string values = print_values(sample, particle);
     if (!values.empty()) text += fmt::format("  particle {}: {}\n", particle, values);

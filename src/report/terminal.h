@@ -5,10 +5,10 @@
 //   notes/vectors.tex
 //      12  (3)  \mathbf{A}\times\mathbf{B} = \mathbf{B}\times\mathbf{A}  refuted
 //
-//   notes/vectors.tex:12:28: refuted: the sides differ: left is -1, right is 1 [refuted]
+//   notes/vectors.tex:12:28: refuted: the sides differ: left is 1, right is -1 [refuted]
 //      12 | \mathbf{A}\times\mathbf{B} = \mathbf{B}\times\mathbf{A} \tag{3}
 //         | ~~~~~~~~~~~~~~~~~~~~~~~~~~ ^ ~~~~~~~~~~~~~~~~~~~~~~~~~~
-//   sample: \mathbf{A} = (0, 1, 0), \mathbf{B} = (1, 0, 0); component 3: left -1, right 1
+//   sample: \mathbf{A} = (1, 0, 0), \mathbf{B} = (0, 1, 0); component 3: left 1, right -1
 //
 //   1 step: 0 proved, 0 definitions, 0 given, 1 refuted; 0 undecided, 0 not understood, 0 skipped; 0.4 ms
 #pragma once

@@ -70,12 +70,13 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
      "both sides vanish identically, so the step says nothing"},
     {no_sample, "no-sample", error, "no sample satisfies the assumptions"},
     {unexpected_verdict, "unexpected-verdict", error, "a step has another verdict than a directive expects"},
+    {not_confirmed, "not-confirmed", error, "a refutation in a report is not confirmed by its sample"},
 });
 
 constexpr bool follows_enum() {
   for (std::size_t i = 0; i < table.size(); ++i)
     if (static_cast<std::size_t>(table[i].kind) != i) return false;
-  return static_cast<std::size_t>(unexpected_verdict) + 1 == table.size();
+  return static_cast<std::size_t>(not_confirmed) + 1 == table.size();
 }
 static_assert(follows_enum(), "one entry for each kind, in the order of the enumeration");
 

@@ -63,6 +63,7 @@ enum class DiagnosticKind : std::uint8_t {
   zero_equals_zero,
   no_sample,
   unexpected_verdict,
+  not_confirmed,
 };
 
 struct DiagnosticInfo {

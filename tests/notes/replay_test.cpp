@@ -9,7 +9,10 @@
 
 #include "catch.h"
 #include "check/check.h"
+#include "program.h"
 #include "report/json.h"
+#include "report/read_recorded.h"
+#include "report/replay_text.h"
 
 namespace rigor {
 namespace {
@@ -62,7 +65,39 @@ std::string replayed(const Json& step) {
   return note + "-->\n";
 }
 
+/// How many of a report's refutations are confirmed and how many are not, one file.
+ReplayTally replayed_report(const std::string& path, const std::string& json) {
+  auto files = read_recorded(json);
+  REQUIRE(files.has_value());
+  REQUIRE(files->size() == 1);
+  RecordedSteps& steps = files->front().steps;
+  CheckOptions options;
+  options.recorded = &steps;
+  SourceMap sources;
+  const FileReport notes = check_file(sources, path, options);
+  ReplayTally tally;
+  for (const RecordedStep& step : steps) {
+    INFO(print_replay(step, notes, sources));
+    CHECK(is_confirmed(step, notes));
+    ++(is_confirmed(step, notes) ? tally.confirmed : tally.not_confirmed);
+  }
+  return tally;
+}
+
 }  // namespace
+
+TEST_CASE("every refutation in the small notes and in derivations is confirmed by its own JSON") {
+  std::size_t confirmed = 0;
+  for (const char* folder : {"fail", "pass", "../../derivations"}) {
+    for (const std::string& path : notes_in(folder)) {
+      SourceMap sources;
+      Report report;
+      report.files.push_back(check_file(sources, path));
+      confirmed += replayed_report(path, to_json(report, sources)).confirmed;
+    }
+  }
+  CHECK(confirmed >= 140);
+}
 
 TEST_CASE("every plain refutation in the small notes can be replayed from the JSON") {
   int replays = 0;

@@ -57,6 +57,34 @@ TEST_CASE("a sample that does not fit the question is not replayed", "[algebra]"
   CHECK_FALSE(replay(question, with_axis).has_value());
 }
 
+TEST_CASE("what speaks against a sample is said", "[algebra]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  page.given(x, 2 * y);
+  const Question& question = page.claim(x / y, page.number("2"));
+  const auto fault = [&](const char* of_x, const char* of_y) {
+    Sample sample;
+    sample.values = {{x.symbol, 0, {of_x}}, {y.symbol, 0, {of_y}}};
+    return replay_closely(question, sample);
+  };
+  CHECK(fault("2", "1").fault == Replay::Fault::none);
+  CHECK_FALSE(fault("2", "1").differ);
+  CHECK(fault("2", "3").fault == Replay::Fault::assumption);
+  CHECK(fault("0", "0").fault == Replay::Fault::undefined);
+  for (const std::string& hostile :
+       {std::string("1/0"), std::string("-"), std::string(""), std::string("0x1"), std::string("nan"),
+        std::string("1e9"), std::string(1'000'000, '9')}) {
+    const Replay replay = fault("2", hostile.c_str());
+    CHECK(replay.fault == Replay::Fault::value);
+    CHECK(replay.symbol == y.symbol);
+  }
+  Sample crowded;
+  crowded.particles = 4'000'000'000u;
+  CHECK(replay_closely(question, crowded).fault == Replay::Fault::place);
+  CHECK(symbols_of_sample(question) == std::vector<SymbolId>{x.symbol, y.symbol});
+}
+
 TEST_CASE("a sample has to satisfy the assumptions", "[algebra]") {
   Page page;
   const Named x = page.scalar("x");

@@ -47,6 +47,18 @@ TEST_CASE("a sidecar with an empty name is a sidecar") {
   CHECK((!line.check || line.check->sidecar == ""));
 }
 
+TEST_CASE("a replay is of one report") {
+  const CommandLine line = parse({"replay", "report.json", "--color", "never"});
+  CHECK_FALSE(line.check);
+  REQUIRE(line.replay);
+  CHECK(line.replay->report == "report.json");
+  CHECK(line.replay->color == ColorWhen::never);
+  CHECK(usage_error({"replay"}) == "rigor: REPORT is required");
+  CHECK(usage_error({"replay", "a.json", "b.json"}) ==
+        "rigor: the following argument was not expected: b.json");
+  CHECK(usage_error({"rplay", "a.json"}) == "rigor: `rplay` is no command; did you mean `replay`?");
+}
+
 TEST_CASE("what is wrong with a command line is said in one line") {
   CHECK(usage_error({}) == "rigor: a subcommand is required");
   CHECK(usage_error({"check"}) == "rigor: FILE is required");

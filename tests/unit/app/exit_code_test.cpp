@@ -59,6 +59,14 @@ TEST_CASE("an unreadable file comes before everything else") {
   CHECK(exit_code(report, false) == ExitCode::no_input);
 }
 
+TEST_CASE("a replay ends with 0 only if all is confirmed") {
+  CHECK(exit_code(ReplayTally{}) == ExitCode::ok);
+  CHECK(exit_code(ReplayTally{.confirmed = 3}) == ExitCode::ok);
+  CHECK(exit_code(ReplayTally{.confirmed = 3, .not_confirmed = 1}) == ExitCode::wrong);
+  CHECK(exit_code(ReplayTally{.malformed = true}) == ExitCode::wrong);
+  CHECK(exit_code(ReplayTally{.not_confirmed = 1, .unreadable = true}) == ExitCode::no_input);
+}
+
 TEST_CASE("a warning ends with 1 only where it is asked for") {
   Report report = report_with({step_with(Verdict::proved)});
   report.files[0].diagnostics.push_back({DiagnosticKind::no_equations, {}, "", {}, {}});

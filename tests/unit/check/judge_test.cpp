@@ -88,7 +88,7 @@ TEST_CASE("a refutation shows the values, the component and both sides") {
   CHECK(example.values[0].components.size() == 3);
   REQUIRE(example.component.size() == 1);
   CHECK(example.component[0].index.empty());
-  CHECK(example.left == "-" + example.right);
+  CHECK(example.right == "-" + example.left);
   CHECK(first_kind(judgement) == DiagnosticKind::refuted);
   CHECK(judgement.diagnostics[0].labels.size() == 2);
 }

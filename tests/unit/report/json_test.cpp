@@ -28,14 +28,14 @@ TEST_CASE("the keys of the report, a file, the counts and a step are the documen
   CHECK(keys_of(json) == Keys{"rigor", "files", "counts"});
   CHECK(json["rigor"] == std::string(version));
   const Json& file = json["files"][0];
-  CHECK(keys_of(file) == Keys{"file", "steps", "diagnostics", "counts", "dimensions"});
+  CHECK(keys_of(file) == Keys{"file", "steps", "diagnostics", "counts", "sidecar", "dimensions"});
   const Keys verdicts{"proved", "refuted", "given", "definition", "undecided", "not-understood", "skipped"};
   CHECK(keys_of(json["counts"]) == verdicts);
   CHECK(file["counts"] == json["counts"]);
-  CHECK(keys_of(file["steps"][0]) == Keys{"line", "column", "end_line", "end_column", "tag", "label",
-                                          "section", "source", "left", "relation", "right", "verdict",
-                                          "route", "uses", "counterexample", "repairs", "conditions",
-                                          "diagnostics", "milliseconds"});
+  CHECK(keys_of(file["steps"][0]) ==
+        Keys{"line",           "column",  "end_line",   "end_column",  "tag",     "label",       "section",
+             "source",         "left",    "relation",   "right",       "verdict", "route",       "uses",
+             "counterexample", "repairs", "conditions", "diagnostics", "file",    "milliseconds"});
 }
 
 TEST_CASE("a step that is proved") {
@@ -46,7 +46,8 @@ TEST_CASE("a step that is proved") {
     "source": "\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A}",
     "left": "\\mathbf{A}\\cdot\\mathbf{B}", "relation": "=", "right": "\\mathbf{B}\\cdot\\mathbf{A}",
     "verdict": "proved", "route": "component normal form", "uses": ["definition A (1)"],
-    "counterexample": null, "repairs": [], "conditions": [], "diagnostics": [], "milliseconds": 0.123})json"));
+    "counterexample": null, "repairs": [], "conditions": [], "diagnostics": [], "file": "notes/products.md",
+    "milliseconds": 0.123})json"));
 }
 
 TEST_CASE("a step that is refuted has all that is needed to replay its counterexample") {
@@ -56,9 +57,10 @@ TEST_CASE("a step that is refuted has all that is needed to replay its counterex
   CHECK(step["uses"] == Json::array());
   CHECK(step["counterexample"].dump() ==
         R"({"particles":0,"values":[)"
-        R"({"symbol":"\\mathbf{A}","particle":0,"rank":1,"components":["1","0","0"]},)"
-        R"({"symbol":"\\mathbf{B}","particle":0,"rank":1,"components":["0","1","0"]}],)"
-        R"("component":[{"index":"","value":3}],"left":"1","right":"-1","squared_distance":false})");
+        R"({"symbol":"\\mathbf{A}","particle":0,"rank":1,"components":["1","0","0"],"beyond":false},)"
+        R"({"symbol":"\\mathbf{B}","particle":0,"rank":1,"components":["0","1","0"],"beyond":false}],)"
+        R"("component":[{"index":"","value":3}],"left":"1","right":"-1","squared_distance":false,)"
+        R"("follows":[]})");
   CHECK(step["diagnostics"].dump() ==
         R"([{"kind":"refuted","severity":"refuted","line":3,"column":30,"end_line":3,"end_column":31,)"
         R"("file":"notes/products.md","message":"the sides differ","labels":[],"help":[]}])");
@@ -87,6 +89,14 @@ TEST_CASE("bytes that are not UTF-8 do not break the JSON") {
   Report report = example_report(sources);
   report.files[0].path = "notes/\xE9.md";
   CHECK(parsed(report, sources)["files"][0]["file"] == "notes/\uFFFD.md");
+}
+
+TEST_CASE("the sidecar of a file is named, and is null where there is none") {
+  SourceMap sources;
+  Report report = example_report(sources);
+  CHECK(parsed(report, sources)["files"][0]["sidecar"] == nullptr);
+  report.files[0].sidecar = "notes/products.rigor";
+  CHECK(parsed(report, sources)["files"][0]["sidecar"] == "notes/products.rigor");
 }
 
 TEST_CASE("a report of no file is an object all the same, and ends with a line break") {

@@ -41,7 +41,7 @@ TEST_CASE("one particle is not called particles, and a scalar equation has no co
 
 TEST_CASE("an axis of a vector equation has no name, and a sample may need no values") {
   CHECK(print_sample({0, {}, {{"", 2}}, "1", "0"}) == "sample: component 2: left 1, right 0\n");
-  CHECK(print_sample({0, {}, {}, "0", "0", true}) == "sample: |left - right|^2 is 0\n");
+  CHECK(print_sample({0, {}, {}, "0", "0", {}, true}) == "sample: |left - right|^2 is 0\n");
   CHECK(print_sample({0, {}, {}, "1", "0"}) == "sample: left 1, right 0\n");
 }
 
@@ -56,6 +56,18 @@ TEST_CASE("components that do not fill their rank are listed as they are") {
   CHECK(print_sample({0, {{"I", 0, 2, {"1", "2"}}}, {}, "1", "0"}) ==
         "sample: I = (1, 2); left 1, right 0\n");
   CHECK(print_sample({0, {{"I", 0, 40, {}}}, {}, "1", "0"}) == "sample: I = (); left 1, right 0\n");
+}
+
+TEST_CASE("what follows from the values stands behind them, and what nobody needs is left out") {
+  Counterexample plain{0, {{"m", 0, 0, {"2"}}, {"\\ddot{x}", 0, 0, {"3"}, true}}, {}, "1", "0"};
+  plain.follows = {{"p", 0, 0, {"4"}}};
+  CHECK(print_sample(plain) == "sample: m = 2; hence p = 4; left 1, right 0\n");
+  Counterexample body{1, {{"m", 1, 0, {"2"}}}, {}, "1", "0"};
+  body.follows = {{"M", 0, 0, {"2"}}, {"\\mathbf{p}", 1, 1, {"1", "0", "0"}}};
+  CHECK(print_sample(body) ==
+        "sample: 1 particle; hence M = 2\n"
+        "  particle 1: m = 2; hence \\mathbf{p} = (1, 0, 0)\n"
+        "  left 1, right 0\n");
 }
 
 }  // namespace
