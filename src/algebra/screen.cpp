@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "algebra/refute.h"
+#include "base/check.h"
 
 namespace rigor {
 namespace {
@@ -23,7 +24,8 @@ class Screen::Samples {
         scope_(question_, Scope::Definitions::unfolded),
         solver_(scope_, all_of(question_.assumptions)),
         reach_(reach(scope_, roots_of(question_, also))),
-        evaluator_(scope_, limits_) {
+        evaluator_(scope_, limits_),
+        tree_size_(question.tree->size()) {
     if (reach_.too_large) return;
     SampleSequence sequence(scope_.tree(), reach_, solver_.has_particle_sums());
     try {
@@ -44,6 +46,7 @@ class Screen::Samples {
   }
 
   [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims) {
+    RIGOR_CHECK(scope_.tree().size() == tree_size_, scope_.tree().size(), tree_size_);
     std::vector<std::size_t> compared(claims.size(), 0);
     std::vector<bool> failed(claims.size(), false);
     for (const SamplePoint& point : points_) {
@@ -67,6 +70,7 @@ class Screen::Samples {
 
   [[nodiscard]] std::vector<std::optional<std::string>> multiples(const Equation& claim,
                                                                   std::span<const Equation> terms) {
+    RIGOR_CHECK(scope_.tree().size() == tree_size_, scope_.tree().size(), tree_size_);
     std::vector<Multiple> found(terms.size());
     for (const SamplePoint& point : points_) {
       evaluator_.look_at(point);
@@ -155,6 +159,7 @@ class Screen::Samples {
   AssumptionSolver solver_;
   Reach reach_;
   SampleEvaluator evaluator_;
+  std::size_t tree_size_;  // the evaluator has room for no more nodes
   std::vector<SamplePoint> points_;
 };
 

@@ -16,7 +16,7 @@ namespace rigor {
 class Screen {
  public:
   /// Draws the samples for the question's claim and other expressions, with its definitions and assumptions.
-  /// The tree may not grow symbols afterwards.
+  /// The tree may not grow afterwards.
   Screen(const Question& question, std::span<const ExprId> also, const Limits& limits = {});
   ~Screen();
   Screen(const Screen&) = delete;

@@ -88,6 +88,7 @@ struct Grammar {
                                       "Directives beside the notes (default: NAME.rigor, if it exists)");
     sidecar_option->type_name("FILE");
     check.add_flag("--strict", command.strict, "Count warnings as errors");
+    check.add_flag("--dimensions", command.dimensions, "Print what was found of each symbol's dimension");
     add_color(check);
     check.add_option("--debug", topics, describe_topics())
         ->type_name("TOPIC")

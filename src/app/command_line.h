@@ -20,6 +20,7 @@ struct CheckCommand {
   std::optional<std::string> sidecar;
   bool json = false;
   bool strict = false;
+  bool dimensions = false;
   ColorWhen color = ColorWhen::automatic;
   std::vector<DebugTopic> debug;
 };

@@ -48,8 +48,9 @@ int check(const CheckCommand& command, std::ostream& out, std::ostream& err) {
   const Report report = check_all(command, sources, err);
   for (const DebugTopic topic : command.debug)
     for (const FileReport& file : report.files) err << print_debug(topic, file, sources);
-  out << (command.json ? to_json(report, sources)
-                       : print_report(report, sources, terminal_options(command.color, out)));
+  TerminalOptions options = terminal_options(command.color, out);
+  options.dimensions = command.dimensions;
+  out << (command.json ? to_json(report, sources) : print_report(report, sources, options));
   return written(exit_code(report, command.strict), out, err);
 }
 

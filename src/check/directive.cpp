@@ -9,6 +9,7 @@
 #include "check/warning_names.h"
 #include "latex/cyclic_image.h"
 #include "latex/parse.h"
+#include "latex/units.h"
 #include "source/suggest.h"
 
 namespace rigor {
@@ -29,10 +30,7 @@ constexpr std::array directive_words{
     DirectiveWord{"frame", DirectiveKind::frame},       DirectiveWord{"small", DirectiveKind::small},
     DirectiveWord{"variable", DirectiveKind::variable}, DirectiveWord{"where", DirectiveKind::where},
     DirectiveWord{"order", DirectiveKind::first_order}, DirectiveWord{"allow", DirectiveKind::allow},
-    DirectiveWord{"warn", DirectiveKind::warn}};
-
-/// Directives that the design names and this version does not decide with.
-constexpr std::array later_words{"units"};
+    DirectiveWord{"warn", DirectiveKind::warn},         DirectiveWord{"units", DirectiveKind::units}};
 
 /// Those of symbols, before or behind the kind.
 bool describes_symbols(const std::string& word) {
@@ -146,11 +144,6 @@ class DirectiveReader {
     }
     const Span place{line.file, line.begin,
                      std::min(line.end, line.begin + static_cast<std::uint32_t>(unknown.size()))};
-    if (std::find(later_words.begin(), later_words.end(), unknown) != later_words.end()) {
-      diagnostics_.push_back({DiagnosticKind::unsupported, place,
-                              fmt::format("the directive `{}` is not decided with yet", unknown)});
-      return std::nullopt;
-    }
     Diagnostic diagnostic{DiagnosticKind::unknown_directive, place,
                           fmt::format("`{}` is no directive", unknown)};
     std::vector<std::string> known;
@@ -203,7 +196,8 @@ class DirectiveReader {
   }
 
   std::optional<Directive> with_symbols(TokenView tokens, Directive directive) {
-    for (const TokenView part : split_at_commas(tokens)) {
+    for (TokenView part : split_at_commas(tokens)) {
+      if (directive.kind == DirectiveKind::units && !take_dimension(part, directive)) return std::nullopt;
       const SyntaxId symbol = parse_side(part, span_of(part), syntax_);
       if (syntax_[symbol].kind != SyntaxKind::symbol)
         return bad(span_of(part), fmt::format("`{}` is not a symbol", text_of(part)),
@@ -214,6 +208,28 @@ class DirectiveReader {
       return bad(directive.span, "the directive names no symbol",
                  "symbols are separated by commas, e.g. `vector \\mathbf{A}, \\mathbf{B}`");
     return directive;
+  }
+
+  /// The dimension behind the colon; what stands before it is left.
+  bool take_dimension(TokenView& part, Directive& directive) {
+    const auto colon =
+        std::find_if(part.begin(), part.end(), [](const Token& token) { return is_sign(token, ":"); });
+    if (colon == part.end()) {
+      bad(span_of(part), fmt::format("`{}` has no dimension behind a colon", text_of(part)),
+          "e.g. `units m: M, v: L/T, F: N`");
+      return false;
+    }
+    const TokenView behind = trim(TokenView(colon + 1, part.end()));
+    std::string problem;
+    const std::string text = behind.empty() ? std::string() : std::string(sources_.text(span_of(behind)));
+    const auto unit = read_unit(text, UnitNames::dimensions, &problem);
+    if (!unit) {
+      bad(span_of(part), std::move(problem), "a dimension is a product of powers of M, L, T or of units");
+      return false;
+    }
+    directive.dimensions.emplace_back(unit->exponents);
+    part = trim(TokenView(part.begin(), colon));
+    return true;
   }
 
   std::optional<Directive> with_chains(TokenView tokens, Directive directive) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "expr/dimension.h"
 #include "latex/macros.h"
 #include "latex/split.h"
 #include "source/diagnostic.h"
@@ -23,6 +24,7 @@ enum class DirectiveKind : std::uint8_t {
   basis,
   frame,
   small,
+  units,
   let,
   given,
   where,        // an assumption for the next statement only
@@ -50,6 +52,7 @@ struct Directive {
   std::optional<bool> polar = {};  // `polar vector`, `axial vector`
   std::vector<SyntaxId>
       symbols;  // vector, scalar, tensor, particles, constant, small…; frame: the angular velocity
+  std::vector<Dimension> dimensions = {};     // units: one for each symbol
   std::vector<ParsedChain> chains;            // let, given, where, claim
   std::vector<DiagnosticKind> warnings = {};  // allow, warn
   bool here = false;                          // allow, warn: of the next statement only

@@ -25,7 +25,7 @@ constexpr Limits brief{.expanded_terms = 10'000,
                        .sample_attempts = 12,
                        .fewest_assumptions = false};
 constexpr Limits screening{.steps = 200'000};
-constexpr int widest_choice = 12;    // how much further than the nearest another one may be
+constexpr int widest_choice = 20;    // how much further than the nearest another one may be
 constexpr long largest_number = 12;  // in a coefficient that is offered
 
 std::optional<Coefficient> coefficient_from(const std::string& exact) {
@@ -152,18 +152,34 @@ class Search {
     return sides;
   }
 
+  /// `term = 0` for each; of one that cannot be read, 0 = 0.
+  std::vector<Equation> zeros_of(const std::vector<ComparedTerm>& terms) {
+    std::vector<Equation> zeros;
+    for (const ComparedTerm& term : terms) {
+      auto zero = against_zero(term.tokens);
+      if (!zero) {
+        zero = claim_.equation;
+        zero->left = zero->right = zero_of_rank(tree_, claim_.relation, tree_[claim_.equation.left].rank);
+      }
+      zeros.push_back(*zero);
+    }
+    return zeros;
+  }
+
+  void compare(Screen& screen, const std::vector<ComparedTerm>& terms, const std::vector<Equation>& zeros,
+               std::vector<RepairCandidate>& holding) const {
+    const auto multiples = screen.multiples(claim_.equation, zeros);
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      const auto ratio = multiples[k] ? coefficient_from(*multiples[k]) : std::nullopt;
+      if (ratio) holding.push_back(candidates_.with(terms[k], *ratio));
+    }
+  }
+
   /// `beyond`: compared are also those that speak of what is defined elsewhere.
   std::vector<RepairCandidate> holding_on_samples(const std::vector<RepairCandidate>& rewritten,
                                                   const std::vector<Equation>& equations,
                                                   const std::vector<ComparedTerm>& terms, bool beyond) {
-    std::vector<Equation> zeros;
-    std::vector<const ComparedTerm*> compared;
-    for (const ComparedTerm& term : terms) {
-      const auto zero = against_zero(term.tokens);
-      if (!zero) continue;
-      zeros.push_back(*zero);
-      compared.push_back(&term);
-    }
+    const std::vector<Equation> zeros = zeros_of(terms);
     std::vector<Equation> all = equations;
     all.insert(all.end(), zeros.begin(), zeros.end());
     const std::vector<ExprId> sides = beyond ? known_sides(all) : std::vector<ExprId>{};
@@ -176,10 +192,12 @@ class Search {
     for (std::size_t k = 0; k < rewritten.size(); ++k) {
       if (passing[k]) holding.push_back(rewritten[k]);
     }
-    const auto multiples = screen.multiples(claim_.equation, zeros);
-    for (std::size_t k = 0; k < compared.size(); ++k) {
-      const auto ratio = multiples[k] ? coefficient_from(*multiples[k]) : std::nullopt;
-      if (ratio) holding.push_back(candidates_.with(*compared[k], *ratio));
+    compare(screen, terms, zeros, holding);
+    if (!terms.empty() && holding.empty()) {
+      const std::vector<ComparedTerm> longer = candidates_.longer_terms();
+      const std::vector<Equation> longer_zeros = zeros_of(longer);
+      Screen larger(prepared.question, sides, screening);  // of the tree that has grown
+      compare(larger, longer, longer_zeros, holding);
     }
     return holding;
   }

@@ -126,6 +126,14 @@ std::vector<ComparedTerm> RepairCandidates::terms() const {
   return terms;
 }
 
+std::vector<ComparedTerm> RepairCandidates::longer_terms() const {
+  std::vector<ComparedTerm> terms;
+  for (const Tokens& product : vector_products_of(chain())) {
+    for (const std::size_t which : {1u, 0u}) terms.push_back({which, std::nullopt, product, 2});
+  }
+  return terms;
+}
+
 RepairCandidate RepairCandidates::with(const ComparedTerm& term, Coefficient ratio) const {
   const long turned = term.side == 0 ? -ratio.numerator : ratio.numerator;
   const TokenView whole = side(term.side);

@@ -52,6 +52,8 @@ class RepairCandidates {
   /// The terms of both sides, then those that may be missing: terms of the chain, images of its terms, terms
   /// of lines near it, simple products.
   [[nodiscard]] std::vector<ComparedTerm> terms() const;
+  /// Longer products of vectors that may be missing.
+  [[nodiscard]] std::vector<ComparedTerm> longer_terms() const;
   /// What becomes of the side where left − right is `ratio` times the term.
   [[nodiscard]] RepairCandidate with(const ComparedTerm& term, Coefficient ratio) const;
 

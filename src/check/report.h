@@ -84,6 +84,12 @@ struct Step {
   double milliseconds = 0.0;
 };
 
+/// What was found of one symbol's dimension.
+struct SymbolDimension {
+  std::string symbol;                    // LaTeX, with letters for its indices: `I_{ij}`, `m_\alpha`
+  std::optional<std::string> dimension;  // `M L^2 T^{-1}`; nothing: it is free
+};
+
 using Counts = std::array<std::uint32_t, verdict_count>;
 
 struct FileReport {
@@ -92,8 +98,9 @@ struct FileReport {
   std::string sidecar = {};  // a path; empty: there is none
   bool unreadable = false;
   std::vector<Step> steps;
-  Diagnostics diagnostics;  // those of no single step
-  Diagnostics silenced;     // warnings that an `allow` keeps out of all others
+  Diagnostics diagnostics;                  // those of no single step
+  Diagnostics silenced;                     // warnings that an `allow` keeps out of all others
+  std::vector<SymbolDimension> dimensions;  // the time first, others as first met
   Counts counts{};
 };
 

@@ -22,6 +22,7 @@ void Session::run() {
     std::visit([this](const auto& event) { follow(event); }, notes_.events[k]);
     if (options_.progress) options_.progress(k + 1, notes_.events.size());
   }
+  finish_dimensions();
   report_lints();
   label_places(notes_, report_);
   report_unused();
@@ -78,6 +79,7 @@ void Session::follow(const Heading& heading) {
   end_section();
   leave_frames(tree_, names_, heading.level);
   names_.open_section(heading.level);
+  dimensions_.enter_section();
   section_ = heading.title;
 }
 
@@ -193,6 +195,7 @@ void Session::end_section() {
 }
 
 void Session::forget_wheres() {
+  dimensions_.forget_assumed();
   for (const std::size_t directive : std::exchange(wheres_, {})) names_.forget(directive);
 }
 

@@ -12,6 +12,7 @@
 #include "check/chain_ends.h"
 #include "check/chain_reading.h"
 #include "check/check.h"
+#include "check/dimension_record.h"
 #include "check/judge.h"
 #include "check/lint.h"
 #include "check/notes.h"
@@ -104,6 +105,10 @@ class Session {
   bool is_circular(const Typed& left, const Typed& right) const;
   std::optional<Definition> as_definition(const Typed& left, const Typed& right);
   void mark_seen(const std::vector<Side>& sides);
+  void declare_units(const Directive& directive);
+  void record_dimensions(const ParsedChain& parsed, ChainReading& reading, const Context& context,
+                         std::size_t first_step);
+  void finish_dimensions();
   Step new_step(const ParsedChain& parsed, std::size_t which, const Context& context) const;
   void add(Step step);
   [[nodiscard]] std::string written(Span span) const;  // blanks folded
@@ -116,6 +121,7 @@ class Session {
   ExprTree tree_;
   Names names_;
   std::string section_;
+  DimensionRecorder dimensions_{tree_, names_};
   std::vector<const Directive*> directives_;
   std::vector<std::pair<std::size_t, SymbolId>> constants_;  // directive, symbol
   Sample sample_;                                            // the last one that met the assumptions in force

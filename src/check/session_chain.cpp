@@ -48,6 +48,7 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
   if (options_.recorded == nullptr) explain_slips(parsed, first_step, *reading, context);
   const std::vector<Side>& sides = reading->sides;
   mark_seen(sides);
+  record_dimensions(parsed, *reading, context, first_step);
   if (context.role == Role::display || context.role == Role::claim) {
     excuse_refuted(parsed, first_step);
     suggest_repairs(parsed, context, first_step);

@@ -30,6 +30,7 @@ void Session::imply_primed_axes() {
 }
 
 void Session::declare(const Directive& directive) {
+  if (directive.kind == DirectiveKind::units) return declare_units(directive);
   for (const SyntaxId id : directive.symbols) {
     switch (directive.kind) {
       case DirectiveKind::particles:
@@ -93,6 +94,7 @@ void Session::declare_read(const Directive& directive, const Typed& typed) {
       if (auto why =
               declare_frame(tree_, names_, directive.rotating, directive.fixed, typed.id, directive.number))
         report_.diagnostics.push_back({DiagnosticKind::unsupported, directive.span, std::move(*why)});
+      dimensions_.declare_angular_velocity(typed.id);
       return;
     case DirectiveKind::constant:
       declare_constant(directive, typed);

@@ -73,6 +73,8 @@ std::optional<Typed> Elaborator::read(SyntaxId id) {
       return function(id);
     case SyntaxKind::integral:
       return integral(id);
+    case SyntaxKind::unit:
+      return unit(id);
     case SyntaxKind::text:
       return unsupported(node.span, fmt::format("the words `{}` stand for a quantity", syntax_.text(id)));
     case SyntaxKind::opaque: {

@@ -153,6 +153,10 @@ class Elaborator {
 
   Maybe contract(Typed typed);  // repeated letters on one symbol: `I_{ii}`
 
+  // elaborate_unit.cpp
+  Maybe unit(SyntaxId id);
+  ExprId base_unit(std::size_t which, Span span);
+
   // elaborate_term.cpp
   Maybe term(SyntaxId id);
   struct Operand {

@@ -189,6 +189,7 @@ Dependence Names::change_of(const ExprTree& tree, SymbolId symbol, By by) {
   if (by == By::small) return {};  // what does not change in time can be small
   const SymbolId base = base_of(tree.symbols, symbol);
   const NameKey* base_key = key_of(base);
+  if (tree.symbols[base].unit_of_measure) return {Kind::constant};
   for (const Constant& constant : constants_) {
     const NameKey* own = key_of(constant.symbol);
     const bool same = constant.symbol == base || (own != nullptr && base_key != nullptr && *own == *base_key);
@@ -225,6 +226,7 @@ bool Names::is_field(const ExprTree& tree, SymbolId symbol) const {
 
 bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
   const SymbolId base = base_of(tree.symbols, symbol);
+  if (tree.symbols[base].unit_of_measure) return true;
   if (definition_of(base) != nullptr || definition_of(symbol) != nullptr) return true;
   const auto is_it = [&](const auto& entry) { return entry.first == base; };
   if (std::any_of(variables_.begin(), variables_.end(), is_it)) return true;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/span.h"
+#include "expr/dimension.h"
 
 namespace rigor {
 
@@ -41,6 +42,7 @@ struct Symbol {
   bool unit = false;          // rank 1: length 1
   bool rotation = false;      // rank 2: orthogonal with determinant 1; the first axis is the rotated one
   bool declared = false;      // by a directive: a statement holds for all its values
+  std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes
   Span first_seen = {};
   std::optional<Derivation> derivation = {};  // of a derivative; its last `space` axes can be exchanged
 };

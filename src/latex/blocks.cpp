@@ -9,6 +9,7 @@
 #include "latex/beside.h"
 #include "latex/chain.h"
 #include "latex/remarks.h"
+#include "latex/units.h"
 
 namespace rigor {
 namespace {
@@ -115,8 +116,9 @@ class StatementSplitter {
       if (depth == 0 && is_words(token) && !is_script_argument(tokens_, at) && !wants_operand(block.tokens)) {
         const Argument words = argument_at(tokens_, at + 1);
         const std::size_t behind = first_significant(tokens_, words.next);
-        if (trim(block.tokens).empty() && behind < tokens_.size() &&
-            relation_kind(tokens_[behind])) {  // \text{torque} = …
+        const bool names_quantity = trim(block.tokens).empty() && behind < tokens_.size() &&
+                                    relation_kind(tokens_[behind]);  // \text{torque} = …
+        if (names_quantity || is_unit_behind(block.tokens, words.content)) {
           block.tokens.insert(block.tokens.end(), tokens_.begin() + static_cast<std::ptrdiff_t>(at),
                               tokens_.begin() + static_cast<std::ptrdiff_t>(words.next));
           at = words.next;
@@ -199,6 +201,16 @@ class StatementSplitter {
   std::size_t next_wide_space(std::size_t at) const {
     while (at < tokens_.size() && !is_wide_space(tokens_[at])) ++at;
     return at;
+  }
+
+  /// `3\,\text{kg}`: a unit is no remark.
+  static bool is_unit_behind(TokenView block, TokenView words) {
+    const TokenView before = trim(block);
+    std::size_t end = before.size();
+    while (end > 0 && (is_blank(before[end - 1]) || is_spacing(before[end - 1]))) --end;
+    const bool number =
+        end > 0 && (before[end - 1].kind == TokenKind::digit || before[end - 1].kind == TokenKind::end_group);
+    return number && is_unit_word(text_of(words), true);
   }
 
   /// `\text{…}` where an operand is due is part of the expression: `\text{torque} = …`, `m = \text{const}`.

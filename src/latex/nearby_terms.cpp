@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Terms made of what stands near by: the letters of a chain, their products, and terms in brackets.
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -41,24 +42,82 @@ std::vector<TokenView> letters_of(const std::vector<TokenView>& chain) {
   return letters;
 }
 
+namespace {
+
+Tokens joined(std::initializer_list<TokenView> parts) {
+  Tokens all;
+  for (const TokenView part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+bool has_face(TokenView letter) { return letter.size() > 1; }
+
+/// What stands before the first vector of each term, without its number; nothing, too.
+std::vector<Tokens> prefixes_of(const std::vector<TokenView>& chain) {
+  constexpr std::size_t most = 3;
+  std::vector<Tokens> prefixes{{}};
+  for (const TokenView side : chain) {
+    for (const SideTerm& term : terms_of_side(side)) {
+      std::size_t begin = 0;
+      while (begin < term.tokens.size() && term.tokens[begin].kind == TokenKind::digit) ++begin;
+      std::size_t end = begin;
+      while (end < term.tokens.size() && term.tokens[end].kind == TokenKind::letter) ++end;
+      const bool before_vector = end < term.tokens.size() && term.tokens[end].kind == TokenKind::control;
+      Tokens prefix(term.tokens.begin() + static_cast<std::ptrdiff_t>(begin),
+                    term.tokens.begin() + static_cast<std::ptrdiff_t>(end));
+      const bool known = std::any_of(prefixes.begin(), prefixes.end(),
+                                     [&](const Tokens& other) { return text_of(other) == text_of(prefix); });
+      if (before_vector && !known && prefixes.size() < most) prefixes.push_back(std::move(prefix));
+    }
+  }
+  return prefixes;
+}
+
+}  // namespace
+
 std::vector<Tokens> products_of(const std::vector<TokenView>& letters) {
   std::vector<Tokens> products;
-  const auto join = [&](TokenView first, const Tokens& between, TokenView second) {
-    Tokens product(first.begin(), first.end());
-    product.insert(product.end(), between.begin(), between.end());
-    product.insert(product.end(), second.begin(), second.end());
-    products.push_back(std::move(product));
-  };
   for (std::size_t a = 0; a < letters.size(); ++a) {
     const Span at = span_of(letters[a]);
-    const bool face = letters[a].size() > 1;
-    if (!face) join(letters[a], {{TokenKind::superscript, "^", at}, {TokenKind::digit, "2", at}}, {});
+    const bool face = has_face(letters[a]);
+    const Tokens square{{TokenKind::superscript, "^", at}, {TokenKind::digit, "2", at}};
+    if (!face) products.push_back(joined({letters[a], square}));
     for (std::size_t b = a + 1; b < letters.size(); ++b) {
-      if ((letters[b].size() > 1) != face) continue;
-      if (!face) join(letters[a], {}, letters[b]);
-      if (face) join(letters[a], {{TokenKind::control, "cdot", at}}, letters[b]);
-      if (face) join(letters[a], {{TokenKind::control, "times", at}}, letters[b]);
+      if (has_face(letters[b]) != face) continue;
+      if (!face) products.push_back(joined({letters[a], letters[b]}));
+      for (const char* sign : {"cdot", "times"}) {
+        const Tokens between{{TokenKind::control, sign, at}};
+        if (face) products.push_back(joined({letters[a], between, letters[b]}));
+      }
     }
+  }
+  return products;
+}
+
+std::vector<Tokens> vector_products_of(const std::vector<TokenView>& chain) {
+  constexpr std::size_t most_vectors = 4;
+  std::vector<TokenView> vectors = letters_of(chain);
+  std::erase_if(vectors, [](TokenView letter) { return !has_face(letter); });
+  if (vectors.size() > most_vectors) vectors.erase(vectors.begin() + most_vectors, vectors.end());
+  std::vector<Tokens> bodies;
+  for (const TokenView a : vectors) {
+    const Span at = span_of(a);
+    const Tokens cross{{TokenKind::control, "times", at}};
+    const Tokens dot{{TokenKind::control, "cdot", at}};
+    const Tokens open{{TokenKind::other, "(", at}};
+    const Tokens close{{TokenKind::other, ")", at}};
+    bodies.push_back(joined({a}));
+    for (const TokenView b : vectors) {
+      if (text_of(a) != text_of(b)) bodies.push_back(joined({a, cross, b}));
+      for (const TokenView c : vectors) {
+        bodies.push_back(joined({open, a, dot, b, close, c}));
+        if (text_of(b) != text_of(c)) bodies.push_back(joined({a, cross, open, b, cross, c, close}));
+      }
+    }
+  }
+  std::vector<Tokens> products;
+  for (const Tokens& prefix : prefixes_of(chain)) {
+    for (const Tokens& body : bodies) products.push_back(joined({prefix, body}));
   }
   return products;
 }
@@ -84,6 +143,12 @@ std::vector<Tokens> pool_of(const std::vector<TokenView>& chain) {
         if (piece.kind == PieceKind::factor && end_of_letter(piece.tokens) > 0) add(piece.tokens);
       }
     }
+  }
+  const std::vector<TokenView> letters = letters_of(chain);
+  const auto face = std::find_if(letters.begin(), letters.end(), has_face);
+  for (const TokenView letter : letters) {
+    if (face != letters.end() && face->size() == 4 && !has_face(letter))
+      add(joined({face->first(2), letter, face->subspan(3)}));
   }
   return pool;
 }

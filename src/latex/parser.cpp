@@ -101,7 +101,17 @@ SyntaxId Parser::term(Cursor& cursor) {
   Span joint_span = cursor.token().span;
   bool measured = false;
   while (true) {
+    const std::size_t before = cursor.at;
     cursor.skip_spacing();
+    if (!factors.empty()) {
+      const TokenView skipped = cursor.tokens.subspan(before, cursor.at - before);
+      const bool spaced = std::any_of(skipped.begin(), skipped.end(), is_spacing);
+      if (const auto unit = unit_behind(cursor, factors.back().id, spaced)) {
+        factors.push_back({*unit, joint, joint_span});
+        joint = Joint::juxtaposed;
+        continue;
+      }
+    }
     if (!cursor.done() && read_measure(cursor)) {
       measured = true;
       cursor.skip_spacing();

@@ -93,6 +93,13 @@ class Parser {
   [[nodiscard]] bool is_constant(SyntaxId id) const;
   SyntaxId unclear_operand(Span span);
 
+  // parser_units.cpp
+  static bool starts_quantity(const Cursor& cursor);
+  SyntaxId quantity(Cursor& cursor);
+  [[nodiscard]] bool takes_unit(SyntaxId id) const;
+  [[nodiscard]] bool has_unit(SyntaxId id) const;
+  std::optional<SyntaxId> unit_behind(Cursor& cursor, SyntaxId before, bool spaced);
+
   // parser_functions.cpp
   SyntaxId function(Cursor& cursor, std::string_view name);
   SyntaxId function_argument(Cursor& cursor, Span place, std::string_view name);

@@ -18,6 +18,7 @@ SyntaxId Parser::control(Cursor& cursor) {
   if (field_operator(name)) return field_function(cursor, name);
   if (dots_of(token) > 0) return dotted(cursor);
   if (name == "sum") return big_sum(cursor);
+  if (starts_quantity(cursor)) return quantity(cursor);
   if (name == "abs" || name == "norm" || name == "qty" || name == "quantity" || name == "absolutevalue")
     return braced_bracket(cursor);
   if (name == "lvert" || name == "lVert" || name == "|" || name == "Vert" || name == "vert")

@@ -84,6 +84,10 @@ struct SideTerm {
 /// X·Y, X×Y, XY and X² of these: the simplest terms that can be missing.
 [[nodiscard]] std::vector<Tokens> products_of(const std::vector<TokenView>& letters);
 
+/// Products of up to three vectors of a chain, behind what stands before vectors in it:
+/// m\mathbf{a}\times\mathbf{b}, (A·B)C, A×(B×C).
+[[nodiscard]] std::vector<Tokens> vector_products_of(const std::vector<TokenView>& chain);
+
 /// Where the letter of a symbol with its face ends: `\mathbf{A}`, `m`, `\omega`; 0 if no symbol stands there.
 [[nodiscard]] std::size_t end_of_letter(TokenView tokens);
 /// \frac, \nabla, \cos…: a power of it alone means nothing.

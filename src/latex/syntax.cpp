@@ -93,7 +93,7 @@ const WrittenDerivative& SyntaxTree::derivative(SyntaxId id) const {
 const std::string& SyntaxTree::text(SyntaxId id) const {
   const SyntaxKind kind = (*this)[id].kind;
   RIGOR_CHECK(kind == SyntaxKind::number || kind == SyntaxKind::text || kind == SyntaxKind::function ||
-              kind == SyntaxKind::integral);
+              kind == SyntaxKind::integral || kind == SyntaxKind::unit);
   return texts_[(*this)[id].payload];
 }
 

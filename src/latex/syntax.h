@@ -37,6 +37,7 @@ enum class SyntaxKind : std::uint8_t {
   function,    // \cos, \exp, grad…: `text` is the name, one child is the argument (two of them: a tuple)
   integral,    // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the first child what
                // is integrated, the second the name of the region if it has one, as `text`
+  unit,        // of measure: `text` is how it is written, `kg.m^2` (see units.h)
   text,        // \text{…}: words
   opaque,      // not read: `message` says why
 };

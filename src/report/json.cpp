@@ -141,6 +141,13 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
   object["silenced"] = json_of(file.silenced, sources);
   object["counts"] = json_of(file.counts);
   object["sidecar"] = file.sidecar.empty() ? Json(nullptr) : Json(file.sidecar);
+  object["dimensions"] = Json::array();
+  for (const SymbolDimension& entry : file.dimensions) {
+    Json symbol;
+    symbol["symbol"] = entry.symbol;
+    symbol["dimension"] = entry.dimension ? Json(*entry.dimension) : Json(nullptr);
+    object["dimensions"].push_back(std::move(symbol));
+  }
   return object;
 }
 

@@ -146,6 +146,17 @@ std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
   return text;
 }
 
+/// One line a symbol, below the diagnostics.
+std::string print_dimensions(const FileReport& file) {
+  std::size_t width = 0;
+  for (const SymbolDimension& entry : file.dimensions)
+    width = std::max(width, cells(printable(entry.symbol)));
+  std::string text = "\ndimensions:\n";
+  for (const SymbolDimension& entry : file.dimensions)
+    text += "  " + padded(printable(entry.symbol), width) + "  " + entry.dimension.value_or("free") + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string print_report(const Report& report, const SourceMap& sources, const TerminalOptions& options) {
@@ -153,6 +164,7 @@ std::string print_report(const Report& report, const SourceMap& sources, const T
   for (const FileReport& file : report.files) {
     text += print_steps(file, sources, options);
     text += print_diagnostics(file, sources, options);
+    if (options.dimensions) text += print_dimensions(file);
     text += "\n";
   }
   return text + print_summary(report) + "\n";

@@ -24,6 +24,7 @@ namespace rigor {
 struct TerminalOptions {
   bool color = false;
   std::uint32_t width = 110;  // in cells; a step is never cut to less than 20
+  bool dimensions = false;    // with a table of what was found of each symbol's dimension
 };
 
 /// The same bytes for the same report, but for the time in the last line.

@@ -98,8 +98,16 @@ TEST_CASE("an unknown word is reported with the nearest known one") {
   CHECK(help_of("xyzzy a").starts_with("known are vector, scalar"));
 }
 
-TEST_CASE("a word of the design that is not decided with yet is no unknown word") {
-  CHECK(read("units m: M") == "1 unsupported");
+TEST_CASE("units names a dimension for each symbol") {
+  const Reading reading("units m_\\alpha: M, \\mathbf{r}_\\alpha: L, \\boldsymbol{\\omega}: 1/T, F: N, q: 1");
+  REQUIRE(reading.directive);
+  std::string text;
+  for (const Dimension& dimension : reading.directive->dimensions) text += dimension.text() + ";";
+  CHECK(text == "M;L;T^{-1};M L T^{-2};1;");
+  CHECK(reading.directive->symbols.size() == 5);
+  CHECK(read("units m") == "7 bad-directive");
+  CHECK(read("units m: X") == "7 bad-directive");
+  CHECK(read("units m:") == "7 bad-directive");
 }
 
 TEST_CASE("a frame has two names and an angular velocity") {

@@ -121,6 +121,7 @@ struct Stretch {
   static constexpr const char* joints[] = {"", "+", "-", "", "·", "×", "/", ""};
   const SyntaxKind kind = tree[id].kind;
   if (kind == SyntaxKind::number) return tree.text(id);
+  if (kind == SyntaxKind::unit) return '<' + tree.text(id) + '>';
   if (kind == SyntaxKind::text) return '"' + tree.text(id) + '"';
   if (kind == SyntaxKind::symbol) return dump_symbol(tree.symbol(id));
   if (kind == SyntaxKind::opaque) return '<' + std::string(info(tree.obstacle(id).kind).name) + '>';
