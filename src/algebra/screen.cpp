@@ -11,7 +11,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t wanted_points = 3;
-constexpr std::uint32_t most_attempts = 40;
+constexpr std::uint32_t most_attempts = 24;
 constexpr std::uint32_t degenerate_attempts = 2;  // zeros and ones, on which much holds by chance
 
 }  // namespace
@@ -30,6 +30,9 @@ class Screen::Samples {
     SampleSequence sequence(scope_.tree(), reach_, solver_.has_particle_sums());
     try {
       while (points_.size() < wanted_points && sequence.drawn() < most_attempts) draw(sequence);
+      for (SamplePoint& point : others_) {
+        if (points_.size() < wanted_points) points_.push_back(std::move(point));
+      }
     } catch (const Undecidable&) {
       // with the points that there are
     }
@@ -116,9 +119,15 @@ class Screen::Samples {
     if (reach_.particles && point.particles() < 2) return;
     try {
       if (!solver_.none() && !solver_.solve(evaluator_, point, attempt)) return;
+    } catch (const PointRejected&) {
+      return;
+    }
+    try {
+      evaluator_.look_at(point);
+      static_cast<void>(evaluator_.difference(question_.claim));
       points_.push_back(std::move(point));
     } catch (const PointRejected&) {
-      // the next one
+      if (others_.size() < wanted_points) others_.push_back(std::move(point));
     }
   }
 
@@ -161,6 +170,7 @@ class Screen::Samples {
   SampleEvaluator evaluator_;
   std::size_t tree_size_;  // the evaluator has room for no more nodes
   std::vector<SamplePoint> points_;
+  std::vector<SamplePoint> others_;  // on which the claim itself has no rational value
 };
 
 Screen::Screen(const Question& question, std::span<const ExprId> also, const Limits& limits)

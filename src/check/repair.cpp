@@ -70,6 +70,7 @@ class Search {
     } else {
       const std::vector<ComparedTerm> terms = by_terms ? candidates_.terms() : std::vector<ComparedTerm>{};
       holding = holding_on_samples(rewritten, equations, terms, false);
+      if (lack_terms(holding)) add_insertions(holding);
       if (holding.empty()) holding = holding_on_samples(rewritten, equations, terms, true);
     }
     sort_and_reduce(holding, candidates_.side(0), candidates_.side(1));
@@ -77,6 +78,21 @@ class Search {
   }
 
  private:
+  /// Is none of the usual slips found? Then a term may be missing in a bracket.
+  static bool lack_terms(const std::vector<RepairCandidate>& holding) {
+    return std::none_of(holding.begin(), holding.end(), [](const RepairCandidate& each) {
+      return each.slip == Slip::sign || each.slip == Slip::factor || each.slip == Slip::order ||
+             each.slip == Slip::index || each.slip == Slip::indices_swapped;
+    });
+  }
+
+  void add_insertions(std::vector<RepairCandidate>& holding) {
+    std::vector<RepairCandidate> insertions = candidates_.insertions();
+    const std::vector<Equation> equations = read(insertions);
+    for (RepairCandidate& each : holding_on_samples(insertions, equations, {}, false))
+      holding.push_back(std::move(each));
+  }
+
   // --- reading
 
   const std::optional<Typed>& typed(std::size_t side) const {
@@ -229,11 +245,15 @@ class Search {
     std::vector<Repair> repairs;
     std::size_t judged = 0;
     int nearest = 0;
+    bool wrong_coefficient = false;  // then a term more, which makes up for it, says the same
     for (const RepairCandidate& candidate : candidates) {
       const bool far = !repairs.empty() && candidate.distance > nearest + widest_choice;
+      const bool says_the_same = candidate.slip == Slip::term_missing && wrong_coefficient;
+      if (says_the_same) continue;
       if (far || repairs.size() == most_repairs || judged++ == most_judged) break;
       if (!is_proved(candidate)) continue;
       if (repairs.empty()) nearest = candidate.distance;
+      wrong_coefficient = wrong_coefficient || candidate.slip == Slip::sign || candidate.slip == Slip::factor;
       repairs.push_back({candidate.side == 0, statement_of(candidate), candidate.change});
     }
     return repairs;

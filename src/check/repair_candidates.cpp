@@ -62,7 +62,7 @@ RepairCandidate RepairCandidates::made(std::size_t which, Slip slip, Tokens toke
                                        int further) const {
   const auto longer = static_cast<int>(tokens.size()) - static_cast<int>(side(which).size());
   const int distance = distance_of(slip) + std::clamp(longer, -4, 12) + further + suspicion(which);
-  return {which, std::move(tokens), std::move(change), distance};
+  return {slip, which, std::move(tokens), std::move(change), distance};
 }
 
 /// A sign or factor inside of brackets is less likely than one before a term, and factors stand in the order
@@ -78,13 +78,19 @@ RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& chang
 }
 
 std::vector<RepairCandidate> RepairCandidates::rewritten_sides(bool whole_side) const {
-  constexpr std::size_t most = 800;
+  return made_by([&](TokenView side) { return rewritings_of(side, chain(), whole_side); });
+}
+
+std::vector<RepairCandidate> RepairCandidates::insertions() const {
+  return made_by([&](TokenView side) { return insertions_of(side, chain()); });
+}
+
+template <class Rewrite>
+std::vector<RepairCandidate> RepairCandidates::made_by(const Rewrite& rewrite) const {
+  constexpr std::size_t most = 400;
   std::vector<RepairCandidate> candidates;
   for (const std::size_t which : {1u, 0u}) {
-    for (const Rewriting& change : rewritings_of(side(which), chain(), whole_side))
-      candidates.push_back(made(which, change));
-    for (const Rewriting& change : insertions_of(side(which), chain()))
-      candidates.push_back(made(which, change));
+    for (const Rewriting& change : rewrite(side(which))) candidates.push_back(made(which, change));
   }
   sort_and_reduce(candidates, side(0), side(1));
   if (candidates.size() > most) candidates.erase(candidates.begin() + most, candidates.end());

@@ -26,6 +26,7 @@ struct WrongStep {
 };
 
 struct RepairCandidate {
+  Slip slip = Slip::sign;
   std::size_t side = 0;  // 0 left, 1 right
   Tokens tokens;         // of the side
   std::string change;    // in words
@@ -49,6 +50,8 @@ class RepairCandidates {
   /// Each side with one slip taken back, the nearest first. `whole_side`: also the terms of the side as a
   /// whole.
   [[nodiscard]] std::vector<RepairCandidate> rewritten_sides(bool whole_side) const;
+  /// Each side with a term more inside of its brackets, the nearest first.
+  [[nodiscard]] std::vector<RepairCandidate> insertions() const;
   /// The terms of both sides, then those that may be missing: terms of the chain, images of its terms, terms
   /// of lines near it, simple products.
   [[nodiscard]] std::vector<ComparedTerm> terms() const;
@@ -61,6 +64,8 @@ class RepairCandidates {
   [[nodiscard]] RepairCandidate made(std::size_t which, Slip slip, Tokens tokens, std::string change,
                                      int further) const;
   [[nodiscard]] RepairCandidate made(std::size_t which, const Rewriting& change) const;
+  template <class Rewrite>
+  [[nodiscard]] std::vector<RepairCandidate> made_by(const Rewrite& rewrite) const;
   [[nodiscard]] int suspicion(std::size_t which) const;
   [[nodiscard]] std::string words_for(std::size_t which, std::size_t term, Coefficient times) const;
   [[nodiscard]] std::vector<TokenView> chain() const { return {sides_.begin(), sides_.end()}; }
