@@ -16,7 +16,7 @@ constexpr std::uint32_t degenerate_attempts = 2;  // zeros and ones, on which mu
 
 }  // namespace
 
-class Screen::Samples {
+class SampleScreen::Samples {
  public:
   Samples(const Question& question, std::span<const ExprId> also, const Limits& limits)
       : question_(question),
@@ -173,15 +173,17 @@ class Screen::Samples {
   std::vector<SamplePoint> others_;  // on which the claim itself has no rational value
 };
 
-Screen::Screen(const Question& question, std::span<const ExprId> also, const Limits& limits)
+SampleScreen::SampleScreen(const Question& question, std::span<const ExprId> also, const Limits& limits)
     : samples_(std::make_unique<Samples>(question, also, limits)) {}
 
-Screen::~Screen() = default;
+SampleScreen::~SampleScreen() = default;
 
-std::vector<bool> Screen::passing(std::span<const Equation> claims) { return samples_->passing(claims); }
+std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
+  return samples_->passing(claims);
+}
 
-std::vector<std::optional<std::string>> Screen::multiples(const Equation& claim,
-                                                          std::span<const Equation> terms) {
+std::vector<std::optional<std::string>> SampleScreen::multiples(const Equation& claim,
+                                                                std::span<const Equation> terms) {
   return samples_->multiples(claim, terms);
 }
 

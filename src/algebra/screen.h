@@ -13,14 +13,14 @@
 
 namespace rigor {
 
-class Screen {
+class SampleScreen {
  public:
   /// Draws the samples for the question's claim and other expressions, with its definitions and assumptions.
   /// The tree may not grow afterwards.
-  Screen(const Question& question, std::span<const ExprId> also, const Limits& limits = {});
-  ~Screen();
-  Screen(const Screen&) = delete;
-  Screen& operator=(const Screen&) = delete;
+  SampleScreen(const Question& question, std::span<const ExprId> also, const Limits& limits = {});
+  ~SampleScreen();
+  SampleScreen(const SampleScreen&) = delete;
+  SampleScreen& operator=(const SampleScreen&) = delete;
 
   /// For each claim: was it compared, and does it hold wherever it was? Claims are compared that speak only
   /// of symbols which the samples have.

@@ -31,6 +31,7 @@ void replay_notes(RecordedFile& recorded, const std::string& report_path, const 
   for (RecordedStep& step : recorded.steps) step.file.insert(0, folder);
   CheckOptions check_options;
   check_options.recorded = &recorded.steps;
+  check_options.repairs = Repairs::none;
   if (!recorded.sidecar.empty())
     check_options.sidecar = folder_of(recorded.sidecar, report_path) + recorded.sidecar;
   SourceMap sources;

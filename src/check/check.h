@@ -11,7 +11,7 @@
 
 namespace rigor {
 
-/// Of which refuted steps nearest true statements are looked for.
+/// Of which wrong steps the nearest true statements and missing conditions are looked for.
 enum class Repairs : std::uint8_t { none, of_unexpected, of_all };
 
 struct CheckOptions {

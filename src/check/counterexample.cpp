@@ -17,6 +17,8 @@ tl::unexpected<Error> does_not_fit(std::string reason) {
 
 /// The claim's axes and particles, of which the description names the indices.
 Result<Sample> placed(const Question& question, const Counterexample& example) {
+  constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at most
+  if (example.particles > most_particles) return does_not_fit("the sample has too many particles");
   const ExprTree& tree = *question.tree;
   const Equation& claim = question.claim;
   const std::size_t axes = claim.indices.size() + static_cast<std::size_t>(tree[claim.left].rank);

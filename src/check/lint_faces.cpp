@@ -38,7 +38,7 @@ Findings lint_faces(const LintInput& input) {
   for (const SyntaxId id : symbols) {
     const Span span = syntax[id].span;
     const auto reading = readings.find(extent_of(span));
-    const bool vector = reading != readings.end() && reading->second.meaning == Meaning::vector;
+    const bool vector = reading != readings.end() && reading->second.meaning == ReadAs::vector;
     if (!vector || !is_plain(syntax.symbol(id))) continue;
     if (!said.insert(base_of(input.tree.symbols, reading->second.symbol)).second) continue;
     findings.push_back({{DiagnosticKind::plain_vector,

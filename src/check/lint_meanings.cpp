@@ -29,13 +29,13 @@ std::optional<std::string> look_of(const WrittenSymbol& symbol) {
 
 std::string words_of(const SymbolReading& reading) {
   switch (reading.meaning) {
-    case Meaning::number:
+    case ReadAs::number:
       return "a number of its own";
-    case Meaning::length:
+    case ReadAs::length:
       return fmt::format("the length of `{}`", reading.name);
-    case Meaning::vector:
+    case ReadAs::vector:
       return "a vector";
-    case Meaning::tensor:
+    case ReadAs::tensor:
       break;
   }
   return "a tensor";

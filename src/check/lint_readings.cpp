@@ -6,10 +6,10 @@
 namespace rigor {
 namespace {
 
-Meaning meaning_of(const ExprNode& node) {
-  if (node.op == Op::length) return Meaning::length;
-  if (node.rank == 0) return Meaning::number;
-  return node.rank == 1 ? Meaning::vector : Meaning::tensor;
+ReadAs meaning_of(const ExprNode& node) {
+  if (node.op == Op::length) return ReadAs::length;
+  if (node.rank == 0) return ReadAs::number;
+  return node.rank == 1 ? ReadAs::vector : ReadAs::tensor;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ std::map<Extent, SymbolReading> symbol_readings(const LintInput& input) {
   }
   for (const Extent& extent : composed) {
     const auto found = readings.find(extent);
-    if (found != readings.end() && found->second.meaning != Meaning::length) readings.erase(found);
+    if (found != readings.end() && found->second.meaning != ReadAs::length) readings.erase(found);
   }
   return readings;
 }

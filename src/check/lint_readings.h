@@ -10,10 +10,10 @@
 
 namespace rigor {
 
-enum class Meaning : std::uint8_t { number, length, vector, tensor };
+enum class ReadAs : std::uint8_t { number, length, vector, tensor };
 
 struct SymbolReading {
-  Meaning meaning;
+  ReadAs meaning;
   SymbolId symbol;   // of a length: the vector
   std::string name;  // its name
   Span place;

@@ -268,11 +268,11 @@ class Search {
 
 }  // namespace
 
-std::vector<std::string> missing_conditions(ExprTree& tree, Names& names, const WrongStep& wrong) {
-  const Names before = names;
-  std::vector<std::string> found = Search(tree, names, wrong).run();
-  names = before;
-  return found;
+std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& names,
+                                            const WrongStep& wrong) {
+  ExprTree own_tree = tree;
+  Names own_names = names;
+  return Search(own_tree, own_names, wrong).run();
 }
 
 }  // namespace rigor

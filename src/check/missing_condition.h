@@ -16,8 +16,8 @@ inline constexpr std::size_t most_conditions = 2;
 /// The conditions, in the notes' own symbols, as they can be given: `\sum_\alpha m_\alpha\mathbf{r}_\alpha =
 /// 0`; the usual ones first. Method: each condition that can be said of the symbols behind the step is
 /// assumed, and the step is decided again. One that no sample meets together with what is assumed already,
-/// and one under which both sides vanish, say nothing and are left out. The names are as before afterwards.
-[[nodiscard]] std::vector<std::string> missing_conditions(ExprTree& tree, Names& names,
+/// and one under which both sides vanish, say nothing and are left out. It works on copies.
+[[nodiscard]] std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& names,
                                                           const WrongStep& wrong);
 
 }  // namespace rigor

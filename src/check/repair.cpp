@@ -17,6 +17,8 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_judged = 8;
+constexpr std::size_t most_tokens = 400;          // of both sides; longer ones are not mended
+constexpr std::size_t most_to_first_order = 150;  // candidates, each of which is differentiated
 /// A neighbour of a typical step is proved with a hundredth of this.
 constexpr Limits brief{.expanded_terms = 10'000,
                        .steps = 60'000,
@@ -58,6 +60,7 @@ class Search {
   }
 
   std::vector<Repair> run() {
+    if (candidates_.side(0).size() + candidates_.side(1).size() > most_tokens) return {};
     const std::optional<Claim> original = claim_between(typed(0), typed(1));
     const bool by_terms = original && !original->nearly && original->equation.relation == Relation::equal;
     std::vector<RepairCandidate> rewritten = candidates_.rewritten_sides(!by_terms);
@@ -182,8 +185,8 @@ class Search {
     return zeros;
   }
 
-  void compare(Screen& screen, const std::vector<ComparedTerm>& terms, const std::vector<Equation>& zeros,
-               std::vector<RepairCandidate>& holding) const {
+  void compare(SampleScreen& screen, const std::vector<ComparedTerm>& terms,
+               const std::vector<Equation>& zeros, std::vector<RepairCandidate>& holding) const {
     const auto multiples = screen.multiples(claim_.equation, zeros);
     for (std::size_t k = 0; k < terms.size(); ++k) {
       const auto ratio = multiples[k] ? coefficient_from(*multiples[k]) : std::nullopt;
@@ -202,7 +205,7 @@ class Search {
     Prepared prepared = prepare(tree_, names_, claim_.equation, 0, Precision::exact, 0, sides);
     if (speaks_of_derivatives(prepared))
       prepared = prepare(tree_, names_, claim_.equation, 1, Precision::exact, 0, sides);
-    Screen screen(prepared.question, sides, screening);
+    SampleScreen screen(prepared.question, sides, screening);
     std::vector<RepairCandidate> holding;
     const std::vector<bool> passing = screen.passing(equations);
     for (std::size_t k = 0; k < rewritten.size(); ++k) {
@@ -212,7 +215,7 @@ class Search {
     if (!terms.empty() && holding.empty()) {
       const std::vector<ComparedTerm> longer = candidates_.longer_terms();
       const std::vector<Equation> longer_zeros = zeros_of(longer);
-      Screen larger(prepared.question, sides, screening);  // of the tree that has grown
+      SampleScreen larger(prepared.question, sides, screening);  // of the tree that has grown
       compare(larger, longer, longer_zeros, holding);
     }
     return holding;
@@ -220,8 +223,10 @@ class Search {
 
   /// Nearly equal: the parts of zeroth and of first order are equal.
   std::vector<RepairCandidate> holding_to_first_order(const std::vector<RepairCandidate>& rewritten,
-                                                      const std::vector<Equation>& equations) {
-    std::vector<bool> holds(rewritten.size(), true);
+                                                      std::vector<Equation> equations) {
+    if (equations.size() > most_to_first_order)
+      equations.erase(equations.begin() + most_to_first_order, equations.end());
+    std::vector<bool> holds(equations.size(), true);
     for (const int order : {0, 1}) {
       const auto at_order = [&](const Equation& equation) {
         return prepare(tree_, names_, equation, 0, Precision::small_order, order).question;
@@ -229,7 +234,7 @@ class Search {
       std::vector<Equation> parts;
       for (const Equation& equation : equations) parts.push_back(at_order(equation).claim);
       const Question question = at_order(claim_.equation);
-      const std::vector<bool> passing = Screen(question, {}, screening).passing(parts);
+      const std::vector<bool> passing = SampleScreen(question, {}, screening).passing(parts);
       for (std::size_t k = 0; k < holds.size(); ++k) holds[k] = holds[k] && passing[k];
     }
     std::vector<RepairCandidate> holding;
@@ -296,11 +301,11 @@ class Search {
 
 }  // namespace
 
-std::vector<Repair> nearest_true_statements(ExprTree& tree, Names& names, const WrongStep& wrong) {
-  const Names before = names;
-  std::vector<Repair> repairs = Search(tree, names, wrong).run();
-  names = before;
-  return repairs;
+std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names,
+                                            const WrongStep& wrong) {
+  ExprTree own_tree = tree;
+  Names own_names = names;
+  return Search(own_tree, own_names, wrong).run();
 }
 
 }  // namespace rigor

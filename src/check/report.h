@@ -77,7 +77,7 @@ struct Step {
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`
   std::optional<Counterexample> counterexample;
   std::optional<ChainPlace> chain;      // of a refuted step, if the chain has other steps
-  std::vector<Repair> repairs;          // of a refuted step, the nearest first; at most three
+  std::vector<Repair> repairs;          // of a wrong step, the nearest first; at most three
   std::vector<std::string> conditions;  // under which a refuted step would hold, as LaTeX; at most two
   double repair_milliseconds = 0.0;     // the time that was taken to find them
   Diagnostics diagnostics;

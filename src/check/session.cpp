@@ -235,6 +235,8 @@ void Session::heed_conditions(const ParsedDisplay& display, std::size_t first_st
       ++report_.counts[static_cast<std::size_t>(step.verdict)];
       step.counterexample.reset();
       step.chain.reset();
+      step.repairs.clear();
+      step.conditions.clear();
       step.diagnostics = {{DiagnosticKind::unsupported,
                            step.relation_span,
                            "it does not hold for all values, and what stands beside it may be its condition",

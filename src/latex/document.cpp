@@ -32,7 +32,7 @@ Format format_of(std::string_view path) {
 }
 
 Document read_document(SourceMap& sources, FileId file, Diagnostics& diagnostics) {
-  Reading reading{sources, diagnostics};
+  DocumentReading reading{sources, diagnostics};
   reading.document.file = file;
   if (format_of(sources.path(file)) == Format::latex) {
     InputFiles inputs(sources, file, diagnostics);

@@ -13,7 +13,7 @@ namespace {
 
 class LatexReader : NotesReader {
  public:
-  LatexReader(Reading& reading, FileId file, InputFiles& inputs)
+  LatexReader(DocumentReading& reading, FileId file, InputFiles& inputs)
       : NotesReader(reading, file, Format::latex), inputs_(inputs) {}
 
   void read() {
@@ -213,7 +213,7 @@ class LatexReader : NotesReader {
 
 }  // namespace
 
-void read_latex(Reading& reading, FileId file, InputFiles& inputs) {
+void read_latex(DocumentReading& reading, FileId file, InputFiles& inputs) {
   LatexReader(reading, file, inputs).read();
 }
 

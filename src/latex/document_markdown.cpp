@@ -18,7 +18,7 @@ constexpr int failures_searched = 8;
 
 class MarkdownReader : NotesReader {
  public:
-  MarkdownReader(Reading& reading, FileId file) : NotesReader(reading, file, Format::markdown) {}
+  MarkdownReader(DocumentReading& reading, FileId file) : NotesReader(reading, file, Format::markdown) {}
 
   void read() {
     at_ = front_matter_end(text_);
@@ -260,6 +260,6 @@ class MarkdownReader : NotesReader {
 
 }  // namespace
 
-void read_markdown(Reading& reading, FileId file) { MarkdownReader(reading, file).read(); }
+void read_markdown(DocumentReading& reading, FileId file) { MarkdownReader(reading, file).read(); }
 
 }  // namespace rigor

@@ -15,7 +15,7 @@
 namespace rigor {
 
 /// What one run of read_document collects, over all files.
-struct Reading {
+struct DocumentReading {
   SourceMap& sources;
   Diagnostics& diagnostics;
   Document document = {};
@@ -26,7 +26,7 @@ struct Reading {
 
 class NotesReader {
  protected:
-  NotesReader(Reading& reading, FileId file, Format format)
+  NotesReader(DocumentReading& reading, FileId file, Format format)
       : reading_(reading), text_(reading.sources, file, format) {}
 
   struct Opening {
@@ -60,7 +60,7 @@ class NotesReader {
     reading_.document.items.emplace_back(std::move(item));
   }
 
-  Reading& reading_;
+  DocumentReading& reading_;
   NotesText text_;
   std::size_t at_ = 0;
 
@@ -72,7 +72,7 @@ class NotesReader {
 };
 
 /// Read one file into `reading`.
-void read_latex(Reading& reading, FileId file, InputFiles& inputs);
-void read_markdown(Reading& reading, FileId file);
+void read_latex(DocumentReading& reading, FileId file, InputFiles& inputs);
+void read_markdown(DocumentReading& reading, FileId file);
 
 }  // namespace rigor

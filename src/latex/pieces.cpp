@@ -107,8 +107,9 @@ class Cutter {
     if (token.kind == TokenKind::control && factor.kind != PieceKind::big_sum) {
       const bool bars = token.text == "abs" || token.text == "norm";
       const bool fraction = token.text == "frac" || token.text == "tfrac" || token.text == "dfrac";
+      if (bars && at_ < tokens_.size() && is_sign(tokens_[at_], "*")) ++at_;
       arguments(factor, takes_sum(token));
-      if (bars) factor.kind = PieceKind::bars;
+      if (bars && factor.inside.data() != nullptr) factor.kind = PieceKind::bars;
       while (fraction && at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One side of a statement as tokens: which tokens are signs, products and
-// factors, and what stands inside what. Independent of the parser, so that edits of the text can test it.
+// factors, and what stands inside what. Independent of the parser, so that edits of the text test it, and
+// serve the search for what was meant.
 #pragma once
 
 #include <cstdint>

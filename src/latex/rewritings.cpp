@@ -51,9 +51,6 @@ class Rewriter {
       rewritings_.push_back(std::move(change));
   }
   void remove(Slip slip, TokenView from, TokenView shown) { add(slip, from, {}, shown); }
-  void insert_before(Slip slip, TokenView at, Tokens what, TokenView shown) {
-    add(slip, at.first(0), std::move(what), shown);
-  }
   void insert_behind(Slip slip, TokenView at, Tokens what, TokenView shown) {
     add(slip, at.subspan(at.size()), std::move(what), shown);
   }
@@ -104,6 +101,7 @@ class Rewriter {
   }
 
   void brackets_for_bars(const Piece& piece) {
+    if (piece.inside.data() == nullptr) return;
     const std::size_t inside = place(piece.inside) - place(piece.tokens);
     const TokenView before = piece.tokens.first(inside);
     const TokenView behind = piece.tokens.subspan(inside + piece.inside.size());

@@ -14,7 +14,6 @@ namespace rigor {
 namespace {
 
 constexpr std::string_view all_digits = "0123456789";
-constexpr long largest_coefficient = 9'999;
 
 Token sign(std::string_view text, Span at) { return {TokenKind::other, text, at}; }
 

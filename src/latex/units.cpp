@@ -181,9 +181,12 @@ class UnitReader {
     if (unit.factor == SmallRational(1) && unit.ten == 0) return true;
     if (exponent.under() != 1) return fail("a root of a multiple of a unit is not read"), false;
     const std::int64_t times = exponent.over() < 0 ? -exponent.over() : exponent.over();
+    constexpr int largest_power = 1'000;
+    if (times > largest_power) return fail("a power of a unit is too large"), false;
     for (std::int64_t k = 0; k < times; ++k)
       whole_.factor = exponent.over() < 0 ? whole_.factor / unit.factor : whole_.factor * unit.factor;
     whole_.ten += unit.ten * static_cast<int>(exponent.over());
+    if (std::abs(whole_.ten) > largest_power) return fail("a power of ten is too large"), false;
     if (!whole_.factor.is_valid()) return fail("a factor of a unit is too large"), false;
     return true;
   }

@@ -129,11 +129,24 @@ TEST_CASE("the search leaves no trace: what follows is read as without it") {
   const auto verdicts = [&](Repairs repairs) {
     SourceMap sources;
     std::string text;
-    for (const Step& step : check_text(sources, "note.md", wrong + next, {.repairs = repairs}).steps)
+    for (const Step& step : check_text(sources, "note.md", wrong + next, {.repairs = repairs}).steps) {
       text += std::string(name_of(step.verdict)) + " ";
+      if (!step.counterexample) continue;
+      for (const Counterexample::Value& value : step.counterexample->values)
+        text += value.symbol + " " + value.components.front() + " ";
+    }
     return text;
   };
   CHECK(verdicts(Repairs::of_all) == verdicts(Repairs::none));
+}
+
+TEST_CASE("bars without an argument, and very long sides, do no harm") {
+  CHECK_FALSE(refuted_step(Checked(rigor_says("vector \\mathbf{A}") + "$$\\abs*{\\mathbf{A}}^2 = 2A_iA_i$$"))
+                  .repairs.empty());
+  std::string sum = "A_iA_i";
+  for (int k = 0; k < 100; ++k) sum += " + A_iA_i";
+  const Checked checked("$$" + sum + " = 2A_iA_i$$");
+  CHECK(refuted_step(checked).repairs.empty());
 }
 
 TEST_CASE("what is expected to be refuted is mended only if all is asked for") {
