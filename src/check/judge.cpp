@@ -311,6 +311,33 @@ class Judging {
     return std::nullopt;
   }
 
+  /// `scalar I_1` beside `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
+  std::optional<std::pair<std::string, std::string>> component_declared_alone() const {
+    std::set<SymbolId> reached;
+    const auto reach = [&](ExprId side) {
+      for (const SymbolId symbol : symbols_in(tree_, side)) reached.insert(symbol);
+    };
+    for (const ExprId side : {claim_.equation.left, claim_.equation.right}) reach(side);
+    for (const Definition& definition : prepared_.question.definitions) reach(definition.body);
+    for (const Equation& assumption : prepared_.question.assumptions) {
+      reach(assumption.left);
+      reach(assumption.right);
+    }
+    for (const SymbolId vector : reached) {
+      if (tree_.symbols[vector].rank != 1 || tree_.symbols[vector].per_particle) continue;
+      const std::string& name = tree_.symbols[vector].name;
+      for (const SymbolId number : reached) {
+        const Symbol& alone = tree_.symbols[number];
+        const bool component =
+            alone.rank == 0 && alone.declared && !alone.derivation &&
+            (alone.name == bare_name(name) + "_{1}" || alone.name == bare_name(name) + "_{2}" ||
+             alone.name == bare_name(name) + "_{3}");
+        if (component) return std::pair(alone.name, name);
+      }
+    }
+    return std::nullopt;
+  }
+
   void refuted(const Decision& decision) {
     mark_all_assumptions();
     if (doubts_change()) return;
@@ -322,6 +349,14 @@ class Judging {
       judgement_.verdict = Verdict::not_understood;
       add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried",
           guess.help);
+      return;
+    }
+    if (const auto both = component_declared_alone()) {
+      judgement_.verdict = Verdict::not_understood;
+      add(DiagnosticKind::ambiguous_reading,
+          fmt::format("`{}` is declared as a number of its own, and can be meant as a component of `{}`",
+                      both->first, both->second),
+          {fmt::format("without a declaration of `{}` it is the component", both->first)});
       return;
     }
     const std::vector<SymbolId> law = law_symbols(prepared_.question, restates_definition());

@@ -49,7 +49,9 @@ class Conditions {
 
  private:
   void add(std::string latex, bool small = false) {
-    if (conditions_.size() < most_tried) conditions_.push_back({std::move(latex), small});
+    const bool known = std::any_of(conditions_.begin(), conditions_.end(),
+                                   [&](const Condition& each) { return each.latex == latex; });
+    if (!known && conditions_.size() < most_tried) conditions_.push_back({std::move(latex), small});
   }
   template <class... Names>
   void given(const char* form, const Names&... names) {
@@ -157,6 +159,9 @@ class Search {
     for (std::size_t k = 0; k < chain_.sides.size(); ++k)
       chain_.sides[k] = parse_side(chain_.written.sides[k].tokens, chain_.written.sides[k].span, syntax_);
     reading_ = read_chain(syntax_, tree, names, chain_);
+    const auto text = [&](std::size_t side) { return text_of(chain_.written.sides[side].tokens); };
+    written_ = fmt::format("{} {} {}", text(wrong.which), chain_.written.relations[wrong.which].text,
+                           text(wrong.which + 1));
     if (reading_->sides[wrong.which].typed && reading_->sides[wrong.which + 1].typed)
       claim_ = reading_->claim(chain_, wrong.which, wrong.first_order, ignored_);
   }
@@ -167,6 +172,7 @@ class Search {
     const Names before = names_;
     const bool order = claim_->equation.relation != Relation::equal;
     for (const Condition& condition : Conditions(tree_, symbols(), particle_letter(), order).all()) {
+      if (condition.latex == written_) continue;
       const bool holds =
           condition.small ? holds_to_first_order(condition.latex) : holds_given(condition.latex);
       if (holds)
@@ -264,6 +270,7 @@ class Search {
   std::unique_ptr<ChainReading> reading_;
   Diagnostics ignored_;
   std::optional<Claim> claim_;
+  std::string written_;  // the step itself
 };
 
 }  // namespace

@@ -256,6 +256,9 @@ void Session::report_unused() {
                           directive->kind != DirectiveKind::skip &&
                           directive->kind != DirectiveKind::first_order;
     if (standing ? names_.is_used(directive->number) : !pending) continue;
+    // what it is about may stand in a step that is not read
+    const bool unread = report_.counts[static_cast<std::size_t>(Verdict::not_understood)] > 0;
+    if (directive->kind == DirectiveKind::units && unread) continue;
     report_.diagnostics.push_back({DiagnosticKind::unused_directive,
                                    directive->span,
                                    fmt::format("nothing uses `{}`", directive->text),

@@ -97,6 +97,8 @@ Tokens with_leading(TokenView term, Coefficient value, std::size_t leading) {
   } else if (size != 1 || rest.empty() || division) {
     add_number(result, size, at);
   }
+  const bool before_unit = leading > 0 && is_control(term[leading - 1], ",");
+  if (before_unit && !result.empty()) result.push_back({TokenKind::control, ",", at});
   const bool runs_together = !result.empty() && !rest.empty() && rest[0].kind == TokenKind::digit;
   if (runs_together) result.push_back({TokenKind::control, "cdot", at});
   result.insert(result.end(), rest.begin(), rest.end());

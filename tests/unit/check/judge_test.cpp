@@ -248,3 +248,12 @@ TEST_CASE("what is differentiated and may change is a doubt, not a refutation") 
                    rigor_says("scalar m") + rigor_says("vector \\mathbf{v}") + rigor_says("variable m"))
             .starts_with("refuted"));
 }
+
+TEST_CASE("a component that is declared as a number of its own is not refuted") {
+  const std::string tensor =
+      rigor_says("symmetric tensor I_{ij}") + rigor_says("given I_{ij} = I_i\\delta_{ij} (\\text{no sum})");
+  CHECK(verdict_on("I_{11} = I_1", tensor) == "proved");
+  CHECK(
+      verdict_on("I_{11} = I_1", rigor_says("scalar I_1, I_2, I_3") + tensor).starts_with("not-understood"));
+  CHECK_FALSE(verdict_on("I_{11} = 2I_1", tensor) == "proved");
+}

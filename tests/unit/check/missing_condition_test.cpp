@@ -69,6 +69,14 @@ TEST_CASE("a condition that contradicts what is given is none") {
             .empty());
 }
 
+TEST_CASE("the step itself is no condition, and none is named twice") {
+  CHECK(conditions(rigor_says("vector \\mathbf{A}, \\mathbf{B}") + "$$\\mathbf{A}\\times\\mathbf{B} = 0$$\n")
+            .empty());
+  CHECK(conditions(rigor_says("scalar a, b") +
+                   "$$\\frac{d^2}{dt^2}(ab) = \\ddot ab + \\dot a\\dot b + a\\ddot b$$\n") ==
+        std::vector<std::string>{"\\dot{a} = 0", "\\dot{b} = 0"});
+}
+
 TEST_CASE("a wrong number holds under no condition") {
   CHECK(conditions("$$\\epsilon_{ijk}\\epsilon_{ijk} = 5$$\n").empty());
 }

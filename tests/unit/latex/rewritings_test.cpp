@@ -115,6 +115,7 @@ TEST_CASE("a coefficient takes the sign and the number that stand there into acc
   CHECK(with_times("a + b", 1, {3, 2}) == "a + \\frac{3}{2}b");
   CHECK(with_times("6", 0, {1, 2}) == "3");
   CHECK(with_times("6", 0, {1, 6}) == "1");
+  CHECK(with_times("100\\,\\mathrm{mm}", 0, {10, 1}) == "1000\\,\\mathrm{mm}");
 }
 
 TEST_CASE("a number with a power or a decimal point is no coefficient") {
