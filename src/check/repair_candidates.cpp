@@ -52,8 +52,8 @@ std::string bare_text(TokenView tokens) {
 /// defined.
 int RepairCandidates::suspicion(std::size_t which) const {
   const Trust trust = which == 0 ? wrong_.left : wrong_.right;
-  const bool name = which == 0 && letters_of({side(0)}).size() == 1 && side(0).size() <= 12 &&
-                    terms_of_side(side(0)).size() == 1;
+  const bool name = which == 0 && end_of_letter(trim(side(0))) > 0 && letters_of({side(0)}).size() == 1 &&
+                    side(0).size() <= 12 && terms_of_side(side(0)).size() == 1;
   return (which == 0 ? 1 : 0) + (trust == Trust::supported ? 12 : 0) - (trust == Trust::doubted ? 4 : 0) +
          (name ? 6 : 0);
 }
