@@ -46,6 +46,16 @@ std::string bare_text(TokenView tokens) {
   return text_of(bare);
 }
 
+/// `(a + b)` and `a + b` are the same.
+bool are_alike(TokenView a, TokenView b) {
+  const auto without_brackets = [](TokenView tokens) {
+    Tokens bare(tokens.begin(), tokens.end());
+    std::erase_if(bare, [](const Token& token) { return is_sign(token, "(") || is_sign(token, ")"); });
+    return bare_text(bare);
+  };
+  return without_brackets(a) == without_brackets(b);
+}
+
 }  // namespace
 
 /// How unlikely it is that the slip is on this side: another step supports it, or it is a name that is
@@ -172,11 +182,10 @@ void sort_and_reduce(std::vector<RepairCandidate>& candidates, TokenView left, T
   std::stable_sort(
       candidates.begin(), candidates.end(),
       [](const RepairCandidate& a, const RepairCandidate& b) { return a.distance < b.distance; });
-  const std::array<std::string, 2> written{bare_text(left), bare_text(right)};
-  std::array<std::set<std::string>, 2> known{std::set{written[0], written[1]},
-                                             std::set{written[0], written[1]}};
+  std::array<std::set<std::string>, 2> known{std::set{bare_text(left)}, std::set{bare_text(right)}};
   std::erase_if(candidates, [&](const RepairCandidate& candidate) {
-    return !known[candidate.side].insert(bare_text(candidate.tokens)).second;
+    return are_alike(candidate.tokens, candidate.side == 0 ? right : left) ||
+           !known[candidate.side].insert(bare_text(candidate.tokens)).second;
   });
 }
 

@@ -199,7 +199,7 @@ class Rewriter {
       for (std::size_t first = 0; first < found.size(); ++first) {
         const TokenView at(found[first], 1);
         for (std::size_t second = first + 1; second < found.size(); ++second)
-          exchange(subscript, *found[first], *found[second]);
+          between(subscript, *found[first], *found[second]);
         for (const Token& other : occurring) {
           if (other.kind == at[0].kind && other.text != at[0].text)
             add(Slip::index, at, {made(other.kind, other.text, at)}, subscript);
@@ -231,6 +231,30 @@ class Rewriter {
       if (is_index(token)) indices.push_back(&token);
     }
     return indices;
+  }
+
+  void between(TokenView subscript, const Token& first, const Token& second) {
+    exchange(subscript, first, second);
+    move_prime(subscript, first, second);
+  }
+
+  bool is_primed(const Token& index) const {
+    const std::size_t next = place({&index, 1}) + 1;
+    return next < side_.size() && is_sign(side_[next], "'");
+  }
+
+  /// `j'i` for `ji'`.
+  void move_prime(TokenView subscript, const Token& first, const Token& second) {
+    const bool from_first = is_primed(first);
+    if (from_first == is_primed(second)) return;
+    const TokenView all(&first, static_cast<std::size_t>(&second - &first) + (from_first ? 1 : 2));
+    Tokens to(all.begin(), all.end());
+    if (from_first) {
+      std::rotate(to.begin() + 1, to.begin() + 2, to.end());
+    } else {
+      std::rotate(to.begin() + 1, to.end() - 1, to.end());
+    }
+    add(Slip::index, all, std::move(to), subscript);
   }
 
   void exchange(TokenView subscript, const Token& first, const Token& second) {

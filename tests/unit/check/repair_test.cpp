@@ -113,6 +113,11 @@ TEST_CASE("what is true already is not offered: a = a, 0 = 0") {
   }
 }
 
+TEST_CASE("brackets make nothing else of a side") {
+  const Checked checked(rigor_says("scalar a, b") + "$$|a - b| = a - b$$");
+  for (const Repair& repair : refuted_step(checked).repairs) CHECK(repair.statement != "(a - b) = a - b");
+}
+
 TEST_CASE("each statement that is offered is proved when it is written so") {
   const std::string wrong =
       "$$\\mathbf{A}\\times(\\mathbf{B}\\times\\mathbf{C}) = \\mathbf{B}(\\mathbf{A}\\cdot\\mathbf{C}) + "

@@ -75,6 +75,8 @@ TEST_CASE("indices are exchanged, replaced by those of the chain, and primed") {
   CHECK(has(replaced, "A_iB_i"));
   CHECK(has(replaced, "A_{i}'B_j") == false);
   CHECK(has(rewritings(Slip::index, "\\lambda_{i'j}"), "\\lambda_{ij}"));
+  CHECK(has(rewritings(Slip::index, "\\lambda_{j'i}"), "\\lambda_{ji'}"));
+  CHECK(has(rewritings(Slip::index, "\\lambda_{ji'}"), "\\lambda_{j'i}"));
   CHECK(has(rewritings(Slip::index, "\\lambda_{ij}"), "\\lambda_{i'j}"));
 }
 
