@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of an equation that reads as a law: which symbols nothing is known of, and which known ones
+// may be meant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/judge.h"
+
+namespace rigor {
+
+/// `a`, `b` and `c`: each name once, in back-ticks.
+[[nodiscard]] std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symbols);
+
+/// A symbol's name without face and braces: `\boldsymbol{\omega}` is `\omega`.
+[[nodiscard]] std::string bare_name(std::string name);
+
+/// The claim depends on these symbols, which are neither declared nor defined.
+[[nodiscard]] Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
+                                        const std::vector<SymbolId>& symbols);
+
+}  // namespace rigor
