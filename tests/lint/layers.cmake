@@ -38,6 +38,8 @@ macro(check_include place floor open header)
       list(JOIN RIGOR_ONLY_${folder} "` and `" only)
       breach(${place} "`${floor}` includes `${header}`, which only `${only}` may")
     endif()
+  elseif(header STREQUAL folder AND open STREQUAL "<")
+    # <numeric> is a header of the standard library, not the floor of that name.
   elseif(folder IN_LIST RIGOR_FLOORS)
     if(NOT open STREQUAL "\"")
       breach(${place} "`<${header}>` is ours and is written \"${header}\"")

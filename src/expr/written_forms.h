@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What notes hand to the floating-point side: every chain with its sides as they were written, the
+// definitions and assumptions in force there, and what the exact side says of each step.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "expr/statement.h"
+
+namespace rigor {
+
+/// One side of a chain.
+struct WrittenForm {
+  std::optional<ExprId> expr;  // nothing: it could not be read
+  std::string source;          // LaTeX as written, blanks folded
+  Span span = {};
+};
+
+/// The relation between a form and the next one.
+struct WrittenStep {
+  Relation relation = Relation::equal;
+  bool nearly = false;                 // to first order only
+  bool defines = false;                // the left form is a name for the right one
+  std::optional<Outcome> outcome;      // of the exact side; nothing: it was not asked, or holds nothing back
+  std::optional<Sample> sample = {};   // refuted: where the sides differ
+  std::optional<Equation> claim = {};  // as it was asked; order and `>` turned into `<`
+};
+
+/// a = b = c, as it stands in the notes. All forms share their free letters.
+struct WrittenFormChain {
+  std::string tag;      // `(6)`, or empty
+  std::string label;    // of \label
+  std::string section;  // its heading
+  Span span = {};
+  bool assumed = false;  // said by `given` or `where`: not a claim
+  std::vector<WrittenForm> forms;
+  std::vector<WrittenStep> steps;       // one fewer than forms
+  std::vector<IndexId> indices;         // free
+  std::vector<ParticleId> particles;    // free
+  std::vector<Definition> definitions;  // of what the forms speak of, and of what these speak of
+  std::vector<Equation> assumptions;    // that bear on it
+};
+
+/// What was asked for by name: `T_{rot}`, `I_{ij}`, `(\Omega_2)^2`.
+struct AskedForm {
+  std::string source;
+  ExprId expr{};
+  std::vector<IndexId> indices;
+  std::vector<ParticleId> particles;
+};
+
+struct WrittenForms {
+  ExprTree tree;
+  std::vector<WrittenFormChain> chains;
+  std::vector<AskedForm> asked;         // in the order in which they were asked for
+  std::vector<Definition> definitions;  // that those asked for need
+};
+
+}  // namespace rigor

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values for the free symbols of programs, as columns of doubles (a structure of arrays): one value for all
+// samples, one for each sample, or one for each particle.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "expr/symbol.h"
+
+namespace rigor {
+
+/// values[sample · sample_stride + particle · particle_stride]; a stride of 0: the same for all.
+struct Column {
+  std::vector<double> values;
+  std::size_t sample_stride = 0;
+  std::size_t particle_stride = 0;
+};
+
+class Samples {
+ public:
+  Samples(std::size_t samples, std::size_t particles) : samples_(samples), particles_(particles) {}
+
+  [[nodiscard]] std::size_t samples() const { return samples_; }
+  [[nodiscard]] std::size_t particles() const { return particles_; }
+
+  /// The same for all samples (and particles).
+  void set(SymbolId symbol, std::uint32_t component, double value);
+  /// One for each sample.
+  void set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
+  /// One for each particle, the same for all samples.
+  void set_particles(SymbolId symbol, std::uint32_t component, std::vector<double> values);
+
+  [[nodiscard]] const Column* find(SymbolId symbol, std::uint32_t component) const;
+
+ private:
+  std::size_t samples_;
+  std::size_t particles_;
+  std::map<std::pair<SymbolId, std::uint32_t>, Column> columns_;
+};
+
+}  // namespace rigor
