@@ -127,6 +127,7 @@ void Session::excuse_refuted(const ParsedChain& parsed, std::size_t first_step) 
 }
 
 void Session::report_unmet(const Directive& expectation, Span statement) {
+  if (!decides()) return;
   report_.diagnostics.push_back({DiagnosticKind::unexpected_verdict,
                                  expectation.span,
                                  "the next statement was expected to be refuted and is not",
