@@ -9,7 +9,7 @@
 
 #include "algebra/exact_value.h"
 #include "algebra/scope.h"
-#include "algebra/splitmix.h"
+#include "base/splitmix.h"
 
 namespace rigor {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "algebra/exact_number.h"
-#include "algebra/splitmix.h"
+#include "base/splitmix.h"
 
 namespace rigor {
 

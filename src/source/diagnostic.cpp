@@ -77,6 +77,13 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {mixed_parity, "mixed-parity", warning, "an axial quantity is set equal to a polar one", true},
     {unused_definition, "unused-definition", warning, "nothing uses a definition", true},
 
+    {bad_toml, "bad-toml", error,
+     "a body or scene file is no TOML, or a value in it is missing or no such thing"},
+    {unknown_key, "unknown-key", error, "a body or scene file has a key that is not known"},
+    {wrong_unit, "wrong-unit", error, "a quantity's unit is not read, or measures something else"},
+    {bad_body, "bad-body", error, "a sample body cannot exist"},
+    {bad_mesh, "bad-mesh", error, "a mesh cannot be read, or encloses no body"},
+
     {refuted, "refuted", Severity::refuted, "the sides differ on an exact sample"},
     {undecided, "undecided", Severity::undecided, "neither a proof nor a counterexample was found"},
     {zero_equals_zero, "zero-equals-zero", warning,

@@ -68,6 +68,12 @@ enum class DiagnosticKind : std::uint8_t {
   scalar_zero,
   mixed_parity,
   unused_definition,
+  // bodies and scenes
+  bad_toml,
+  unknown_key,
+  wrong_unit,
+  bad_body,
+  bad_mesh,
   // verdicts
   refuted,
   undecided,

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "algebra/splitmix.h"
+#include "base/splitmix.h"
 #include "catch.h"
 
 using namespace rigor;

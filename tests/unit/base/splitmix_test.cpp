@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/splitmix.h"
+#include "base/splitmix.h"
 
 #include "catch.h"
 
