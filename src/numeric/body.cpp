@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/body.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "base/splitmix.h"
+#include "numeric/uniform.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
+
+tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
+
+/// Σ m x / Σ m for one coordinate. The masses are scaled by their sum first, so that nothing overflows.
+double weighted_mean(const std::vector<double>& masses, const std::vector<double>& coordinates,
+                     double total) {
+  double mean = 0;
+  for (std::size_t k = 0; k < masses.size(); ++k) mean += masses[k] / total * coordinates[k];
+  return mean;
+}
+
+}  // namespace
+
+Result<void> check_body(const Body& body) {
+  if (body.masses.empty()) return refuse("the body has no particles");
+  if (body.size() > most_particles)
+    return refuse(fmt::format("the body has {} particles, at most {}", body.size(), most_particles));
+  double total = 0;
+  for (std::size_t k = 0; k < body.size(); ++k) {
+    const double mass = body.masses[k];
+    if (!std::isfinite(mass) || mass < 0)
+      return refuse(
+          fmt::format("particle {} has the mass {} kg, which must be finite and not negative", k + 1, mass));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double x = body.positions[axis][k];
+      if (!std::isfinite(x))
+        return refuse(
+            fmt::format("particle {} has {} = {} m, which must be finite", k + 1, axis_names[axis], x));
+    }
+    total += mass;
+  }
+  if (total == 0) return refuse("the body has no mass");
+  if (!std::isfinite(total)) return refuse("the sum of the masses overflows");
+  return {};
+}
+
+Result<Body> centred(Body body) {
+  if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
+  double total = 0;
+  for (const double mass : body.masses) total += mass;
+  for (std::vector<double>& coordinates : body.positions) {
+    for (int pass = 0; pass < 3; ++pass) {  // each takes out the rounding of the one before
+      const double mean = weighted_mean(body.masses, coordinates, total);
+      for (double& x : coordinates) x -= mean;
+    }
+  }
+  if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
+  return body;
+}
+
+Result<Body> point_masses(std::string name, const std::vector<double>& masses,
+                          const std::vector<Position>& positions) {
+  if (masses.size() != positions.size())
+    return refuse(fmt::format("{} masses, but {} positions", masses.size(), positions.size()));
+  Body body{std::move(name), masses, {}, {}};
+  for (const Position& position : positions) {
+    for (std::size_t axis = 0; axis < 3; ++axis) body.positions[axis].push_back(position[axis]);
+  }
+  return centred(std::move(body));
+}
+
+Result<Body> random_cloud(std::string name, std::size_t count, std::uint64_t seed) {
+  if (count == 0) return refuse("the body has no particles");
+  if (count > most_particles)
+    return refuse(fmt::format("the body has {} particles, at most {}", count, most_particles));
+  SplitMix bits(seed);
+  Body body{std::move(name), {}, {}, {}};
+  for (std::size_t k = 0; k < count; ++k) {
+    body.masses.push_back(1 - uniform(bits));
+    for (std::vector<double>& coordinates : body.positions) coordinates.push_back(uniform_sign(bits));
+  }
+  return centred(std::move(body));
+}
+
+}  // namespace rigor

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sample body: point masses, as data for programs over m_α and r_α. SI units: kg, m.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace rigor {
+
+/// A point or a vector by its components along the body's axes.
+using Position = std::array<double, 3>;
+/// I_ij = Σ m (r² δ_ij − x_i x_j), row by row; products of inertia carry the minus.
+using InertiaTensor = std::array<Position, 3>;
+
+/// What is known of a body without summing over its particles.
+struct KnownInertia {
+  double mass = 0;
+  InertiaTensor inertia{};  // about the centre of mass, along the body's axes
+};
+
+/// Made by the functions below, which guarantee what `check_body` asks for, and that the centre of mass is
+/// the origin to rounding.
+struct Body {
+  std::string name;
+  std::vector<double> masses;
+  std::array<std::vector<double>, 3> positions;  // x, y and z of all particles
+  std::optional<KnownInertia> known = {};        // of the solid that the particles stand for
+
+  [[nodiscard]] std::size_t size() const { return masses.size(); }
+  [[nodiscard]] Position position(std::size_t particle) const {
+    return {positions[0][particle], positions[1][particle], positions[2][particle]};
+  }
+};
+
+/// At least one particle; masses finite and not negative, their sum finite and positive; coordinates finite.
+/// The reason names the first particle (from 1) that is wrong.
+[[nodiscard]] Result<void> check_body(const Body& body);
+
+/// Checks a body and moves its centre of mass to the origin. Residue: at most 4u times its greatest distance
+/// from there, wherever it was before, as far as its coordinates had the digits. Cost: O(N).
+[[nodiscard]] Result<Body> centred(Body body);
+
+/// Point masses at given places, about their own centre of mass.
+[[nodiscard]] Result<Body> point_masses(std::string name, const std::vector<double>& masses,
+                                        const std::vector<Position>& positions);
+
+/// Masses uniform in (0, 1] kg at places uniform in the cube |x|, |y|, |z| ≤ 1 m, then about their centre of
+/// mass. The same for the same seed on every machine. At most `most_particles`.
+[[nodiscard]] Result<Body> random_cloud(std::string name, std::size_t count, std::uint64_t seed);
+
+inline constexpr std::size_t most_particles = 10'000'000;
+
+/// A rigid body's moments are finite, not negative, and none exceeds the sum of the others (a plate has
+/// equality). An excess of up to 4 units in the last place of the greatest moment is taken for rounding and
+/// accepted; nothing else is. The excess is computed exactly.
+[[nodiscard]] Result<void> check_moments(const Position& moments);
+
+/// The same for a tensor, which is symmetric to the last bit: ½ tr(I) 1 − I, the second moments, must have no
+/// negative eigenvalue. Tolerance: 4 units in the last place of the greatest entry for I₁ + I₂ − I₃.
+[[nodiscard]] Result<void> check_inertia(const InertiaTensor& inertia);
+
+}  // namespace rigor
