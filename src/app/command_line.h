@@ -31,10 +31,43 @@ struct ReplayCommand {
   ColorWhen color = ColorWhen::automatic;
 };
 
+/// Which of the forms in one file of notes are evaluated, and on what.
+struct FormsCommand {
+  std::string file;
+  std::vector<std::string> bodies;  // names in a `bodies` folder, files, or folders of body files
+  std::vector<std::string> places;  // tags or headings; empty: all chains
+  std::optional<std::string> sidecar;
+  ColorWhen color = ColorWhen::automatic;
+};
+
+/// `rigor eval`: value, error, condition and time of each form.
+struct EvalCommand {
+  FormsCommand forms;
+  bool json = false;
+  bool times = true;
+};
+
+/// `rigor bench`: time against error of all forms in all precisions.
+struct BenchCommand {
+  FormsCommand forms;
+  std::string folder;  // for the pictures and the table; empty: the table goes to the output
+};
+
+/// `rigor scene`: the quantities that a scene asks of a body.
+struct SceneCommand {
+  std::vector<std::string> files;
+  bool json = false;
+  bool explain = false;
+  ColorWhen color = ColorWhen::automatic;
+};
+
 /// Either a command, or a text to print and the code to end with: `--help`, `--version`, or what is wrong.
 struct CommandLine {
   std::optional<CheckCommand> check = {};
   std::optional<ReplayCommand> replay = {};
+  std::optional<EvalCommand> eval = {};
+  std::optional<BenchCommand> bench = {};
+  std::optional<SceneCommand> scene = {};
   std::string text = {};
   ExitCode code = ExitCode::ok;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "check/form_record.h"
+#include "check/forms.h"
 #include "check/notes.h"
 #include "check/session.h"
 #include "source/read_file.h"
@@ -30,16 +32,28 @@ std::optional<std::string> sidecar_path(const std::string& notes, const CheckOpt
   return there ? std::optional(beside.string()) : std::nullopt;
 }
 
-}  // namespace
+/// The walk through the notes; with a request, it collects what that asks for.
+FormsReading walk(SourceMap& sources, const Notes& notes, FileReport& report, CheckOptions options,
+                  const FormRequest* request) {
+  if (request == nullptr) {
+    Session(sources, notes, report, options).run();
+    return {};
+  }
+  FormRecorder recorder(*request, notes, sources, report.diagnostics);
+  options.forms = &recorder;
+  Session session(sources, notes, report, options);
+  session.run();
+  return std::move(recorder).finish(session.take_tree());
+}
 
-FileReport check_text(SourceMap& sources, const std::string& path, std::string text,
-                      const CheckOptions& options) {
+FormsReading read_text(SourceMap& sources, const std::string& path, std::string text,
+                       const CheckOptions& options, const FormRequest* request) {
   FileReport report;
   report.path = path;
   std::optional<FileId> sidecar;
   if (const auto beside = sidecar_path(path, options)) {
     auto content = read_file(*beside);
-    if (!content) return unreadable(sources, *beside, content.error().reason);
+    if (!content) return {.report = unreadable(sources, *beside, content.error().reason)};
     report.sidecar = *beside;
     Diagnostics mended = mend_text(*content, 0);
     sidecar = sources.add(*beside, std::move(*content));
@@ -50,13 +64,40 @@ FileReport check_text(SourceMap& sources, const std::string& path, std::string t
   report.file = sources.add(path, std::move(text));
   for (Diagnostic& diagnostic : mended) diagnostic.span.file = report.file;
   report.diagnostics.insert(report.diagnostics.end(), mended.begin(), mended.end());
-  const Notes notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics);
-  Session(sources, notes, report, options).run();
-  if (report.steps.empty() && report.diagnostics.empty()) {
+  std::vector<FileId> asked;
+  if (request != nullptr) {
+    for (const std::string& expression : request->asked)
+      asked.push_back(sources.add("what is asked", expression));
+  }
+  const Notes notes =
+      read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics, asked);
+  FormsReading reading = walk(sources, notes, report, options, request);
+  if (report.steps.empty() && report.diagnostics.empty() && (request == nullptr || !request->only)) {
     report.diagnostics.push_back(
         {DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});
   }
-  return report;
+  reading.report = std::move(report);
+  return reading;
+}
+
+}  // namespace
+
+FileReport check_text(SourceMap& sources, const std::string& path, std::string text,
+                      const CheckOptions& options) {
+  return read_text(sources, path, std::move(text), options, nullptr).report;
+}
+
+FormsReading read_forms_of_text(SourceMap& sources, const std::string& path, std::string text,
+                                const FormRequest& request) {
+  CheckOptions options{.sidecar = request.sidecar};
+  options.repairs = Repairs::none;
+  return read_text(sources, path, std::move(text), options, &request);
+}
+
+FormsReading read_forms(SourceMap& sources, const std::string& path, const FormRequest& request) {
+  auto text = read_file(path);
+  if (!text) return {.report = unreadable(sources, path, text.error().reason)};
+  return read_forms_of_text(sources, path, std::move(*text), request);
 }
 
 FileReport check_file(SourceMap& sources, const std::string& path, const CheckOptions& options) {

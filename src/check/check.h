@@ -11,6 +11,8 @@
 
 namespace rigor {
 
+class FormRecorder;
+
 /// Of which wrong steps the nearest true statements and missing conditions are looked for.
 enum class Repairs : std::uint8_t { none, of_unexpected, of_all };
 
@@ -18,6 +20,7 @@ struct CheckOptions {
   std::optional<std::string> sidecar = {};  // without it, `NAME.rigor` beside the notes, if there is one
   std::function<void(std::size_t done, std::size_t all)> progress = {};  // called after each display
   Repairs repairs = Repairs::of_unexpected;
+  FormRecorder* forms = nullptr;      // collects for the floating-point side, and says what is needed
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
 };
 

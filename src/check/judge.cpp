@@ -69,6 +69,8 @@ class Judging {
         break;
     }
     note_uses(decision);
+    judgement_.question = std::move(prepared_.question);
+    if (judgement_.verdict == Verdict::refuted) judgement_.sample = std::move(decision.sample);
     return std::move(judgement_);
   }
 

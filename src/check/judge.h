@@ -22,6 +22,8 @@ struct Judgement {
   std::vector<std::string> uses;
   std::optional<Counterexample> counterexample;
   Diagnostics diagnostics;
+  Question question = {};             // the last one that was asked
+  std::optional<Sample> sample = {};  // refuted: as the exact side gave it
 };
 
 /// What is judged, and where it stands.

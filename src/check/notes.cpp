@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "latex/parse.h"
 #include "source/suggest.h"
 
 namespace rigor {
@@ -20,12 +21,13 @@ class NotesReader {
     notes_.file = file;
   }
 
-  Notes read(const FileId* sidecar) {
+  Notes read(const FileId* sidecar, std::span<const FileId> asked) {
     const Document document = read_document(sources_, notes_.file, diagnostics_);
     for (const Item& item : document.items) {
       std::visit([this](const auto& each) { add(each); }, item);
     }
     if (sidecar != nullptr) insert_sidecar(*sidecar);
+    for (const FileId each : asked) notes_.asked.push_back(read_asked(each));
     return std::move(notes_);
   }
 
@@ -68,6 +70,18 @@ class NotesReader {
       parsed.unread = true;
     }
     notes_.events.emplace_back(std::move(parsed));
+  }
+
+  SyntaxId read_asked(FileId text) {
+    const Span all{text, 0, static_cast<std::uint32_t>(sources_.text(text).size())};
+    const auto opaque = [&](std::string reason) {
+      return notes_.syntax.add_opaque(all, {DiagnosticKind::bad_syntax, std::move(reason), {}});
+    };
+    const auto tokens = expand(lex(sources_, all), macros_, diagnostics_);
+    if (!tokens || tokens->empty()) return opaque("nothing is asked for");
+    if (const Token* brace = unbalanced_brace(*tokens))
+      return opaque(brace->kind == TokenKind::begin_group ? "`{` is not closed" : "`}` closes nothing");
+    return parse_side(*tokens, all, notes_.syntax);
   }
 
   std::optional<Directive> read(Span line) {
@@ -163,8 +177,9 @@ class NotesReader {
 
 }  // namespace
 
-Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar, Diagnostics& diagnostics) {
-  return NotesReader(sources, file, diagnostics).read(sidecar);
+Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar, Diagnostics& diagnostics,
+                 std::span<const FileId> asked) {
+  return NotesReader(sources, file, diagnostics).read(sidecar, asked);
 }
 
 Span span_of(const Event& event) {

@@ -3,6 +3,7 @@
 // places.
 #pragma once
 
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,14 +35,16 @@ struct Notes {
   SyntaxTree syntax;
   std::vector<Event> events;
   std::size_t directive_count = 0;
+  std::vector<SyntaxId> asked = {};  // expressions that a reader of the notes asks for
 };
 
 /// A display of more bytes than this is not read.
 inline constexpr std::uint32_t max_display_bytes = 64 * 1024;
 
-/// `file` is in `sources` and mended. `sidecar`, if given, as well.
+/// `file` is in `sources` and mended. `sidecar`, if given, as well, and so is each expression in `asked`,
+/// which may use the notes' macros.
 [[nodiscard]] Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar,
-                               Diagnostics& diagnostics);
+                               Diagnostics& diagnostics, std::span<const FileId> asked = {});
 
 [[nodiscard]] Span span_of(const Event& event);
 

@@ -18,10 +18,14 @@ Session::Session(const SourceMap& sources, const Notes& notes, FileReport& repor
 
 void Session::run() {
   sight_all();
+  if (options_.forms != nullptr) options_.forms->plan(names_);
   for (std::size_t k = 0; k < notes_.events.size(); ++k) {
     std::visit([this](const auto& event) { follow(event); }, notes_.events[k]);
+    if (options_.forms != nullptr) options_.forms->ask(k, tree_, names_);
     if (options_.progress) options_.progress(k + 1, notes_.events.size());
   }
+  if (options_.forms != nullptr && notes_.events.empty()) options_.forms->ask(0, tree_, names_);
+  if (!decides()) return;
   finish_dimensions();
   report_lints();
   label_places(notes_, report_);

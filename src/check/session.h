@@ -13,6 +13,7 @@
 #include "check/chain_reading.h"
 #include "check/check.h"
 #include "check/dimension_record.h"
+#include "check/form_record.h"
 #include "check/judge.h"
 #include "check/lint.h"
 #include "check/notes.h"
@@ -25,6 +26,8 @@ class Session {
   Session(const SourceMap& sources, const Notes& notes, FileReport& report, const CheckOptions& options);
 
   void run();
+  /// The tree of all expressions, when the walk is over.
+  [[nodiscard]] ExprTree&& take_tree() { return std::move(tree_); }
 
  private:
   /// How a chain's statements enter: as claims of the notes, or by a directive.
@@ -70,6 +73,8 @@ class Session {
   void heed_conditions(const ParsedDisplay& display, std::size_t first_step);
 
   void chain(const ParsedChain& parsed, const Context& context);
+  [[nodiscard]] bool decides() const { return options_.forms == nullptr || options_.forms->decides(); }
+  [[nodiscard]] bool may_redefine(const Typed& left, const Typed& right);
   using Side = ChainReading::Side;
   bool reads(const ParsedChain& parsed);
   Link across(const ParsedChain& parsed, std::size_t left, std::size_t right, ChainReading& reading);

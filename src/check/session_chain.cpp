@@ -26,6 +26,7 @@ bool is_malformed(const Step& step) {
 }  // namespace
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
+  if (options_.forms != nullptr && !options_.forms->follows(parsed)) return;
   const std::size_t first_step = report_.steps.size();
   if (parsed.written.relations.empty() && !reads(parsed)) return;
   if (parsed.written.relations.empty()) {
@@ -45,7 +46,8 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
          {"say `(\\text{no sum})` beside the equation"}});
   }
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) step(parsed, k, *reading, context);
-  if (options_.recorded == nullptr) explain_slips(parsed, first_step, *reading, context);
+  const bool directed = context.role == Role::given || context.role == Role::let;
+  if (options_.recorded == nullptr && decides()) explain_slips(parsed, first_step, *reading, context);
   const std::vector<Side>& sides = reading->sides;
   mark_seen(sides);
   record_dimensions(parsed, *reading, context, first_step);
@@ -53,6 +55,9 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
     excuse_refuted(parsed, first_step);
     suggest_repairs(parsed, context, first_step);
   }
+  if (options_.forms != nullptr)
+    options_.forms->add(tree_, names_,
+                        {parsed, *reading, std::span(report_.steps).subspan(first_step), directed});
 }
 
 /// What stands in the lines before and behind a chain.
@@ -122,6 +127,7 @@ void Session::excuse_refuted(const ParsedChain& parsed, std::size_t first_step) 
 }
 
 void Session::report_unmet(const Directive& expectation, Span statement) {
+  if (!decides()) return;
   report_.diagnostics.push_back({DiagnosticKind::unexpected_verdict,
                                  expectation.span,
                                  "the next statement was expected to be refuted and is not",

@@ -172,7 +172,7 @@ void Session::assume_rates_vanish(const Directive& directive, SymbolId symbol) {
 
 /// What is constant, and yet changes by the assumptions, makes all of them impossible.
 void Session::check_constant(const Directive& directive) {
-  if (names_.assumptions().empty() || is_in_doubt() || find_sample()) return;
+  if (!decides() || names_.assumptions().empty() || is_in_doubt() || find_sample()) return;
   for (const NamedAssumption& each : names_.assumptions()) {
     if (each.origin.directive) names_.mark_used(*each.origin.directive);
   }

@@ -163,14 +163,20 @@ void Session::assume_rules_above(SymbolId symbol) {
   names_.replace(std::move(scene));
 }
 
+/// Another section said what the symbol on the left is.
+bool Session::may_redefine(const Typed& left, const Typed& right) {
+  const auto definition = as_definition(left, right);
+  if (!definition) return false;
+  const NamedDefinition* earlier = names_.definition_of(definition->symbol);
+  return earlier != nullptr && !earlier->origin.directive && earlier->origin.section != section_;
+}
+
 /// Another section gives a symbol another meaning, in other symbols or as another number: a warning and a new
 /// definition. What can be compared with the earlier meaning is a claim, wherever it stands.
 bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
                         const Typed& right, Step& step) {
-  const auto definition = as_definition(left, right);
-  if (!definition) return false;
-  const NamedDefinition* earlier = names_.definition_of(definition->symbol);
-  if (earlier == nullptr || earlier->origin.directive || earlier->origin.section == section_) return false;
+  if (!may_redefine(left, right)) return false;
+  const NamedDefinition* earlier = names_.definition_of(as_definition(left, right)->symbol);
   Question question;
   question.tree = &tree_;
   for (const NamedDefinition& named : names_.definitions()) question.definitions.push_back(named.definition);
@@ -254,7 +260,7 @@ void Session::add_assumption(const Typed& left, const Typed& right, const Equati
     return;
   }
   names_.assume({equation, std::move(origin), 0});
-  if (join_component_rules(left)) return;
+  if (join_component_rules(left) || !decides()) return;
   const bool is_doubted = is_in_doubt();  // then that was said where it began
   if (!is_doubted && find_sample()) return;
   names_.doubt_last_assumption();

@@ -150,7 +150,9 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
                                 {"`rigor: given` assumes an equation"}});
     return;
   }
+  if (!decides() && !(may_define && may_redefine(*left.typed, *right.typed))) return;
   Judgement judgement = judge(tree_, names_, *claim);
+  if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
   if (may_define && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
   const bool open = judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided ||
                     judgement.verdict == Verdict::not_understood;

@@ -18,14 +18,14 @@ struct WrittenForm {
   Span span = {};
 };
 
-/// The relation between a form and the next one.
+/// The relation between a form and the next one, and what the exact side was asked about it and answered.
 struct WrittenStep {
-  Relation relation = Relation::equal;
-  bool nearly = false;                 // to first order only
-  bool defines = false;                // the left form is a name for the right one
-  std::optional<Outcome> outcome;      // of the exact side; nothing: it was not asked, or holds nothing back
-  std::optional<Sample> sample = {};   // refuted: where the sides differ
-  std::optional<Equation> claim = {};  // as it was asked; order and `>` turned into `<`
+  std::string kind;                       // as written: `=`, `\approx`
+  bool expected_refuted = false;          // a directive says that it is false
+  bool defines = false;                   // the left form is a name for the right one
+  std::optional<Outcome> outcome = {};    // nothing: it was not asked, or its answer does not count
+  std::optional<Question> question = {};  // its `tree` is not set
+  std::optional<Sample> sample = {};      // refuted: where the sides differ
 };
 
 /// a = b = c, as it stands in the notes. All forms share their free letters.
@@ -35,12 +35,13 @@ struct WrittenFormChain {
   std::string section;  // its heading
   Span span = {};
   bool assumed = false;  // said by `given` or `where`: not a claim
-  std::vector<WrittenForm> forms;
-  std::vector<WrittenStep> steps;       // one fewer than forms
-  std::vector<IndexId> indices;         // free
-  std::vector<ParticleId> particles;    // free
-  std::vector<Definition> definitions;  // of what the forms speak of, and of what these speak of
-  std::vector<Equation> assumptions;    // that bear on it
+  int image = 0;         // of "and cyclic permutations"
+  std::vector<WrittenForm> forms = {};
+  std::vector<WrittenStep> steps = {};       // one fewer than forms
+  std::vector<IndexId> indices = {};         // free
+  std::vector<ParticleId> particles = {};    // free
+  std::vector<Definition> definitions = {};  // of what the forms speak of, and of what these speak of
+  std::vector<Equation> assumptions = {};    // that bear on it
 };
 
 /// What was asked for by name: `T_{rot}`, `I_{ij}`, `(\Omega_2)^2`.

@@ -38,6 +38,7 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {bad_directive, "bad-directive", error, "a directive's text cannot be read"},
     {unused_directive, "unused-directive", error, "nothing uses a directive"},
     {unknown_anchor, "unknown-anchor", error, "a sidecar names a place that the notes do not have"},
+    {unknown_quantity, "unknown-quantity", error, "a quantity is asked for that the notes do not have"},
 
     {undeclared_symbol, "undeclared-symbol", not_understood,
      "nothing says that a symbol is meant for all values"},

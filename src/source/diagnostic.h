@@ -39,6 +39,7 @@ enum class DiagnosticKind : std::uint8_t {
   bad_directive,
   unused_directive,
   unknown_anchor,
+  unknown_quantity,
   // meaning
   undeclared_symbol,
   ambiguous_reading,

@@ -59,6 +59,33 @@ TEST_CASE("a replay is of one report") {
   CHECK(usage_error({"rplay", "a.json"}) == "rigor: `rplay` is no command; did you mean `replay`?");
 }
 
+TEST_CASE("forms are of one file, on bodies and at places that may be repeated") {
+  const CommandLine line = parse({"eval", "a.md", "--body", "book", "--body", "c.toml", "--at", "(6)",
+                                  "--json", "--no-times", "--sidecar", "s.rigor"});
+  REQUIRE(line.eval);
+  CHECK(line.eval->forms.file == "a.md");
+  CHECK(line.eval->forms.bodies == std::vector<std::string>{"book", "c.toml"});
+  CHECK(line.eval->forms.places == std::vector<std::string>{"(6)"});
+  CHECK(line.eval->forms.sidecar == "s.rigor");
+  CHECK(line.eval->json);
+  CHECK_FALSE(line.eval->times);
+  const CommandLine bench = parse({"bench", "a.md", "--into", "out"});
+  REQUIRE(bench.bench);
+  CHECK(bench.bench->folder == "out");
+  CHECK_FALSE(bench.bench->forms.sidecar);
+  CHECK(usage_error({"eval"}) == "rigor: FILE is required");
+  CHECK(usage_error({"eval", "a.md", "b.md"}) == "rigor: the following argument was not expected: b.md");
+}
+
+TEST_CASE("scenes are read from files") {
+  const CommandLine line = parse({"scene", "book.toml", "coin.toml", "--explain"});
+  REQUIRE(line.scene);
+  CHECK(line.scene->files == std::vector<std::string>{"book.toml", "coin.toml"});
+  CHECK(line.scene->explain);
+  CHECK_FALSE(line.scene->json);
+  CHECK(usage_error({"scence", "a.toml"}) == "rigor: `scence` is no command; did you mean `scene`?");
+}
+
 TEST_CASE("what is wrong with a command line is said in one line") {
   CHECK(usage_error({}) == "rigor: a subcommand is required");
   CHECK(usage_error({"check"}) == "rigor: FILE is required");

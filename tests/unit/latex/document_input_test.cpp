@@ -30,7 +30,7 @@ struct Folder {
     std::filesystem::create_directories((path / name).parent_path());
     std::ofstream(path / name) << text;
   }
-  [[nodiscard]] Notes read(const std::string& text) const {
+  [[nodiscard]] ReadNotes read(const std::string& text) const {
     return {(path / "notes/top.tex").string(), text};
   }
 };
@@ -43,7 +43,7 @@ TEST_CASE("\\input is followed in place, inside the folder of the notes") {
   folder.write("notes/sub/deeper.tex", "\\[ c \\]\\input{beside}");
   folder.write("notes/sub/beside.tex", "\\[ d \\]");
   folder.write("outside.tex", "\\[ no \\]");
-  Notes notes = folder.read("\\[ a \\]\\input{part}\\include{part}\\input part.tex \\[ e \\]");
+  ReadNotes notes = folder.read("\\[ a \\]\\input{part}\\include{part}\\input part.tex \\[ e \\]");
   CHECK(notes.dump() == "display <> a\ndisplay <> b\ndisplay <> c\ndisplay <> d\ndisplay <> e\n");
   CHECK(notes.complaints().empty());
   CHECK(folder.read("\\input{../outside}").complaints() ==
@@ -63,7 +63,7 @@ TEST_CASE("\\input ends where files read each other or are nested too deep") {
   for (int i = 0; i < 40; ++i) {
     folder.write("notes/n" + std::to_string(i) + ".tex", "\\[x\\]\\input{n" + std::to_string(i + 1) + "}");
   }
-  const Notes deep = folder.read("\\input{n0}");
+  const ReadNotes deep = folder.read("\\input{n0}");
   CHECK(deep.document.items.size() == 16);
   CHECK(deep.diagnostics.size() == 1);
 }
@@ -108,7 +108,7 @@ TEST_CASE("hostile notes end in few complaints") {
                                        "\\def\\a"}) {
     for (const char* path : {"notes.tex", "notes.md"}) {
       INFO(path << ": " << piece);
-      const Notes notes(path, repeat(piece, 20'000));
+      const ReadNotes notes(path, repeat(piece, 20'000));
       CHECK(notes.diagnostics.size() <= 1000);
     }
   }
@@ -162,7 +162,7 @@ TEST_CASE("no bytes disturb the readers") {
       if (round % 3 == 0) text += static_cast<char>(state >> 24U);
     }
     for (const char* path : {"notes.tex", "notes.md"}) {
-      const Notes notes(path, text);
+      const ReadNotes notes(path, text);
       bool inside = true;
       for (const Diagnostic& diagnostic : notes.diagnostics)
         inside = inside && diagnostic.span.end <= text.size();

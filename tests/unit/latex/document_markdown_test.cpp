@@ -14,7 +14,7 @@ TEST_CASE("Markdown: every delimiter of a display is read") {
 }
 
 TEST_CASE("Markdown: the marks of a quotation do not reach the tokens") {
-  Notes notes("notes.md", "> $$\n> a\n> $$\n\n> ```math\n> b > c\n> ```\n");
+  ReadNotes notes("notes.md", "> $$\n> a\n> $$\n\n> ```math\n> b > c\n> ```\n");
   std::string bodies;
   for (const Item& item : notes.document.items) {
     const auto& display = std::get<Display>(item);
@@ -27,7 +27,7 @@ TEST_CASE("Markdown: the marks of a quotation do not reach the tokens") {
 
 TEST_CASE("words right behind a display say it for the other axes, too") {
   const auto cyclic = [](const char* file, const std::string& text) {
-    const Notes notes(file, text);
+    const ReadNotes notes(file, text);
     return std::get<Display>(notes.document.items.at(0)).cyclic;
   };
   for (const char* words :

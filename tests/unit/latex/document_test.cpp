@@ -86,7 +86,7 @@ TEST_CASE("short names for a display's ends are followed") {
 }
 
 TEST_CASE("LaTeX: a display that is not closed is one complaint at its opening, and reading goes on") {
-  Notes notes("notes.tex", "\\begin{align}\n a = b\n\ntext\n\\[ c \\]\n");
+  ReadNotes notes("notes.tex", "\\begin{align}\n a = b\n\ntext\n\\[ c \\]\n");
   CHECK(notes.complaints() == "1:1 `\\begin{align}` is not closed\n");
   CHECK(notes.dump() == "display <> c\n");
   REQUIRE(notes.diagnostics[0].labels.size() == 1);
@@ -99,7 +99,7 @@ TEST_CASE("LaTeX: a display that is not closed is one complaint at its opening, 
 }
 
 TEST_CASE("the end of another environment is a complaint with a label at it") {
-  Notes notes("notes.tex", "\\begin{align} a \\end{equation} \\[ b \\]");
+  ReadNotes notes("notes.tex", "\\begin{align} a \\end{equation} \\[ b \\]");
   CHECK(notes.complaints() == "1:1 `\\begin{align}` is not closed before `\\end{equation}`\n");
   REQUIRE(notes.diagnostics[0].labels.size() == 1);
   CHECK(notes.sources.text(notes.diagnostics[0].labels[0].span) == "\\end{equation}");

@@ -9,12 +9,12 @@
 
 namespace rigor {
 
-struct Notes {
+struct ReadNotes {
   SourceMap sources;
   Diagnostics diagnostics;
   Document document;
 
-  Notes(std::string path, std::string text) {
+  ReadNotes(std::string path, std::string text) {
     const FileId file = sources.add(std::move(path), std::move(text));
     document = read_document(sources, file, diagnostics);
   }
@@ -57,13 +57,13 @@ struct Notes {
   }
 };
 
-inline std::string latex(std::string text) { return Notes("notes.tex", std::move(text)).dump(); }
-inline std::string markdown(std::string text) { return Notes("notes.md", std::move(text)).dump(); }
+inline std::string latex(std::string text) { return ReadNotes("notes.tex", std::move(text)).dump(); }
+inline std::string markdown(std::string text) { return ReadNotes("notes.md", std::move(text)).dump(); }
 inline std::string latex_complaints(std::string text) {
-  return Notes("notes.tex", std::move(text)).complaints();
+  return ReadNotes("notes.tex", std::move(text)).complaints();
 }
 inline std::string markdown_complaints(std::string text) {
-  return Notes("notes.md", std::move(text)).complaints();
+  return ReadNotes("notes.md", std::move(text)).complaints();
 }
 
 }  // namespace rigor

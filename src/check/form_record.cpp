@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/form_record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/demand.h"
+#include "check/question.h"
+#include "source/suggest.h"
+
+namespace rigor {
+namespace {
+
+/// What is taken as 0 is defined as 0, so that nothing has to know more than definitions.
+void define_zeros(ExprTree& tree, Question& question) {
+  for (const SymbolId symbol : question.zeroed) {
+    const Symbol& zero = tree.symbols[symbol];
+    Definition definition{.symbol = symbol};
+    if (zero.per_particle) definition.particle = tree.add_particle("p");
+    definition.body = zero_of_rank(tree, zero.first_seen, zero.rank);
+    question.definitions.push_back(std::move(definition));
+  }
+  question.zeroed.clear();
+}
+
+/// The definitions and assumptions that concern some expressions.
+Question question_about(ExprTree& tree, Names& names, std::span<const ExprId> expressions) {
+  if (expressions.empty()) return {};
+  Equation same;
+  same.left = same.right = expressions.front();
+  Question question = prepare(tree, names, same, 0, Precision::exact, 0, expressions).question;
+  define_zeros(tree, question);
+  return question;
+}
+
+std::vector<IndexId> ids_of(const std::vector<FreeIndex>& free) {
+  std::vector<IndexId> ids;
+  for (const FreeIndex& each : free) ids.push_back(each.id);
+  return ids;
+}
+
+std::vector<ParticleId> ids_of(const std::vector<FreeParticle>& free) {
+  std::vector<ParticleId> ids;
+  for (const FreeParticle& each : free) ids.push_back(each.id);
+  return ids;
+}
+
+/// Blanks folded.
+std::string folded(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!blank) {
+      result += c;
+    } else if (!result.empty() && result.back() != ' ') {
+      result += ' ';
+    }
+  }
+  while (!result.empty() && result.back() == ' ') result.pop_back();
+  return result;
+}
+
+/// `T_{\text{rot}}` as `T_{rot}`.
+std::string without_text_face(std::string name) {
+  static constexpr std::string_view face = "\\text{";
+  for (auto at = name.find(face); at != std::string::npos; at = name.find(face)) {
+    const auto end = name.find('}', at);
+    if (end != std::string::npos) name.erase(end, 1);
+    name.erase(at, face.size());
+  }
+  return name;
+}
+
+std::optional<Outcome> outcome_of(const Step& step) {
+  switch (step.verdict) {
+    case Verdict::proved:
+      return Outcome::proved;
+    case Verdict::refuted:
+      return Outcome::refuted;
+    case Verdict::undecided:
+      return Outcome::undecided;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void FormRecorder::plan(Names& names) {
+  known_ = bases_in(notes_, names);
+  asked_behind_ = notes_.events.empty() ? 0 : notes_.events.size() - 1;
+  const auto find = [&](const std::string& name) {
+    auto place = place_named(notes_, name);
+    if (place) return place;
+    Diagnostic unknown{DiagnosticKind::unknown_anchor,
+                       {notes_.file, 0, 0},
+                       fmt::format("no equation and no section is named `{}`", name)};
+    if (const auto near = suggest(name, place_names(notes_)))
+      unknown.help = {fmt::format("did you mean `{}`?", *near)};
+    diagnostics_.push_back(std::move(unknown));
+    return place;
+  };
+  if (request_.at) {
+    if (const auto place = find(*request_.at)) asked_behind_ = place->behind - 1;
+  }
+  if (decides()) return;
+  std::vector<NamedPlace> wanted;
+  for (const std::string& name : *request_.only) {
+    if (auto place = find(name)) wanted.push_back(std::move(*place));
+  }
+  needed_ = chains_needed(notes_, names, notes_.asked, wanted);
+}
+
+void FormRecorder::note(Span relation, Judgement& judgement) {
+  WrittenStep step;
+  step.question = std::move(judgement.question);
+  step.question->tree = nullptr;
+  step.sample = std::move(judgement.sample);
+  decided_.emplace_back(relation, std::move(step));
+}
+
+void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
+  const WrittenChain& written = chain.parsed.written;
+  WrittenFormChain forms{.tag = written.tag,
+                         .label = written.label,
+                         .section = chain.steps.empty() ? std::string() : chain.steps[0].section,
+                         .span = written.span,
+                         .assumed = chain.assumed,
+                         .image = chain.parsed.image};
+  std::vector<ExprId> expressions;
+  std::vector<FreeIndex> free;
+  std::vector<FreeParticle> particles;
+  for (std::size_t k = 0; k < chain.reading.sides.size(); ++k) {
+    WrittenForm form{
+        .expr = {}, .source = folded(sources_.text(written.sides[k].span)), .span = written.sides[k].span};
+    if (const auto& typed = chain.reading.sides[k].typed) {
+      form.expr = typed->id;
+      expressions.push_back(typed->id);
+      merge_free(free, typed->free);
+      merge_free(particles, typed->particles);
+    }
+    forms.forms.push_back(std::move(form));
+  }
+  forms.indices = ids_of(free);
+  forms.particles = ids_of(particles);
+  Question question = question_about(tree, names, expressions);
+  forms.definitions = std::move(question.definitions);
+  forms.assumptions = std::move(question.assumptions);
+  for (std::size_t k = 0; k < written.relations.size(); ++k) {
+    WrittenStep step;
+    for (auto& [relation, noted] : decided_) {
+      if (relation == written.relations[k].span) step = std::move(noted);
+    }
+    step.kind = written.relations[k].text;
+    if (k < chain.steps.size()) {
+      step.outcome = outcome_of(chain.steps[k]);
+      step.defines = chain.steps[k].verdict == Verdict::definition;
+      step.expected_refuted = chain.steps[k].expected_refuted;
+    }
+    if (step.question) define_zeros(tree, *step.question);
+    forms.steps.push_back(std::move(step));
+  }
+  decided_.clear();
+  forms_.chains.push_back(std::move(forms));
+}
+
+/// Every letter stands somewhere in the notes.
+bool FormRecorder::is_known(SyntaxId id, const std::string& source, Names& names) {
+  std::vector<std::string> known;
+  for (const std::string& base : known_) known.push_back(without_text_face(base));
+  for (const std::string& base : bases_below(notes_.syntax, id, names)) {
+    if (known_.contains(base)) continue;
+    Diagnostic unknown{DiagnosticKind::unknown_quantity, notes_.syntax[id].span,
+                       base == source ? fmt::format("`{}` is nowhere in the notes", source)
+                                      : fmt::format("`{}` of `{}` is nowhere in the notes", base, source)};
+    if (const auto near = suggest(without_text_face(base), known))
+      unknown.help = {fmt::format("did you mean `{}`?", *near)};
+    diagnostics_.push_back(std::move(unknown));
+    return false;
+  }
+  return true;
+}
+
+bool FormRecorder::read(SyntaxId id, const std::string& source, ExprTree& tree, Names& names) {
+  if (!is_known(id, source, names)) return false;
+  Diagnostics own;
+  Elaborator elaborator(notes_.syntax, tree, names, read_letters(notes_.syntax, {id}, names), own);
+  const auto typed = elaborator.expression(id);
+  diagnostics_.insert(diagnostics_.end(), own.begin(), own.end());
+  if (!typed) return false;
+  forms_.asked.push_back({source, typed->id, ids_of(typed->free), ids_of(typed->particles)});
+  return true;
+}
+
+void FormRecorder::ask(std::size_t event, ExprTree& tree, Names& names) {
+  if (event != asked_behind_) return;
+  bool all = true;
+  for (std::size_t k = 0; k < notes_.asked.size(); ++k)
+    all = read(notes_.asked[k], request_.asked[k], tree, names) && all;
+  if (!all) forms_.asked.clear();
+  std::vector<ExprId> expressions;
+  for (const AskedForm& form : forms_.asked) expressions.push_back(form.expr);
+  forms_.definitions = question_about(tree, names, expressions).definitions;
+}
+
+FormsReading FormRecorder::finish(ExprTree&& tree) && {
+  forms_.tree = std::move(tree);
+  FormsReading reading;
+  reading.forms = std::move(forms_);
+  reading.chains_passed_over = passed_over_;
+  return reading;
+}
+
+}  // namespace rigor
