@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene's quantities, evaluated on its body. What is computed follows from what the compiled expressions
-// read: principal moments only where a letter bound to them is read, axes only where the spin or places must be
-// turned to them, the motion only where something is asked over the time.
+// read: principal moments only where a letter bound to them is read, axes only where the spin or places must
+// be turned to them, the motion only where something is asked over the time.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@
 namespace rigor {
 
 struct SceneQuantity {
-  std::string source;       // as asked
-  int axes = 0;             // 3^axes components, row by row
+  std::string source;         // as asked
+  int axes = 0;               // 3^axes components, row by row
   std::vector<double> value;  // at the time 0
   std::vector<double> error;  // at most so wrong, each; empty: not known
   std::optional<Dimension> dimension;
@@ -51,9 +51,9 @@ struct SceneResult {
   [[nodiscard]] SceneCounts counts() const;
 };
 
-/// `forms` must answer `asked_of_notes(scene)`; where a motion is asked, its chains must have the tag or heading
-/// `scene.motion->equations`. What cannot be computed is a diagnostic at its place in the scene's file; the
-/// other quantities are there.
+/// `forms` must answer `asked_of_notes(scene)`; where a motion is asked, its chains must have the tag or
+/// heading `scene.motion->equations`. What cannot be computed is a diagnostic at its place in the scene's
+/// file; the other quantities are there.
 [[nodiscard]] SceneResult evaluate_scene(const SceneFile& scene, const Body& body, const WrittenForms& forms);
 
 }  // namespace rigor

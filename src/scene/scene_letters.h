@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which symbols of the notes a scene's letters are. A letter that the notes declare anew in another section is
-// another symbol with the same name: all of them get the value.
+// Which symbols of the notes a scene's letters are. A letter that the notes declare anew in another section
+// is another symbol with the same name: all of them get the value.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,8 @@ struct SceneLetter {
 
 class SceneLetters {
  public:
-  /// Letters that were given and are no symbol by themselves (`2\omega`, or of the wrong kind) are diagnostics.
+  /// Letters that were given and are no symbol by themselves (`2\omega`, or of the wrong kind) are
+  /// diagnostics.
   SceneLetters(const SceneFile& scene, const WrittenForms& forms, Diagnostics& diagnostics);
 
   [[nodiscard]] const SceneLetter* find(SymbolId symbol) const;
