@@ -33,6 +33,8 @@ class Samples {
   void set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
   /// One for each particle, the same for all samples.
   void set_particles(SymbolId symbol, std::uint32_t component, std::vector<double> values);
+  /// One for each particle of each sample: values[particle · samples + sample].
+  void set_particles_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
 
   [[nodiscard]] const Column* find(SymbolId symbol, std::uint32_t component) const;
 

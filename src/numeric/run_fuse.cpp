@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/run_fuse.h"
+
+#include <utility>
+
+namespace rigor {
+namespace {
+
+[[nodiscard]] Kernel kernel_of(Instruction op) {
+  switch (op) {
+    case Instruction::add:
+      return Kernel::add;
+    case Instruction::subtract:
+      return Kernel::subtract;
+    case Instruction::multiply:
+      return Kernel::multiply;
+    case Instruction::divide:
+      return Kernel::divide;
+    case Instruction::negate:
+      return Kernel::negate;
+    case Instruction::root:
+      return Kernel::root;
+    case Instruction::absolute:
+      return Kernel::absolute;
+    case Instruction::sin:
+      return Kernel::sin;
+    case Instruction::cos:
+      return Kernel::cos;
+    case Instruction::exp:
+      return Kernel::exp;
+    case Instruction::constant:
+    case Instruction::input:
+    case Instruction::sum:
+      break;
+  }
+  return Kernel::copy;
+}
+
+class Fusion {
+ public:
+  Fusion(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in)
+      : scope_(scope), value_(value), here_(scope.code->values[value]), taken_in_(taken_in) {}
+
+  [[nodiscard]] FusedStep step() {
+    if (here_.op == Instruction::add || here_.op == Instruction::subtract) return sum();
+    if (here_.op == Instruction::multiply) return product();
+    return plain();
+  }
+
+ private:
+  [[nodiscard]] const Value& at(ValueId id) const { return scope_.code->values[id]; }
+  [[nodiscard]] bool is_private(ValueId id, Instruction op) const {
+    return scope_.is_private(id, op, scope_.wide[value_] != 0);
+  }
+  [[nodiscard]] bool is_square(ValueId id) const { return at(id).a == at(id).b; }
+
+  /// A product's operands, the wide one first.
+  void append_product(FusedStep& step, ValueId product) {
+    taken_in_[product] = 1;
+    ValueId a = at(product).a;
+    ValueId b = at(product).b;
+    if (scope_.wide[b] && !scope_.wide[a]) std::swap(a, b);
+    step.in[step.operands++] = a;
+    step.in[step.operands++] = b;
+  }
+
+  [[nodiscard]] FusedStep plain() const {
+    FusedStep step{kernel_of(here_.op), 1, {here_.a}};
+    if (!has_second_operand(here_.op)) return step;
+    step.operands = 2;
+    step.in[1] = here_.b;
+    const bool commutes = here_.op == Instruction::add || here_.op == Instruction::multiply;
+    if (commutes && scope_.wide[here_.b] && !scope_.wide[here_.a]) std::swap(step.in[0], step.in[1]);
+    return step;
+  }
+
+  [[nodiscard]] FusedStep product() {
+    FusedStep step{Kernel::product_3, 0, {}};
+    ValueId two = here_.a;
+    ValueId third = here_.b;
+    if (!is_private(two, Instruction::multiply)) std::swap(two, third);
+    if (two == third || !is_private(two, Instruction::multiply)) return plain();
+    append_product(step, two);
+    step.in[step.operands++] = third;
+    return step;
+  }
+
+  [[nodiscard]] FusedStep sum() {
+    const bool minus = here_.op == Instruction::subtract;
+    const bool first = is_private(here_.a, Instruction::multiply);
+    const bool second = here_.a != here_.b && is_private(here_.b, Instruction::multiply);
+    FusedStep step;
+    if (first && second) {
+      step.kernel = minus ? Kernel::product_difference : Kernel::product_sum;
+      append_product(step, here_.a);
+      append_product(step, here_.b);
+      return step;
+    }
+    if (!minus && (first || second)) {
+      const ValueId product = first ? here_.a : here_.b;
+      const ValueId other = first ? here_.b : here_.a;
+      if (three_products(step, other, product)) return step;
+    }
+    if (!first && !second) return plain();
+    step.kernel = !minus  ? Kernel::multiply_add
+                  : first ? Kernel::multiply_subtract
+                          : Kernel::subtract_product;
+    append_product(step, first ? here_.a : here_.b);
+    step.in[step.operands++] = first ? here_.b : here_.a;
+    return step;
+  }
+
+  /// (a b + c d) + e f, if all factors are wide, or the first of each product only.
+  [[nodiscard]] bool three_products(FusedStep& step, ValueId two, ValueId third) {
+    if (!is_private(two, Instruction::add) || at(two).a == at(two).b) return false;
+    const std::array<ValueId, 3> product{at(two).a, at(two).b, third};
+    int both_wide = 0;
+    int squares = 0;
+    for (const ValueId each : product) {
+      if (each != third && !is_private(each, Instruction::multiply)) return false;
+      both_wide += scope_.wide[at(each).a] && scope_.wide[at(each).b] ? 1 : 0;
+      squares += is_square(each) ? 1 : 0;
+    }
+    if (scope_.wide[value_] && both_wide != 0 && both_wide != 3) return false;
+    taken_in_[two] = 1;
+    for (const ValueId each : product) append_product(step, each);
+    step.kernel = Kernel::product_sum_3;
+    if (squares != 3) return true;
+    step = {Kernel::square_sum_3, 3, {step.in[0], step.in[2], step.in[4]}};
+    return true;
+  }
+
+  const FusionScope& scope_;
+  ValueId value_;
+  const Value& here_;
+  std::span<std::uint8_t> taken_in_;
+};
+
+}  // namespace
+
+FusedStep fuse(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in) {
+  return Fusion(scope, value, taken_in).step();
+}
+
+}  // namespace rigor

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/evaluate.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "catch.h"
+#include "numeric/on_sample.h"
+#include "numeric/run_samples.h"
+
+using namespace rigor;
+using namespace rigor::build;
+
+namespace {
+
+constexpr std::array all_arithmetics{Arithmetic::single, Arithmetic::plain, Arithmetic::extended,
+                                     Arithmetic::double_double};
+
+[[nodiscard]] bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+class Numbers {
+ public:
+  [[nodiscard]] std::vector<double> operator()(std::size_t count) {
+    std::vector<double> values(count);
+    for (double& value : values) value = uniform_(random_);
+    return values;
+  }
+
+ private:
+  std::mt19937_64 random_{20};
+  std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
+};
+
+/// A body of `particles`, and its spin for each sample.
+struct Spinning {
+  Spinning(std::size_t samples, std::size_t particles) : data(samples, particles) {
+    Numbers numbers;
+    data.set_particles(m.symbol, 0, numbers(particles));
+    for (std::uint32_t i = 0; i < 3; ++i) data.set_particles(r.symbol, i, numbers(particles));
+    for (std::uint32_t i = 0; i < 3; ++i) data.set_each(w.symbol, i, numbers(samples));
+    energy = over(alpha, m(alpha) * squared(cross(w, r(alpha)))) / 2;
+  }
+  Page page;
+  Named m = page.scalars("m");
+  Named r = page.vectors("r");
+  Named w = page.vector("w");
+  ParticleId alpha = page.particle("\\alpha");
+  Term energy;
+  Samples data;
+};
+
+/// The same columns, one sample of them.
+[[nodiscard]] Samples only(const Spinning& spinning, std::size_t sample) {
+  Samples one(1, spinning.data.particles());
+  one.set_particles(spinning.m.symbol, 0, spinning.data.find(spinning.m.symbol, 0)->values);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    one.set_particles(spinning.r.symbol, i, spinning.data.find(spinning.r.symbol, i)->values);
+    one.set_each(spinning.w.symbol, i, {spinning.data.find(spinning.w.symbol, i)->values[sample]});
+  }
+  return one;
+}
+
+}  // namespace
+
+TEST_CASE("a batch of any size gives what single samples give, bit for bit", "[numeric]") {
+  for (const std::size_t samples : {0u, 1u, 63u, 64u, 65u, 200u}) {
+    Spinning spinning(samples, 5);
+    const Program program = compiled(spinning.page, spinning.energy);
+    for (const Arithmetic arithmetic : all_arithmetics) {
+      const std::vector<double> batch = evaluate(program, spinning.data, arithmetic);
+      std::vector<double> single;
+      for (std::size_t i = 0; i < samples; ++i)
+        single.push_back(evaluate(program, only(spinning, i), arithmetic)[0]);
+      CAPTURE(samples, name_of(arithmetic));
+      CHECK(same_bits(batch, single));
+    }
+  }
+}
+
+TEST_CASE("lanes of particles and lanes of samples agree but for the order of the sum", "[numeric]") {
+  for (const std::size_t particles : {0u, 1u, 2u, 63u, 64u, 65u, 1000u}) {
+    Spinning spinning(3, particles);
+    const Program program = compiled(spinning.page, spinning.energy);
+    const auto by_samples = run_on_samples<double>(program, spinning.data, Lanes::samples, {});
+    const auto by_particles = run_on_samples<double>(program, spinning.data, Lanes::particles, {});
+    const auto one_by_one = run_on_samples<double>(program, spinning.data, Lanes::none, {});
+    CHECK(same_bits(by_samples, one_by_one));
+    for (std::size_t i = 0; i < by_samples.size(); ++i) {
+      // |Σ − Σ'| ≤ 2 n u Σ|term|; each term is below 12 · ½.
+      const double n = static_cast<double>(particles);
+      CHECK(std::abs(by_samples[i] - by_particles[i]) <= 2.0 * n * 0x1p-53 * n * 6.0);
+      CHECK((particles > 0 || by_particles[i] == 0.0));
+    }
+  }
+}
+
+TEST_CASE("NaN and infinity pass through a program", "[numeric]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Program program = compiled(page, dot(a, a));
+  Samples samples(3, 0);
+  const double infinity = std::numeric_limits<double>::infinity();
+  samples.set_each(a.symbol, 0, {std::numeric_limits<double>::quiet_NaN(), infinity, 1e200});
+  samples.set(a.symbol, 1, 0.0);
+  samples.set(a.symbol, 2, 2.0);
+  for (const Arithmetic arithmetic : {Arithmetic::single, Arithmetic::plain, Arithmetic::extended}) {
+    const std::vector<double> values = evaluate(program, samples, arithmetic);
+    CHECK(std::isnan(values[0]));
+    CHECK(values[1] == infinity);
+    CHECK(values[2] == infinity);  // rounded to double at the end
+  }
+  CHECK_FALSE(std::isfinite(evaluate(program, samples, Arithmetic::double_double)[1]));
+}
+
+TEST_CASE("each arithmetic rounds as it should", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Program third = compiled(page, 1 / (x * page.number("3")));
+  Samples samples(1, 0);
+  samples.set_each(x.symbol, 0, {1.0});
+  CHECK(evaluate(third, samples, Arithmetic::single)[0] == static_cast<double>(1.0f / 3.0f));
+  CHECK(evaluate(third, samples)[0] == 1.0 / 3.0);
+  const Program rest = compiled(page, x - (1 / (x * page.number("3"))) * page.number("3"));
+  samples.set_each(x.symbol, 0, {1.25});
+  CHECK(evaluate(rest, samples, Arithmetic::double_double)[0] == 0.45);
+  const Program tenth = compiled(page, x * page.number("0.1"));
+  CHECK(evaluate(tenth, samples, Arithmetic::single)[0] == static_cast<double>(1.25f * 0.1f));
+  CHECK(evaluate(tenth, samples)[0] == 1.25 * 0.1);
+  CHECK(evaluate(tenth, samples, Arithmetic::double_double)[0] == 0.125);
+}
+
+TEST_CASE("functions and roots are those of the library", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Program program = compiled(page, tuple(sin(x) + cos(-x), exp(x), root(x)));
+  Samples samples(70, 0);
+  std::vector<double> values = Numbers()(70);
+  samples.set_each(x.symbol, 0, values);
+  for (const Arithmetic arithmetic : {Arithmetic::plain, Arithmetic::double_double}) {
+    const std::vector<double> results = evaluate(program, samples, arithmetic);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      CHECK(results[i] == Approx(std::sin(values[i]) + std::cos(values[i])).epsilon(1e-14));
+      CHECK(results[70 + i] == Approx(std::exp(values[i])).epsilon(1e-15));
+      if (values[i] < 0.0)
+        CHECK(std::isnan(results[140 + i]));
+      else
+        CHECK(results[140 + i] == std::sqrt(values[i]));
+    }
+  }
+}

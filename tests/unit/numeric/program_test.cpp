@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/program.h"
+
+#include "catch.h"
+#include "numeric/on_sample.h"
+
+using namespace rigor;
+using namespace rigor::build;
+
+namespace {
+
+/// What the exact evaluator says is an integer or a small quotient: programs give the nearest double.
+void check_same(Page& page, const Term& term, const std::vector<IndexId>& indices = {},
+                const std::vector<ParticleId>& particles = {}) {
+  const Compared compared = compare(page, term, indices, particles);
+  CAPTURE(dump(page.tree, term.id));
+  CHECK(compared.computed == Approx(compared.exact).epsilon(1e-15));
+}
+
+}  // namespace
+
+TEST_CASE("programs give what the exact evaluator gives: vectors", "[numeric]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named c = page.vector("C");
+  check_same(page, dot(a, b));
+  check_same(page, cross(a, b));
+  check_same(page, cross(a, cross(b, c)));
+  check_same(page, dot(a, cross(b, c)));
+  check_same(page, squared(cross(a, b)));
+  check_same(page, squared(a) * squared(b) - pow(dot(a, b), 2));
+  check_same(page, pow(length(a), 4) - 3 * dot(a, a));
+  check_same(page, dot(a, a) * b - dot(a, b) * a);
+  check_same(page, tuple(at(a, 1), -at(b, 2), page.number("0.25")));
+  check_same(page, absolute(dot(a, b)));
+  check_same(page, dot(a, b) / 4 - 1 / (squared(a) + 1 * squared(c)));
+  check_same(page, pow(at(a, 1), 3) + pow(at(a, 2), 5) - pow(at(b, 1), 0));
+  check_same(page, pow(squared(a) + page.number("1"), -2));
+}
+
+TEST_CASE("programs give what the exact evaluator gives: indices", "[numeric]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named t = page.tensor("T");
+  const Named s = page.symmetric("S");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  const IndexId k = page.index("k");
+  const IndexId l = page.index("l");
+  const IndexId m = page.index("m");
+  check_same(page, sum({i}, at(a, i) * at(b, i)));
+  check_same(page, sum({j, k}, page.epsilon(i, j, k) * at(a, j) * at(b, k)), {i});
+  check_same(page, sum({i, j, k, l, m}, page.epsilon(i, j, k) * at(a, j) * at(b, k) * page.epsilon(i, l, m) *
+                                            at(a, l) * at(b, m)));
+  check_same(page, sum({i, j}, at(t, i, j) * at(a, i) * at(b, j)));
+  check_same(page, at(t, i, j) - 2 * at(t, j, i) + 5 * page.delta(i, j), {i, j});
+  check_same(page, sum({j}, at(s, i, j) * at(b, j)), {i});
+  check_same(page, at(s, 2, 1) - 3 * at(s, 1, 2) + at(s, 3, 1));
+  check_same(page, sum({i}, at(a, i) * page.basis(i)) + cross(a, b));
+  check_same(page, component(dot(t, a), 2));
+  check_same(page, component(a * b, j, i), {i, j});
+  check_same(page, dot(dot(t, s), b));
+  check_same(page, sum({j}, component(cross(a, b), j) * at(t, j, i)), {i});
+}
+
+TEST_CASE("programs give what the exact evaluator gives: determinants and tables", "[numeric]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named t = page.tensor("T");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  std::vector<Term> entries;
+  std::vector<Term> rows{page.basis(1), page.basis(2), page.basis(3)};
+  for (int row = 1; row <= 3; ++row) {
+    for (int column = 1; column <= 3; ++column) {
+      entries.push_back(at(t, row, column));
+      if (row > 1) rows.push_back(at(t, row, column));
+    }
+  }
+  check_same(page, page.determinant(entries));
+  check_same(page, page.determinant(rows));
+  const std::vector<ExprId> values{page.number("0").id, page.number("1").id, dot(a, a).id};
+  const std::vector<Slot> slots{Place(i).slot, Place(j).slot};
+  const Term table{&page.tree, page.tree.add_table({}, values, slots, {{1, 0, 2, 0, 1, 0, 0, 2, 1}})};
+  check_same(page, sum({i, j}, table * at(t, i, j)));
+  check_same(page, table + at(t, i, j), {i, j});
+}
+
+TEST_CASE("programs give what the exact evaluator gives: definitions", "[numeric]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named c = page.vector("C");
+  const Named inertia = page.tensor("I");
+  const Named omega = page.scalar("\\Omega");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  page.define(c, cross(a, b) + a);
+  page.define(inertia, dot(a, a) * page.delta(i, j) - at(a, i) * at(a, j), {i, j});
+  page.define(omega, root(dot(a, a) - dot(b, b)));
+  page.question.definitions.back().by_square = true;
+  check_same(page, dot(c, b) + squared(c));
+  check_same(page, sum({i, j}, at(inertia, i, j) * at(b, i) * at(b, j)) / 2);
+  check_same(page, at(inertia, i, j), {i, j});
+  check_same(page, at(inertia, j, i) * at(c, j), {i, j});
+  check_same(page, pow(omega, 2));
+  check_same(page, pow(omega, 4) - at(a, 1));
+}
+
+TEST_CASE("programs give what the exact evaluator gives: sums over particles", "[numeric]") {
+  Page page;
+  const Named m = page.scalars("m");
+  const Named r = page.vectors("r");
+  const Named v = page.vectors("v");
+  const Named w = page.vector("w");
+  const Named x = page.vectors("x");
+  const Named inertia = page.tensor("I");
+  const Named mass = page.scalar("M");
+  const ParticleId alpha = page.particle("\\alpha");
+  const ParticleId beta = page.particle("\\beta");
+  const ParticleId gamma = page.particle("\\gamma");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  page.define(v(alpha), cross(w, r(alpha)));
+  page.define(mass, over(alpha, m(alpha)));
+  page.define(inertia,
+              over(beta, m(beta) * (squared(r(beta)) * page.delta(i, j) - at(r(beta), i) * at(r(beta), j))),
+              {i, j});
+  page.define(x(beta), r(beta) - over(alpha, m(alpha) * r(alpha)));
+  check_same(page, over(alpha, m(alpha)));
+  check_same(page, over(alpha, m(alpha) * squared(v(alpha))) / 2);
+  check_same(page, sum({i, j}, at(inertia, i, j) * at(w, i) * at(w, j)) / 2);
+  check_same(page, over(alpha, m(alpha) * cross(r(alpha), v(alpha))));
+  check_same(page, over(alpha, over(beta, m(alpha) * m(beta) * squared(r(alpha) - r(beta)))));
+  check_same(page, over(alpha, m(alpha) * over(beta, m(beta) * dot(r(beta), w))));
+  check_same(page, over(alpha, page.number("3") * mass - m(alpha)));
+  check_same(page, over(alpha, mass));
+  check_same(page, over(alpha, m(alpha) * squared(x(alpha))));
+  check_same(page, mass * over(gamma, over(alpha, m(alpha) * at(v(gamma), 2))));
+  check_same(page, m(beta) * r(beta), {}, {beta});
+  check_same(page, dot(x(beta), v(gamma)), {}, {beta, gamma});
+  check_same(page, over(alpha, squared(r(alpha) - r(beta))), {}, {beta});
+}
