@@ -150,10 +150,10 @@ std::string si_unit(const Dimension& dimension) {
   int factors_below = 0;
   for (std::size_t i = 0; i < base_quantity_count; ++i) {
     const SmallRational& exponent = dimension.exponents()[i];
+    if (exponent.is_zero()) continue;
     const bool negative = exponent.over() < 0;
     const std::string power =
         power_text(std::string(base_units[i]), negative ? exponent * SmallRational(-1) : exponent);
-    if (power.empty()) continue;
     std::string& side = negative ? below : above;
     side += (side.empty() ? "" : " ") + power;
     factors_below += negative ? 1 : 0;

@@ -17,12 +17,12 @@
 namespace rigor {
 
 struct SceneQuantity {
-  std::string source;         // as asked
-  int axes = 0;               // 3^axes components, row by row
-  std::vector<double> value;  // at the time 0
-  std::vector<double> error;  // at most so wrong, each; empty: not known
-  std::optional<Dimension> dimension;
-  std::vector<std::vector<double>> rows;  // over the time, if asked: of each row of the motion
+  std::string source;              // as asked
+  int axes = 0;                    // 3^axes components, row by row
+  std::vector<double> value = {};  // at the time 0
+  std::vector<double> error = {};  // at most so wrong, each; empty: not known
+  std::optional<Dimension> dimension = {};
+  std::vector<std::vector<double>> rows = {};  // over the time, if asked: of each row of the motion
 };
 
 /// How constant a quantity stayed while the body moved.

@@ -15,9 +15,9 @@ struct Usual {
   std::string_view name;
 };
 constexpr std::array usual_names{
-    Usual{"m_\\alpha", "m"},
-    Usual{"\\mathbf{r}_\\alpha", "\\mathbf{r}"},
-    Usual{"I_{ij}", "I"},
+    Usual{"m_\\alpha", "m"}, Usual{"\\mathbf{r}_\\alpha", "\\mathbf{r}"},
+    Usual{"I_{ij}", "I"},    Usual{"I_1", "I_{1}"},
+    Usual{"I_2", "I_{2}"},   Usual{"I_3", "I_{3}"},
 };
 
 std::string usual_name(const std::string& latex) {
