@@ -69,7 +69,7 @@ struct Spinning {
 }  // namespace
 
 TEST_CASE("a batch of any size gives what single samples give, bit for bit", "[numeric]") {
-  for (const std::size_t samples : {0u, 1u, 63u, 64u, 65u, 200u}) {
+  for (const std::size_t samples : {0u, 1u, 63u, 64u, 65u, 127u, 128u, 129u, 300u}) {
     Spinning spinning(samples, 5);
     const Program program = compiled(spinning.page, spinning.energy);
     for (const Arithmetic arithmetic : all_arithmetics) {
@@ -84,7 +84,7 @@ TEST_CASE("a batch of any size gives what single samples give, bit for bit", "[n
 }
 
 TEST_CASE("lanes of particles and lanes of samples agree but for the order of the sum", "[numeric]") {
-  for (const std::size_t particles : {0u, 1u, 2u, 63u, 64u, 65u, 1000u}) {
+  for (const std::size_t particles : {0u, 1u, 2u, 127u, 128u, 129u, 1000u}) {
     Spinning spinning(3, particles);
     const Program program = compiled(spinning.page, spinning.energy);
     const auto by_samples = run_on_samples<double>(program, spinning.data, Lanes::samples, {});
