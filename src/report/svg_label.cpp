@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/svg_label.h"
+
+#include <array>
+#include <cctype>
+#include <utility>
+#include <vector>
+
+#include "base/utf8.h"
+#include "report/svg.h"
+
+namespace rigor {
+namespace {
+
+struct Sign {
+  std::string_view command;
+  std::string_view text;
+};
+
+constexpr std::array signs{
+    Sign{"alpha", "α"},   Sign{"beta", "β"},       Sign{"gamma", "γ"},   Sign{"delta", "δ"},
+    Sign{"epsilon", "ϵ"}, Sign{"varepsilon", "ε"}, Sign{"zeta", "ζ"},    Sign{"eta", "η"},
+    Sign{"theta", "θ"},   Sign{"vartheta", "ϑ"},   Sign{"iota", "ι"},    Sign{"kappa", "κ"},
+    Sign{"lambda", "λ"},  Sign{"mu", "μ"},         Sign{"nu", "ν"},      Sign{"xi", "ξ"},
+    Sign{"pi", "π"},      Sign{"rho", "ρ"},        Sign{"sigma", "σ"},   Sign{"tau", "τ"},
+    Sign{"upsilon", "υ"}, Sign{"phi", "φ"},        Sign{"varphi", "φ"},  Sign{"chi", "χ"},
+    Sign{"psi", "ψ"},     Sign{"omega", "ω"},      Sign{"Gamma", "Γ"},   Sign{"Delta", "Δ"},
+    Sign{"Theta", "Θ"},   Sign{"Lambda", "Λ"},     Sign{"Xi", "Ξ"},      Sign{"Pi", "Π"},
+    Sign{"Sigma", "Σ"},   Sign{"Phi", "Φ"},        Sign{"Psi", "Ψ"},     Sign{"Omega", "Ω"},
+    Sign{"ell", "ℓ"},     Sign{"cdot", "·"},       Sign{"times", "×"},   Sign{"sum", "Σ"},
+    Sign{"infty", "∞"},   Sign{"sqrt", "√"},       Sign{"approx", "≈"},  Sign{"le", "≤"},
+    Sign{"ge", "≥"},      Sign{"pm", "±"},         Sign{"partial", "∂"}, Sign{"nabla", "∇"},
+    Sign{"Vert", "‖"},    Sign{"|", "‖"},          Sign{"circ", "°"},    Sign{"degree", "°"},
+    Sign{",", " "},       Sign{";", " "},          Sign{"quad", "  "},   Sign{"prime", "′"},
+    Sign{"left", ""},     Sign{"right", ""},       Sign{"{", "{"},       Sign{"}", "}"},
+};
+/// What stands over the letter before it: combining marks.
+constexpr std::array accents{
+    Sign{"dot", "\u0307"},
+    Sign{"ddot", "\u0308"},
+    Sign{"hat", "\u0302"},
+    Sign{"bar", "\u0304"},
+    Sign{"vec", "\u20d7"},
+    Sign{"tilde", "\u0303"},
+    Sign{"overleftrightarrow", "\u20e1"},
+};
+constexpr std::array<std::string_view, 5> bold_faces{"mathbf", "boldsymbol", "bm", "vb", "mathsf"};
+constexpr std::array<std::string_view, 4> upright_faces{"text", "mathrm", "textrm", "operatorname"};
+
+template <class Table>
+const Sign* find(const Table& table, std::string_view command) {
+  for (const Sign& sign : table) {
+    if (sign.command == command) return &sign;
+  }
+  return nullptr;
+}
+
+template <class List>
+bool contains(const List& list, std::string_view word) {
+  for (const std::string_view each : list) {
+    if (each == word) return true;
+  }
+  return false;
+}
+
+struct Style {
+  bool bold = false;
+  bool italic = true;
+  int level = 0;  // 1: superscript, -1: subscript
+};
+
+/// Mathematics to pieces of one style each. What is nested deeper than the stack allows is shown as it is.
+class LabelReader {
+ public:
+  explicit LabelReader(std::string_view text) : text_(text) {}
+
+  std::vector<std::pair<Style, std::string>> read() {
+    group(Style{}, 0, false);
+    return std::move(pieces_);
+  }
+
+ private:
+  static constexpr int deepest = 20;
+
+  void put(const Style& style, std::string_view what) {
+    if (what.empty()) return;
+    pieces_.emplace_back(style, std::string(what));
+  }
+
+  [[nodiscard]] std::string_view command() {
+    const std::size_t begin = ++at_;
+    while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_]))) ++at_;
+    if (at_ == begin && at_ < text_.size()) ++at_;
+    const std::string_view name = text_.substr(begin, at_ - begin);
+    while (!name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) && at_ < text_.size() &&
+           text_[at_] == ' ') {
+      ++at_;
+    }
+    return name;
+  }
+
+  /// One letter, one command, or what is in braces.
+  void argument(const Style& style, int depth) {
+    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
+    if (at_ >= text_.size()) return;
+    if (text_[at_] == '{') {
+      ++at_;
+      group(style, depth + 1, true);
+    } else {
+      one(style, depth + 1);
+    }
+  }
+
+  void letter(Style style) {
+    const std::size_t begin = at_;
+    (void)next_code_point(text_, at_);
+    const char first = text_[begin];
+    const bool is_letter = (first & 0x80) != 0 || std::isalpha(static_cast<unsigned char>(first)) != 0;
+    style.italic = style.italic && is_letter && !style.bold;
+    put(style, first == '-' ? "−" : first == '\'' ? "′" : text_.substr(begin, at_ - begin));
+  }
+
+  void one(const Style& style, int depth) {
+    if (depth > deepest) {
+      letter(style);
+      return;
+    }
+    const char next = text_[at_];
+    if (next == '\\') {
+      named(style, depth);
+    } else if (next == '_' || next == '^') {
+      ++at_;
+      Style raised = style;
+      raised.level = next == '^' ? 1 : -1;
+      argument(raised, depth);
+    } else {
+      letter(style);
+    }
+  }
+
+  void named(Style style, int depth) {
+    const std::string_view name = command();
+    if (const Sign* accent = find(accents, name)) {
+      argument(style, depth);
+      if (!pieces_.empty()) pieces_.back().second += accent->text;
+    } else if (contains(bold_faces, name)) {
+      style.bold = true;
+      argument(style, depth);
+    } else if (contains(upright_faces, name)) {
+      style.italic = false;
+      argument(style, depth);
+    } else if (name == "frac") {
+      argument(style, depth);
+      put(style, "/");
+      argument(style, depth);
+    } else if (const Sign* sign = find(signs, name)) {
+      style.italic = style.italic && !style.bold && !name.empty() &&
+                     std::islower(static_cast<unsigned char>(name[0])) != 0;
+      put(style, sign->text);
+    } else {
+      style.italic = false;
+      put(style, name);
+    }
+  }
+
+  void group(const Style& style, int depth, bool closes) {
+    while (at_ < text_.size()) {
+      if (text_[at_] == '}') {
+        ++at_;
+        if (closes) return;
+      } else if (text_[at_] == '{') {
+        ++at_;
+        if (depth < deepest) group(style, depth + 1, true);
+      } else {
+        one(style, depth);
+      }
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::vector<std::pair<Style, std::string>> pieces_;
+};
+
+/// Calls `plain` and `mathematics` with the parts of a text, in order.
+template <class Plain, class Mathematics>
+void split_at_dollars(std::string_view text, Plain plain, Mathematics mathematics) {
+  while (!text.empty()) {
+    const std::size_t open = text.find('$');
+    const std::size_t close = open == text.npos ? text.npos : text.find('$', open + 1);
+    if (close == text.npos) {
+      plain(text);
+      return;
+    }
+    plain(text.substr(0, open));
+    mathematics(text.substr(open + 1, close - open - 1));
+    text.remove_prefix(close + 1);
+  }
+}
+
+std::string markup(const std::vector<std::pair<Style, std::string>>& pieces) {
+  std::string all;
+  int level = 0;
+  for (const auto& [style, text] : pieces) {
+    all += "<tspan";
+    // Shifts are relative to the text before, and a viewer that knows no `baseline-shift` knows `dy`.
+    const double shift = (level - style.level) * 4.0;
+    if (shift != 0) all += " dy=\"" + svg_number(shift) + '"';
+    if (style.level != 0) all += " font-size=\"75%\"";
+    if (style.bold) all += " font-weight=\"bold\"";
+    if (style.italic) all += " font-style=\"italic\"";
+    all += '>' + svg_escaped(text) + "</tspan>";
+    level = style.level;
+  }
+  // An empty piece moves nothing in some viewers; a zero-width blank does.
+  if (level != 0) all += "<tspan dy=\"" + svg_number(level * 4.0) + "\">\u200b</tspan>";
+  return all;
+}
+
+}  // namespace
+
+std::string svg_label(std::string_view text) {
+  std::string all;
+  split_at_dollars(
+      text, [&](std::string_view plain) { all += svg_escaped(plain); },
+      [&](std::string_view formula) { all += markup(LabelReader(formula).read()); });
+  return all;
+}
+
+double svg_label_letters(std::string_view text) {
+  double letters = 0;
+  split_at_dollars(
+      text, [&](std::string_view plain) { letters += static_cast<double>(cells(plain)); },
+      [&](std::string_view formula) {
+        for (const auto& [style, piece] : LabelReader(formula).read()) {
+          letters += static_cast<double>(cells(piece)) * (style.level == 0 ? 1.0 : 0.75);
+        }
+      });
+  return letters;
+}
+
+}  // namespace rigor

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/letter_values.h"
+
+#include <algorithm>
+
+namespace rigor {
+
+const LetterValue* LetterValues::find(SymbolId symbol) const {
+  const auto found = values_.find(symbol);
+  return found == values_.end() ? nullptr : &found->second;
+}
+
+std::optional<ProgramInput> LetterValues::fill(const Program& program, Samples& samples,
+                                               const std::vector<SymbolId>& left_out) const {
+  for (const ProgramInput& input : program.inputs()) {
+    if (std::find(left_out.begin(), left_out.end(), input.symbol) != left_out.end()) continue;
+    const LetterValue* value = find(input.symbol);
+    if (value == nullptr) return input;
+    if (input.per_particle) {
+      if (input.component >= value->particles.size()) return input;
+      samples.set_particles(input.symbol, input.component, value->particles[input.component]);
+    } else {
+      if (input.component >= value->components.size()) return input;
+      samples.set(input.symbol, input.component, value->components[input.component]);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Definition> without_definitions_of(const std::vector<SymbolId>& valued,
+                                               const std::vector<Definition>& definitions) {
+  std::vector<Definition> kept;
+  for (const Definition& definition : definitions) {
+    if (std::find(valued.begin(), valued.end(), definition.symbol) == valued.end())
+      kept.push_back(definition);
+  }
+  return kept;
+}
+
+}  // namespace rigor

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene's body and what can be known of it, each computed once and only when asked: the inertia tensor, the
+// principal moments (values alone), the principal axes, the particles' places along them.
+#pragma once
+
+#include <optional>
+
+#include "numeric/body.h"
+#include "numeric/inertia.h"
+#include "scene/explain.h"
+
+namespace rigor {
+
+class SceneBody {
+ public:
+  static constexpr const char* particles_node = "particles";
+  static constexpr const char* tensor_node = "inertia tensor";
+  static constexpr const char* moments_node = "principal moments";
+  static constexpr const char* axes_node = "principal axes";
+  static constexpr const char* places_node = "particles along the principal axes";
+
+  /// Kept by reference.
+  SceneBody(const Body& body, SceneLedger& ledger);
+
+  [[nodiscard]] const Body& body() const { return body_; }
+  [[nodiscard]] const Result<InertiaTensor>& tensor();
+  /// Is the file's set of axes a principal one? No product of inertia exceeds 64 u times the trace.
+  [[nodiscard]] Result<bool> is_along_principal_axes();
+  /// In the order of the axes where the body is along them, else ascending. Computes no axes.
+  [[nodiscard]] const Result<Position>& moments();
+  /// In the order of `moments`. Where the body is along them, e₁, e₂, e₃, and nothing is computed.
+  [[nodiscard]] const Result<PrincipalAxes>& axes();
+  /// Coordinates of the particles along `axes`.
+  [[nodiscard]] Result<std::array<std::vector<double>, 3>> places_along_axes();
+
+ private:
+  const Body& body_;
+  SceneLedger& ledger_;
+  std::optional<Result<InertiaTensor>> tensor_;
+  std::optional<Result<Position>> moments_;
+  std::optional<Result<PrincipalAxes>> axes_;
+};
+
+}  // namespace rigor

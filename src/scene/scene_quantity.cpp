@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The quantities of a scene: at the time 0, over the time, and how constant they stay.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/evaluate.h"
+#include "scene/quantity_dimension.h"
+#include "scene/scene_evaluation.h"
+
+namespace rigor {
+namespace {
+
+/// Rows times particles for one quantity: seconds of work.
+constexpr double most_work = 1e9;
+
+/// Steps of the integration err by its tolerance; there are thousands.
+constexpr double steps_allowed_for = 1e4;
+
+using Rows = std::vector<std::vector<double>>;
+
+/// The greatest change of any component, over the greatest size.
+double relative_change(const Rows& rows) {
+  double size = 0;
+  double change = 0;
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      size = std::max(size, std::abs(row[c]));
+      change = std::max(change, std::abs(row[c] - rows[0][c]));
+    }
+  }
+  return size > 0 ? change / size : 0;
+}
+
+Rows by_row(const std::vector<double>& columns, std::size_t rows) {
+  const std::size_t components = columns.size() / rows;
+  Rows table(rows, std::vector<double>(components));
+  for (std::size_t c = 0; c < components; ++c) {
+    for (std::size_t row = 0; row < rows; ++row) table[row][c] = columns[c * rows + row];
+  }
+  return table;
+}
+
+}  // namespace
+
+void SceneEvaluation::evaluate_one(Asked& asked) {
+  if (asked.failed) return;
+  if (asked.form == nullptr) return evaluate_own_part(asked);
+  const std::string& name = asked.ask->name.text;
+  const bool over_time = asked.ask->kind == SceneAskKind::over_time;
+  if (const auto missing = values_.provide(*asked.program))
+    return fail(asked, missing->message, missing->help);
+  if (reads(*asked.program, rate_symbols_) && !law_of_spin_)
+    return fail(asked, "the rates of the spin are not known");
+  if (over_time && !result_.motion) return fail(asked, "there is no motion");
+
+  const auto dimension = quantity_dimension(forms_.tree, definitions_, asked.form->expr,
+                                            [this](SymbolId symbol) { return values_.dimension_of(symbol); });
+  if (!dimension.clash.empty()) {
+    report(DiagnosticKind::wrong_unit, asked.ask->name.span,
+           fmt::format("in `{}` {}", name, dimension.clash));
+  }
+  SceneQuantity quantity{
+      .source = name,
+      .axes = static_cast<int>(asked.form->indices.size()) + forms_.tree[asked.form->expr].rank,
+      .dimension = dimension.dimension};
+  if (!law_of_spin_ && reads(*asked.program, spin_symbols_)) {
+    if (const auto spin = values_.spin()) start_ = *spin;
+  }
+  quantity.value = ledger_.compute(name, over_time ? "asked for over the time" : "asked for", [&] {
+    return run_program(*asked.program, {&start_, 1});
+  });
+  if (std::any_of(quantity.value.begin(), quantity.value.end(),
+                  [](double each) { return !std::isfinite(each); })) {
+    report(DiagnosticKind::bad_scene, asked.ask->name.span, fmt::format("`{}` is not finite", name));
+  }
+  if (result_.motion && (over_time || reads(*asked.program, spin_symbols_))) follow_motion(asked, quantity);
+  result_.quantities.push_back(std::move(quantity));
+}
+
+/// results[output · spins + which]; everything else is the same for all spins.
+std::vector<double> SceneEvaluation::run_program(const Program& program, std::span<const Vector3> spins) {
+  std::vector<SymbolId> moving = spin_symbols_;
+  moving.insert(moving.end(), rate_symbols_.begin(), rate_symbols_.end());
+  Samples samples(spins.size(), body_.body().size());
+  (void)values_.values().fill(program, samples, moving);
+  std::vector<Vector3> rates;
+  if (reads(program, rate_symbols_)) {
+    for (const Vector3& spin : spins) rates.push_back(law_of_spin_->rates(spin));
+  }
+  for (const ProgramInput& input : program.inputs()) {
+    if (std::find(moving.begin(), moving.end(), input.symbol) == moving.end()) continue;
+    const SceneLetter* letter = letters_.find(input.symbol);
+    const auto source = letter->role == SceneRole::spin ? spins : std::span<const Vector3>(rates);
+    std::vector<double> column;
+    for (const Vector3& each : source) column.push_back(each[input.component]);
+    samples.set_each(input.symbol, input.component, std::move(column));
+  }
+  return evaluate(program, samples);
+}
+
+void SceneEvaluation::follow_motion(const Asked& asked, SceneQuantity& quantity) {
+  const Motion& motion = *result_.motion;
+  const std::size_t particles = asked.program->sums_over_particles() ? body_.body().size() : 1;
+  if (static_cast<double>(motion.times.size()) * static_cast<double>(particles) > most_work) {
+    return report(DiagnosticKind::bad_scene, asked.ask->name.span,
+                  fmt::format("`{}` for {} rows and {} particles is too much work", quantity.source,
+                              motion.times.size(), particles),
+                  "ask for fewer `rows` under [motion]");
+  }
+  Rows rows = ledger_.compute(quantity.source, "asked for, and followed along the motion", [&] {
+    return by_row(run_program(*asked.program, motion.spins), motion.times.size());
+  });
+  note_drift(quantity, rows);
+  if (asked.ask->kind == SceneAskKind::over_time) quantity.rows = std::move(rows);
+}
+
+/// A vector that is not constant along the body's axes may rest in space.
+void SceneEvaluation::note_drift(const SceneQuantity& quantity, const Rows& rows) {
+  const double allowed = steps_allowed_for * scene_.motion->tolerance;
+  const double change = relative_change(rows);
+  SceneDrift drift{quantity.source, change, change <= allowed, false};
+  if (quantity.axes == 1 && !drift.constant) {
+    Rows fixed = rows;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const Vector3 in_space =
+          turned(result_.motion->orientations[row], {rows[row][0], rows[row][1], rows[row][2]});
+      fixed[row].assign(in_space.begin(), in_space.end());
+    }
+    const double in_space = relative_change(fixed);
+    if (in_space <= allowed) drift = {quantity.source, in_space, true, true};
+  }
+  result_.drifts.push_back(std::move(drift));
+}
+
+/// Principal moments and axes, which are asked of the body and not of the notes.
+void SceneEvaluation::evaluate_own_part(Asked& asked) {
+  SceneQuantity quantity{.source = asked.ask->name.text, .axes = 1};
+  if (asked.ask->kind == SceneAskKind::principal_moments) {
+    const auto& moments = body_.moments();
+    if (!moments) return fail(asked, moments.error().reason);
+    quantity.value.assign(moments->begin(), moments->end());
+    const Dimension length = Dimension::of(BaseQuantity::length);
+    quantity.dimension = Dimension::of(BaseQuantity::mass) + length + length;
+  } else {
+    const auto& axes = body_.axes();
+    if (!axes) return fail(asked, axes.error().reason);
+    quantity.axes = 2;
+    for (const Position& axis : axes->axes)
+      quantity.value.insert(quantity.value.end(), axis.begin(), axis.end());
+    quantity.dimension = Dimension();
+  }
+  result_.quantities.push_back(std::move(quantity));
+}
+
+}  // namespace rigor

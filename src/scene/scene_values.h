@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The numbers behind a scene's letters, made when a compiled expression reads them and not before.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scene/letter_values.h"
+#include "scene/scene_body.h"
+#include "scene/scene_letters.h"
+
+namespace rigor {
+
+/// Why a letter has no value, and what may help.
+struct MissingValue {
+  std::string message;
+  std::string help;
+};
+
+class SceneValues {
+ public:
+  /// All are kept by reference.
+  SceneValues(const SceneFile& scene, const ExprTree& tree, const SceneLetters& letters, SceneBody& body,
+              SceneLedger& ledger)
+      : scene_(scene), tree_(tree), letters_(letters), body_(body), ledger_(ledger) {}
+
+  /// Along which axes components are, once it is known what will be read. Principal axes are taken where they
+  /// are asked for or a principal moment is read. A reason where the scene leaves open along which axes it
+  /// means its components.
+  [[nodiscard]] std::optional<MissingValue> settle_axes(const std::set<SceneRole>& read);
+  [[nodiscard]] bool along_principal_axes() const { return principal_; }
+
+  /// Makes what the program reads, but for rates of the spin.
+  [[nodiscard]] std::optional<MissingValue> provide(const Program& program);
+  /// The spin along the axes that were settled.
+  [[nodiscard]] Result<Vector3> spin();
+
+  [[nodiscard]] const LetterValues& values() const { return values_; }
+  [[nodiscard]] std::optional<Dimension> dimension_of(SymbolId symbol) const;
+
+ private:
+  [[nodiscard]] Result<LetterValue> value_of(const SceneLetter& letter);
+  [[nodiscard]] Result<LetterValue> moment(std::size_t which);
+  [[nodiscard]] Result<LetterValue> tensor();
+  [[nodiscard]] Result<LetterValue> turned_value(std::vector<double> components);
+  [[nodiscard]] MissingValue missing(SymbolId symbol) const;
+
+  const SceneFile& scene_;
+  const ExprTree& tree_;
+  const SceneLetters& letters_;
+  SceneBody& body_;
+  SceneLedger& ledger_;
+  LetterValues values_;
+  bool principal_ = false;  // components are along principal axes
+  bool turn_ = false;       // and the scene gives them along the body's, which are others
+  bool turn_places_ = false;
+};
+
+}  // namespace rigor

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/spin_law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numeric/evaluate.h"
+
+namespace rigor {
+namespace {
+
+/// c · rates + rest = 0.
+struct Row {
+  Vector3 coefficients{};
+  double rest = 0;
+};
+
+double largest(const Vector3& vector) {
+  return std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+}
+
+/// Coefficients beneath this, of rows scaled to 1, count as 0: equations that are independent only by their
+/// rounding errors do not pass for a law.
+constexpr double smallest_pivot = 1e-9;
+
+struct Elimination {
+  Vector3 rates{};
+  int undetermined = -1;     // an axis whose rate nothing determines
+  double contradiction = 0;  // the largest remainder of the other equations, against their largest term
+};
+
+/// Full pivoting: the best equation for the best rate first.
+Elimination eliminate(std::vector<Row> rows) {
+  std::erase_if(rows, [](const Row& row) { return largest(row.coefficients) == 0; });
+  for (Row& row : rows) {
+    const double scale = largest(row.coefficients);
+    for (double& each : row.coefficients) each /= scale;
+    row.rest /= scale;
+  }
+  Elimination result;
+  std::array<std::size_t, 3> row_of{};
+  std::array<bool, 3> done{};
+  double size = 0;
+  for (const Row& row : rows) size = std::max(size, std::abs(row.rest));
+  for (std::size_t count = 0; count < 3; ++count) {
+    std::size_t best_row = count;
+    std::size_t best_axis = 3;
+    double best = smallest_pivot;
+    for (std::size_t r = count; r < rows.size(); ++r) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (done[k] || std::abs(rows[r].coefficients[k]) <= best) continue;
+        best = std::abs(rows[r].coefficients[k]);
+        best_row = r;
+        best_axis = k;
+      }
+    }
+    if (best_axis == 3) {
+      result.undetermined = static_cast<int>(std::find(done.begin(), done.end(), false) - done.begin());
+      return result;
+    }
+    std::swap(rows[count], rows[best_row]);
+    done[best_axis] = true;
+    row_of[best_axis] = count;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (r == count) continue;
+      const double factor = rows[r].coefficients[best_axis] / rows[count].coefficients[best_axis];
+      if (factor == 0) continue;
+      for (std::size_t k = 0; k < 3; ++k) rows[r].coefficients[k] -= factor * rows[count].coefficients[k];
+      rows[r].coefficients[best_axis] = 0;
+      rows[r].rest -= factor * rows[count].rest;
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Row& row = rows[row_of[k]];
+    result.rates[k] = -row.rest / row.coefficients[k];
+    size = std::max(size, std::abs(result.rates[k]));
+  }
+  for (std::size_t r = 3; r < rows.size(); ++r) {
+    if (size > 0) result.contradiction = std::max(result.contradiction, std::abs(rows[r].rest) / size);
+  }
+  return result;
+}
+
+}  // namespace
+
+/// The equations' programs; each has the left sides' components first and then the right sides'.
+class SpinLaw::System {
+ public:
+  System(const ExprTree& tree, const std::vector<SymbolId>& spin, std::size_t particles)
+      : tree_(tree), spin_(spin), particles_(particles) {
+    for (const SymbolId symbol : spin) {
+      if (const auto rate = tree.symbols.find({.base = symbol, .time = 1})) rates_.push_back(*rate);
+    }
+    left_out_ = spin_;
+    left_out_.insert(left_out_.end(), rates_.begin(), rates_.end());
+  }
+
+  /// Nothing, or why the equations cannot be evaluated at all.
+  void add(const LawEquation& equation, const LetterValues& values) {
+    const ProgramRoot roots[]{{equation.left, equation.indices}, {equation.right, equation.indices}};
+    const auto program = Program::compile(tree_, equation.definitions, roots);
+    if (!program) {
+      remember(program.error().reason);
+      return;
+    }
+    const bool has_rate =
+        std::any_of(program->inputs().begin(), program->inputs().end(), [&](const ProgramInput& input) {
+          return std::find(rates_.begin(), rates_.end(), input.symbol) != rates_.end();
+        });
+    if (!has_rate || !program->free_particles().empty()) {
+      ++passed_over_;
+      return;
+    }
+    Samples samples(probes, particles_);
+    if (const auto missing = values.fill(*program, samples, left_out_)) {
+      remember(fmt::format("`{}` has no value", tree_.symbols[missing->symbol].name));
+      return;
+    }
+    parts_.push_back({*program, std::move(samples)});
+  }
+
+  [[nodiscard]] std::size_t used() const { return parts_.size(); }
+  [[nodiscard]] std::size_t passed_over() const { return passed_over_; }
+  [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
+
+  [[nodiscard]] Elimination solve(const Vector3& spin) { return eliminate(rows(spin)); }
+
+  /// With rates a, b: is f(a + b) + f(0) = f(a) + f(b)? A law that is not affine is
+  /// refused if it differs by more than 1e-9 of its terms.
+  [[nodiscard]] bool is_affine(const Vector3& spin) {
+    const double h = probe_size(spin);
+    const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 2 * h, -h}, {3 * h, -h, 2 * h}, {4 * h, h, h}}};
+    for (Part& part : parts_) {
+      const std::vector<double> values = residuals(part, spin, batch);
+      const std::size_t outputs = values.size() / probes;
+      for (std::size_t o = 0; o < outputs; ++o) {
+        const double* f = &values[o * probes];
+        const double size = std::abs(f[0]) + std::abs(f[1]) + std::abs(f[2]) + std::abs(f[3]);
+        if (std::abs(f[3] + f[0] - f[1] - f[2]) > 1e-9 * size) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t probes = 4;
+
+  struct Part {
+    Program program;
+    Samples samples;
+  };
+
+  void remember(const std::string& reason) {
+    ++passed_over_;
+    if (obstacle_.empty()) obstacle_ = reason;
+  }
+
+  /// A power of two near the size of the rates to be expected.
+  static double probe_size(const Vector3& spin) {
+    const double size = largest(spin);
+    if (!(size > 0) || !std::isfinite(size)) return 1;
+    return std::clamp(std::exp2(2 * std::round(std::log2(size))), 0x1p-900, 0x1p900);
+  }
+
+  /// left − right of each component at each probe: [output · probes + probe].
+  [[nodiscard]] std::vector<double> residuals(Part& part, const Vector3& spin,
+                                              const std::array<Vector3, probes>& rates) const {
+    for (const ProgramInput& input : part.program.inputs()) {
+      if (std::find(spin_.begin(), spin_.end(), input.symbol) != spin_.end()) {
+        part.samples.set(input.symbol, input.component, spin[input.component]);
+      } else if (std::find(rates_.begin(), rates_.end(), input.symbol) != rates_.end()) {
+        std::vector<double> column(probes);
+        for (std::size_t p = 0; p < probes; ++p) column[p] = rates[p][input.component];
+        part.samples.set_each(input.symbol, input.component, std::move(column));
+      }
+    }
+    std::vector<double> values = evaluate(part.program, part.samples);
+    const std::size_t half = values.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) values[i] -= values[half + i];
+    values.resize(half);
+    return values;
+  }
+
+  [[nodiscard]] std::vector<Row> rows(const Vector3& spin) {
+    const double h = probe_size(spin);
+    const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}}};
+    std::vector<Row> all;
+    for (Part& part : parts_) {
+      const std::vector<double> values = residuals(part, spin, batch);
+      for (std::size_t o = 0; o < values.size() / probes; ++o) {
+        const double* f = &values[o * probes];
+        Row row{.coefficients = {}, .rest = f[0]};
+        for (std::size_t k = 0; k < 3; ++k) row.coefficients[k] = (f[k + 1] - f[0]) / h;
+        all.push_back(row);
+      }
+    }
+    return all;
+  }
+
+  const ExprTree& tree_;
+  std::vector<SymbolId> spin_;
+  std::vector<SymbolId> rates_;
+  std::vector<SymbolId> left_out_;
+  std::size_t particles_;
+  std::vector<Part> parts_;
+  std::size_t passed_over_ = 0;
+  std::string obstacle_;  // the first one
+};
+
+Result<SpinLaw> SpinLaw::make(const ExprTree& tree, std::span<const LawEquation> equations,
+                              const std::vector<SymbolId>& spin, const LetterValues& values,
+                              std::size_t particles, const Vector3& at) {
+  SpinLaw law;
+  law.system_ = std::make_shared<System>(tree, spin, particles);
+  for (const LawEquation& equation : equations) law.system_->add(equation, values);
+  const std::string& obstacle = law.system_->obstacle();
+  const std::string because = obstacle.empty() ? "" : " (" + obstacle + ")";
+  if (law.system_->used() == 0) {
+    return tl::unexpected(
+        Error{"no equation there has a rate of the spin and otherwise known letters" + because});
+  }
+  if (!law.system_->is_affine(at)) {
+    return tl::unexpected(Error{"the equations are not affine in the rates of the spin"});
+  }
+  const Elimination tried = law.system_->solve(at);
+  if (tried.undetermined >= 0) {
+    return tl::unexpected(
+        Error{fmt::format("the equations do not determine the rate of the spin's component {}{}",
+                          tried.undetermined + 1, because)});
+  }
+  if (tried.contradiction > 1e-6) return tl::unexpected(Error{"the equations contradict each other"});
+  return law;
+}
+
+Vector3 SpinLaw::rates(const Vector3& spin) const {
+  const Elimination solved = system_->solve(spin);
+  if (solved.undetermined < 0) return solved.rates;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {none, none, none};
+}
+
+std::size_t SpinLaw::equations_used() const { return system_->used(); }
+std::size_t SpinLaw::equations_passed_over() const { return system_->passed_over(); }
+
+}  // namespace rigor

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catch.h"
+#include "check/forms.h"
+#include "numeric/body.h"
+#include "scene/scene_file.h"
+
+namespace rigor {
+namespace {
+
+/// A scene on the notes in derivations/, from its lines.
+struct Played {
+  SourceMap sources;
+  Diagnostics diagnostics;  // of the file, the notes and the evaluation
+  SceneResult result;
+
+  Played(const std::string& lines, const Body& body) {
+    const FileId file = sources.add("derivations/scenes/test.toml",
+                                    "notes = \"../rigid-bodies.md\"\nbody = \"test\"\n" + lines);
+    const auto scene = read_scene(sources, file, diagnostics);
+    if (!scene) return;
+    FormRequest request{.asked = asked_of_notes(*scene)};
+    if (!scene->at.empty()) request.at = scene->at;
+    request.only = scene->motion ? std::vector{scene->motion->equations.text} : std::vector<std::string>();
+    const FormsReading reading = read_forms(sources, scene->notes_path(), request);
+    diagnostics = reading.report.diagnostics;
+    result = evaluate_scene(*scene, body, reading.forms);
+    diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
+  }
+
+  [[nodiscard]] const SceneQuantity& quantity(const std::string& source) const {
+    static const SceneQuantity none;
+    for (const SceneQuantity& each : result.quantities) {
+      if (each.source == source) return each;
+    }
+    return none;
+  }
+  [[nodiscard]] double value(const std::string& source, std::size_t component = 0) const {
+    const auto& values = quantity(source).value;
+    return component < values.size() ? values[component] : std::nan("");
+  }
+  [[nodiscard]] bool computed(const std::string& node) const {
+    return std::any_of(result.nodes.begin(), result.nodes.end(),
+                       [&](const SceneNode& each) { return each.name == node && each.computed; });
+  }
+  [[nodiscard]] std::string messages() const {
+    std::string all;
+    for (const Diagnostic& each : diagnostics) {
+      all += std::string(info(each.kind).name) + ": " + each.message + "\n";
+      for (const std::string& help : each.help) all += "help: " + help + "\n";
+    }
+    return all;
+  }
+};
+
+/// Two of each at ±a e₁, ±b e₂, ±c e₃, of 1 kg each: I₁ = 2(b² + c²) and so on.
+Body cross_of_masses(double a, double b, double c) {
+  return *point_masses("cross", {1, 1, 1, 1, 1, 1},
+                       {{a, 0, 0}, {-a, 0, 0}, {0, b, 0}, {0, -b, 0}, {0, 0, c}, {0, 0, -c}});
+}
+
+/// The same, turned by 30° about the third axis.
+Body turned_cross(double a, double b, double c) {
+  const double s = 0.5;
+  const double k = std::sqrt(0.75);
+  return *point_masses("turned", {1, 1, 1, 1, 1, 1},
+                       {{a * k, a * s, 0},
+                        {-a * k, -a * s, 0},
+                        {-b * s, b * k, 0},
+                        {b * s, -b * k, 0},
+                        {0, 0, c},
+                        {0, 0, -c}});
+}
+
+// Moments 2·(4 + 1) = 10, 2·(9 + 1) = 20 and 2·(9 + 4) = 26.
+Body sample() { return cross_of_masses(3, 2, 1); }
+
+TEST_CASE("a scene that asks for the energy alone touches neither moments, axes nor motion", "[scene]") {
+  const Played played("spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}']\n", sample());
+  CHECK(played.messages() == "");
+  CHECK(played.value("T_{rot}") == (10 + 4 * 20 + 9 * 26) / 2.0);
+  CHECK(played.computed("particles"));
+  CHECK(played.computed("T_{rot}"));
+  CHECK(played.result.counts().computed == 2);
+  CHECK(played.result.counts().skipped == 6);
+}
+
+TEST_CASE("a stability frequency needs principal moments and no axes", "[scene]") {
+  const Played played("spin = [1, 2, 3]\nat = \"A thrown racket\"\n[ask]\nquantities = ['(\\Omega_2)^2']\n",
+                      sample());
+  CHECK(played.messages() == "");
+  CHECK(played.value("(\\Omega_2)^2") == Approx((10 - 20) * (26 - 20) / (26.0 * 10) * 4).epsilon(1e-14));
+  CHECK(played.computed("principal moments"));
+  CHECK(!played.computed("principal axes"));
+  CHECK(!played.computed("particles"));
+  CHECK(!played.computed("motion"));
+  CHECK(played.result.counts().computed == 3);
+}
+
+constexpr const char* racket = "at = \"A thrown racket\"\n";
+constexpr const char* euler =
+    "[motion]\nequations = \"(22)\"\nduration = \"20 s\"\n[values]\n'\\boldsymbol{\\tau}' = [0, 0, 0]\n";
+
+TEST_CASE("moments and axes of the body are found where it does not lie along them", "[scene]") {
+  const Played played("[ask]\nquantities = ['principal moments', 'principal axes', 'I_{ij}']\n",
+                      turned_cross(3, 2, 1));
+  CHECK(played.messages() == "");
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(played.value("principal moments", i) == Approx(std::array{10, 20, 26}[i]).epsilon(1e-14));
+  }
+  CHECK(played.value("principal axes", 0) == Approx(std::sqrt(0.75)).epsilon(1e-14));
+  CHECK(played.value("I_{ij}", 1) == Approx((10 - 20) * 0.5 * std::sqrt(0.75)).epsilon(1e-14));
+  CHECK(played.value("I_{ij}", 1) == played.value("I_{ij}", 3));
+  CHECK(played.computed("principal axes"));
+}
+
+TEST_CASE("moments alone are values alone", "[scene]") {
+  const Played played("[ask]\nquantities = ['principal moments']\n", turned_cross(3, 2, 1));
+  CHECK(played.computed("principal moments"));
+  CHECK(!played.computed("principal axes"));
+  CHECK(played.value("principal moments", 2) == Approx(26).epsilon(1e-14));
+}
+
+TEST_CASE("a spin along principal axes needs no axes, one along the body's does", "[scene]") {
+  const std::string ask = std::string(racket) + "spin = [1, 2, 3]\n[ask]\nquantities = ['(\\Omega_2)^2']\n";
+  const double expected = (10 - 20) * (26 - 20) / (26.0 * 10) * 4;
+  const Played principal("axes = \"principal\"\n" + ask, turned_cross(3, 2, 1));
+  CHECK(principal.messages() == "");
+  CHECK(principal.value("(\\Omega_2)^2") == Approx(expected).epsilon(1e-13));
+  CHECK(!principal.computed("principal axes"));
+
+  const Played body("axes = \"body\"\n" + ask, turned_cross(3, 2, 1));
+  CHECK(body.messages() == "");
+  const double along = -0.5 * 1 + std::sqrt(0.75) * 2;  // ω along the second principal axis
+  CHECK(body.value("(\\Omega_2)^2") == Approx(expected / 4 * along * along).epsilon(1e-13));
+  CHECK(body.computed("principal axes"));
+}
+
+TEST_CASE("where it is open along which axes a spin is meant, the scene says so", "[scene]") {
+  const Played played(std::string(racket) + "spin = [1, 2, 3]\n[ask]\nquantities = ['(\\Omega_2)^2']\n",
+                      turned_cross(3, 2, 1));
+  CHECK(played.messages() ==
+        "bad-scene: principal moments are needed, and the body does not lie along its principal axes\n"
+        "help: say with `axes = \"principal\"` or `axes = \"body\"` along which the spin is given\n");
+}
+
+TEST_CASE("the energy does not depend on the axes along which a turned body is looked at", "[scene]") {
+  const std::string ask = "spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}', 'L_i']\n";
+  const Played played("axes = \"principal\"\n" + ask, turned_cross(3, 2, 1));
+  CHECK(played.messages() == "");
+  CHECK(played.value("T_{rot}") == Approx((10 + 4 * 20 + 9 * 26) / 2.0).epsilon(1e-14));
+  CHECK(played.value("L_i", 2) == Approx(78).epsilon(1e-14));
+  CHECK(played.computed("particles along the principal axes"));
+}
+
+TEST_CASE("the notes' own equations move the body and keep energy and angular momentum", "[scene]") {
+  const Played played(std::string("spin = [0.01, 5, 0]\n[ask]\nquantities = ['\\boldsymbol{\\omega}(t)', "
+                                  "'\\mathbf{L}(t)', 'T_{rot}']\n") +
+                          euler,
+                      sample());
+  CHECK(played.messages() == "");
+  REQUIRE(played.result.motion);
+  CHECK(played.result.motion->times.size() == 501);
+  CHECK(played.computed("law of motion"));
+  REQUIRE(played.quantity("\\mathbf{L}(t)").rows.size() == 501);
+  CHECK(played.quantity("\\mathbf{L}(t)").rows[0][1] == 100);
+  bool turned_over = false;
+  for (const auto& row : played.quantity("\\boldsymbol{\\omega}(t)").rows)
+    turned_over = turned_over || row[1] < -4.9;
+  CHECK(turned_over);
+  REQUIRE(played.result.drifts.size() == 3);
+  CHECK(!played.result.drifts[0].constant);
+  CHECK((played.result.drifts[1].constant && played.result.drifts[1].in_space));
+  CHECK((played.result.drifts[2].constant && !played.result.drifts[2].in_space));
+  CHECK(played.result.drifts[1].relative < 1e-7);
+  CHECK(played.result.drifts[2].relative < 1e-8);
+}
+
+TEST_CASE("quantities have their dimensions", "[scene]") {
+  const Played played(
+      "spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}', 'I_{ij}', '\\mathbf{L}', '\\boldsymbol{\\omega}']\n",
+      sample());
+  CHECK(played.messages() == "");
+  const auto text = [&](const char* source) {
+    return played.quantity(source).dimension.value_or(Dimension()).text();
+  };
+  CHECK(text("T_{rot}") == "M L^2 T^{-2}");
+  CHECK(text("I_{ij}") == "M L^2");
+  CHECK(text("\\mathbf{L}") == "M L^2 T^{-1}");
+  CHECK(text("\\boldsymbol{\\omega}") == "T^{-1}");
+}
+
+TEST_CASE("an energy without a spin is refused, the tensor beside it is not", "[scene]") {
+  const Played played("[ask]\nquantities = ['T_{rot}', 'I_{ij}']\n", sample());
+  CHECK(
+      played.messages() ==
+      "bad-scene: `T_{rot}` is not evaluated: `\\boldsymbol{\\omega}` is needed, and the scene has no spin\n"
+      "help: add `spin = [\"1 rad/s\", 0, 0]`, say\n");
+  CHECK(played.value("I_{ij}", 8) == 26);
+}
+
+TEST_CASE("a letter without a value is named, with where to give it one", "[scene]") {
+  const Played played("[ask]\nquantities = ['T_{trans}']\n", sample());
+  CHECK(played.messages() ==
+        "bad-scene: `T_{trans}` is not evaluated: `\\mathbf{V}` is needed, and has no value\n"
+        "help: give it one under [values], or say under [symbols] that `\\mathbf{V}` is the mass, the "
+        "position, the "
+        "spin or a principal moment\n");
+  const Played given("[values]\n'\\mathbf{V}' = [\"3 m/s\", 0, 0]\n[ask]\nquantities = ['T_{trans}']\n",
+                     sample());
+  CHECK(given.messages() == "");
+  CHECK(given.value("T_{trans}") == 27);
+  CHECK(given.quantity("T_{trans}").dimension->text() == "M L^2 T^{-2}");
+}
+
+TEST_CASE("a value's unit that contradicts the notes is reported", "[scene]") {
+  const Played played(
+      "spin = [1, 2, 3]\n[values]\n'\\mathbf{V}' = [\"3 kg\", 0, 0]\n[ask]\nquantities = ['T_{rot} + "
+      "T_{trans}']\n",
+      sample());
+  CHECK(played.messages() ==
+        "wrong-unit: in `T_{rot} + T_{trans}` terms of kg m^2/s^2 and of kg^3 are added\n");
+}
+
+TEST_CASE("an unknown quantity comes with a suggestion", "[scene]") {
+  const Played played("spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rott}']\n", sample());
+  CHECK(played.messages().find("T_{rott}") != std::string::npos);
+  CHECK(played.messages().find("did you mean") != std::string::npos);
+  CHECK(played.result.quantities.empty());
+}
+
+TEST_CASE("equations that leave the torque open are no law of motion", "[scene]") {
+  const Played played(
+      "spin = [1, 2, 3]\n[motion]\nequations = \"(22)\"\nduration = 1\n[ask]\nquantities = "
+      "['\\boldsymbol{\\omega}(t)']\n",
+      sample());
+  CHECK(played.messages().find("`(22)` gives no law of motion: ") != std::string::npos);
+  CHECK(!played.result.motion);
+}
+
+TEST_CASE("a rod's spin about itself is not determined, and the axis is named", "[scene]") {
+  const Body rod = *point_masses("rod", {1, 1}, {{0, 0, 1}, {0, 0, -1}});
+  const Played played(
+      std::string("spin = [1, 2, 3]\n[ask]\nquantities = ['\\boldsymbol{\\omega}(t)']\n") + euler, rod);
+  CHECK(played.messages().find("do not determine the rate of the spin's component 3") != std::string::npos);
+}
+
+TEST_CASE("a body without mass or particles is refused", "[scene]") {
+  const std::string ask = "spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}']\n";
+  CHECK(Played(ask, Body{}).messages().find("bad-body: ") == 0);
+  CHECK(Played(ask, Body{"none", {0}, {{{0}, {0}, {0}}}, {}}).messages().find("bad-body: ") == 0);
+  CHECK(Played(ask, Body{"nan", {std::nan("")}, {{{0}, {0}, {0}}}, {}}).messages().find("bad-body: ") == 0);
+}
+
+}  // namespace
+}  // namespace rigor
