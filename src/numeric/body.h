@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct Body {
   std::vector<double> masses;
   std::array<std::vector<double>, 3> positions;  // x, y and z of all particles
   std::optional<KnownInertia> known = {};        // of the solid that the particles stand for
+  std::string title = {};                        // in words, for reports; may be empty
 
   [[nodiscard]] std::size_t size() const { return masses.size(); }
   [[nodiscard]] Position position(std::size_t particle) const {

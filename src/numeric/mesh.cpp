@@ -3,11 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "numeric/inertia.h"
+#include "numeric/bodies.h"
 
 namespace rigor {
 namespace {
@@ -110,23 +109,7 @@ Result<MeshMass> mesh_mass(const Mesh& mesh) {
 Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass) {
   if (!std::isfinite(mass) || mass <= 0)
     return refuse(fmt::format("the mesh has the mass {} kg, which must be finite and positive", mass));
-  const auto principal = principal_axes(enclosed.second_moments);
-  if (!principal) return tl::unexpected(principal.error());
-  Body body{std::move(name), std::vector<double>(6, mass / 6), {}, KnownInertia{mass, {}}};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double distance = std::sqrt(3 * std::max(0.0, principal->moments[k]));
-    for (const double sign : {1.0, -1.0}) {
-      for (std::size_t i = 0; i < 3; ++i)
-        body.positions[i].push_back(sign * distance * principal->axes[k][i]);
-    }
-  }
-  const InertiaTensor& j = enclosed.second_moments;
-  const double trace = j[0][0] + j[1][1] + j[2][2];
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) body.known->inertia[i][k] = -mass * j[i][k];
-    body.known->inertia[i][i] = mass * (trace - j[i][i]);
-  }
-  return body;
+  return equimomental_body(std::move(name), mass, enclosed.second_moments);
 }
 
 }  // namespace rigor

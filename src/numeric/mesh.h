@@ -42,8 +42,7 @@ struct MeshMass {
 /// b + c. Source: F. Tonon, J. Math. Stat. 1 (2005) 8. Error: 3e-15 relative; more for thin bodies.
 [[nodiscard]] Result<MeshMass> mesh_mass(const Mesh& mesh);
 
-/// Six particles of M/6 at ±√(3 λ_k) along the principal axes of the second moments, λ_k their eigenvalues:
-/// the mass, the centre and the inertia tensor of the homogeneous body, along the axes of the mesh.
+/// The homogeneous body of that mass as six particles (`equimomental_body`), along the axes of the mesh.
 [[nodiscard]] Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass);
 
 }  // namespace rigor

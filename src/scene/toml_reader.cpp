@@ -91,6 +91,10 @@ const std::vector<TomlValue>* TomlReader::array(std::string_view key) {
   return value == nullptr || !is_kind(*value, TomlKind::array, key, diagnostics_) ? nullptr : &value->items;
 }
 
+void TomlReader::accept_all() {
+  for (const TomlEntry& entry : table_.entries) asked_.push_back(entry.key);
+}
+
 void TomlReader::report_unknown() {
   for (const TomlEntry& entry : table_.entries) {
     if (std::find(asked_.begin(), asked_.end(), entry.key) != asked_.end()) continue;

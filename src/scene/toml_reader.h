@@ -41,6 +41,8 @@ class TomlReader {
   /// An array's items, or null.
   [[nodiscard]] const std::vector<TomlValue>* array(std::string_view key);
 
+  /// The other keys are not judged: what they would mean is not known.
+  void accept_all();
   /// A diagnostic for each key that nobody asked for, with the nearest that somebody did. Call it last.
   void report_unknown();
 

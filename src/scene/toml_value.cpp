@@ -8,7 +8,12 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "scene/toml_scan.h"
 
+// toml++ asserts what broken files such as `a = [}` violate, and reports them just behind. Without NDEBUG
+// such a file would end the program, and with it clang takes the assertion for granted: we have neither.
+#undef NDEBUG
+#define TOML_ASSERT(...) static_assert(true)
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
@@ -18,7 +23,6 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{16} << 20;
 constexpr int most_depth = 64;
-constexpr std::size_t most_dots = 256;  // on one line, outside quotes: each may open a table
 
 class TomlConverter {
  public:
@@ -95,26 +99,6 @@ bool is_too_deep(const toml::node& root) {
   return false;
 }
 
-/// The first line that opens tables by dots beyond all reason (`a.a.a…`): freeing them would overflow the
-/// stack.
-std::optional<std::uint32_t> line_of_dots(const SourceMap& sources, FileId file) {
-  for (std::uint32_t line = 1; line <= sources.line_count(file); ++line) {
-    std::size_t dots = 0;
-    char quote = 0;
-    for (const char c : sources.line_text(file, line)) {
-      if (c == '=' || c == '#') break;
-      if (quote != 0)
-        quote = c == quote ? '\0' : quote;
-      else if (c == '"' || c == '\'')
-        quote = c;
-      else if (c == '.')
-        ++dots;
-    }
-    if (dots > most_dots) return line;
-  }
-  return std::nullopt;
-}
-
 /// toml++ says `Error while parsing key-value pair: cannot redefine existing string 'mass' as integer`.
 std::string message_of(std::string_view description) {
   if (const auto redefined = description.find("cannot redefine existing");
@@ -157,9 +141,9 @@ std::optional<TomlValue> parse_toml(const SourceMap& sources, FileId file, Diagn
     return std::nullopt;
   }
   const TomlConverter converter(sources, file);
-  if (const auto line = line_of_dots(sources, file)) {
-    const std::uint32_t start = sources.line_start(file, *line);
-    diagnostics.push_back({DiagnosticKind::bad_toml, {file, start, start}, "tables are nested too deep"});
+  if (const auto flaw = find_toml_flaw(text)) {
+    const Span span{file, static_cast<std::uint32_t>(flaw->begin), static_cast<std::uint32_t>(flaw->end)};
+    diagnostics.push_back({DiagnosticKind::bad_toml, span, flaw->message});
     return std::nullopt;
   }
   const toml::parse_result parsed = toml::parse(text);

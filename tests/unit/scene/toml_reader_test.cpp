@@ -57,12 +57,31 @@ TEST_CASE("tables nested too deep are refused, however they are written") {
   std::string dotted = "a";
   for (int k = 0; k < 100'000; ++k) dotted += ".a";
   CHECK(first_line(reported(dotted + " = 1\n")) ==
-        "a.toml:1:1: error: tables are nested too deep [bad-toml]");
+        "a.toml:1:130: error: tables are nested too deep [bad-toml]");
   std::string some = "a";
   for (int k = 0; k < 70; ++k) some += ".a";
-  CHECK(first_line(reported(some + " = 1\n")) == "a.toml:1:1: error: tables are nested too deep [bad-toml]");
+  CHECK(first_line(reported(some + " = 1\n")) ==
+        "a.toml:1:130: error: tables are nested too deep [bad-toml]");
+  CHECK(first_line(reported("x = " + std::string(100, '[') + std::string(100, ']') + "\n")) ==
+        "a.toml:1:1: error: tables are nested too deep [bad-toml]");
+  CHECK(reported("[" + some + "]\n").find("tables are nested too deep") != std::string::npos);
   CHECK(reported("x = " + std::string(100'000, '[')).find("[bad-toml]") != std::string::npos);
   CHECK(reported("a.b.c = 1\nx = \"" + std::string(1'000, '.') + "\"\n").empty());
+}
+
+TEST_CASE("characters beyond ASCII are for strings and comments") {
+  CHECK(reported("a = é\n") ==
+        "a.toml:1:5: error: `é` can only stand in a string or a comment [bad-toml]\n"
+        "    1 | a = é\n"
+        "      |     ^\n");
+  CHECK(reported("a = \"é\\\"é\" # é\nb = 'é'\nc = \"\"\"\né\"é\\\"\"\"\"\"\"\nd = \'\'\'é\'é\n\'\'\'\n")
+            .empty());
+  CHECK(first_line(reported("a = \"é\nb = é\n")).starts_with("a.toml:2:5: error: `é` can only"));
+}
+
+TEST_CASE("what toml++ asserts is reported") {
+  CHECK(first_line(reported("a = [}\n")).starts_with("a.toml:1:6: error: this is no TOML: "));
+  CHECK(first_line(reported("a = [1,,2]\n")).starts_with("a.toml:1:8: error: this is no TOML: "));
 }
 
 TEST_CASE("an unknown key is reported with the nearest that was asked for") {

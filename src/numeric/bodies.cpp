@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/bodies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "numeric/inertia.h"
+
+namespace rigor {
+namespace {
+
+tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
+
+Result<void> check_mass(double mass) {
+  if (!std::isfinite(mass) || mass <= 0)
+    return refuse(fmt::format("the body has the mass {} kg, which must be finite and positive", mass));
+  return {};
+}
+
+double square_of(const Position& r) { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
+
+/// Where the centre of mass of all parts is, in the coordinates of the offsets.
+Position common_centre(const std::vector<PlacedBody>& parts, double total) {
+  Position centre{};
+  for (const PlacedBody& part : parts) {
+    for (std::size_t i = 0; i < 3; ++i) centre[i] += part.body.known->mass / total * part.offset[i];
+  }
+  return centre;
+}
+
+std::optional<KnownInertia> joined_inertia(const std::vector<PlacedBody>& parts) {
+  KnownInertia whole;
+  for (const PlacedBody& part : parts) {
+    if (!part.body.known) return std::nullopt;
+    whole.mass += part.body.known->mass;
+  }
+  const Position centre = common_centre(parts, whole.mass);
+  for (const PlacedBody& part : parts) {
+    Position d = part.offset;
+    for (std::size_t i = 0; i < 3; ++i) d[i] -= centre[i];
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double shift = (i == j ? square_of(d) : 0) - d[i] * d[j];
+        whole.inertia[i][j] += part.body.known->inertia[i][j] + part.body.known->mass * shift;
+      }
+    }
+  }
+  return whole;
+}
+
+}  // namespace
+
+Body along_axis(Body body, std::size_t axis) {
+  RIGOR_CHECK(axis < 3, axis);
+  const std::size_t step = (axis + 1) % 3;  // z, the axis 2, goes to (2 + step) mod 3
+  auto positions = std::exchange(body.positions, {});
+  for (std::size_t i = 0; i < 3; ++i) body.positions[(i + step) % 3] = std::move(positions[i]);
+  if (body.known) {
+    const InertiaTensor inertia = body.known->inertia;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) body.known->inertia[(i + step) % 3][(j + step) % 3] = inertia[i][j];
+    }
+  }
+  return body;
+}
+
+Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts) {
+  if (parts.empty()) return refuse("the body has no parts");
+  Body whole{std::move(name), {}, {}, joined_inertia(parts)};
+  for (const auto& [body, offset] : parts) {
+    whole.masses.insert(whole.masses.end(), body.masses.begin(), body.masses.end());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const double x : body.positions[axis]) whole.positions[axis].push_back(x + offset[axis]);
+    }
+  }
+  return centred(std::move(whole));
+}
+
+Result<Body> equimomental_body(std::string name, double mass, const InertiaTensor& second_moments) {
+  if (const auto checked = check_mass(mass); !checked) return tl::unexpected(checked.error());
+  const auto principal = principal_axes(second_moments);
+  if (!principal) return tl::unexpected(principal.error());
+  Body body{std::move(name), std::vector<double>(6, mass / 6), {}, KnownInertia{mass, {}}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double distance = std::sqrt(3 * std::max(0.0, principal->moments[k]));
+    for (const double sign : {1.0, -1.0}) {
+      for (std::size_t i = 0; i < 3; ++i)
+        body.positions[i].push_back(sign * distance * principal->axes[k][i]);
+    }
+  }
+  const double trace = second_moments[0][0] + second_moments[1][1] + second_moments[2][2];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j)
+      body.known->inertia[i][j] = mass * ((i == j ? trace : 0) - second_moments[i][j]);
+  }
+  if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
+  return body;
+}
+
+Result<Body> body_with_inertia(std::string name, double mass, const InertiaTensor& inertia) {
+  if (const auto checked = check_mass(mass); !checked) return tl::unexpected(checked.error());
+  if (const auto checked = check_inertia(inertia); !checked) return tl::unexpected(checked.error());
+  InertiaTensor second_moments{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) second_moments[i][j] = -inertia[i][j] / mass;
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    second_moments[i][i] = (inertia[j][j] - inertia[i][i] + inertia[k][k]) / 2 / mass;
+  }
+  Result<Body> body = equimomental_body(std::move(name), mass, second_moments);
+  if (body) body->known->inertia = inertia;
+  return body;
+}
+
+}  // namespace rigor
