@@ -36,6 +36,11 @@ class Engine {
   /// results[output · stride + sample] for so many samples.
   void run(std::size_t samples, T* results, std::size_t stride);
 
+  /// One sample again and again, for plans whose lanes are not samples: `prepare_point` after binding, then
+  /// `run_point` as often as the numbers that inputs are bound to change.
+  void prepare_point();
+  void run_point(T* results);
+
  private:
   void run_batch(std::size_t samples, T* results, std::size_t stride);
   void execute(const std::vector<Step>& steps, const std::vector<StepFunction<T>>& functions,

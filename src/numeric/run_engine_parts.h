@@ -104,6 +104,19 @@ void Engine<T>::run_batch(std::size_t samples, T* results, std::size_t stride) {
 }
 
 template <class T>
+void Engine<T>::prepare_point() {
+  sample_ = 0;
+  set_inputs(plan_.each_inputs);
+}
+
+template <class T>
+void Engine<T>::run_point(T* results) {
+  T** const outputs = slots_.data() + plan_.first_output();
+  for (std::size_t i = 0; i < plan_.outputs; ++i) outputs[i] = results + i;
+  execute(plan_.each, each_, 0, plan_.each.size());
+}
+
+template <class T>
 void Engine<T>::execute(const std::vector<Step>& steps, const std::vector<StepFunction<T>>& functions,
                         std::size_t begin, std::size_t end) {
   T* const* const slots = slots_.data();

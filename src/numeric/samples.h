@@ -36,6 +36,11 @@ class Samples {
   /// One for each particle of each sample: values[particle · samples + sample].
   void set_particles_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
 
+  /// Some of the samples, in the given order; one may be taken several times.
+  [[nodiscard]] Samples only(std::span<const std::size_t> which) const;
+  /// The same with every number as the nearest float.
+  [[nodiscard]] Samples rounded_to_float() const;
+
   [[nodiscard]] const Column* find(SymbolId symbol, std::uint32_t component) const;
 
  private:

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/bounds.h"
+
+#include <cmath>
+#include <random>
+
+#include "catch.h"
+#include "numeric/on_sample.h"
+#include "numeric/reference.h"
+
+using namespace rigor;
+using namespace rigor::build;
+
+namespace {
+
+/// Random forms of vectors A, B and scalars x, y.
+class RandomForms {
+ public:
+  [[nodiscard]] Term scalar(int depth) {
+    if (depth == 0)
+      return pick(2) == 0 ? Term(at(page.scalar_of[pick(2)], 1 + pick(3))) : page.number_of(pick(4));
+    switch (pick(9)) {
+      case 0:
+        return scalar(depth - 1) + scalar(depth - 1);
+      case 1:
+        return scalar(depth - 1) - scalar(depth - 1);
+      case 2:
+        return scalar(depth - 1) * scalar(depth - 1);
+      case 3:
+        return scalar(depth - 1) / scalar(depth - 1);
+      case 4:
+        return dot(vector(depth - 1), vector(depth - 1));
+      case 5:
+        return pow(scalar(depth - 1), 2 + pick(3));
+      case 6:
+        return length(vector(depth - 1));
+      case 7:
+        return sin(scalar(depth - 1)) + cos(scalar(depth - 1));
+      default:
+        return root(absolute(scalar(depth - 1)));
+    }
+  }
+  [[nodiscard]] Term vector(int depth) {
+    if (depth == 0) return page.scalar_of[pick(2)];
+    return pick(2) == 0 ? cross(vector(depth - 1), vector(depth - 1)) : scalar(depth - 1) * vector(depth - 1);
+  }
+  [[nodiscard]] int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+
+  struct Vectors : Page {
+    Named scalar_of[2] = {vector("A"), vector("B")};
+    [[nodiscard]] Term number_of(int k) {
+      const char* digits[] = {"2", "0.1", "3", "1.7"};
+      return number(digits[k]);
+    }
+  } page;
+
+ private:
+  std::mt19937 random_{7};
+};
+
+}  // namespace
+
+TEST_CASE("the bound holds for random forms, and is not absurdly large", "[numeric]") {
+  RandomForms forms;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-2.0, 2.0);
+  constexpr std::size_t count = 20;
+  Samples samples(count, 0);
+  for (const Named& vector : forms.page.scalar_of) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      std::vector<double> values(count);
+      for (double& value : values) value = uniform(random);
+      samples.set_each(vector.symbol, i, values);
+    }
+  }
+  int known = 0;
+  int finite = 0;
+  int sharp = 0;  // within 2^12 times the error, or a few units in the last place
+  for (int form = 0; form < 150; ++form) {
+    const Program program = compiled(forms.page, forms.scalar(3));
+    const Reference exact = reference(program, samples);
+    const BoundedResults results = evaluate_with_bounds(program, samples);
+    const std::vector<double> plain = evaluate(program, samples);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (exact.known[i] != Known::value && exact.known[i] != Known::zero) continue;
+      ++known;
+      // The reference is rounded to double: half a unit in the last place more.
+      const double rounding = 0x1p-53 * std::abs(exact.values[i]) + 0x1p-1074;
+      const double error = std::abs(results.values[i] - exact.values[i]);
+      CHECK((std::isinf(results.bounds[i]) || error <= results.bounds[i] + rounding));
+      CHECK((results.values[i] == plain[i] || std::isnan(plain[i])));
+      if (std::isinf(results.bounds[i])) continue;
+      ++finite;
+      sharp += results.bounds[i] <= 4096.0 * (error + rounding) ? 1 : 0;
+    }
+  }
+  CHECK(known > 2000);
+  CHECK(finite >= known * 95 / 100);
+  CHECK(sharp >= finite * 80 / 100);  // the others are right by luck
+}
+
+TEST_CASE("the bound holds for all inputs within their uncertainty", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  const Program program = compiled(page, (x - y) * x / (x + y) + root(x));
+  const double u = 1e-6;
+  const auto at = [&](double a, double b, double uncertainty) {
+    Samples samples(1, 0);
+    samples.set(x.symbol, 0, a);
+    samples.set(y.symbol, 0, b);
+    return evaluate_with_bounds(program, samples, uncertainty);
+  };
+  const BoundedResults centre = at(3.0, 2.9, u);
+  CHECK(centre.bounds[0] < 20.0 * u);
+  double farthest = 0.0;
+  for (const double a : {-u, 0.0, u}) {
+    for (const double b : {-u, 0.0, u}) {
+      const double there = at(3.0 * (1.0 + a), 2.9 * (1.0 + b), 0.0).values[0];
+      farthest = std::max(farthest, std::abs(there - centre.values[0]));
+    }
+  }
+  CHECK(farthest <= centre.bounds[0]);
+  CHECK(farthest > 0.2 * centre.bounds[0]);
+}
+
+TEST_CASE("no bound is known behind a divisor that may be 0, or an overflow", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  Samples samples(1, 0);
+  samples.set(x.symbol, 0, 1e200);
+  const auto bound = [&](const Term& term) {
+    return evaluate_with_bounds(compiled(page, term), samples).bounds[0];
+  };
+  CHECK(std::isinf(bound(x * x)));
+  CHECK(std::isinf(bound(1 / (x - x))));
+  CHECK(std::isinf(bound(1 / ((x + page.number("1")) - x))));
+  CHECK(bound(1 / x) <= 0x1p-52 * 1e-200);
+  CHECK(bound(1 / x) >= 0x1p-54 * 1e-200);
+}
