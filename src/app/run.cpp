@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "app/command_line.h"
+#include "app/forms.h"
 #include "app/progress.h"
 #include "app/replay.h"
 #include "app/screen.h"
@@ -74,6 +75,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     const CommandLine line = parse_command_line(argc, argv);
     if (line.check) return check(*line.check, out, err);
     if (line.replay) return written(replay(*line.replay, out, err), out, err);
+    if (line.eval) return written(evaluate_forms(*line.eval, out, err), out, err);
+    if (line.bench) return written(bench_forms(*line.bench, out, err), out, err);
     (line.code == ExitCode::ok ? out : err) << line.text;
     return number_of(line.code);
   });

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/forms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/sample_bodies.h"
+#include "app/screen.h"
+#include "base/utf8.h"
+#include "report/advice.h"
+#include "report/bench_text.h"
+#include "report/eval_text.h"
+#include "source/render.h"
+#include "source/suggest.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t most_panels = 4;
+
+bool same_tag(const std::string& tag, const std::string& name) {
+  return !tag.empty() && (tag == name || tag == "(" + name + ")" || "(" + tag + ")" == name);
+}
+
+/// The notes with their forms, and the bodies.
+struct Forms {
+  SourceMap sources;
+  FormsReading reading;
+  std::vector<Body> bodies;
+  std::vector<const WrittenFormChain*> chains;
+};
+
+void print(const Diagnostics& diagnostics, const SourceMap& sources, std::ostream& err) {
+  for (const Diagnostic& diagnostic : diagnostics) err << render(diagnostic, sources);
+}
+
+/// The chains at the places that are asked for. Claims only: what is assumed is not computed.
+ExitCode choose_chains(const FormsCommand& command, Forms& forms, std::ostream& err) {
+  std::vector<std::string> names;
+  for (const WrittenFormChain& chain : forms.reading.forms.chains) {
+    if (!chain.tag.empty()) names.push_back(chain.tag);
+    if (!chain.section.empty()) names.push_back(chain.section);
+    const bool wanted =
+        command.places.empty() ||
+        std::any_of(command.places.begin(), command.places.end(), [&](const std::string& place) {
+          return same_tag(chain.tag, place) || chain.section == place;
+        });
+    if (wanted && !chain.assumed) forms.chains.push_back(&chain);
+  }
+  for (const std::string& place : command.places) {
+    const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return name == place || same_tag(name, place);
+    });
+    if (known) continue;
+    err << fmt::format("rigor: {}: no equation and no section is named `{}`", printable(command.file),
+                       printable(place));
+    if (const auto near = suggest(place, names)) err << fmt::format("; did you mean `{}`?", printable(*near));
+    err << "\n";
+    return ExitCode::wrong;
+  }
+  return ExitCode::ok;
+}
+
+ExitCode read_all(const FormsCommand& command, Forms& forms, std::ostream& err) {
+  const ExitCode bodies = read_bodies(command.bodies, command.file, forms.sources, forms.bodies, err);
+  if (bodies != ExitCode::ok) return bodies;
+  FormRequest request;
+  request.sidecar = command.sidecar;
+  forms.reading = read_forms(forms.sources, command.file, request);
+  if (forms.reading.report.unreadable) {
+    print(forms.reading.report.diagnostics, forms.sources, err);
+    return ExitCode::no_input;
+  }
+  return choose_chains(command, forms, err);
+}
+
+EvaluatedNotes evaluate_all(const FormsCommand& command, const Forms& forms, const TrialOptions& options) {
+  EvaluatedNotes notes{.path = command.file, .chains = {}};
+  for (const WrittenFormChain* chain : forms.chains) {
+    ChainResult result = measure_chain(forms.reading.forms, *chain, forms.bodies, options);
+    if (result.forms.empty() && result.left_out.empty()) continue;
+    notes.chains.push_back({chain, std::move(result)});
+  }
+  return notes;
+}
+
+/// False if the file cannot be written.
+bool write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  return static_cast<bool>(file.flush());
+}
+
+}  // namespace
+
+ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostream& err) {
+  Forms forms;
+  if (const ExitCode code = read_all(command.forms, forms, err); code != ExitCode::ok) return code;
+  const EvaluatedNotes notes = evaluate_all(command.forms, forms, {.times = command.times});
+  const TerminalOptions options = terminal_options(command.forms.color, out);
+  out << (command.json ? evaluation_json(notes, forms.sources)
+                       : print_evaluation(notes, forms.sources, options));
+  return ExitCode::ok;
+}
+
+ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostream& err) {
+  Forms forms;
+  if (const ExitCode code = read_all(command.forms, forms, err); code != ExitCode::ok) return code;
+  const std::filesystem::path folder(command.folder);
+  std::error_code error;
+  if (!command.folder.empty()) std::filesystem::create_directories(folder, error);
+  std::string table;
+  for (const EvaluatedChain& chain : evaluate_all(command.forms, forms, {}).chains) {
+    if (!advise(chain.result)) continue;  // nothing to compare
+    const auto trials = telling_trials(chain.result, most_panels);
+    std::optional<std::string> picture;
+    if (!command.folder.empty()) {
+      picture = file_name_of(*chain.chain, forms.sources) + ".svg";
+      if (!write(folder / *picture, bench_picture(chain, trials))) {
+        err << fmt::format("rigor: {}: cannot be written\n", printable((folder / *picture).string()));
+        return ExitCode::no_input;
+      }
+    }
+    table += bench_markdown(chain, trials, forms.sources, picture);
+  }
+  if (command.folder.empty()) {
+    out << table;
+    return ExitCode::ok;
+  }
+  const std::string name = std::filesystem::path(command.forms.file).stem().string() + ".md";
+  if (write(folder / name, table)) return ExitCode::ok;
+  err << fmt::format("rigor: {}: cannot be written\n", printable((folder / name).string()));
+  return ExitCode::no_input;
+}
+
+}  // namespace rigor

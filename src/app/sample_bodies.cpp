@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sample_bodies.h"
+
+#include <filesystem>
+
+#include "base/utf8.h"
+#include "scene/body_file.h"
+#include "source/render.h"
+
+namespace rigor {
+
+std::vector<std::string> body_folders(const std::string& beside) {
+  const std::filesystem::path folder = std::filesystem::path(beside).parent_path();
+  return {(folder / "bodies").string(), (folder.parent_path() / "bodies").string(), "bodies",
+          "derivations/bodies"};
+}
+
+ExitCode read_bodies(const std::vector<std::string>& names, const std::string& beside, SourceMap& sources,
+                     std::vector<Body>& bodies, std::ostream& err) {
+  for (const std::string& name : names) {
+    std::vector<std::string> paths;
+    std::error_code error;
+    if (std::filesystem::is_directory(name, error)) {
+      for (const std::string& each : body_names({name}))
+        paths.push_back((std::filesystem::path(name) / (each + ".toml")).string());
+    } else {
+      const auto path = find_body(name, body_folders(beside));
+      if (!path) {
+        err << "rigor: " << printable(path.error().reason) << "\n";
+        return ExitCode::no_input;
+      }
+      paths.push_back(*path);
+    }
+    for (const std::string& path : paths) {
+      Diagnostics diagnostics;
+      auto body = read_body_file(path, sources, diagnostics);
+      for (const Diagnostic& diagnostic : diagnostics) err << render(diagnostic, sources);
+      if (!body) return ExitCode::wrong;
+      bodies.push_back(std::move(*body));
+    }
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace rigor

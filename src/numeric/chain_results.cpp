@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/chain_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "numeric/body_letters.h"
+#include "numeric/families.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t most_samples = 1024;
+constexpr std::size_t fewest_samples = 16;
+constexpr std::size_t most_work = 100'000;  // operations over all samples of one form
+constexpr std::size_t particles_without_body = 8;
+
+/// The forms of a chain as programs, and what is drawn for them.
+class ChainMeasurement {
+ public:
+  ChainMeasurement(const WrittenForms& forms, const WrittenFormChain& chain, const TrialOptions& options)
+      : forms_(forms), chain_(chain), options_(options) {}
+
+  ChainResult measure(std::span<const Body> bodies) {
+    for (std::size_t side = 0; side < chain_.forms.size(); ++side) compile(side);
+    if (programs_.empty()) return std::move(result_);
+    for (const Program& program : programs_) pointers_.push_back(&program);
+    symbols_ = symbols_read(pointers_);
+    const bool of_particles = std::any_of(symbols_.begin(), symbols_.end(), [&](SymbolId symbol) {
+      return forms_.tree.symbols[symbol].per_particle;
+    });
+    if (bodies.empty() || !of_particles) {
+      for (const InputFamily& family : input_families()) try_family(family, nullptr);
+      return std::move(result_);
+    }
+    const auto letters = body_letters(forms_.tree, pointers_);
+    if (!letters) {
+      result_.no_trials = letters.error().reason;
+      return std::move(result_);
+    }
+    letters_ = *letters;
+    for (const Body& body : bodies) {
+      for (const FamilyKind kind : {FamilyKind::random, FamilyKind::thin_axis}) try_family({kind, 0}, &body);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// A name of the next form would be the same program again.
+  void compile(std::size_t side) {
+    const auto& expr = chain_.forms[side].expr;
+    const bool names_next = side < chain_.steps.size() && chain_.steps[side].defines;
+    if (names_next) return;
+    if (!expr) {
+      result_.left_out.push_back({side, "it is not understood"});
+      return;
+    }
+    const ProgramRoot root{*expr, chain_.indices};
+    auto program = Program::compile(forms_.tree, chain_.definitions, std::span(&root, 1));
+    if (!program) {
+      result_.left_out.push_back({side, program.error().reason});
+      return;
+    }
+    const ProgramCounts counts = program->counts();
+    if (counts.once + counts.per_particle == 0) return;
+    result_.forms.push_back({side, counts.once, counts.per_particle});
+    programs_.push_back(std::move(*program));
+  }
+
+  void try_family(const InputFamily& family, const Body* body) {
+    if (!applies(family, forms_.tree, symbols_, body)) return;
+    const std::size_t particles = body != nullptr ? body->size() : particles_without_body;
+    std::size_t work = 1;
+    for (const ChainResult::Form& form : result_.forms)
+      work = std::max(work, form.operations + form.operations_per_particle * particles);
+    const std::size_t samples = std::clamp(most_work / work, fewest_samples, most_samples);
+    const auto drawn = draw_samples(forms_.tree, symbols_, family,
+                                    {.samples = samples,
+                                     .particles = particles,
+                                     .seed = options_.seed,
+                                     .body = body,
+                                     .letters = letters_});
+    if (!drawn) {
+      result_.no_trials = drawn.error().reason;
+      return;
+    }
+    TrialResult trial{.name = name_of(family),
+                      .what = std::string(description_of(family.kind)),
+                      .samples = drawn->samples(),
+                      .particles = drawn->particles(),
+                      .forms = {}};
+    if (body != nullptr) {
+      const bool plain = family.kind == FamilyKind::random;
+      trial.name = plain ? body->name : fmt::format("{}, {}", body->name, trial.name);
+    }
+    for (const Program& program : programs_) trial.forms.push_back(run(program, *drawn));
+    result_.trials.push_back(std::move(trial));
+  }
+
+  [[nodiscard]] FormResult run(const Program& program, const Samples& samples) const {
+    std::vector<std::uint32_t> at;
+    for (std::size_t k = 0; k < program.free_particles().size(); ++k)
+      at.push_back(static_cast<std::uint32_t>(k % samples.particles()));
+    MeasureOptions options;
+    if (!options_.times) options.milliseconds = 0;
+    FormResult form;
+    form.measure = rigor::measure(program, samples, options, at);
+    const std::vector<double> values = evaluate(program, samples, Arithmetic::plain, at);
+    for (std::size_t output = 0; output < program.outputs(); ++output)
+      form.first.push_back(values[output * samples.samples()]);
+    return form;
+  }
+
+  const WrittenForms& forms_;
+  const WrittenFormChain& chain_;
+  TrialOptions options_;
+  ChainResult result_;
+  std::vector<Program> programs_;
+  std::vector<const Program*> pointers_;
+  std::vector<SymbolId> symbols_;
+  BodyLetters letters_;
+};
+
+}  // namespace
+
+ChainResult measure_chain(const WrittenForms& forms, const WrittenFormChain& chain,
+                          std::span<const Body> bodies, const TrialOptions& options) {
+  return ChainMeasurement(forms, chain, options).measure(bodies);
+}
+
+}  // namespace rigor

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "report/figures.h"
+
+namespace rigor {
+namespace {
+
+constexpr double alike = 8.0;
+constexpr double unit_roundoff = 0x1p-53;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+const ErrorMeasure& in_double(const FormResult& form) {
+  return form.measure.arithmetics[static_cast<std::size_t>(Arithmetic::plain)];
+}
+
+double least_error(const TrialResult& trial) {
+  double least = infinite;
+  for (const FormResult& form : trial.forms) least = std::min(least, failing_error(in_double(form)));
+  return least;
+}
+
+double loss_of(const TrialResult& trial, std::size_t form) {
+  const double least = least_error(trial);
+  if (std::isinf(least)) return 1.0;  // where all fail, none is worse
+  const double error = failing_error(in_double(trial.forms[form]));
+  return std::max(error, unit_roundoff) / std::max(least, unit_roundoff);
+}
+
+/// On the trial where it is greatest.
+struct Loss {
+  double factor = 1.0;
+  const TrialResult* trial = nullptr;
+};
+
+Loss greatest_loss(const ChainResult& result, std::size_t form) {
+  Loss greatest;
+  for (const TrialResult& trial : result.trials) {
+    const double factor = loss_of(trial, form);
+    if (greatest.trial == nullptr || factor > greatest.factor) greatest = {factor, &trial};
+  }
+  return greatest;
+}
+
+/// Over the trials, the median; where no time was measured, the operations.
+double cost_of(const ChainResult& result, std::size_t form) {
+  std::vector<double> times;
+  for (const TrialResult& trial : result.trials) times.push_back(in_double(trial.forms[form]).nanoseconds);
+  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+  const double median = times[times.size() / 2];
+  if (median > 0) return median;
+  const ChainResult::Form& counted = result.forms[form];
+  return static_cast<double>(counted.operations + counted.operations_per_particle);
+}
+
+bool has_times(const ChainResult& result) { return in_double(result.trials[0].forms[0]).nanoseconds > 0; }
+
+std::string cost_text(const ChainResult& result, std::size_t form) {
+  const double cost = cost_of(result, form);
+  return has_times(result) ? fmt::format("{} ns", short_number(cost))
+                           : fmt::format("{:.0f} operations", cost);
+}
+
+std::string error_text(const ErrorMeasure& measure, std::size_t samples) {
+  if (measure.overflows > 0) return fmt::format("overflows in {} of {}", measure.overflows, samples);
+  if (measure.not_a_number > 0)
+    return fmt::format("is not a number in {} of {}", measure.not_a_number, samples);
+  std::string text = fmt::format("errs by {}", short_number(failing_error(measure)));
+  if (measure.wrong_signs > 0)
+    text += fmt::format(" and has the wrong sign in {} of {}", measure.wrong_signs, samples);
+  return text;
+}
+
+}  // namespace
+
+double failing_error(const ErrorMeasure& measure) {
+  if (measure.overflows > 0 || measure.not_a_number > 0) return infinite;
+  return measure.relative.worst;
+}
+
+std::optional<Advice> advise(const ChainResult& result) {
+  const std::size_t count = result.forms.size();
+  if (count < 2 || result.trials.empty()) return std::nullopt;
+  std::vector<double> losses;
+  std::vector<double> costs;
+  for (std::size_t k = 0; k < count; ++k) {
+    losses.push_back(greatest_loss(result, k).factor);
+    costs.push_back(cost_of(result, k));
+  }
+  const double least = *std::min_element(losses.begin(), losses.end());
+  Advice advice;
+  advice.all_alike = *std::max_element(losses.begin(), losses.end()) <= alike;
+  bool found = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (losses[k] > alike * least || (found && costs[k] >= costs[advice.form])) continue;
+    advice.form = k;
+    found = true;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    bool beaten = false;
+    for (std::size_t other = 0; other < count && !beaten; ++other) {
+      const bool no_worse = losses[other] <= losses[k] && costs[other] <= costs[k];
+      beaten = no_worse && (losses[other] < losses[k] || costs[other] < costs[k]);
+    }
+    if (!beaten) advice.fronts.push_back(k);
+  }
+  return advice;
+}
+
+std::string advice_text(const ChainResult& result, const Advice& advice, const WrittenFormChain& chain) {
+  const auto source = [&](std::size_t form) {
+    return fmt::format("`{}`", chain.forms[result.forms[form].side].source);
+  };
+  if (advice.all_alike)
+    return fmt::format("All {} forms err alike; {} is the cheapest ({}).", result.forms.size(),
+                       source(advice.form), cost_text(result, advice.form));
+  std::string text = fmt::format("Compute {} ({}).", source(advice.form), cost_text(result, advice.form));
+  for (std::size_t k = 0; k < result.forms.size(); ++k) {
+    const Loss loss = greatest_loss(result, k);
+    if (k == advice.form || loss.factor <= alike) continue;
+    const TrialResult& trial = *loss.trial;
+    text += fmt::format(" {} ({}) {} on `{}`, where that one {}.", source(k), cost_text(result, k),
+                        error_text(in_double(trial.forms[k]), trial.samples), trial.name,
+                        error_text(in_double(trial.forms[advice.form]), trial.samples));
+  }
+  return text;
+}
+
+}  // namespace rigor

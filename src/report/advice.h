@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which of several forms to compute in double, and why, in a sentence or two.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/chain_results.h"
+
+namespace rigor {
+
+/// What a form's worst error in double amounts to on a trial: infinite where a sign is wrong, a result is not
+/// a number or overflows, or where nothing right is left.
+[[nodiscard]] double failing_error(const ErrorMeasure& measure);
+
+/// A form is the safest if its worst loss is the least: the loss on a trial is its error over the least error
+/// of any form there, taken as u at least. Forms within a factor of 8 of the safest are as good; the fastest
+/// of them is advised.
+struct Advice {
+  std::size_t form = 0;             // of ChainResult::forms
+  bool all_alike = false;           // no form is worse than a factor of 8 anywhere
+  std::vector<std::size_t> fronts;  // forms that no other beats in worst error and time together
+};
+
+/// Nothing with fewer than two forms, or without a trial.
+[[nodiscard]] std::optional<Advice> advise(const ChainResult& result);
+
+/// In words, naming the forms as they were written.
+[[nodiscard]] std::string advice_text(const ChainResult& result, const Advice& advice,
+                                      const WrittenFormChain& chain);
+
+}  // namespace rigor
