@@ -20,11 +20,23 @@ std::string component_name(std::size_t component, int axes) {
   return fmt::format("component {}{}", component / 3 + 1, component % 3 + 1);
 }
 
+/// `kg m^2/s` with raised digits.
+std::string unit_label(const std::string& unit) {
+  std::string label;
+  bool raised = false;
+  for (const char each : unit) {
+    raised = each == '^' || (raised && each >= '0' && each <= '9');
+    if (each == '^') continue;
+    label += raised ? fmt::format("$^{}$", each) : std::string(1, each);
+  }
+  return label;
+}
+
 Plot plot_of(const SceneResult& result, const SceneQuantity& quantity) {
   const std::string name = plain_name(quantity.source);
   Plot plot{fmt::format("{}: {}", result.title, name), {"time (s)"}, {name}, {}};
   if (quantity.dimension && !quantity.dimension->is_none()) {
-    plot.y.label += " (" + si_unit(*quantity.dimension) + ")";
+    plot.y.label += " (" + unit_label(si_unit(*quantity.dimension)) + ")";
   }
   for (std::size_t c = 0; c < quantity.value.size(); ++c) {
     PlotSeries series{component_name(c, quantity.axes), {}, Mark::none, strokes[c % strokes.size()]};

@@ -56,6 +56,8 @@ class SceneEvaluation {
   // scene_quantity.cpp
   void evaluate_one(Asked& asked);
   void evaluate_own_part(Asked& asked);
+  /// What a program reads, for each of the spins; everything else is the same for all.
+  [[nodiscard]] Samples samples_for(const Program& program, std::span<const Vector3> spins);
   [[nodiscard]] std::vector<double> run_program(const Program& program, std::span<const Vector3> spins);
   void follow_motion(const Asked& asked, SceneQuantity& quantity);
   void note_drift(const SceneQuantity& quantity, const std::vector<std::vector<double>>& rows);

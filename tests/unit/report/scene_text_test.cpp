@@ -67,7 +67,7 @@ TEST_CASE("a scene is drawn with one plot for each quantity over the time", "[sc
   REQUIRE(plots.size() == 1);
   CHECK(plots[0].series.size() == 3);
   CHECK(plots[0].series[1].points[1].y == 1);
-  CHECK(plots[0].y.label == "$\\mathbf{L}$ (kg m^2/s)");
+  CHECK(plots[0].y.label == "$\\mathbf{L}$ (kg m$^2$/s)");
 }
 
 TEST_CASE("the path of the spin lies on an ellipsoid only where the moments are known", "[scene]") {
