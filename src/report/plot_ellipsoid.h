@@ -17,8 +17,8 @@ struct EllipsoidPath {
 struct EllipsoidPlot {
   std::string title;
   std::array<double, 3> half_axes{1, 1, 1};  // positive and finite
-  std::array<std::string, 3> names{};        // at the ends of the axes; mathematics between dollar signs
-  std::vector<EllipsoidPath> paths;
+  std::array<std::string, 3> names = {};     // at the ends of the axes; mathematics between dollar signs
+  std::vector<EllipsoidPath> paths = {};
 };
 
 /// Points that are not finite interrupt a path. Half axes that cannot be drawn give a picture that says so.

@@ -119,7 +119,7 @@ class Inference {
     std::optional<Dimension> result;
     for (auto each = definitions_.rbegin(); each != definitions_.rend(); ++each) {
       if (each->symbol != id) continue;
-      result = scaled(of(each->body), each->by_square ? SmallRational(1, 2) : SmallRational(1));
+      result = of(each->body);  // by square, too: the body is the root
       break;
     }
     unfolding_.erase(id);

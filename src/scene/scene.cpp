@@ -32,6 +32,9 @@ SceneResult SceneEvaluation::run() {
     for (Asked& asked : asked_) evaluate_one(asked);
   }
   result_.along_principal_axes = values_.along_principal_axes();
+  if (result_.along_principal_axes && result_.motion) {
+    if (const auto& moments = body_.moments()) result_.moments = *moments;
+  }
   result_.nodes = ledger_.nodes();
   return std::move(result_);
 }
@@ -61,7 +64,7 @@ bool SceneEvaluation::compile_all() {
     return !asked.failed && asked.ask->kind == SceneAskKind::over_time;
   });
   needs_law_ = needs_motion_ || read.contains(SceneRole::spin_rate);
-  if (needs_law_) collect_law(read);
+  if (needs_law_ || wants_law_) collect_law(read);
   const auto open = values_.settle_axes(read);
   if (open) report(DiagnosticKind::bad_scene, scene_.body.span, open->message, open->help);
   return !open;

@@ -44,6 +44,7 @@ struct SceneResult {
   bool along_principal_axes = false;  // components are along the body's principal axes
   std::vector<SceneQuantity> quantities;
   std::optional<Motion> motion;
+  std::optional<Vector3> moments;  // along the axes of the components, if they were needed
   std::vector<SceneDrift> drifts;
   std::vector<SceneNode> nodes;
   Diagnostics diagnostics;

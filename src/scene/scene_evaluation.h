@@ -3,6 +3,7 @@
 // it is run.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/scene_functions.h"
 #include "scene/scene_values.h"
 #include "scene/spin_law.h"
 
@@ -21,6 +23,8 @@ class SceneEvaluation {
   SceneEvaluation(const SceneFile& scene, const Body& body, const WrittenForms& forms);
 
   [[nodiscard]] SceneResult run();
+  /// Instead of `run`; they keep the evaluation alive.
+  [[nodiscard]] SceneFunctions functions(const std::shared_ptr<SceneEvaluation>& self);
 
  private:
   static constexpr const char* law_node = "law of motion";
@@ -52,6 +56,8 @@ class SceneEvaluation {
   // scene_quantity.cpp
   void evaluate_one(Asked& asked);
   void evaluate_own_part(Asked& asked);
+  /// What a program reads, for each of the spins; everything else is the same for all.
+  [[nodiscard]] Samples samples_for(const Program& program, std::span<const Vector3> spins);
   [[nodiscard]] std::vector<double> run_program(const Program& program, std::span<const Vector3> spins);
   void follow_motion(const Asked& asked, SceneQuantity& quantity);
   void note_drift(const SceneQuantity& quantity, const std::vector<std::vector<double>>& rows);
@@ -72,6 +78,7 @@ class SceneEvaluation {
   std::size_t chains_of_law_ = 0;
   bool needs_motion_ = false;
   bool needs_law_ = false;
+  bool wants_law_ = false;  // although nothing that is asked reads it
   std::optional<SpinLaw> law_of_spin_;
   Vector3 start_{};  // the spin at the time 0
 };

@@ -206,6 +206,7 @@ SceneAsk asked_as(const SceneText& name) {
 void read_asked(const TomlValue& table, SceneFile& scene, Diagnostics& diagnostics) {
   TomlReader reader(table, "[ask]", diagnostics);
   for (const SceneText& name : texts(reader, "quantities")) scene.asked.push_back(asked_as(name));
+  scene.errors = reader.truth("errors").value_or(false);
   scene.plot = reader.text("plot").value_or("");
   if (scene.asked.empty()) {
     report(diagnostics, DiagnosticKind::bad_scene, reader.span_of("quantities"), "the scene asks for nothing",

@@ -82,8 +82,9 @@ struct SceneFile {
   std::vector<SceneValue> values;
   std::optional<SceneMotion> motion;
   std::vector<SceneAsk> asked;
-  std::string plot;  // the picture's file; empty: none
-  Span span = {};    // of the file
+  bool errors = false;  // are bounds of rounding errors wanted?
+  std::string plot;     // the picture's file; empty: none
+  Span span = {};       // of the file
 
   /// `notes` as a path from where the program runs.
   [[nodiscard]] std::string notes_path() const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/bounds.h"
 #include "numeric/evaluate.h"
 #include "scene/quantity_dimension.h"
 #include "scene/scene_evaluation.h"
@@ -75,12 +76,16 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
                   [](double each) { return !std::isfinite(each); })) {
     report(DiagnosticKind::bad_scene, asked.ask->name.span, fmt::format("`{}` is not finite", name));
   }
+  if (scene_.errors) {
+    quantity.error = ledger_.compute("rounding errors of " + name, "asked for by `errors`", [&] {
+      return evaluate_with_bounds(*asked.program, samples_for(*asked.program, {&start_, 1})).bounds;
+    });
+  }
   if (result_.motion && (over_time || reads(*asked.program, spin_symbols_))) follow_motion(asked, quantity);
   result_.quantities.push_back(std::move(quantity));
 }
 
-/// results[output · spins + which]; everything else is the same for all spins.
-std::vector<double> SceneEvaluation::run_program(const Program& program, std::span<const Vector3> spins) {
+Samples SceneEvaluation::samples_for(const Program& program, std::span<const Vector3> spins) {
   std::vector<SymbolId> moving = spin_symbols_;
   moving.insert(moving.end(), rate_symbols_.begin(), rate_symbols_.end());
   Samples samples(spins.size(), body_.body().size());
@@ -97,7 +102,12 @@ std::vector<double> SceneEvaluation::run_program(const Program& program, std::sp
     for (const Vector3& each : source) column.push_back(each[input.component]);
     samples.set_each(input.symbol, input.component, std::move(column));
   }
-  return evaluate(program, samples);
+  return samples;
+}
+
+/// results[output · spins + which].
+std::vector<double> SceneEvaluation::run_program(const Program& program, std::span<const Vector3> spins) {
+  return evaluate(program, samples_for(program, spins));
 }
 
 void SceneEvaluation::follow_motion(const Asked& asked, SceneQuantity& quantity) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numeric/evaluate.h"
+#include "numeric/runner.h"
 
 namespace rigor {
 namespace {
@@ -114,12 +114,23 @@ class SpinLaw::System {
       ++passed_over_;
       return;
     }
-    Samples samples(probes, particles_);
+    Samples samples(1, particles_);
     if (const auto missing = values.fill(*program, samples, left_out_)) {
       remember(fmt::format("`{}` has no value", tree_.symbols[missing->symbol].name));
       return;
     }
-    parts_.push_back({*program, std::move(samples)});
+    std::vector<ProgramInput> varying;
+    for (const ProgramInput& input : program->inputs()) {
+      if (std::find(left_out_.begin(), left_out_.end(), input.symbol) != left_out_.end())
+        varying.push_back(input);
+    }
+    Part part{Runner<double>(*program, samples, varying), {}, {}, std::vector<double>(program->outputs())};
+    for (const ProgramInput& input : varying) {
+      const bool is_rate = std::find(rates_.begin(), rates_.end(), input.symbol) != rates_.end();
+      part.varying.push_back({is_rate, input.component});
+    }
+    part.values.resize(varying.size());
+    parts_.push_back(std::move(part));
   }
 
   [[nodiscard]] std::size_t used() const { return parts_.size(); }
@@ -134,7 +145,7 @@ class SpinLaw::System {
     const double h = probe_size(spin);
     const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 2 * h, -h}, {3 * h, -h, 2 * h}, {4 * h, h, h}}};
     for (Part& part : parts_) {
-      const std::vector<double> values = residuals(part, spin, batch);
+      const std::vector<double>& values = residuals(part, spin, batch);
       const std::size_t outputs = values.size() / probes;
       for (std::size_t o = 0; o < outputs; ++o) {
         const double* f = &values[o * probes];
@@ -148,9 +159,16 @@ class SpinLaw::System {
  private:
   static constexpr std::size_t probes = 4;
 
+  /// Which component of the spin or of its rates a program reads.
+  struct Varying {
+    bool is_rate;
+    std::uint32_t component;
+  };
   struct Part {
-    Program program;
-    Samples samples;
+    Runner<double> run;
+    std::vector<Varying> varying;
+    std::vector<double> values;
+    std::vector<double> results;
   };
 
   void remember(const std::string& reason) {
@@ -165,23 +183,21 @@ class SpinLaw::System {
     return std::clamp(std::exp2(2 * std::round(std::log2(size))), 0x1p-900, 0x1p900);
   }
 
-  /// left − right of each component at each probe: [output · probes + probe].
-  [[nodiscard]] std::vector<double> residuals(Part& part, const Vector3& spin,
-                                              const std::array<Vector3, probes>& rates) const {
-    for (const ProgramInput& input : part.program.inputs()) {
-      if (std::find(spin_.begin(), spin_.end(), input.symbol) != spin_.end()) {
-        part.samples.set(input.symbol, input.component, spin[input.component]);
-      } else if (std::find(rates_.begin(), rates_.end(), input.symbol) != rates_.end()) {
-        std::vector<double> column(probes);
-        for (std::size_t p = 0; p < probes; ++p) column[p] = rates[p][input.component];
-        part.samples.set_each(input.symbol, input.component, std::move(column));
+  /// left − right of each component at each probe: [component · probes + probe].
+  [[nodiscard]] const std::vector<double>& residuals(Part& part, const Vector3& spin,
+                                                     const std::array<Vector3, probes>& rates) {
+    const std::size_t half = part.results.size() / 2;
+    residuals_.resize(half * probes);
+    for (std::size_t p = 0; p < probes; ++p) {
+      for (std::size_t i = 0; i < part.varying.size(); ++i) {
+        part.values[i] = (part.varying[i].is_rate ? rates[p] : spin)[part.varying[i].component];
+      }
+      part.run(part.values.data(), part.results.data());
+      for (std::size_t o = 0; o < half; ++o) {
+        residuals_[o * probes + p] = part.results[o] - part.results[half + o];
       }
     }
-    std::vector<double> values = evaluate(part.program, part.samples);
-    const std::size_t half = values.size() / 2;
-    for (std::size_t i = 0; i < half; ++i) values[i] -= values[half + i];
-    values.resize(half);
-    return values;
+    return residuals_;
   }
 
   [[nodiscard]] std::vector<Row> rows(const Vector3& spin) {
@@ -189,7 +205,7 @@ class SpinLaw::System {
     const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}}};
     std::vector<Row> all;
     for (Part& part : parts_) {
-      const std::vector<double> values = residuals(part, spin, batch);
+      const std::vector<double>& values = residuals(part, spin, batch);
       for (std::size_t o = 0; o < values.size() / probes; ++o) {
         const double* f = &values[o * probes];
         Row row{.coefficients = {}, .rest = f[0]};
@@ -206,6 +222,7 @@ class SpinLaw::System {
   std::vector<SymbolId> left_out_;
   std::size_t particles_;
   std::vector<Part> parts_;
+  std::vector<double> residuals_;
   std::size_t passed_over_ = 0;
   std::string obstacle_;  // the first one
 };

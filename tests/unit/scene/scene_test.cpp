@@ -194,6 +194,16 @@ TEST_CASE("quantities have their dimensions", "[scene]") {
   CHECK(text("\\boldsymbol{\\omega}") == "T^{-1}");
 }
 
+TEST_CASE("rounding errors are bounded where that is asked for, and hold", "[scene]") {
+  const std::string ask = "spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}']\n";
+  CHECK(Played(ask, sample()).quantity("T_{rot}").error.empty());
+  const Played played(ask + "errors = true\n", turned_cross(3, 2, 1));
+  const SceneQuantity& energy = played.quantity("T_{rot}");
+  REQUIRE(energy.error.size() == 1);
+  CHECK(energy.error[0] > 0);
+  CHECK(energy.error[0] < 1e-12 * energy.value[0]);
+}
+
 TEST_CASE("an energy without a spin is refused, the tensor beside it is not", "[scene]") {
   const Played played("[ask]\nquantities = ['T_{rot}', 'I_{ij}']\n", sample());
   CHECK(

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/scene_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/utf8.h"
+#include "scene/quantity_dimension.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t name_width = 24;
+constexpr std::size_t shown_rows = 5;  // of a motion; a picture or JSON has all
+
+std::string padded(const std::string& text, std::size_t width) {
+  const std::string shown = printable(text);
+  const std::size_t used = cells(shown);
+  return shown + std::string(used < width ? width - used : 1, ' ');
+}
+
+/// Ten digits: more than a body's data have.
+std::string number(double value) { return fmt::format("{:.10g}", value == 0 ? 0.0 : value); }
+
+std::string tuple(const std::vector<double>& values, std::size_t from, std::size_t count) {
+  if (count == 1) return number(values[from]);
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "(" : ", ") + number(values[from + i]);
+  return text + ")";
+}
+
+std::string unit_of(const SceneQuantity& quantity) {
+  if (!quantity.dimension || quantity.dimension->is_none()) return {};
+  return " " + si_unit(*quantity.dimension);
+}
+
+std::string print_quantity(const SceneQuantity& quantity) {
+  const std::size_t row = quantity.axes >= 2 ? 3 : quantity.value.size();
+  std::string text;
+  for (std::size_t from = 0; from < quantity.value.size(); from += row) {
+    text += "  " + padded(from == 0 ? quantity.source : "", name_width) + tuple(quantity.value, from, row);
+    if (from == 0) text += unit_of(quantity);
+    text += '\n';
+  }
+  if (quantity.error.empty()) return text;
+  const double worst = *std::max_element(quantity.error.begin(), quantity.error.end());
+  return text + "  " + padded("", name_width) + fmt::format("rounding errors are at most {:.1e}\n", worst);
+}
+
+std::string print_rows(const SceneQuantity& quantity, const Motion& motion) {
+  std::string text;
+  const std::size_t count = std::min(quantity.rows.size(), shown_rows);
+  for (std::size_t i = 1; i < count; ++i) {
+    const std::size_t row = i * (quantity.rows.size() - 1) / (count - 1);
+    text += "  " + padded(fmt::format("    t = {} s", number(motion.times[row])), name_width) +
+            tuple(quantity.rows[row], 0, quantity.rows[row].size()) + '\n';
+  }
+  return text;
+}
+
+std::string print_drift(const SceneDrift& drift) {
+  if (!drift.constant)
+    return fmt::format("  {}changes by {:.1e} of its size\n", padded(drift.source, name_width),
+                       drift.relative);
+  return fmt::format("  {}constant{} to {:.1e}\n", padded(drift.source, name_width),
+                     drift.in_space ? " in space" : "", drift.relative);
+}
+
+std::string print_nodes(const SceneResult& result) {
+  std::string text = "\ncomputed\n";
+  double total = 0;
+  for (const SceneNode& node : result.nodes) {
+    if (!node.computed) continue;
+    total += node.milliseconds;
+    text += fmt::format("  {}{:>10.4f} ms  {}\n", padded(node.name, 36), node.milliseconds,
+                        printable(node.reason));
+  }
+  text += "not computed\n";
+  for (const SceneNode& node : result.nodes) {
+    if (!node.computed) text += fmt::format("  {}{}\n", padded(node.name, 36), printable(node.reason));
+  }
+  const SceneCounts counts = result.counts();
+  return text + fmt::format("{} computed, {} not; {:.4f} ms\n", counts.computed, counts.skipped, total);
+}
+
+}  // namespace
+
+std::string print_scene(const SceneResult& result, const SceneTextOptions& options) {
+  std::string text =
+      printable(result.title) + "\n  " + padded("body", name_width) + printable(result.body) + '\n';
+  if (result.along_principal_axes) text += "  " + padded("axes", name_width) + "principal axes of the body\n";
+  for (const SceneQuantity& quantity : result.quantities) {
+    text += print_quantity(quantity);
+    if (result.motion && !quantity.rows.empty()) text += print_rows(quantity, *result.motion);
+  }
+  if (result.motion) {
+    text += fmt::format("\nmotion: {} rows until {} s, {} steps, {} evaluations of the rates\n",
+                        result.motion->times.size(),
+                        number(result.motion->times.empty() ? 0 : result.motion->times.back()),
+                        result.motion->steps, result.motion->evaluations);
+    for (const SceneDrift& drift : result.drifts) text += print_drift(drift);
+  }
+  if (options.explain) text += print_nodes(result);
+  return text;
+}
+
+}  // namespace rigor
