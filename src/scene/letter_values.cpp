@@ -18,7 +18,8 @@ std::optional<ProgramInput> LetterValues::fill(const Program& program, Samples& 
     if (value == nullptr) return input;
     if (input.per_particle) {
       if (input.component >= value->particles.size()) return input;
-      samples.set_particles(input.symbol, input.component, value->particles[input.component]);
+      const std::span<const double> column = value->particles[input.component];
+      samples.set_particles(input.symbol, input.component, {column.begin(), column.end()});
     } else {
       if (input.component >= value->components.size()) return input;
       samples.set(input.symbol, input.component, value->components[input.component]);

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,8 @@
 namespace rigor {
 
 struct LetterValue {
-  std::vector<double> components;              // 3^rank, row by row; unless per particle
-  std::vector<std::vector<double>> particles;  // of each component, one for each particle
+  std::vector<double> components;                  // 3^rank, row by row; unless per particle
+  std::vector<std::span<const double>> particles;  // of each component, one for each particle; not owned
 };
 
 class LetterValues {

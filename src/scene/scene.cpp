@@ -14,7 +14,7 @@ SceneEvaluation::SceneEvaluation(const SceneFile& scene, const Body& body, const
       forms_(forms),
       body_(body, ledger_),
       letters_(scene, forms, result_.diagnostics),
-      values_(scene, forms.tree, letters_, body_, ledger_),
+      values_(scene, forms.tree, letters_, body_),
       spin_symbols_(letters_.with_role(SceneRole::spin)),
       rate_symbols_(letters_.with_role(SceneRole::spin_rate)),
       definitions_(without_definitions_of(letters_.overriding(), forms.definitions)) {}
