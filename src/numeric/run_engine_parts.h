@@ -90,10 +90,18 @@ void Engine<T>::run(std::size_t samples, T* results, std::size_t stride) {
     run_batch(std::min(width, samples - sample_), results + sample_, stride);
 }
 
+/// Can all results be written as packets?
+template <class T>
+[[nodiscard]] bool is_aligned(const T* results, std::size_t stride) {
+  constexpr std::size_t packet = 16;
+  return reinterpret_cast<std::uintptr_t>(results) % packet == 0 && stride * sizeof(T) % packet == 0;
+}
+
 template <class T>
 void Engine<T>::run_batch(std::size_t samples, T* results, std::size_t stride) {
   samples_here_ = static_cast<int>(samples);
-  const bool buffered = plan_.lanes == Lanes::samples && samples < static_cast<std::size_t>(lane_count);
+  const bool buffered = plan_.lanes == Lanes::samples &&
+                        (samples < static_cast<std::size_t>(lane_count) || !is_aligned(results, stride));
   T** const outputs = slots_.data() + plan_.first_output();
   for (std::size_t i = 0; i < plan_.outputs; ++i)
     outputs[i] = buffered ? buffers_[plan_.inputs.size() + i] : results + i * stride;

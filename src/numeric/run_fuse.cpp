@@ -86,6 +86,8 @@ class Fusion {
   }
 
   [[nodiscard]] FusedStep sum() {
+    FusedStep triples;
+    if (triple_chain(triples)) return triples;
     const bool minus = here_.op == Instruction::subtract;
     const bool first = is_private(here_.a, Instruction::multiply);
     const bool second = here_.a != here_.b && is_private(here_.b, Instruction::multiply);
@@ -108,6 +110,60 @@ class Fusion {
     append_product(step, first ? here_.a : here_.b);
     step.in[step.operands++] = first ? here_.b : here_.a;
     return step;
+  }
+
+  /// Is it (a b) c, computed for nothing but its user, with a or b narrow if the user is wide?
+  [[nodiscard]] bool is_triple(ValueId id) const {
+    if (!is_private(id, Instruction::multiply) || at(id).a == at(id).b) return false;
+    const ValueId two = inner_of(id);
+    const ValueId third = at(id).a == two ? at(id).b : at(id).a;
+    if (!is_private(two, Instruction::multiply)) return false;
+    if (!scope_.wide[value_]) return true;
+    return scope_.wide[third] && scope_.wide[at(two).a] != scope_.wide[at(two).b];
+  }
+  /// The factor of a product that may be a product itself: the later one, if it is.
+  [[nodiscard]] ValueId inner_of(ValueId product) const {
+    const ValueId b = at(product).b;
+    return is_private(b, Instruction::multiply) ? b : at(product).a;
+  }
+  void append_triple(FusedStep& step, ValueId triple) {
+    taken_in_[triple] = 1;
+    const ValueId two = inner_of(triple);
+    append_product(step, two);
+    step.in[step.operands++] = at(triple).a == two ? at(triple).b : at(triple).a;
+  }
+
+  /// The last three summands of a sum, if they are triples; `s` is what comes before them, if anything does.
+  [[nodiscard]] bool triple_chain(FusedStep& step) {
+    std::array<ValueId, 3> triple{};
+    std::array<ValueId, 3> sum{};
+    std::size_t found = 0;
+    ValueId rest = value_;
+    const auto is_sum = [this](ValueId id) {
+      return is_private(id, Instruction::add) || is_private(id, Instruction::subtract);
+    };
+    while (found < 3 && (rest == value_ || is_sum(rest)) && is_triple(at(rest).b) &&
+           at(rest).a != at(rest).b) {
+      sum[found] = rest;
+      triple[found++] = at(rest).b;
+      rest = at(rest).a;
+    }
+    const bool begins = found == 2 && is_triple(rest);
+    if (!begins && (found < 3 || scope_.wide[rest] != scope_.wide[value_])) return false;
+    step.kernel = begins ? Kernel::triple_sum_3 : Kernel::add_triple_sum_3;
+    if (begins) {
+      append_triple(step, rest);
+    } else {
+      step.in[step.operands++] = rest;
+    }
+    for (std::size_t i = found; i-- > 0;) {
+      if (sum[i] != value_) taken_in_[sum[i]] = 1;
+      const std::size_t place = begins ? 2 - i : found - 1 - i;
+      if (at(sum[i]).op == Instruction::subtract)
+        step.minus = static_cast<std::uint8_t>(step.minus | 1u << place);
+      append_triple(step, triple[i]);
+    }
+    return true;
   }
 
   /// (a b + c d) + e f, if all factors are wide, or the first of each product only.

@@ -14,7 +14,8 @@ namespace rigor {
 struct FusedStep {
   Kernel kernel = Kernel::clear;
   std::uint8_t operands = 0;
-  std::array<ValueId, 6> in{};
+  std::array<ValueId, most_operands> in{};
+  std::uint8_t minus = 0;
 };
 
 /// What the choice depends on.

@@ -14,7 +14,7 @@
 
 namespace rigor {
 
-inline constexpr int lane_count = 64;
+inline constexpr int lane_count = 128;
 
 /// `lanes`: how many of them count, in steps over lanes.
 template <class T>
@@ -48,10 +48,10 @@ void store(T* out, const Value& value) {
   if constexpr (!wide) {
     *out = value;
   } else if constexpr (std::is_same_v<Value, T>) {
-    Eigen::Map<LaneArray<T>> lanes(out);
+    Eigen::Map<LaneArray<T>, Eigen::Aligned16> lanes(out);
     lanes.setConstant(value);
   } else {
-    Eigen::Map<LaneArray<T>> lanes(out);
+    Eigen::Map<LaneArray<T>, Eigen::Aligned16> lanes(out);
     lanes = value;
   }
 }
@@ -62,7 +62,7 @@ void accumulate(T* out, const Value& value, bool over_lanes, int lanes) {
   if constexpr (!wide) {
     *out = *out + value;
   } else {
-    Eigen::Map<LaneArray<T>> total(out);
+    Eigen::Map<LaneArray<T>, Eigen::Aligned16> total(out);
     if (!over_lanes || lanes == lane_count) {
       total += value;
     } else if constexpr (std::is_same_v<Value, T>) {
@@ -87,6 +87,8 @@ void run(T* const* slots, const Step& step, int lanes) {
   constexpr bool to_wide = (wide & wide_result) != 0;
   T* const out = slots[step.out];
 #define X(k) operand<T, (wide >> k & 1u) != 0>(slots[step.in[k]])
+// The sign of a triple goes to its narrow factor: that is exact.
+#define S(k, triple) T((step.minus >> triple & 1u) != 0 ? T(-X(k)) : X(k))
   if constexpr (kernel == Kernel::clear) store<T, to_wide>(out, T(0));
   if constexpr (kernel == Kernel::copy) store<T, to_wide>(out, X(0));
   if constexpr (kernel == Kernel::negate) store<T, to_wide>(out, -X(0));
@@ -104,6 +106,10 @@ void run(T* const* slots, const Step& step, int lanes) {
   if constexpr (kernel == Kernel::square_sum_3)
     store<T, to_wide>(out, (X(0) * X(0) + X(1) * X(1)) + X(2) * X(2));
   if constexpr (kernel == Kernel::product_3) store<T, to_wide>(out, (X(0) * X(1)) * X(2));
+  if constexpr (kernel == Kernel::triple_sum_3)
+    store<T, to_wide>(out, (X(0) * S(1, 0) * X(2) + X(3) * S(4, 1) * X(5)) + X(6) * S(7, 2) * X(8));
+  if constexpr (kernel == Kernel::add_triple_sum_3)
+    store<T, to_wide>(out, ((X(0) + X(1) * S(2, 0) * X(3)) + X(4) * S(5, 1) * X(6)) + X(7) * S(8, 2) * X(9));
   if constexpr (kernel == Kernel::accumulate) accumulate<T, to_wide>(out, X(0), step.over_lanes, lanes);
   if constexpr (kernel == Kernel::accumulate_product)
     accumulate<T, to_wide>(out, X(0) * X(1), step.over_lanes, lanes);
@@ -118,6 +124,7 @@ void run(T* const* slots, const Step& step, int lanes) {
     }
   }
 #undef X
+#undef S
 }
 
 template <class T, Kernel kernel, unsigned... choices>
@@ -135,49 +142,53 @@ template <class T>
 [[nodiscard]] StepFunction<T> function_for(const Step& step) {
   switch (step.kernel) {
     case Kernel::clear:
-      return choose<T, Kernel::clear, 0x80>(step.wide);
+      return choose<T, Kernel::clear, 0x8000>(step.wide);
     case Kernel::copy:
-      return choose<T, Kernel::copy, 0x80, 0x81>(step.wide);
+      return choose<T, Kernel::copy, 0x8000, 0x8001>(step.wide);
     case Kernel::negate:
-      return choose<T, Kernel::negate, 0x81>(step.wide);
+      return choose<T, Kernel::negate, 0x8001>(step.wide);
     case Kernel::absolute:
-      return choose<T, Kernel::absolute, 0x81>(step.wide);
+      return choose<T, Kernel::absolute, 0x8001>(step.wide);
     case Kernel::root:
-      return choose<T, Kernel::root, 0x81>(step.wide);
+      return choose<T, Kernel::root, 0x8001>(step.wide);
     case Kernel::sin:
-      return choose<T, Kernel::sin, 0x81>(step.wide);
+      return choose<T, Kernel::sin, 0x8001>(step.wide);
     case Kernel::cos:
-      return choose<T, Kernel::cos, 0x81>(step.wide);
+      return choose<T, Kernel::cos, 0x8001>(step.wide);
     case Kernel::exp:
-      return choose<T, Kernel::exp, 0x81>(step.wide);
+      return choose<T, Kernel::exp, 0x8001>(step.wide);
     case Kernel::add:
-      return choose<T, Kernel::add, 0x81, 0x83>(step.wide);
+      return choose<T, Kernel::add, 0x8001, 0x8003>(step.wide);
     case Kernel::subtract:
-      return choose<T, Kernel::subtract, 0x81, 0x82, 0x83>(step.wide);
+      return choose<T, Kernel::subtract, 0x8001, 0x8002, 0x8003>(step.wide);
     case Kernel::multiply:
-      return choose<T, Kernel::multiply, 0x81, 0x83>(step.wide);
+      return choose<T, Kernel::multiply, 0x8001, 0x8003>(step.wide);
     case Kernel::divide:
-      return choose<T, Kernel::divide, 0x81, 0x82, 0x83>(step.wide);
+      return choose<T, Kernel::divide, 0x8001, 0x8002, 0x8003>(step.wide);
     case Kernel::multiply_add:
-      return choose<T, Kernel::multiply_add, 0x81, 0x83, 0x85, 0x87>(step.wide);
+      return choose<T, Kernel::multiply_add, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
     case Kernel::multiply_subtract:
-      return choose<T, Kernel::multiply_subtract, 0x81, 0x83, 0x85, 0x87>(step.wide);
+      return choose<T, Kernel::multiply_subtract, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
     case Kernel::subtract_product:
-      return choose<T, Kernel::subtract_product, 0x81, 0x83, 0x85, 0x87>(step.wide);
+      return choose<T, Kernel::subtract_product, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
     case Kernel::product_sum:
-      return choose<T, Kernel::product_sum, 0x85, 0x87, 0x8d, 0x8f>(step.wide);
+      return choose<T, Kernel::product_sum, 0x8005, 0x8007, 0x800d, 0x800f>(step.wide);
     case Kernel::product_difference:
-      return choose<T, Kernel::product_difference, 0x85, 0x87, 0x8d, 0x8f>(step.wide);
+      return choose<T, Kernel::product_difference, 0x8005, 0x8007, 0x800d, 0x800f>(step.wide);
     case Kernel::product_sum_3:
-      return choose<T, Kernel::product_sum_3, 0x95, 0xbf>(step.wide);
+      return choose<T, Kernel::product_sum_3, 0x8015, 0x803f>(step.wide);
     case Kernel::square_sum_3:
-      return choose<T, Kernel::square_sum_3, 0x87>(step.wide);
+      return choose<T, Kernel::square_sum_3, 0x8007>(step.wide);
     case Kernel::product_3:
-      return choose<T, Kernel::product_3, 0x81, 0x83, 0x85, 0x87>(step.wide);
+      return choose<T, Kernel::product_3, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
+    case Kernel::triple_sum_3:
+      return choose<T, Kernel::triple_sum_3, 0x816d>(step.wide);
+    case Kernel::add_triple_sum_3:
+      return choose<T, Kernel::add_triple_sum_3, 0x82db>(step.wide);
     case Kernel::accumulate:
-      return choose<T, Kernel::accumulate, 0x80, 0x81>(step.wide);
+      return choose<T, Kernel::accumulate, 0x8000, 0x8001>(step.wide);
     case Kernel::accumulate_product:
-      return choose<T, Kernel::accumulate_product, 0x81, 0x83>(step.wide);
+      return choose<T, Kernel::accumulate_product, 0x8001, 0x8003>(step.wide);
     case Kernel::fold:
       if constexpr (NumberTraits<T>::has_lanes) return &run<T, Kernel::fold, 1>;
       break;

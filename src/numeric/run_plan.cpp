@@ -114,9 +114,9 @@ void Planner::begin(Phase phase, std::vector<Step>& steps) {
   phase_ = phase;
   steps_ = &steps;
   root_inputs_ = phase == Phase::once ? &plan_.once_inputs : &plan_.each_inputs;
-  lane_bit_ = 0;
-  if (plan_.lanes != Lanes::none)
-    lane_bit_ = phase == Phase::once || plan_.lanes == Lanes::particles ? 2u : 1u;
+  const bool over_particles = phase == Phase::once || plan_.lanes == Lanes::particles;
+  lane_bit_ = over_particles ? 2u : plan_.lanes == Lanes::samples ? 1u : 0u;
+  if (plan_.lanes == Lanes::none) lane_bit_ = 0;
   for (std::size_t i = 0; i < masks_.size(); ++i) wide_[i] = (masks_[i] & lane_bit_) != 0 ? 1 : 0;
   registers_.begin(phase == Phase::once);
 }
@@ -230,12 +230,12 @@ SlotId Planner::place_of(ValueId id) {
 }
 
 void Planner::add_operand(Step& step, ValueId id) {
-  if (wide_[id] != 0) step.wide = static_cast<std::uint8_t>(step.wide | 1u << step.operands);
+  if (wide_[id] != 0) step.wide = static_cast<std::uint16_t>(step.wide | 1u << step.operands);
   step.in[step.operands++] = place_of(id);
 }
 
 void Planner::emit_value(ValueId id, const FusedStep& fused) {
-  Step step{.kernel = fused.kernel};
+  Step step{.kernel = fused.kernel, .minus = fused.minus};
   for (std::size_t i = 0; i < fused.operands; ++i) add_operand(step, fused.in[i]);
   if (wide_[id] != 0) step.wide |= wide_result;
   if (output_of_[id] != 0 && wide_[id] != 0) {
@@ -257,7 +257,7 @@ void Planner::emit_loop(int level, std::span<const ValueId> sums) {
     totals.push_back(registers_.define(wide, steps_->size()));
     bodies.push_back(at(sum).a);
     append({.kernel = Kernel::clear,
-            .wide = wide ? wide_result : std::uint8_t{0},
+            .wide = wide ? wide_result : std::uint16_t{0},
             .out = place(PlaceKind::reg, totals.back())});
   }
   const std::size_t loop = steps_->size();

@@ -37,6 +37,8 @@ enum class Kernel : std::uint8_t {
   product_sum_3,       // (a b + c d) + e f
   square_sum_3,        // (a a + b b) + c c
   product_3,           // (a b) c
+  triple_sum_3,        // ((a b) c ± (d e) f) ± (g h) i
+  add_triple_sum_3,    // ((s ± (a b) c) ± (d e) f) ± (g h) i
   accumulate,          // out + a
   accumulate_product,  // out + a b
   fold,                // the sum of the lanes of a
@@ -46,20 +48,22 @@ enum class Kernel : std::uint8_t {
 /// Where an operand is: a slot holds a pointer to one number (narrow) or to one for each lane (wide).
 using SlotId = std::uint32_t;
 
+inline constexpr std::size_t most_operands = 10;
+inline constexpr std::uint16_t wide_result = 0x8000;
+
 struct Step {
   Kernel kernel = Kernel::clear;
-  std::uint8_t wide = 0;  // bit k: operand k is wide; bit 7: so is the result
+  std::uint16_t wide = 0;  // bit k: operand k is wide; bit 15: so is the result
   std::uint8_t operands = 0;
+  std::uint8_t minus = 0;    // triples: bit k: triple k is subtracted
   std::uint8_t level = 0;    // loop
   bool over_lanes = false;   // loop: takes as many particles at a time as there are lanes; or a step of one
   std::uint32_t end = 0;     // loop: the step behind it
   std::uint32_t inputs = 0;  // loop: into Plan::loop_inputs
   std::uint32_t input_count = 0;
   SlotId out = 0;
-  std::array<SlotId, 6> in{};
+  std::array<SlotId, most_operands> in{};
 };
-
-inline constexpr std::uint8_t wide_result = 0x80;
 
 /// An input at a particle, as a step reads it.
 struct PlanInput {
@@ -70,7 +74,9 @@ struct PlanInput {
   friend bool operator==(const PlanInput&, const PlanInput&) = default;
 };
 
-enum class Lanes : std::uint8_t { none, samples, particles };
+/// What is done side by side: none: nothing; one: particles in sums that depend on no sample; samples: these too;
+/// particles: in all sums.
+enum class Lanes : std::uint8_t { none, one, samples, particles };
 
 struct Plan {
   std::vector<Step> once;                  // before all samples

@@ -29,7 +29,7 @@ Runner<T>::Runner(const Program& program, const Samples& fixed, std::span<const 
     };
     varies.push_back(std::any_of(varying.begin(), varying.end(), same) ? 1 : 0);
   }
-  const Lanes lanes = fixed.particles() >= many_particles ? Lanes::particles : Lanes::none;
+  const Lanes lanes = fixed.particles() >= many_particles ? Lanes::particles : Lanes::one;
   engine_ = std::make_unique<Engine<T>>(program.code(), make_plan(program.code(), lanes, varies),
                                         fixed.particles());
   fixed_.resize(inputs.size());

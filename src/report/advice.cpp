@@ -113,20 +113,25 @@ std::optional<Advice> advise(const ChainResult& result) {
   return advice;
 }
 
-std::string advice_text(const ChainResult& result, const Advice& advice, const WrittenFormChain& chain) {
-  const auto source = [&](std::size_t form) {
-    return fmt::format("`{}`", chain.forms[result.forms[form].side].source);
-  };
-  if (advice.all_alike)
-    return fmt::format("All {} forms err alike; {} is the cheapest ({}).", result.forms.size(),
-                       source(advice.form), cost_text(result, advice.form));
-  std::string text = fmt::format("Compute {} ({}).", source(advice.form), cost_text(result, advice.form));
+std::string form_letter(std::size_t form) {
+  return form < 26 ? std::string(1, static_cast<char>('A' + form)) : fmt::format("F{}", form + 1);
+}
+
+std::string advice_text(const ChainResult& result, const Advice& advice) {
+  const std::string best = form_letter(advice.form);
+  const std::string cost = cost_text(result, advice.form);
+  if (advice.all_alike) {
+    const std::size_t count = result.forms.size();
+    const std::string all = count == 2 ? "Both forms" : fmt::format("All {} forms", count);
+    return fmt::format("{} err alike; {} is the cheapest ({}).", all, best, cost);
+  }
+  std::string text = fmt::format("Compute {} ({}).", best, cost);
   for (std::size_t k = 0; k < result.forms.size(); ++k) {
     const Loss loss = greatest_loss(result, k);
     if (k == advice.form || loss.factor <= alike) continue;
     const TrialResult& trial = *loss.trial;
-    text += fmt::format(" {} ({}) {} on `{}`, where that one {}.", source(k), cost_text(result, k),
-                        error_text(in_double(trial.forms[k]), trial.samples), trial.name,
+    text += fmt::format(" {} ({}) {} on `{}`, where {} {}.", form_letter(k), cost_text(result, k),
+                        error_text(in_double(trial.forms[k]), trial.samples), trial.name, best,
                         error_text(in_double(trial.forms[advice.form]), trial.samples));
   }
   return text;

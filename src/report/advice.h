@@ -27,8 +27,10 @@ struct Advice {
 /// Nothing with fewer than two forms, or without a trial.
 [[nodiscard]] std::optional<Advice> advise(const ChainResult& result);
 
-/// In words, naming the forms as they were written.
-[[nodiscard]] std::string advice_text(const ChainResult& result, const Advice& advice,
-                                      const WrittenFormChain& chain);
+/// In words; forms are named by their letters.
+[[nodiscard]] std::string advice_text(const ChainResult& result, const Advice& advice);
+
+/// `A`, `B`, … for the forms of a chain, in their order.
+[[nodiscard]] std::string form_letter(std::size_t form);
 
 }  // namespace rigor

@@ -17,13 +17,8 @@ namespace rigor {
 namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
-constexpr std::array<const char*, arithmetic_count> letters{"float", "double", "long double",
-                                                            "double-double"};
-
-/// `A`, `B`, … for the forms.
-std::string letter(std::size_t form) {
-  return form < 26 ? std::string(1, static_cast<char>('A' + form)) : fmt::format("F{}", form + 1);
-}
+constexpr std::array<const char*, arithmetic_count> arithmetic_names{"float", "double", "long double",
+                                                                     "double-double"};
 
 const ErrorMeasure& at(const TrialResult& trial, std::size_t form, std::size_t arithmetic) {
   return trial.forms[form].measure.arithmetics[arithmetic];
@@ -51,14 +46,14 @@ Plot panel(const TrialResult& trial) {
             .series = {}};
   constexpr std::array marks{Mark::circle, Mark::square, Mark::triangle, Mark::diamond, Mark::cross};
   for (std::size_t form = 0; form < trial.forms.size(); ++form) {
-    PlotSeries series{.name = letter(form),
+    PlotSeries series{.name = form_letter(form),
                       .points = {},
                       .mark = marks[form % marks.size()],
                       .stroke = Stroke::none,
                       .colour = -1};
     for (std::size_t k = 0; k < arithmetic_count; ++k)
       series.points.push_back(
-          {at(trial, form, k).nanoseconds, failing_error(at(trial, form, k)), letters[k]});
+          {at(trial, form, k).nanoseconds, failing_error(at(trial, form, k)), arithmetic_names[k]});
     plot.series.push_back(std::move(series));
   }
   plot.series.push_back(pareto_front("not beaten", plot.series));
@@ -116,8 +111,8 @@ std::string bench_markdown(const EvaluatedChain& evaluated, const std::vector<st
   const auto& [chain, result] = evaluated;
   std::string text = fmt::format("### {}\n\n", place_of(*chain, sources));
   for (std::size_t k = 0; k < result.forms.size(); ++k)
-    text += fmt::format("* {}: `{}`\n", letter(k), chain->forms[result.forms[k].side].source);
-  if (const auto advice = advise(result)) text += fmt::format("\n{}\n", advice_text(result, *advice, *chain));
+    text += fmt::format("* {}: `{}`\n", form_letter(k), chain->forms[result.forms[k].side].source);
+  if (const auto advice = advise(result)) text += fmt::format("\n{}\n", advice_text(result, *advice));
   if (picture) text += fmt::format("\n![time against error]({})\n", *picture);
   text += "\n| form | arithmetic | ns |";
   for (const std::size_t trial : trials) text += fmt::format(" {} |", in_table(result.trials[trial].name));
@@ -126,7 +121,7 @@ std::string bench_markdown(const EvaluatedChain& evaluated, const std::vector<st
   text += "\n";
   for (std::size_t form = 0; form < result.forms.size(); ++form) {
     for (std::size_t k = 0; k < arithmetic_count; ++k) {
-      text += fmt::format("| {} | {} | {} |", letter(form), letters[k],
+      text += fmt::format("| {} | {} | {} |", form_letter(form), arithmetic_names[k],
                           short_number(median_time(result, form, k)));
       for (const std::size_t trial : trials)
         text += fmt::format(" {} |", cell(at(result.trials[trial], form, k)));

@@ -69,7 +69,7 @@ Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
     json["advice"] = {{"form", advice->form},
                       {"all_alike", advice->all_alike},
                       {"unbeaten", advice->fronts},
-                      {"text", advice_text(result, *advice, *chain)}};
+                      {"text", advice_text(result, *advice)}};
   }
   return json;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "base/paint.h"
@@ -51,7 +52,7 @@ Row row_of(const TrialResult& trial, const FormResult& form) {
     row[2] = short_number(measure.relative.worst);
     row[3] = short_number(measure.relative.median);
     row[4] = short_number(measure.ulps.worst);
-    row[5] = fmt::format("{:.1f}", measure.bits_kept.worst);
+    row[5] = fmt::format("{:.1f}", std::abs(measure.bits_kept.worst));
   }
   if (form.measure.condition_known > 0) row[6] = short_number(form.measure.condition.worst);
   if (measure.nanoseconds > 0) row[7] = short_number(measure.nanoseconds);
@@ -113,12 +114,11 @@ std::string print_evaluation(const EvaluatedNotes& notes, const SourceMap& sourc
       text +=
           fmt::format("  {}\n      not evaluated: {}\n", printable(chain->forms[each.side].source), each.why);
     for (std::size_t k = 0; k < result.forms.size(); ++k) {
-      text += fmt::format("  {}\n", printable(chain->forms[result.forms[k].side].source));
+      text += fmt::format("  {}  {}\n", form_letter(k), printable(chain->forms[result.forms[k].side].source));
       text += result.trials.empty() ? fmt::format("      not evaluated: {}\n", result.no_trials)
                                     : table(result, k, options.color);
     }
-    if (const auto advice = advise(result))
-      text += "  " + printable(advice_text(result, *advice, *chain)) + "\n";
+    if (const auto advice = advise(result)) text += "  " + printable(advice_text(result, *advice)) + "\n";
     text += "\n";
   }
   return text;

@@ -165,10 +165,14 @@ Trials trials_for(const ExprTree& tree, const Question& question, std::span<cons
   Question with_tree = question;
   with_tree.tree = &tree;
   if (const auto exact = satisfying_sample(with_tree)) {
-    Samples samples = samples_of(tree, *exact);
-    const bool complete = std::all_of(symbols.begin(), symbols.end(),
-                                      [&](SymbolId symbol) { return samples.find(symbol, 0) != nullptr; });
-    if (complete) trials.samples.emplace_back("exact", std::move(samples));
+    // what no assumption speaks of is free
+    DrawOptions options{.samples = 1, .seed = 7};
+    if (exact->particles > 0) options.particles = exact->particles;
+    auto samples = draw_samples(tree, symbols, {FamilyKind::random, 0}, options);
+    if (samples) {
+      put_sample(tree, *exact, *samples);
+      trials.samples.emplace_back("exact", std::move(*samples));
+    }
   }
   const auto draw = [&](const InputFamily& family, const Body* body, const BodyLetters& letters) {
     if (!applies(family, tree, symbols, body)) return;

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "catch.h"
+#include "numeric/family_values.h"
+#include "numeric/inertia.h"
 
 namespace rigor {
 namespace {
@@ -118,14 +120,34 @@ TEST_CASE("a tensor obeys the triangle inequality as its moments do, however it 
   CHECK_FALSE(check_inertia({{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}));
 }
 
-TEST_CASE("no thin rod is refused for being shifted twice, and its inflated copy is refused") {
-  // About the origin, then by (1, 2, 3) and back: rounding leaves entries near 0 that may be negative.
-  const auto rod = point_masses("rod", {0.5, 0.5}, {{0, 0, 0.1}, {0, 0, -0.1}});
-  REQUIRE(rod);
+TEST_CASE("no rod or plate is refused for the rounding of its sums, in whatever direction it lies") {
+  SplitMix bits(3);
+  for (int time = 0; time < 500; ++time) {
+    const Position e = scaled(draw_direction(bits), draw_positive(bits));
+    CHECK(check_inertia(*inertia_tensor(*point_masses("rod", {0.7, 0.7}, {e, scaled(e, -1)}))));
+    const InertiaTensor axes = rotation_of(draw_quaternion(bits));
+    std::vector<Position> points;
+    for (int k = 0; k < 5; ++k)
+      points.push_back(sum(scaled(axes[0], uniform_sign(bits)), scaled(axes[1], uniform_sign(bits))));
+    CHECK(check_inertia(*inertia_tensor(*point_masses("plate", {1, 0.3, 0.5, 2, 0.1}, points))));
+  }
+}
+
+TEST_CASE("a rod is accepted after a shift by half its length and back, at every scale") {
+  SplitMix bits(4);
   for (const double length : {1e-9, 1e-3, 1.0, 1e6}) {
-    const double i = length * length * 0.1;
-    CHECK(check_inertia({{{i, 0, 0}, {0, i, 0}, {0, 0, 0}}}));
-    CHECK_FALSE(check_inertia({{{i, 0, 0}, {0, i * (1 + 1e-14), 0}, {0, 0, 0}}}));
+    for (int time = 0; time < 200; ++time) {
+      const double moment = length * length / 12;
+      InertiaTensor inertia{{{moment, 0, 0}, {0, moment, 0}, {0, 0, 0}}};
+      const Position d = scaled(draw_direction(bits), length / 2);
+      for (const double sign : {1.0, -1.0}) {
+        for (std::size_t i = 0; i < 3; ++i)
+          for (std::size_t j = 0; j < 3; ++j)
+            inertia[i][j] += sign * ((i == j ? length * length / 4 : 0) - d[i] * d[j]);
+      }
+      CHECK(check_inertia(inertia));
+    }
+    CHECK_FALSE(check_inertia({{{length, 0, 0}, {0, length * (1 + 1e-14), 0}, {0, 0, 0}}}));
   }
 }
 

@@ -6,9 +6,14 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <tuple>
 
 #include "catch.h"
+#include "numeric/bounds.h"
+#include "numeric/code.h"
 #include "numeric/on_sample.h"
+#include "numeric/random_forms.h"
+#include "numeric/reference.h"
 #include "numeric/run_samples.h"
 
 using namespace rigor;
@@ -22,6 +27,74 @@ constexpr std::array all_arithmetics{Arithmetic::single, Arithmetic::plain, Arit
 [[nodiscard]] bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+}
+
+[[nodiscard]] bool same_bits_or_nan(const std::vector<double>& a, const std::vector<double>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!(std::isnan(a[i]) && std::isnan(b[i])) && a[i] != b[i]) return false;
+  }
+  return a.size() == b.size();
+}
+
+/// The program's values in order, each rounded by itself: no plan, no steps. Without loops.
+[[nodiscard]] double separately(const Program& program, const Samples& samples, std::size_t sample) {
+  const Code& code = program.code();
+  std::vector<double> values;
+  for (const Value& value : code.values) {
+    const double a = has_operands(value.op) ? values[value.a] : 0.0;
+    const double b = has_second_operand(value.op) ? values[value.b] : 0.0;
+    switch (value.op) {
+      case Instruction::constant:
+        values.push_back(code.constants[value.a].value);
+        break;
+      case Instruction::input: {
+        const ProgramInput& input = code.inputs[value.a];
+        const Column& column = *samples.find(input.symbol, input.component);
+        values.push_back(column.values[sample * column.sample_stride]);
+        break;
+      }
+      case Instruction::add:
+        values.push_back(a + b);
+        break;
+      case Instruction::subtract:
+        values.push_back(a - b);
+        break;
+      case Instruction::multiply:
+        values.push_back(a * b);
+        break;
+      case Instruction::divide:
+        values.push_back(a / b);
+        break;
+      case Instruction::negate:
+        values.push_back(-a);
+        break;
+      case Instruction::root:
+        values.push_back(std::sqrt(a));
+        break;
+      case Instruction::absolute:
+        values.push_back(std::abs(a));
+        break;
+      case Instruction::sin:
+        values.push_back(std::sin(a));
+        break;
+      case Instruction::cos:
+        values.push_back(std::cos(a));
+        break;
+      case Instruction::exp:
+        values.push_back(std::exp(a));
+        break;
+      case Instruction::sum:
+        values.push_back(0.0);
+        break;
+    }
+  }
+  return values[code.outputs[0]];
+}
+
+[[nodiscard]] std::vector<double> one_by_one(const Program& program, const Samples& samples) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < samples.samples(); ++i) values.push_back(separately(program, samples, i));
+  return values;
 }
 
 class Numbers {
@@ -69,7 +142,7 @@ struct Spinning {
 }  // namespace
 
 TEST_CASE("a batch of any size gives what single samples give, bit for bit", "[numeric]") {
-  for (const std::size_t samples : {0u, 1u, 63u, 64u, 65u, 200u}) {
+  for (const std::size_t samples : {0u, 1u, 63u, 64u, 65u, 127u, 128u, 129u, 300u}) {
     Spinning spinning(samples, 5);
     const Program program = compiled(spinning.page, spinning.energy);
     for (const Arithmetic arithmetic : all_arithmetics) {
@@ -84,7 +157,7 @@ TEST_CASE("a batch of any size gives what single samples give, bit for bit", "[n
 }
 
 TEST_CASE("lanes of particles and lanes of samples agree but for the order of the sum", "[numeric]") {
-  for (const std::size_t particles : {0u, 1u, 2u, 63u, 64u, 65u, 1000u}) {
+  for (const std::size_t particles : {0u, 1u, 2u, 127u, 128u, 129u, 1000u}) {
     Spinning spinning(3, particles);
     const Program program = compiled(spinning.page, spinning.energy);
     const auto by_samples = run_on_samples<double>(program, spinning.data, Lanes::samples, {});
@@ -96,6 +169,69 @@ TEST_CASE("lanes of particles and lanes of samples agree but for the order of th
       const double n = static_cast<double>(particles);
       CHECK(std::abs(by_samples[i] - by_particles[i]) <= 2.0 * n * 0x1p-53 * n * 6.0);
       CHECK((particles > 0 || by_particles[i] == 0.0));
+    }
+  }
+}
+
+TEST_CASE("sums within sums agree with the reference, whatever the lanes are", "[numeric]") {
+  for (const std::size_t particles : {1u, 5u, 150u}) {
+    Spinning spinning(2, particles);
+    const ParticleId beta = spinning.page.particle("\\beta");
+    const auto [m, r, alpha] = std::tuple(spinning.m, spinning.r, spinning.alpha);
+    const Term inner = over(beta, m(beta) * squared(r(alpha) - r(beta)) * dot(spinning.w, r(beta)));
+    const Program program =
+        compiled(spinning.page, over(alpha, m(alpha) * inner * dot(r(alpha), r(alpha))) /
+                                    (spinning.page.number("1") + over(alpha, squared(m(alpha)))));
+    const Reference exact = reference(program, spinning.data);
+    const BoundedResults bounded = evaluate_with_bounds(program, spinning.data);
+    for (const Lanes lanes : {Lanes::none, Lanes::one, Lanes::samples, Lanes::particles}) {
+      const auto values = run_on_samples<double>(program, spinning.data, lanes, {});
+      for (std::size_t i = 0; i < values.size(); ++i)
+        CHECK(std::abs(values[i] - exact.values[i]) <= 2.0 * bounded.bounds[i]);
+    }
+  }
+}
+
+TEST_CASE("what all samples have in common gives the same as what they have not", "[numeric]") {
+  for (const std::size_t particles : {2u, 300u}) {
+    Spinning spinning(5, particles);
+    const IndexId i = spinning.page.index("i");
+    const IndexId j = spinning.page.index("j");
+    const auto [m, r, w, alpha] = std::tuple(spinning.m, spinning.r, spinning.w, spinning.alpha);
+    const Named inertia = spinning.page.tensor("I");
+    spinning.page.define(inertia,
+                         over(alpha, m(alpha) * (squared(r(alpha)) * spinning.page.delta(i, j) -
+                                                 at(r(alpha), i) * at(r(alpha), j))),
+                         {i, j});
+    const Program by_tensor =
+        compiled(spinning.page, sum({i, j}, at(inertia, i, j) * at(w, i) * at(w, j)) / 2);
+    const Program by_speed = compiled(spinning.page, spinning.energy);
+    const std::vector<double> one = evaluate(by_tensor, spinning.data);
+    const std::vector<double> other = evaluate(by_speed, spinning.data);
+    const BoundedResults first = evaluate_with_bounds(by_tensor, spinning.data);
+    const BoundedResults second = evaluate_with_bounds(by_speed, spinning.data);
+    for (std::size_t k = 0; k < one.size(); ++k)
+      CHECK(std::abs(one[k] - other[k]) <= 2.0 * (first.bounds[k] + second.bounds[k]));
+  }
+}
+
+TEST_CASE("fused steps round as separate ones do", "[numeric]") {
+  RandomForms forms;
+  Numbers numbers;
+  constexpr std::size_t count = 130;
+  Samples samples(count, 0);
+  for (const Named& vector : forms.page.vectors_of) {
+    for (std::uint32_t i = 0; i < 3; ++i) samples.set_each(vector.symbol, i, numbers(count));
+  }
+  for (int form = 0; form < 200; ++form) {
+    const Term term = forms.scalar(3);
+    const Program program = compiled(forms.page, term);
+    for (const bool same : {false, true}) {  // products with one wide factor, too
+      Samples here = samples;
+      for (std::uint32_t i = 0; same && i < 3; ++i)
+        here.set(forms.page.vectors_of[0].symbol, i, 0.7 - 0.4 * static_cast<double>(i));
+      const std::vector<double> values = evaluate(program, here);
+      CHECK(same_bits_or_nan(values, one_by_one(program, here)));
     }
   }
 }

@@ -143,3 +143,95 @@ TEST_CASE("programs give what the exact evaluator gives: sums over particles", "
   check_same(page, dot(x(beta), v(gamma)), {}, {beta, gamma});
   check_same(page, over(alpha, squared(r(alpha) - r(beta))), {}, {beta});
 }
+
+namespace {
+
+[[nodiscard]] std::string failure(const Page& page, const Term& term) {
+  const ProgramRoot root{term.id, {}};
+  const auto program = Program::compile(page.tree, page.question.definitions, std::span(&root, 1));
+  return program ? std::string() : program.error().reason;
+}
+
+[[nodiscard]] std::string listing(const Page& page, const Term& term) {
+  return compiled(page, term).listing(page.tree);
+}
+
+}  // namespace
+
+TEST_CASE("definitions in a circle are refused, with a name", "[numeric]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  page.define(a, 2 * b);
+  page.define(b, a + page.number("1"));
+  CHECK(failure(page, a * a) == "definitions go in a circle: `a`");
+}
+
+TEST_CASE("what is too large or too deep is refused", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  Term deep = x;
+  for (int i = 0; i < 2000; ++i) deep = sin(deep);
+  CHECK(failure(page, deep) == "it nests too deeply");
+  const Named t = page.tensor("T");
+  Term large = t;
+  for (int i = 0; i < 3; ++i) large = large * Term(t);
+  CHECK(failure(page, large) == "a tensor has too many components");
+  CHECK(failure(page, pow(x, 1001)) == "an exponent is too large");
+  std::vector<IndexId> many;
+  Term sums = x;
+  for (int i = 0; i < 16; ++i) sums = sum({page.index("i")}, sums);
+  CHECK(failure(page, sums) == "the program would be too large");
+}
+
+TEST_CASE("the last definition of a symbol counts", "[numeric]") {
+  Page page;
+  const Named a = page.scalar("a");
+  page.define(a, page.number("2"));
+  page.define(a, page.number("3"));
+  CHECK(evaluate(compiled(page, a * a), Samples(1, 0))[0] == 9.0);
+}
+
+TEST_CASE("what is written is kept: nothing is expanded, factored or left out but what is 0", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  const Named a = page.vector("A");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  CHECK(listing(page, x * (x + y) - y * (x + y)) ==
+        "%1 = + x[0] y[0]\n%2 = * x[0] %1\n%3 = * y[0] %1\n%4 = - %2 %3\nresult %4\n");
+  CHECK(listing(page, 1 / (2 * x) * y / 2).find("0.5") == std::string::npos);
+  CHECK(listing(page, page.number("1") / 2 * x).find("* 0.5 x[0]") != std::string::npos);
+  CHECK(listing(page, page.number("1") / 3 * x).find("/ 1 3") != std::string::npos);
+  CHECK(listing(page, sum({i, j}, page.delta(i, j) * at(a, i) * at(a, j))) == listing(page, dot(a, a)));
+  CHECK(listing(page, squared(a)) == listing(page, dot(a, a)));
+  CHECK(listing(page, cross(a, a)) != listing(page, a));
+  CHECK(listing(page, 0 * x).find("* ") != std::string::npos);
+}
+
+TEST_CASE("a value is computed once, and outside the loops that it does not depend on", "[numeric]") {
+  Page page;
+  const Named m = page.scalars("m");
+  const Named r = page.vectors("r");
+  const Named w = page.vector("w");
+  const ParticleId alpha = page.particle("\\alpha");
+  const ParticleId beta = page.particle("\\beta");
+  const Program one = compiled(page, over(alpha, m(alpha) * dot(w, w)));
+  CHECK(one.counts().once == 5);
+  CHECK(one.counts().per_particle == 2);
+  // Both sums are over the same terms.
+  const Term twice = over(alpha, m(alpha) * squared(r(alpha))) + over(beta, m(beta) * squared(r(beta)));
+  CHECK(compiled(page, twice).counts().per_particle == 7);
+  // An inner sum that does not depend on the outer particle is computed before.
+  const Term nested = over(alpha, m(alpha) * over(beta, m(beta)));
+  CHECK(listing(page, nested) ==
+        "%1 = sum over p1 m[0]{p1}\n%2 = * m[0]{p1} %1\n%3 = sum over p1 %2\nresult %3\n");
+}
+
+TEST_CASE("a program for a form takes few registers", "[numeric]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  CHECK(compiled(page, squared(cross(a, b))).counts().registers == 3);
+}

@@ -214,6 +214,10 @@ TEST_CASE("a mesh is read from the body's folder, with a unit and a density") {
   const auto wedge = read("mesh = \"wedge.obj\"\nunit = \"1 cm\"\ndensity = \"0.7 g/cm^3\"\n").body;
   REQUIRE(wedge);
   CHECK(total_mass(*wedge) == Approx(0.7e-3 * 12 * 4 * 1.75));
+  const auto tetrahedron = read_file_at("derivations/bodies/tetrahedron.toml").body;
+  REQUIRE(tetrahedron);
+  // Edges a = 2√2 cm: I = m a²/20 about every axis.
+  for (std::size_t i = 0; i < 3; ++i) CHECK(tetrahedron->known->inertia[i][i] == Approx(0.02 * 8e-4 / 20));
   CHECK(wrong("mesh = \"wedge.obj\"\ndensity = 1\nmass = 1\n") ==
         "b.toml:2:1: error: the body has both `mass` and `density` [bad-body]");
   CHECK(wrong("mesh = \"wedge.obj\"\n") == "b.toml:1:1: error: the body has no `mass` [bad-toml]");
