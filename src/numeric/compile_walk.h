@@ -32,7 +32,7 @@ class ExpressionCompiler {
   static constexpr std::uint32_t unbound = 0xffffffffu;
 
   /// What a symbol's components are, for one particle.
-  struct Known {
+  struct SymbolComponents {
     SymbolId symbol{};
     std::uint32_t particle = 0;
     std::uint32_t first = 0;  // into known_components_
@@ -101,7 +101,7 @@ class ExpressionCompiler {
   std::vector<std::uint8_t> axis_;       // by index variable; 0: not bound
   std::vector<std::uint32_t> particle_;  // by particle variable, as InputParticle says; `unbound`
   std::vector<SymbolState> symbols_;
-  std::vector<Known> known_;
+  std::vector<SymbolComponents> known_;
   std::vector<Operand> known_components_;  // two marks beside operands: not asked for yet, being unfolded
   std::vector<std::uint32_t> input_of_;    // by symbol and component: input plus 1
   std::vector<SumParticles> sums_;

@@ -43,9 +43,10 @@ class Engine {
 
  private:
   void run_batch(std::size_t samples, T* results, std::size_t stride);
-  void execute(const std::vector<Step>& steps, const std::vector<StepFunction<T>>& functions,
+  void execute(const std::vector<PlanStep>& steps, const std::vector<StepFunction<T>>& functions,
                std::size_t begin, std::size_t end);
-  void loop(const std::vector<Step>& steps, const std::vector<StepFunction<T>>& functions, std::size_t at);
+  void loop(const std::vector<PlanStep>& steps, const std::vector<StepFunction<T>>& functions,
+            std::size_t at);
   void set_inputs(std::span<const std::uint32_t> which);
   void set_input(std::uint32_t which);
 

@@ -38,8 +38,8 @@ Engine<T>::Engine(const Code& code, Plan plan, std::size_t particles)
     buffers_.push_back(plan_.lanes == Lanes::samples ? wide_buffer : nullptr);
     if (plan_.lanes == Lanes::samples) wide_buffer += width;
   }
-  const auto bind_steps = [](const std::vector<Step>& steps, std::vector<StepFunction<T>>& functions) {
-    for (const Step& step : steps)
+  const auto bind_steps = [](const std::vector<PlanStep>& steps, std::vector<StepFunction<T>>& functions) {
+    for (const PlanStep& step : steps)
       functions.push_back(step.kernel == Kernel::loop ? nullptr : kernels::function_for<T>(step));
   };
   bind_steps(plan_.once, once_);
@@ -125,11 +125,11 @@ void Engine<T>::run_point(T* results) {
 }
 
 template <class T>
-void Engine<T>::execute(const std::vector<Step>& steps, const std::vector<StepFunction<T>>& functions,
+void Engine<T>::execute(const std::vector<PlanStep>& steps, const std::vector<StepFunction<T>>& functions,
                         std::size_t begin, std::size_t end) {
   T* const* const slots = slots_.data();
   for (std::size_t at = begin; at < end; ++at) {
-    const Step& step = steps[at];
+    const PlanStep& step = steps[at];
     if (step.kernel == Kernel::loop) {
       loop(steps, functions, at);
       at = step.end - 1;
@@ -140,9 +140,9 @@ void Engine<T>::execute(const std::vector<Step>& steps, const std::vector<StepFu
 }
 
 template <class T>
-void Engine<T>::loop(const std::vector<Step>& steps, const std::vector<StepFunction<T>>& functions,
+void Engine<T>::loop(const std::vector<PlanStep>& steps, const std::vector<StepFunction<T>>& functions,
                      std::size_t at) {
-  const Step& step = steps[at];
+  const PlanStep& step = steps[at];
   const auto inputs = std::span(plan_.loop_inputs).subspan(step.inputs, step.input_count);
   const std::size_t width = step.over_lanes ? lane_count : 1;
   for (std::size_t particle = 0; particle < particles_; particle += width) {

@@ -18,7 +18,7 @@ inline constexpr int lane_count = 128;
 
 /// `lanes`: how many of them count, in steps over lanes.
 template <class T>
-using StepFunction = void (*)(T* const* slots, const Step& step, int lanes);
+using StepFunction = void (*)(T* const* slots, const PlanStep& step, int lanes);
 
 namespace kernels {
 
@@ -83,7 +83,7 @@ template <class T>
 }
 
 template <class T, Kernel kernel, unsigned wide>
-void run(T* const* slots, const Step& step, int lanes) {
+void run(T* const* slots, const PlanStep& step, int lanes) {
   constexpr bool to_wide = (wide & wide_result) != 0;
   T* const out = slots[step.out];
 #define X(k) operand<T, (wide >> k & 1u) != 0>(slots[step.in[k]])
@@ -139,7 +139,7 @@ template <class T, Kernel kernel, unsigned... choices>
 
 /// Operands are wide in the order in which `run_fuse.h` puts them.
 template <class T>
-[[nodiscard]] StepFunction<T> function_for(const Step& step) {
+[[nodiscard]] StepFunction<T> function_for(const PlanStep& step) {
   switch (step.kernel) {
     case Kernel::clear:
       return choose<T, Kernel::clear, 0x8000>(step.wide);

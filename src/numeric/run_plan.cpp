@@ -38,7 +38,7 @@ class Planner {
 
   void find_masks(std::span<const std::uint8_t> varies);
   void count_uses();
-  void begin(Phase phase, std::vector<Step>& steps);
+  void begin(Phase phase, std::vector<PlanStep>& steps);
   void emit_block(int level, std::span<const ValueId> demand, std::span<const ValueId> totals = {});
   void collect(int level, std::span<const ValueId> demand, std::vector<ValueId>& local);
   void emit_value(ValueId id, const FusedStep& fused);
@@ -48,8 +48,8 @@ class Planner {
   [[nodiscard]] bool adds_product(const FusionScope& scope, ValueId total) const;
   [[nodiscard]] SlotId place_of(ValueId id);
   [[nodiscard]] SlotId input_place(ValueId id);
-  void add_operand(Step& step, ValueId id);
-  void append(const Step& step) { steps_->push_back(step); }
+  void add_operand(PlanStep& step, ValueId id);
+  void append(const PlanStep& step) { steps_->push_back(step); }
 
   const Code& code_;
   Plan plan_;
@@ -65,7 +65,7 @@ class Planner {
   std::vector<std::uint8_t> written_;     // by value: it was
   std::vector<OpenLoop> loops_;
   std::vector<std::uint32_t>* root_inputs_ = nullptr;
-  std::vector<Step>* steps_ = nullptr;
+  std::vector<PlanStep>* steps_ = nullptr;
   std::uint32_t current_block_ = 0;
   Phase phase_ = Phase::once;
   unsigned lane_bit_ = 0;
@@ -110,7 +110,7 @@ void Planner::count_uses() {
   }
 }
 
-void Planner::begin(Phase phase, std::vector<Step>& steps) {
+void Planner::begin(Phase phase, std::vector<PlanStep>& steps) {
   phase_ = phase;
   steps_ = &steps;
   root_inputs_ = phase == Phase::once ? &plan_.once_inputs : &plan_.each_inputs;
@@ -229,13 +229,13 @@ SlotId Planner::place_of(ValueId id) {
   return place(PlaceKind::reg, register_[id]);
 }
 
-void Planner::add_operand(Step& step, ValueId id) {
+void Planner::add_operand(PlanStep& step, ValueId id) {
   if (wide_[id] != 0) step.wide = static_cast<std::uint16_t>(step.wide | 1u << step.operands);
   step.in[step.operands++] = place_of(id);
 }
 
 void Planner::emit_value(ValueId id, const FusedStep& fused) {
-  Step step{.kernel = fused.kernel, .minus = fused.minus};
+  PlanStep step{.kernel = fused.kernel, .minus = fused.minus};
   for (std::size_t i = 0; i < fused.operands; ++i) add_operand(step, fused.in[i]);
   if (wide_[id] != 0) step.wide |= wide_result;
   if (output_of_[id] != 0 && wide_[id] != 0) {
@@ -267,7 +267,7 @@ void Planner::emit_loop(int level, std::span<const ValueId> sums) {
   const std::vector<ValueId> own(sums.begin(), sums.end());
   emit_block(level, bodies, own);
   for (std::size_t i = 0; i < own.size(); ++i) accumulate(own[i], totals[i], over_lanes);
-  Step& opened = (*steps_)[loop];
+  PlanStep& opened = (*steps_)[loop];
   opened.inputs = static_cast<std::uint32_t>(plan_.loop_inputs.size());
   opened.input_count = static_cast<std::uint32_t>(loops_.back().inputs.size());
   plan_.loop_inputs.insert(plan_.loop_inputs.end(), loops_.back().inputs.begin(), loops_.back().inputs.end());
@@ -289,7 +289,7 @@ void Planner::emit_loop(int level, std::span<const ValueId> sums) {
 
 void Planner::accumulate(ValueId sum, RegisterId total, bool over_lanes) {
   const ValueId body = at(sum).a;
-  Step step{.kernel = Kernel::accumulate, .over_lanes = over_lanes};
+  PlanStep step{.kernel = Kernel::accumulate, .over_lanes = over_lanes};
   const bool product = at(body).op == Instruction::multiply && taken_in_[body] != 0 && uses_[body] == 1 &&
                        block_[body] != 0 && home_level(masks_[body]) == loops_.back().level;
   if (product) {
@@ -313,7 +313,7 @@ void Planner::emit_outputs() {
   for (std::uint32_t i = 0; i < plan_.outputs; ++i) {
     const ValueId id = code_.outputs[i];
     if (output_of_[id] == i + 1 && written_[id] != 0) continue;
-    Step step{.kernel = Kernel::copy, .out = place(PlaceKind::output, i)};
+    PlanStep step{.kernel = Kernel::copy, .out = place(PlaceKind::output, i)};
     add_operand(step, id);
     if (plan_.lanes == Lanes::samples) step.wide |= wide_result;
     append(step);

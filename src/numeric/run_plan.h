@@ -51,7 +51,7 @@ using SlotId = std::uint32_t;
 inline constexpr std::size_t most_operands = 10;
 inline constexpr std::uint16_t wide_result = 0x8000;
 
-struct Step {
+struct PlanStep {
   Kernel kernel = Kernel::clear;
   std::uint16_t wide = 0;  // bit k: operand k is wide; bit 15: so is the result
   std::uint8_t operands = 0;
@@ -74,13 +74,13 @@ struct PlanInput {
   friend bool operator==(const PlanInput&, const PlanInput&) = default;
 };
 
-/// What is done side by side: none: nothing; one: particles in sums that depend on no sample; samples: these too;
-/// particles: in all sums.
+/// What is done side by side: none: nothing; one: particles in sums that depend on no sample; samples: these
+/// too; particles: in all sums.
 enum class Lanes : std::uint8_t { none, one, samples, particles };
 
 struct Plan {
-  std::vector<Step> once;                  // before all samples
-  std::vector<Step> each;                  // for each batch of samples, or each sample
+  std::vector<PlanStep> once;              // before all samples
+  std::vector<PlanStep> each;              // for each batch of samples, or each sample
   std::vector<std::uint32_t> loop_inputs;  // that change from particle to particle of a loop: into `inputs`
   std::vector<std::uint32_t> once_inputs;  // that are set before `once`
   std::vector<std::uint32_t> each_inputs;  // that are set before `each`

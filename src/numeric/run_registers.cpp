@@ -80,8 +80,8 @@ void Registers::settle(Plan& plan) const {
     }
     return slot;
   };
-  for (std::vector<Step>* steps : {&plan.once, &plan.each}) {
-    for (Step& step : *steps) {
+  for (std::vector<PlanStep>* steps : {&plan.once, &plan.each}) {
+    for (PlanStep& step : *steps) {
       if (step.kernel == Kernel::loop) continue;
       step.out = final_slot(step.out);
       for (std::size_t i = 0; i < step.operands; ++i) step.in[i] = final_slot(step.in[i]);
