@@ -25,7 +25,7 @@ class LetterValues {
   [[nodiscard]] const LetterValue* find(SymbolId symbol) const;
 
   /// Puts what the program reads into the samples, the same for all of them. `left_out` are put in by the
-  /// caller. Returns the first input that has no value.
+  /// caller. Particles' values are borrowed, not copied. Returns the first input that has no value.
   [[nodiscard]] std::optional<ProgramInput> fill(const Program& program, Samples& samples,
                                                  const std::vector<SymbolId>& left_out = {}) const;
 

@@ -293,11 +293,11 @@ TEST_CASE("every scene in derivations/ gives all it is asked for", "[scene]") {
   CHECK(scenes >= 4);
 }
 
-TEST_CASE("a body without mass or particles is refused", "[scene]") {
+TEST_CASE("a body without particles is refused, and what is not finite is said to be so", "[scene]") {
   const std::string ask = "spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}']\n";
-  CHECK(Played(ask, Body{}).messages().find("bad-body: ") == 0);
-  CHECK(Played(ask, Body{"none", {0}, {{{0}, {0}, {0}}}, {}}).messages().find("bad-body: ") == 0);
-  CHECK(Played(ask, Body{"nan", {std::nan("")}, {{{0}, {0}, {0}}}, {}}).messages().find("bad-body: ") == 0);
+  CHECK(Played(ask, Body{}).messages() == "bad-body: the body has no particles\n");
+  const Body nan{"nan", {std::nan("")}, {{{0}, {0}, {0}}}, {}};
+  CHECK(Played(ask, nan).messages() == "bad-scene: `T_{rot}` is not finite\n");
 }
 
 }  // namespace
