@@ -45,7 +45,7 @@ std::optional<std::vector<ReferenceNumber>> exact_results(const Program& program
   if ((counts.once + counts.per_particle * samples.particles()) * samples.samples() > most_operations)
     return std::nullopt;
   for (const ProgramInput& input : program.inputs()) {
-    const std::vector<double>& column = samples.find(input.symbol, input.component)->values;
+    const std::span<const double> column = samples.find(input.symbol, input.component)->values;
     if (!std::all_of(column.begin(), column.end(), [](double value) { return std::isfinite(value); }))
       return std::nullopt;
   }

@@ -5,48 +5,68 @@
 
 namespace rigor {
 
+namespace {
+
+Column column_of(std::vector<double> values, std::size_t sample_stride, std::size_t particle_stride) {
+  const auto owned = std::make_shared<const std::vector<double>>(std::move(values));
+  return {*owned, sample_stride, particle_stride, owned};
+}
+
+}  // namespace
+
+void Samples::put(SymbolId symbol, std::uint32_t component, std::vector<double> values,
+                  std::size_t sample_stride, std::size_t particle_stride) {
+  columns_[{symbol, component}] = column_of(std::move(values), sample_stride, particle_stride);
+}
+
 void Samples::set(SymbolId symbol, std::uint32_t component, double value) {
-  columns_[{symbol, component}] = {{value}, 0, 0};
+  put(symbol, component, {value}, 0, 0);
 }
 
 void Samples::set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values) {
   RIGOR_CHECK(values.size() == samples_, values.size(), samples_);
-  columns_[{symbol, component}] = {std::move(values), 1, 0};
+  put(symbol, component, std::move(values), 1, 0);
 }
 
 void Samples::set_particles(SymbolId symbol, std::uint32_t component, std::vector<double> values) {
   RIGOR_CHECK(values.size() == particles_, values.size(), particles_);
-  columns_[{symbol, component}] = {std::move(values), 0, 1};
+  put(symbol, component, std::move(values), 0, 1);
+}
+
+void Samples::borrow_particles(SymbolId symbol, std::uint32_t component, std::span<const double> values) {
+  RIGOR_CHECK(values.size() == particles_, values.size(), particles_);
+  columns_[{symbol, component}] = {values, 0, 1};
 }
 
 void Samples::set_particles_each(SymbolId symbol, std::uint32_t component, std::vector<double> values) {
   RIGOR_CHECK(values.size() == particles_ * samples_, values.size(), particles_, samples_);
-  columns_[{symbol, component}] = {std::move(values), 1, samples_};
+  put(symbol, component, std::move(values), 1, samples_);
 }
 
 Samples Samples::only(std::span<const std::size_t> which) const {
   Samples chosen(which.size(), particles_);
   for (const auto& [key, column] : columns_) {
-    Column& own = chosen.columns_[key];
-    own = column;
-    if (column.sample_stride == 0) continue;
+    if (column.sample_stride == 0) {
+      chosen.columns_[key] = column;
+      continue;
+    }
     const std::size_t particles = column.particle_stride == 0 ? 1 : particles_;
-    own.sample_stride = 1;
-    own.particle_stride = column.particle_stride == 0 ? 0 : which.size();
-    own.values.clear();
+    std::vector<double> values;
     for (std::size_t particle = 0; particle < particles; ++particle) {
       for (const std::size_t sample : which)
-        own.values.push_back(
-            column.values[sample * column.sample_stride + particle * column.particle_stride]);
+        values.push_back(column.values[sample * column.sample_stride + particle * column.particle_stride]);
     }
+    chosen.columns_[key] = column_of(std::move(values), 1, column.particle_stride == 0 ? 0 : which.size());
   }
   return chosen;
 }
 
 Samples Samples::rounded_to_float() const {
-  Samples rounded = *this;
-  for (auto& [key, column] : rounded.columns_) {
-    for (double& value : column.values) value = static_cast<double>(static_cast<float>(value));
+  Samples rounded(samples_, particles_);
+  for (const auto& [key, column] : columns_) {
+    std::vector<double> values;
+    for (const double value : column.values) values.push_back(static_cast<double>(static_cast<float>(value)));
+    rounded.columns_[key] = column_of(std::move(values), column.sample_stride, column.particle_stride);
   }
   return rounded;
 }

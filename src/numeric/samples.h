@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -15,9 +16,10 @@ namespace rigor {
 
 /// values[sample · sample_stride + particle · particle_stride]; a stride of 0: the same for all.
 struct Column {
-  std::vector<double> values;
+  std::span<const double> values;
   std::size_t sample_stride = 0;
   std::size_t particle_stride = 0;
+  std::shared_ptr<const std::vector<double>> owned = {};  // what `values` shows, unless it is borrowed
 };
 
 class Samples {
@@ -33,6 +35,8 @@ class Samples {
   void set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
   /// One for each particle, the same for all samples.
   void set_particles(SymbolId symbol, std::uint32_t component, std::vector<double> values);
+  /// The same without a copy: the values must outlive the samples.
+  void borrow_particles(SymbolId symbol, std::uint32_t component, std::span<const double> values);
   /// One for each particle of each sample: values[particle · samples + sample].
   void set_particles_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
 
@@ -44,6 +48,9 @@ class Samples {
   [[nodiscard]] const Column* find(SymbolId symbol, std::uint32_t component) const;
 
  private:
+  void put(SymbolId symbol, std::uint32_t component, std::vector<double> values, std::size_t sample_stride,
+           std::size_t particle_stride);
+
   std::size_t samples_;
   std::size_t particles_;
   std::map<std::pair<SymbolId, std::uint32_t>, Column> columns_;

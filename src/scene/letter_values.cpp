@@ -18,7 +18,7 @@ std::optional<ProgramInput> LetterValues::fill(const Program& program, Samples& 
     if (value == nullptr) return input;
     if (input.per_particle) {
       if (input.component >= value->particles.size()) return input;
-      samples.set_particles(input.symbol, input.component, value->particles[input.component]);
+      samples.borrow_particles(input.symbol, input.component, value->particles[input.component]);
     } else {
       if (input.component >= value->components.size()) return input;
       samples.set(input.symbol, input.component, value->components[input.component]);

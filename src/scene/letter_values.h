@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,8 @@
 namespace rigor {
 
 struct LetterValue {
-  std::vector<double> components;              // 3^rank, row by row; unless per particle
-  std::vector<std::vector<double>> particles;  // of each component, one for each particle
+  std::vector<double> components;                  // 3^rank, row by row; unless per particle
+  std::vector<std::span<const double>> particles;  // of each component, one for each particle; not owned
 };
 
 class LetterValues {
@@ -24,7 +25,7 @@ class LetterValues {
   [[nodiscard]] const LetterValue* find(SymbolId symbol) const;
 
   /// Puts what the program reads into the samples, the same for all of them. `left_out` are put in by the
-  /// caller. Returns the first input that has no value.
+  /// caller. Particles' values are borrowed, not copied. Returns the first input that has no value.
   [[nodiscard]] std::optional<ProgramInput> fill(const Program& program, Samples& samples,
                                                  const std::vector<SymbolId>& left_out = {}) const;
 

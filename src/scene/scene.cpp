@@ -14,7 +14,7 @@ SceneEvaluation::SceneEvaluation(const SceneFile& scene, const Body& body, const
       forms_(forms),
       body_(body, ledger_),
       letters_(scene, forms, result_.diagnostics),
-      values_(scene, forms.tree, letters_, body_, ledger_),
+      values_(scene, forms.tree, letters_, body_),
       spin_symbols_(letters_.with_role(SceneRole::spin)),
       rate_symbols_(letters_.with_role(SceneRole::spin_rate)),
       definitions_(without_definitions_of(letters_.overriding(), forms.definitions)) {}
@@ -24,8 +24,8 @@ SceneResult SceneEvaluation::run() {
   result_.body = body_.body().name;
   ledger_.expect(law_node, "nothing that was asked needs it");
   ledger_.expect(motion_node, "nothing is asked over the time");
-  if (const auto valid = check_body(body_.body()); !valid) {
-    report(DiagnosticKind::bad_body, scene_.body.span, valid.error().reason);
+  if (body_.body().size() == 0) {  // what else a body must be is seen to where it is made
+    report(DiagnosticKind::bad_body, scene_.body.span, "the body has no particles");
   } else if (compile_all()) {
     if (needs_law_) make_law();
     if (needs_motion_ && law_of_spin_) move();

@@ -59,14 +59,15 @@ const Result<PrincipalAxes>& SceneBody::axes() {
   return *axes_;
 }
 
-Result<std::array<std::vector<double>, 3>> SceneBody::places_along_axes() {
-  const auto along = is_along_principal_axes();
-  if (!along) return tl::unexpected(along.error());
-  if (*along) return body_.positions;
+const Result<SceneBody::Places>& SceneBody::places_along_axes() {
+  if (places_) return *places_;
   const auto& turn = axes();
-  if (!turn) return tl::unexpected(turn.error());
-  return ledger_.compute(places_node, "turned", [&] {
-    std::array<std::vector<double>, 3> places;
+  if (!turn) {
+    places_ = tl::unexpected(turn.error());
+    return *places_;
+  }
+  places_ = ledger_.compute(places_node, "turned", [&] {
+    Places places;
     for (std::size_t k = 0; k < 3; ++k) {
       places[k].resize(body_.size());
       const Position& axis = turn->axes[k];
@@ -75,8 +76,9 @@ Result<std::array<std::vector<double>, 3>> SceneBody::places_along_axes() {
                        axis[2] * body_.positions[2][p];
       }
     }
-    return Result<std::array<std::vector<double>, 3>>(std::move(places));
+    return Result<Places>(std::move(places));
   });
+  return *places_;
 }
 
 }  // namespace rigor

@@ -31,7 +31,8 @@ class SceneBody {
   /// In the order of `moments`. Where the body is along them, e₁, e₂, e₃, and nothing is computed.
   [[nodiscard]] const Result<PrincipalAxes>& axes();
   /// Coordinates of the particles along `axes`.
-  [[nodiscard]] Result<std::array<std::vector<double>, 3>> places_along_axes();
+  using Places = std::array<std::vector<double>, 3>;
+  [[nodiscard]] const Result<Places>& places_along_axes();
 
  private:
   const Body& body_;
@@ -39,6 +40,7 @@ class SceneBody {
   std::optional<Result<InertiaTensor>> tensor_;
   std::optional<Result<Position>> moments_;
   std::optional<Result<PrincipalAxes>> axes_;
+  std::optional<Result<Places>> places_;
 };
 
 }  // namespace rigor

@@ -69,17 +69,16 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
   if (!law_of_spin_ && reads(*asked.program, spin_symbols_)) {
     if (const auto spin = values_.spin()) start_ = *spin;
   }
-  quantity.value = ledger_.compute(name, over_time ? "asked for over the time" : "asked for", [&] {
-    return run_program(*asked.program, {&start_, 1});
-  });
+  const Samples samples = samples_for(*asked.program, {&start_, 1});
+  quantity.value = ledger_.compute(name, over_time ? "asked for over the time" : "asked for",
+                                   [&] { return evaluate(*asked.program, samples); });
   if (std::any_of(quantity.value.begin(), quantity.value.end(),
                   [](double each) { return !std::isfinite(each); })) {
     report(DiagnosticKind::bad_scene, asked.ask->name.span, fmt::format("`{}` is not finite", name));
   }
   if (scene_.errors) {
-    quantity.error = ledger_.compute("rounding errors of " + name, "asked for by `errors`", [&] {
-      return evaluate_with_bounds(*asked.program, samples_for(*asked.program, {&start_, 1})).bounds;
-    });
+    quantity.error = ledger_.compute("rounding errors of " + name, "asked for by `errors`",
+                                     [&] { return evaluate_with_bounds(*asked.program, samples).bounds; });
   }
   if (result_.motion && (over_time || reads(*asked.program, spin_symbols_))) follow_motion(asked, quantity);
   result_.quantities.push_back(std::move(quantity));
@@ -89,7 +88,10 @@ Samples SceneEvaluation::samples_for(const Program& program, std::span<const Vec
   std::vector<SymbolId> moving = spin_symbols_;
   moving.insert(moving.end(), rate_symbols_.begin(), rate_symbols_.end());
   Samples samples(spins.size(), body_.body().size());
-  (void)values_.values().fill(program, samples, moving);
+  const auto fill = [&] { return values_.values().fill(program, samples, moving); };
+  const bool of_particles = program.sums_over_particles();
+  if (of_particles) (void)ledger_.compute(SceneBody::particles_node, "their masses or places are read", fill);
+  if (!of_particles) (void)fill();
   std::vector<Vector3> rates;
   if (reads(program, rate_symbols_)) {
     for (const Vector3& spin : spins) rates.push_back(law_of_spin_->rates(spin));

@@ -59,16 +59,13 @@ Result<Vector3> SceneValues::spin() {
 Result<LetterValue> SceneValues::value_of(const SceneLetter& letter) {
   switch (letter.role) {
     case SceneRole::mass:
-      return ledger_.compute(SceneBody::particles_node, "their masses or places are read", [&] {
-        return Result<LetterValue>(LetterValue{{}, {body_.body().masses}});
-      });
+      return LetterValue{{}, {body_.body().masses}};
     case SceneRole::position: {
-      auto places = turn_places_ ? body_.places_along_axes()
-                                 : Result<std::array<std::vector<double>, 3>>(body_.body().positions);
+      if (!turn_places_)
+        return LetterValue{{}, {body_.body().positions.begin(), body_.body().positions.end()}};
+      const auto& places = body_.places_along_axes();
       if (!places) return tl::unexpected(places.error());
-      return ledger_.compute(SceneBody::particles_node, "their masses or places are read", [&] {
-        return Result<LetterValue>(LetterValue{{}, {places->begin(), places->end()}});
-      });
+      return LetterValue{{}, {places->begin(), places->end()}};
     }
     case SceneRole::spin: {
       const auto along = spin();

@@ -22,9 +22,8 @@ struct MissingValue {
 class SceneValues {
  public:
   /// All are kept by reference.
-  SceneValues(const SceneFile& scene, const ExprTree& tree, const SceneLetters& letters, SceneBody& body,
-              SceneLedger& ledger)
-      : scene_(scene), tree_(tree), letters_(letters), body_(body), ledger_(ledger) {}
+  SceneValues(const SceneFile& scene, const ExprTree& tree, const SceneLetters& letters, SceneBody& body)
+      : scene_(scene), tree_(tree), letters_(letters), body_(body) {}
 
   /// Along which axes components are, once it is known what will be read. Principal axes are taken where they
   /// are asked for or a principal moment is read. A reason where the scene leaves open along which axes it
@@ -51,7 +50,6 @@ class SceneValues {
   const ExprTree& tree_;
   const SceneLetters& letters_;
   SceneBody& body_;
-  SceneLedger& ledger_;
   LetterValues values_;
   bool principal_ = false;  // components are along principal axes
   bool turn_ = false;       // and the scene gives them along the body's, which are others

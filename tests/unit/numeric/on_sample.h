@@ -38,7 +38,8 @@ namespace rigor::build {
         continue;
       }
       const Column* before = samples.find(value.symbol, component);
-      std::vector<double> column = before != nullptr ? before->values : std::vector<double>(sample.particles);
+      std::vector<double> column(sample.particles);
+      if (before != nullptr) column.assign(before->values.begin(), before->values.end());
       column[value.particle - 1] = to_double(value.components[i]);
       samples.set_particles(value.symbol, component, column);
     }

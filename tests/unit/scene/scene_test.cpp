@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "catch.h"
 #include "check/forms.h"
 #include "numeric/body.h"
+#include "scene/body_file.h"
 #include "scene/scene_file.h"
+#include "source/read_file.h"
 
 namespace rigor {
 namespace {
@@ -19,16 +22,33 @@ struct Played {
   SceneResult result;
 
   Played(const std::string& lines, const Body& body) {
-    const FileId file = sources.add("derivations/scenes/test.toml",
-                                    "notes = \"../rigid-bodies.md\"\nbody = \"test\"\n" + lines);
+    play(sources.add("derivations/scenes/test.toml",
+                     "notes = \"../rigid-bodies.md\"\nbody = \"test\"\n" + lines),
+         &body);
+  }
+  /// A scene of derivations/scenes, with its own body.
+  explicit Played(const std::string& path) {
+    const auto text = read_file(path);
+    REQUIRE(text);
+    play(sources.add(path, *text), nullptr);
+  }
+
+  void play(FileId file, const Body* body) {
     const auto scene = read_scene(sources, file, diagnostics);
     if (!scene) return;
+    std::optional<Body> own;
+    if (body == nullptr) {
+      const auto path = find_body(scene->body.text, {"derivations/bodies"});
+      REQUIRE(path);
+      own = read_body_file(*path, sources, diagnostics);
+      REQUIRE(own);
+    }
     FormRequest request{.asked = asked_of_notes(*scene)};
     if (!scene->at.empty()) request.at = scene->at;
     request.only = scene->motion ? std::vector{scene->motion->equations.text} : std::vector<std::string>();
     const FormsReading reading = read_forms(sources, scene->notes_path(), request);
     diagnostics = reading.report.diagnostics;
-    result = evaluate_scene(*scene, body, reading.forms);
+    result = evaluate_scene(*scene, body == nullptr ? *own : *body, reading.forms);
     diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
   }
 
@@ -259,11 +279,25 @@ TEST_CASE("a rod's spin about itself is not determined, and the axis is named", 
   CHECK(played.messages().find("do not determine the rate of the spin's component 3") != std::string::npos);
 }
 
-TEST_CASE("a body without mass or particles is refused", "[scene]") {
+TEST_CASE("every scene in derivations/ gives all it is asked for", "[scene]") {
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("derivations/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    INFO(entry.path().string());
+    const Played played(entry.path().string());
+    CHECK(played.messages() == "");
+    CHECK(!played.result.quantities.empty());
+    for (const SceneQuantity& quantity : played.result.quantities) CHECK(quantity.dimension);
+    ++scenes;
+  }
+  CHECK(scenes >= 4);
+}
+
+TEST_CASE("a body without particles is refused, and what is not finite is said to be so", "[scene]") {
   const std::string ask = "spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}']\n";
-  CHECK(Played(ask, Body{}).messages().find("bad-body: ") == 0);
-  CHECK(Played(ask, Body{"none", {0}, {{{0}, {0}, {0}}}, {}}).messages().find("bad-body: ") == 0);
-  CHECK(Played(ask, Body{"nan", {std::nan("")}, {{{0}, {0}, {0}}}, {}}).messages().find("bad-body: ") == 0);
+  CHECK(Played(ask, Body{}).messages() == "bad-body: the body has no particles\n");
+  const Body nan{"nan", {std::nan("")}, {{{0}, {0}, {0}}}, {}};
+  CHECK(Played(ask, nan).messages() == "bad-scene: `T_{rot}` is not finite\n");
 }
 
 }  // namespace
