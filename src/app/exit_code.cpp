@@ -8,7 +8,7 @@ namespace {
 
 constexpr auto table = std::to_array<ExitCodeInfo>({
     {ExitCode::ok, "every claim is proved, or as expected; every refutation replayed is confirmed"},
-    {ExitCode::wrong, "something is refuted, malformed or not confirmed"},
+    {ExitCode::wrong, "something is refuted, malformed or not confirmed; a scene or a body is wrong"},
     {ExitCode::open, "something is undecided or not understood, and nothing is refuted or malformed"},
     {ExitCode::usage, "the command line is wrong"},
     {ExitCode::no_input, "a file is missing or unreadable"},

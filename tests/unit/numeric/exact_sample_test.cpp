@@ -25,6 +25,12 @@ TEST_CASE("what is no rational number has no double") {
   }
 }
 
+std::vector<double> column(const Samples& samples, SymbolId symbol, std::uint32_t component) {
+  const Column* found = samples.find(symbol, component);
+  REQUIRE(found != nullptr);
+  return {found->values.begin(), found->values.end()};
+}
+
 TEST_CASE("a symbol of particles has a column with a value for each, 0 where the sample has none") {
   ExprTree tree;
   const SymbolId mass = tree.symbols.add({.name = "m", .per_particle = true});
@@ -35,10 +41,8 @@ TEST_CASE("a symbol of particles has a column with a value for each, 0 where the
   const Samples samples = samples_of(tree, sample);
   CHECK(samples.samples() == 1);
   CHECK(samples.particles() == 3);
-  REQUIRE(samples.find(mass, 0) != nullptr);
-  CHECK(samples.find(mass, 0)->values == std::vector<double>{2, 0, 0.5});
-  REQUIRE(samples.find(spin, 2) != nullptr);
-  CHECK(samples.find(spin, 2)->values == std::vector<double>{7});
+  CHECK(column(samples, mass, 0) == std::vector<double>{2, 0, 0.5});
+  CHECK(column(samples, spin, 2) == std::vector<double>{7});
   CHECK(samples.find(spin, 3) == nullptr);
 }
 
