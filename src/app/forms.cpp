@@ -13,6 +13,7 @@
 #include "app/sample_bodies.h"
 #include "app/screen.h"
 #include "base/utf8.h"
+#include "expr/forms_of_name.h"
 #include "report/advice.h"
 #include "report/bench_text.h"
 #include "report/eval_text.h"
@@ -97,6 +98,33 @@ bool write(const std::filesystem::path& path, const std::string& text) {
   return static_cast<bool>(file.flush());
 }
 
+/// The forms that differ, with pictures in the folder if there is one; then those that err alike.
+std::optional<std::string> bench_text(const std::vector<EvaluatedChain>& chains, const SourceMap& sources,
+                                      const std::filesystem::path& folder, std::ostream& err) {
+  std::string differing;
+  std::string alike;
+  for (const EvaluatedChain& chain : chains) {
+    const auto advice = advise(chain.result);
+    if (!advice) continue;  // nothing to compare
+    if (advice->all_alike) {
+      alike += bench_row(chain, sources);
+      continue;
+    }
+    const auto trials = telling_trials(chain.result, most_panels);
+    std::optional<std::string> picture;
+    if (!folder.empty()) {
+      picture = file_name_of(*chain.chain, sources) + ".svg";
+      if (!write(folder / *picture, bench_picture(chain, trials))) {
+        err << fmt::format("rigor: {}: cannot be written\n", printable((folder / *picture).string()));
+        return std::nullopt;
+      }
+    }
+    differing += bench_markdown(chain, trials, sources, picture);
+  }
+  if (!alike.empty()) differing += bench_rows_head() + alike;
+  return differing;
+}
+
 }  // namespace
 
 ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostream& err) {
@@ -112,29 +140,22 @@ ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostr
 ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostream& err) {
   Forms forms;
   if (const ExitCode code = read_all(command.forms, forms, err); code != ExitCode::ok) return code;
+  const std::vector<WrittenFormChain> named = forms_of_one_name(forms.reading.forms);
+  if (command.forms.places.empty()) {
+    for (const WrittenFormChain& chain : named) forms.chains.push_back(&chain);
+  }
   const std::filesystem::path folder(command.folder);
   std::error_code error;
   if (!command.folder.empty()) std::filesystem::create_directories(folder, error);
-  std::string table;
-  for (const EvaluatedChain& chain : evaluate_all(command.forms, forms, {}).chains) {
-    if (!advise(chain.result)) continue;  // nothing to compare
-    const auto trials = telling_trials(chain.result, most_panels);
-    std::optional<std::string> picture;
-    if (!command.folder.empty()) {
-      picture = file_name_of(*chain.chain, forms.sources) + ".svg";
-      if (!write(folder / *picture, bench_picture(chain, trials))) {
-        err << fmt::format("rigor: {}: cannot be written\n", printable((folder / *picture).string()));
-        return ExitCode::no_input;
-      }
-    }
-    table += bench_markdown(chain, trials, forms.sources, picture);
-  }
+  const EvaluatedNotes notes = evaluate_all(command.forms, forms, {});
+  const auto text = bench_text(notes.chains, forms.sources, folder, err);
+  if (!text) return ExitCode::no_input;
   if (command.folder.empty()) {
-    out << table;
+    out << *text;
     return ExitCode::ok;
   }
   const std::string name = std::filesystem::path(command.forms.file).stem().string() + ".md";
-  if (write(folder / name, table)) return ExitCode::ok;
+  if (write(folder / name, *text)) return ExitCode::ok;
   err << fmt::format("rigor: {}: cannot be written\n", printable((folder / name).string()));
   return ExitCode::no_input;
 }

@@ -77,6 +77,7 @@ FormsReading read_text(SourceMap& sources, const std::string& path, std::string 
         {DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});
   }
   reading.report = std::move(report);
+  reading.asked = std::move(asked);
   return reading;
 }
 

@@ -25,6 +25,7 @@ struct FormRequest {
 struct FormsReading {
   FileReport report;  // of what was elaborated; without lints and dimensions if `only` was given
   WrittenForms forms = {};
+  std::vector<FileId> asked = {};      // what was asked, one text each: diagnostics point into them
   std::size_t chains_passed_over = 0;  // that nothing asked for needs
 };
 

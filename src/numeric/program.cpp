@@ -25,6 +25,34 @@ namespace {
   return needed;
 }
 
+/// Takes out values that no result needs, and the inputs that only these have: nobody has to provide them.
+void drop_what_is_not_needed(Code& code) {
+  const std::vector<bool> needed = needed_values(code);
+  std::vector<ValueId> value_now(code.values.size(), 0);
+  std::vector<std::uint32_t> input_now(code.inputs.size(), 0);  // plus 1; 0: not met yet
+  std::vector<ProgramInput> inputs;
+  ValueId kept = 0;
+  for (ValueId id = 0; id < code.values.size(); ++id) {
+    if (!needed[id]) continue;
+    Value value = code.values[id];
+    if (has_operands(value.op)) value.a = value_now[value.a];
+    if (has_second_operand(value.op)) value.b = value_now[value.b];
+    if (value.op == Instruction::input) {
+      std::uint32_t& now = input_now[value.a];
+      if (now == 0) {
+        inputs.push_back(code.inputs[value.a]);
+        now = static_cast<std::uint32_t>(inputs.size());
+      }
+      value.a = now - 1;
+    }
+    code.values[kept] = value;
+    value_now[id] = kept++;
+  }
+  code.values.resize(kept);
+  code.inputs = std::move(inputs);
+  for (ValueId& output : code.outputs) output = value_now[output];
+}
+
 [[nodiscard]] std::string_view symbol_of(Instruction op) {
   switch (op) {
     case Instruction::add:
@@ -85,6 +113,7 @@ Result<Program> Program::compile(const ExprTree& tree, std::span<const Definitio
     compiler.add(root);
     if (!compiler.failure().empty()) return tl::unexpected(Error{compiler.failure()});
   }
+  drop_what_is_not_needed(*code);
   Program program;
   program.code_ = code;
   return program;
@@ -101,10 +130,8 @@ bool Program::sums_over_particles() const {
 
 ProgramCounts Program::counts() const {
   ProgramCounts counts;
-  const std::vector<bool> needed = needed_values(*code_);
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    const Value& value = code_->values[i];
-    if (!needed[i] || !has_operands(value.op)) continue;
+  for (const Value& value : code_->values) {
+    if (!has_operands(value.op)) continue;
     const bool in_loop = value.op == Instruction::sum || value.levels != 0;
     ++(in_loop ? counts.per_particle : counts.once);
   }
@@ -115,13 +142,12 @@ ProgramCounts Program::counts() const {
 
 std::string Program::listing(const ExprTree& tree) const {
   std::string text;
-  const std::vector<bool> needed = needed_values(*code_);
-  std::vector<std::uint32_t> number(needed.size(), 0);
+  std::vector<std::uint32_t> number(code_->values.size(), 0);
   std::uint32_t last = 0;
   const auto name = [&](ValueId id) { return name_of_value(*code_, tree, id, number[id]); };
-  for (ValueId id = 0; id < needed.size(); ++id) {
+  for (ValueId id = 0; id < number.size(); ++id) {
     const Value& value = code_->values[id];
-    if (!needed[id] || !has_operands(value.op)) continue;
+    if (!has_operands(value.op)) continue;
     number[id] = ++last;
     text += fmt::format("{} = {}", name(id), symbol_of(value.op));
     if (value.op == Instruction::sum) text += fmt::format(" over p{}", value.level);

@@ -49,6 +49,7 @@ class Program {
   [[nodiscard]] static Result<Program> compile(const ExprTree& tree, std::span<const Definition> definitions,
                                                std::span<const ProgramRoot> roots);
 
+  /// Those that a result depends on, each component once.
   [[nodiscard]] std::span<const ProgramInput> inputs() const;
   [[nodiscard]] std::size_t outputs() const;
   [[nodiscard]] bool sums_over_particles() const;

@@ -131,6 +131,23 @@ std::string bench_markdown(const EvaluatedChain& evaluated, const std::vector<st
   return text + "\n";
 }
 
+std::string bench_rows_head() {
+  return "### Forms that err alike\n\n| place | forms | cheapest | ns | worst error "
+         "|\n|---|---:|---|---:|---:|\n";
+}
+
+std::string bench_row(const EvaluatedChain& evaluated, const SourceMap& sources) {
+  const auto& [chain, result] = evaluated;
+  const auto advice = advise(result);
+  if (!advice) return "";
+  double worst = 0;
+  for (const TrialResult& trial : result.trials)
+    worst = std::max(worst, failing_error(at(trial, advice->form, plain)));
+  return fmt::format("| {} | {} | `{}` | {} | {} |\n", place_of(*chain, sources), result.forms.size(),
+                     in_table(chain->forms[result.forms[advice->form].side].source),
+                     short_number(median_time(result, advice->form, plain)), short_number(worst));
+}
+
 std::string file_name_of(const WrittenFormChain& chain, const SourceMap& sources) {
   std::string name = std::filesystem::path(sources.path(chain.span.file)).stem().string();
   std::string tag;

@@ -22,6 +22,10 @@ namespace rigor {
                                          const std::vector<std::size_t>& trials, const SourceMap& sources,
                                          const std::optional<std::string>& picture);
 
+/// A table of chains whose forms err alike: its head, and the row of one.
+[[nodiscard]] std::string bench_rows_head();
+[[nodiscard]] std::string bench_row(const EvaluatedChain& evaluated, const SourceMap& sources);
+
 /// `rigid-bodies-6`, `rigid-bodies-line-120`: a name for the picture's file.
 [[nodiscard]] std::string file_name_of(const WrittenFormChain& chain, const SourceMap& sources);
 

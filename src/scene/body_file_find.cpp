@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 #include <system_error>
 
@@ -36,8 +37,12 @@ Result<std::string> find_body(const std::string& name, const std::vector<std::st
     const fs::path path = fs::path(folder) / (name + ".toml");
     if (!name.empty() && exists(path)) return path.string();
   }
+  std::vector<std::string> searched;
+  for (const std::string& folder : folders) {
+    if (std::find(searched.begin(), searched.end(), folder) == searched.end()) searched.push_back(folder);
+  }
   const std::vector<std::string> names = body_names(folders);
-  std::string reason = fmt::format("there is no body `{}` in `{}`", name, fmt::join(folders, "`, `"));
+  std::string reason = fmt::format("there is no body `{}` in `{}`", name, fmt::join(searched, "`, `"));
   if (const auto near = suggest(name, names))
     reason += fmt::format("; did you mean `{}`?", *near);
   else if (!names.empty())

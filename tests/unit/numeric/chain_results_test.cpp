@@ -30,12 +30,14 @@ struct Measured {
   }
 };
 
-const std::string square_of_cross = "$$|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2 - (\\mathbf{A}\\cdot\\mathbf{B})^2$$";
+const std::string square_of_cross =
+    "$$|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2 - (\\mathbf{A}\\cdot\\mathbf{B})^2$$";
 
 const std::string energy =
     "<!-- rigor:\nparticles \\alpha\nvector \\mathbf{r}_\\alpha, \\boldsymbol{\\omega}\n-->\n"
     "$$T = \\frac{1}{2}\\sum_\\alpha m_\\alpha |\\boldsymbol{\\omega}\\times\\mathbf{r}_\\alpha|^2 = "
-    "\\frac{1}{2}\\sum_\\alpha m_\\alpha(\\omega^2r_\\alpha^2 - (\\boldsymbol{\\omega}\\cdot\\mathbf{r}_\\alpha)^2)$$";
+    "\\frac{1}{2}\\sum_\\alpha m_\\alpha(\\omega^2r_\\alpha^2 - "
+    "(\\boldsymbol{\\omega}\\cdot\\mathbf{r}_\\alpha)^2)$$";
 
 Body rod(double half) {
   auto body = point_masses("rod", {1, 1}, {{0, 0, half}, {0, 0, -half}});
@@ -59,7 +61,8 @@ TEST_CASE("nearly parallel vectors show which form of a cross product's square k
   CHECK(advice->form == 0);
   CHECK_FALSE(advice->all_alike);
   const std::string text = advice_text(measured.result, *advice);
-  CHECK(text.starts_with("Compute A (14 operations). B (18 operations) overflows in 1024 of 1024 on `lengths 1e+160`"));
+  CHECK(text.starts_with(
+      "Compute A (14 operations). B (18 operations) overflows in 1024 of 1024 on `lengths 1e+160`"));
 }
 
 TEST_CASE("forms that err alike are told apart by what they cost") {
@@ -99,7 +102,8 @@ TEST_CASE("a form that is not understood is named, and the others are evaluated"
 
 TEST_CASE("letters that could each be the mass are not guessed") {
   const std::string two =
-      "<!-- rigor:\nparticles \\alpha\nscalar a_\\alpha, b_\\alpha\n-->\n$$\\sum_\\alpha a_\\alpha b_\\alpha + "
+      "<!-- rigor:\nparticles \\alpha\nscalar a_\\alpha, b_\\alpha\n-->\n$$\\sum_\\alpha a_\\alpha b_\\alpha "
+      "+ "
       "\\sum_\\alpha b_\\alpha a_\\alpha = 2\\sum_\\alpha a_\\alpha b_\\alpha$$";
   const Measured measured(two, {rod(1)});
   CHECK(measured.result.trials.empty());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/program.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "catch.h"
 #include "numeric/on_sample.h"
 
@@ -234,4 +237,21 @@ TEST_CASE("a program for a form takes few registers", "[numeric]") {
   const Named a = page.vector("A");
   const Named b = page.vector("B");
   CHECK(compiled(page, squared(cross(a, b))).counts().registers == 3);
+}
+
+TEST_CASE("a program asks only for the inputs that its results depend on", "[numeric]") {
+  Page page;
+  const Named a = page.vector("A");
+  const Named b = page.vector("B");
+  const Named s = page.symmetric("S");
+  const Named c = page.vector("C");
+  page.define(c, cross(a, b));
+  const Program one = compiled(page, at(c, 3) + component(dot(s, a), 1));
+  std::vector<std::pair<SymbolId, std::uint32_t>> inputs;
+  for (const ProgramInput& input : one.inputs()) inputs.emplace_back(input.symbol, input.component);
+  std::sort(inputs.begin(), inputs.end());
+  const std::vector<std::pair<SymbolId, std::uint32_t>> expected{{a.symbol, 0}, {a.symbol, 1}, {a.symbol, 2},
+                                                                 {b.symbol, 0}, {b.symbol, 1}, {s.symbol, 0},
+                                                                 {s.symbol, 1}, {s.symbol, 2}};
+  CHECK(inputs == expected);
 }

@@ -308,7 +308,7 @@ TEST_CASE("files that are missing or no text end in a diagnostic") {
 }
 
 TEST_CASE("a body is found by its name or path, and a slip is answered with the nearest") {
-  const std::vector<std::string> folders{"derivations/none", "derivations/bodies"};
+  const std::vector<std::string> folders{"derivations/none", "derivations/bodies", "derivations/none"};
   CHECK(find_body("book", folders) == "derivations/bodies/book.toml");
   CHECK(find_body("derivations/bodies/book.toml", {}) == "derivations/bodies/book.toml");
   CHECK(find_body("rackett", folders).error().reason ==

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "app/sample_bodies.h"
+#include "base/utf8.h"
+#include "report/scene_json.h"
+#include "report/scene_plot.h"
+#include "report/scene_text.h"
+#include "scene/body_file.h"
+#include "scene/scene.h"
+#include "source/read_file.h"
+#include "source/render.h"
+
+namespace rigor {
+namespace {
+
+/// True if one of them is an error.
+bool print(const Diagnostics& diagnostics, const SourceMap& sources, std::ostream& err) {
+  for (const Diagnostic& diagnostic : diagnostics) err << render(diagnostic, sources);
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& each) { return each.severity() == Severity::error; });
+}
+
+/// Where the scene says what it asks of the notes.
+Span place_in_scene(const SceneFile& scene, const std::string& latex) {
+  for (const SceneAsk& ask : scene.asked) {
+    if (ask.latex == latex) return ask.name.span;
+  }
+  for (const SceneValue& value : scene.values) {
+    if (value.name.text == latex) return value.name.span;
+  }
+  std::vector<const SceneText*> letters{&scene.symbols.mass, &scene.symbols.position, &scene.symbols.spin,
+                                        &scene.symbols.tensor};
+  for (const SceneText& moment : scene.symbols.principal_moments) letters.push_back(&moment);
+  for (const SceneText* letter : letters) {
+    if (letter->text == latex) return letter->span;
+  }
+  return scene.span;
+}
+
+/// What is said of an expression that the scene asks for is said at its place in the scene.
+void move_to_scene(const SceneFile& scene, const FormRequest& request, FormsReading& reading) {
+  for (Diagnostic& diagnostic : reading.report.diagnostics) {
+    for (std::size_t k = 0; k < reading.asked.size(); ++k) {
+      if (diagnostic.span.file == reading.asked[k]) diagnostic.span = place_in_scene(scene, request.asked[k]);
+    }
+  }
+}
+
+/// False where a picture was asked for and cannot be written.
+bool write_plots(const LoadedScene& loaded, const SceneResult& result, std::ostream& err) {
+  if (loaded.scene.plot.empty() || !result.motion) return true;
+  const std::filesystem::path path =
+      std::filesystem::path(loaded.scene.path).parent_path() / loaded.scene.plot;
+  const auto write = [&](const std::filesystem::path& to, const std::string& text) {
+    std::ofstream file(to, std::ios::binary);
+    file << text;
+    const bool written = static_cast<bool>(file.flush());
+    if (!written) err << "rigor: " << printable(to.string()) << ": cannot be written\n";
+    return written;
+  };
+  bool all = true;
+  if (const auto plots = plots_of(result); !plots.empty()) all = write(path, to_svg(plots));
+  for (const EllipsoidPlot& spin_path : spin_paths_of(result)) {
+    std::filesystem::path beside = path;
+    beside.replace_filename(path.stem().string() + "-path" + path.extension().string());
+    all = write(beside, to_svg(spin_path)) && all;
+  }
+  return all;
+}
+
+ExitCode compute(const std::string& path, const SceneCommand& command, std::ostream& out, std::ostream& err) {
+  SourceMap sources;
+  LoadedScene loaded;
+  if (const ExitCode code = load_scene(path, sources, loaded, err); code != ExitCode::ok) return code;
+  const SceneResult result = evaluate_scene(loaded.scene, loaded.body, loaded.reading.forms);
+  const bool wrong = print(result.diagnostics, sources, err);
+  out << (command.json ? to_json(result, sources) : print_scene(result, {.explain = command.explain}));
+  if (command.explain && !command.json)
+    out << fmt::format("of the notes: {} chains read, {} passed over\n", loaded.reading.forms.chains.size(),
+                       loaded.reading.chains_passed_over);
+  if (!write_plots(loaded, result, err)) return ExitCode::no_input;
+  return wrong ? ExitCode::wrong : ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode load_scene(const std::string& path, SourceMap& sources, LoadedScene& loaded, std::ostream& err) {
+  auto text = read_file(path);
+  if (!text) {
+    err << "rigor: " << printable(path) << ": " << text.error().reason << "\n";
+    return ExitCode::no_input;
+  }
+  Diagnostics diagnostics = mend_text(*text, 0);
+  const FileId file = sources.add(path, std::move(*text));
+  for (Diagnostic& diagnostic : diagnostics) diagnostic.span.file = file;
+  auto scene = read_scene(sources, file, diagnostics);
+  if (print(diagnostics, sources, err) || !scene) return ExitCode::wrong;
+  loaded.scene = std::move(*scene);
+  const auto body_path = find_body(loaded.scene.body.text, body_folders(path));
+  if (!body_path) {
+    print({{DiagnosticKind::bad_body, loaded.scene.body.span, body_path.error().reason}}, sources, err);
+    return ExitCode::wrong;
+  }
+  Diagnostics of_body;
+  auto body = read_body_file(*body_path, sources, of_body);
+  if (print(of_body, sources, err) || !body) return ExitCode::wrong;
+  loaded.body = std::move(*body);
+  FormRequest request{.asked = asked_of_notes(loaded.scene), .only = std::vector<std::string>()};
+  if (!loaded.scene.at.empty()) request.at = loaded.scene.at;
+  if (loaded.scene.motion) request.only->push_back(loaded.scene.motion->equations.text);
+  loaded.reading = read_forms(sources, loaded.scene.notes_path(), request);
+  move_to_scene(loaded.scene, request, loaded.reading);
+  if (print(loaded.reading.report.diagnostics, sources, err))
+    return loaded.reading.report.unreadable ? ExitCode::no_input : ExitCode::wrong;
+  return ExitCode::ok;
+}
+
+ExitCode compute_scenes(const SceneCommand& command, std::ostream& out, std::ostream& err) {
+  ExitCode worst = ExitCode::ok;
+  for (const std::string& path : command.files) {
+    const ExitCode code = compute(path, command, out, err);
+    if (number_of(code) > number_of(worst)) worst = code;
+  }
+  return worst;
+}
+
+}  // namespace rigor

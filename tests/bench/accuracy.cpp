@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes docs/accuracy.md and its pictures: which forms of the notes to compute, what programs cost beside
+// hand-written loops and GiNaC, and the notes' formulas against the motion of bodies.
+//
+//   accuracy FOLDER PROGRAM_BENCH        from the top of the repository
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/run.h"
+#include "app/sample_bodies.h"
+#include "app/scene.h"
+#include "report/stability_report.h"
+
+namespace rigor {
+namespace {
+
+/// What a command prints; empty if it fails.
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return text;
+  std::array<char, 4096> buffer{};
+  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
+  return pclose(pipe) == 0 ? text : std::string();
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+std::string machine() {
+  const std::string model = first_line(output_of("lscpu | sed -n 's/^Model name: *//p'"));
+  const std::string number = first_line(output_of("lscpu | sed -n 's/^Model: *//p'"));
+  return fmt::format("{} (model {}), {} cores", model, number, first_line(output_of("nproc")));
+}
+
+/// The part of the page about one file of notes, from what `rigor bench --into` wrote.
+std::string forms_of(const std::string& notes, const std::filesystem::path& folder, bool with_bodies) {
+  std::vector<const char*> words{"rigor", "bench", notes.c_str(), "--into", folder.c_str()};
+  if (with_bodies) words.insert(words.end(), {"--body", "derivations/bodies"});
+  std::ostringstream ignored;
+  if (run(static_cast<int>(words.size()), words.data(), ignored, std::cerr) != 0) return "";
+  const std::filesystem::path written = folder / (std::filesystem::path(notes).stem().string() + ".md");
+  std::ifstream file(written);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  std::filesystem::remove(written);
+  const std::string here = "](";
+  for (auto at = text.find(here); at != std::string::npos; at = text.find(here, at + 1))
+    text.insert(at + here.size(), folder.filename().string() + "/");
+  return text;
+}
+
+/// Table and picture of the notes' frequencies against the motion of all bodies.
+std::string nature(const std::filesystem::path& folder) {
+  SourceMap sources;
+  LoadedScene loaded;
+  if (load_scene("derivations/scenes/stability.toml", sources, loaded, std::cerr) != ExitCode::ok) return "";
+  std::vector<Body> bodies;
+  if (read_bodies({"derivations/bodies"}, "derivations/scenes/stability.toml", sources, bodies, std::cerr) !=
+      ExitCode::ok)
+    return "";
+  constexpr std::array pushes{0.1, 0.03, 0.01, 0.003, 0.001};
+  const auto measured = measure_stability(loaded.scene, bodies, loaded.reading.forms, 5.0, pushes);
+  std::ofstream(folder / "stability.svg") << to_svg(stability_plot(measured));
+  return fmt::format("![error against push]({}/stability.svg)\n\n{}", folder.filename().string(),
+                     stability_table(measured));
+}
+
+int write(const std::filesystem::path& docs, const std::string& program_bench) {
+  const std::filesystem::path folder = docs / "accuracy";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  std::string page = "# Time against error\n\nMade by `cmake --build --preset bench --target accuracy`";
+  page += fmt::format(" on {}, {}, at {}{}.\n\n", machine(), first_line(output_of("c++ --version")),
+                      first_line(output_of("git rev-parse --short HEAD")),
+                      output_of("git status --porcelain").empty() ? "" : " with changes");
+  page +=
+      "Each form is computed as it is written. The error is the worst relative one over the samples of a "
+      "trial, "
+      "against exact\nvalues for the same inputs; a result that overflows or is not a number errs by "
+      "infinity. The "
+      "samples of a trial are numbers\nof one family, or spins of one sample body (`thin axis`: about its "
+      "axis of "
+      "least moment). The points of a picture are\nfloat, double, long double and double-double; the line "
+      "joins "
+      "those that no other beats.\n\n";
+  page += "## Programs beside hand-written loops and GiNaC\n\n```\n" + output_of(program_bench) + "```\n\n";
+  page +=
+      "## The notes against nature\n\nA body spins about one of its principal axes with a small push across "
+      "it. Its motion follows the "
+      "equations (22) of\n`derivations/rigid-bodies.md`; its frequency, or rate of growth, is compared with "
+      "the notes' Ω². Both hold to "
+      "first order\nin the push, so that the error falls as its square.\n\n" +
+      nature(folder) + "\n";
+  page += "## Forms in derivations/rigid-bodies.md, on all sample bodies\n\n" +
+          forms_of("derivations/rigid-bodies.md", folder, true);
+  page += "\n## Forms in derivations/vector-identities.tex\n\n" +
+          forms_of("derivations/vector-identities.tex", folder, false);
+  std::ofstream file(docs / "accuracy.md");
+  file << page;
+  return file.flush() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace rigor
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: accuracy FOLDER PROGRAM_BENCH\n";
+    return 64;
+  }
+  return rigor::write(argv[1], argv[2]);
+}
