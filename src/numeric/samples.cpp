@@ -9,7 +9,7 @@ namespace {
 
 Column column_of(std::vector<double> values, std::size_t sample_stride, std::size_t particle_stride) {
   const auto owned = std::make_shared<const std::vector<double>>(std::move(values));
-  return {*owned, sample_stride, particle_stride, owned};
+  return {ColumnValues(*owned), sample_stride, particle_stride, owned};
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void Samples::set_particles(SymbolId symbol, std::uint32_t component, std::vecto
 
 void Samples::borrow_particles(SymbolId symbol, std::uint32_t component, std::span<const double> values) {
   RIGOR_CHECK(values.size() == particles_, values.size(), particles_);
-  columns_[{symbol, component}] = {values, 0, 1};
+  columns_[{symbol, component}] = {ColumnValues(values), 0, 1};
 }
 
 void Samples::set_particles_each(SymbolId symbol, std::uint32_t component, std::vector<double> values) {

@@ -3,6 +3,7 @@
 // samples, one for each sample, or one for each particle.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,9 +15,22 @@
 
 namespace rigor {
 
+/// Numbers that somebody else holds; becomes a vector where one is wanted.
+struct ColumnValues : std::span<const double> {
+  ColumnValues() = default;
+  explicit ColumnValues(std::span<const double> values) : std::span<const double>(values) {}
+  operator std::vector<double>() const { return {begin(), end()}; }  // NOLINT: meant to convert
+  friend bool operator==(const ColumnValues& a, const ColumnValues& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+  }
+  friend bool operator==(const ColumnValues& a, const std::vector<double>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+  }
+};
+
 /// values[sample · sample_stride + particle · particle_stride]; a stride of 0: the same for all.
 struct Column {
-  std::span<const double> values;
+  ColumnValues values;
   std::size_t sample_stride = 0;
   std::size_t particle_stride = 0;
   std::shared_ptr<const std::vector<double>> owned = {};  // what `values` shows, unless it is borrowed
