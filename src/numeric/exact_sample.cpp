@@ -14,8 +14,7 @@
 namespace rigor {
 namespace {
 
-bool is_integer(std::string_view text) {
-  if (text.starts_with('-')) text.remove_prefix(1);
+bool are_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
@@ -26,7 +25,7 @@ std::optional<double> nearest_double(std::string_view rational) {
   const std::size_t slash = rational.find('/');
   const std::string_view over = rational.substr(0, slash);
   const std::string_view under = slash == std::string_view::npos ? "1" : rational.substr(slash + 1);
-  if (!is_integer(over) || !is_integer(under)) return std::nullopt;
+  if (!are_digits(over.starts_with('-') ? over.substr(1) : over) || !are_digits(under)) return std::nullopt;
   const cpp_int divisor{std::string(under)};
   if (divisor == 0) return std::nullopt;
   const boost::multiprecision::cpp_rational value(cpp_int{std::string(over)}, divisor);
