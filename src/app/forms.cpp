@@ -130,7 +130,12 @@ std::optional<std::string> bench_text(const std::vector<EvaluatedChain>& chains,
 ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostream& err) {
   Forms forms;
   if (const ExitCode code = read_all(command.forms, forms, err); code != ExitCode::ok) return code;
-  const EvaluatedNotes notes = evaluate_all(command.forms, forms, {.times = command.times});
+  TrialOptions trials{.times = command.times};
+  if (command.forms.places.empty()) {  // all chains: fewer samples each
+    trials.samples = 256;
+    trials.operations = 200'000;
+  }
+  const EvaluatedNotes notes = evaluate_all(command.forms, forms, trials);
   const TerminalOptions options = terminal_options(command.forms.color, out);
   out << (command.json ? evaluation_json(notes, forms.sources)
                        : print_evaluation(notes, forms.sources, options));

@@ -153,6 +153,7 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
       if (relation == written.relations[k].span) step = std::move(noted);
     }
     step.kind = written.relations[k].text;
+    step.nearly = chain.first_order || written.relations[k].kind == RelationKind::nearly;
     if (k < chain.steps.size()) {
       step.outcome = outcome_of(chain.steps[k]);
       step.defines = chain.steps[k].verdict == Verdict::definition;
@@ -171,11 +172,12 @@ bool FormRecorder::is_known(SyntaxId id, const std::string& source, Names& names
   for (const std::string& base : known_) known.push_back(without_text_face(base));
   for (const std::string& base : bases_below(notes_.syntax, id, names)) {
     if (known_.contains(base)) continue;
+    const std::string letter = without_text_face(base);
     Diagnostic unknown{DiagnosticKind::unknown_quantity, notes_.syntax[id].span,
-                       base == source ? fmt::format("`{}` is nowhere in the notes", source)
-                                      : fmt::format("`{}` of `{}` is nowhere in the notes", base, source)};
-    if (const auto near = suggest(without_text_face(base), known))
-      unknown.help = {fmt::format("did you mean `{}`?", *near)};
+                       letter == without_text_face(source)
+                           ? fmt::format("`{}` is nowhere in the notes", source)
+                           : fmt::format("`{}` of `{}` is nowhere in the notes", letter, source)};
+    if (const auto near = suggest(letter, known)) unknown.help = {fmt::format("did you mean `{}`?", *near)};
     diagnostics_.push_back(std::move(unknown));
     return false;
   }

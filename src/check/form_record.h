@@ -41,6 +41,7 @@ class FormRecorder {
     const ChainReading& reading;
     std::span<const Step> steps;
     bool assumed;
+    bool first_order;  // `=` means ≈
   };
   void add(ExprTree& tree, Names& names, const Chain& chain);
   /// Behind the event: what is asked for, if this is its place.

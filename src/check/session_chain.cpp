@@ -56,8 +56,9 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
     suggest_repairs(parsed, context, first_step);
   }
   if (options_.forms != nullptr)
-    options_.forms->add(tree_, names_,
-                        {parsed, *reading, std::span(report_.steps).subspan(first_step), directed});
+    options_.forms->add(
+        tree_, names_,
+        {parsed, *reading, std::span(report_.steps).subspan(first_step), directed, context.first_order});
 }
 
 /// What stands in the lines before and behind a chain.

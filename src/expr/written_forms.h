@@ -21,6 +21,7 @@ struct WrittenForm {
 /// The relation between a form and the next one, and what the exact side was asked about it and answered.
 struct WrittenStep {
   std::string kind;                       // as written: `=`, `\approx`
+  bool nearly = false;                    // to first order only
   bool expected_refuted = false;          // a directive says that it is false
   bool defines = false;                   // the left form is a name for the right one
   std::optional<Outcome> outcome = {};    // nothing: it was not asked, or its answer does not count

@@ -12,9 +12,8 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t most_samples = 1024;
 constexpr std::size_t fewest_samples = 16;
-constexpr std::size_t most_work = 100'000;  // operations over all samples of one form
+constexpr std::size_t digits_over_double = 40;  // by so much many digits cost more operations
 constexpr std::size_t particles_without_body = 8;
 
 /// The forms of a chain as programs, and what is drawn for them.
@@ -26,6 +25,7 @@ class ChainMeasurement {
   ChainResult measure(std::span<const Body> bodies) {
     for (std::size_t side = 0; side < chain_.forms.size(); ++side) compile(side);
     if (programs_.empty()) return std::move(result_);
+    find_incomparable();
     for (const Program& program : programs_) pointers_.push_back(&program);
     symbols_ = symbols_read(pointers_);
     const bool of_particles = std::any_of(symbols_.begin(), symbols_.end(), [&](SymbolId symbol) {
@@ -69,13 +69,32 @@ class ChainMeasurement {
     programs_.push_back(std::move(*program));
   }
 
+  /// Between the first form that was evaluated and the last one, every step is an equality that is proved.
+  void find_incomparable() {
+    for (std::size_t k = result_.forms.front().side; k < result_.forms.back().side; ++k) {
+      const WrittenStep& step = chain_.steps[k];
+      const bool equality =
+          !step.nearly && (!step.question || step.question->claim.relation == Relation::equal);
+      if (equality && (step.defines || step.outcome == Outcome::proved)) continue;
+      const char* why = "undecided";
+      if (!step.outcome) why = "not decided";
+      if (step.outcome == Outcome::refuted) why = "refuted";
+      if (!equality) why = "no equality";
+      result_.not_comparable =
+          fmt::format("`{} {} {}` is {}", chain_.forms[k].source, step.kind, chain_.forms[k + 1].source, why);
+      return;
+    }
+  }
+
   void try_family(const InputFamily& family, const Body* body) {
     if (!applies(family, forms_.tree, symbols_, body)) return;
     const std::size_t particles = body != nullptr ? body->size() : particles_without_body;
     std::size_t work = 1;
     for (const ChainResult::Form& form : result_.forms)
       work = std::max(work, form.operations + form.operations_per_particle * particles);
-    const std::size_t samples = std::clamp(most_work / work, fewest_samples, most_samples);
+    const std::size_t affordable = options_.operations / digits_over_double / work;
+    const std::size_t samples =
+        std::clamp(affordable, fewest_samples, std::max(fewest_samples, options_.samples));
     const auto drawn = draw_samples(forms_.tree, symbols_, family,
                                     {.samples = samples,
                                      .particles = particles,
@@ -103,7 +122,7 @@ class ChainMeasurement {
     std::vector<std::uint32_t> at;
     for (std::size_t k = 0; k < program.free_particles().size(); ++k)
       at.push_back(static_cast<std::uint32_t>(k % samples.particles()));
-    MeasureOptions options;
+    MeasureOptions options{.operations = options_.operations};
     if (!options_.times) options.milliseconds = 0;
     FormResult form;
     form.measure = rigor::measure(program, samples, options, at);

@@ -42,11 +42,14 @@ struct ChainResult {
   std::vector<Form> forms;
   std::vector<LeftOut> left_out;    // what could not be evaluated
   std::vector<TrialResult> trials;  // none: no form was evaluated
+  std::string not_comparable;       // why no form can stand for another: a step that is not a proved equality
   std::string no_trials;            // why not, if there are forms
 };
 
 struct TrialOptions {
   bool times = true;
+  std::size_t samples = 1024;          // of a trial, at most; at least 16
+  std::size_t operations = 4'000'000;  // with many digits, for one form on one trial
   std::uint64_t seed = 1;
 };
 

@@ -67,7 +67,9 @@ std::string cost_text(const ChainResult& result, std::size_t form) {
                            : fmt::format("{:.0f} operations", cost);
 }
 
-std::string error_text(const ErrorMeasure& measure, std::size_t samples) {
+std::string error_text(const FormResult& form) {
+  const ErrorMeasure& measure = in_double(form);
+  const std::size_t samples = form.measure.measured;
   if (measure.overflows > 0) return fmt::format("overflows in {} of {}", measure.overflows, samples);
   if (measure.not_a_number > 0)
     return fmt::format("is not a number in {} of {}", measure.not_a_number, samples);
@@ -86,7 +88,7 @@ double failing_error(const ErrorMeasure& measure) {
 
 std::optional<Advice> advise(const ChainResult& result) {
   const std::size_t count = result.forms.size();
-  if (count < 2 || result.trials.empty()) return std::nullopt;
+  if (count < 2 || result.trials.empty() || !result.not_comparable.empty()) return std::nullopt;
   std::vector<double> losses;
   std::vector<double> costs;
   for (std::size_t k = 0; k < count; ++k) {
@@ -131,8 +133,7 @@ std::string advice_text(const ChainResult& result, const Advice& advice) {
     if (k == advice.form || loss.factor <= alike) continue;
     const TrialResult& trial = *loss.trial;
     text += fmt::format(" {} ({}) {} on `{}`, where {} {}.", form_letter(k), cost_text(result, k),
-                        error_text(in_double(trial.forms[k]), trial.samples), trial.name, best,
-                        error_text(in_double(trial.forms[advice.form]), trial.samples));
+                        error_text(trial.forms[k]), trial.name, best, error_text(trial.forms[advice.form]));
   }
   return text;
 }

@@ -24,7 +24,7 @@ struct Advice {
   std::vector<std::size_t> fronts;  // forms that no other beats in worst error and time together
 };
 
-/// Nothing with fewer than two forms, or without a trial.
+/// Nothing with fewer than two forms, without a trial, or where the forms are not proved to be equal.
 [[nodiscard]] std::optional<Advice> advise(const ChainResult& result);
 
 /// In words; forms are named by their letters.

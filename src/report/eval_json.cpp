@@ -31,7 +31,7 @@ Json measure_json(const ErrorMeasure& measure) {
 }
 
 Json form_json(const FormResult& form) {
-  Json json{{"value", form.first}};
+  Json json{{"value", form.first}, {"measured", form.measure.measured}};
   if (form.measure.condition_known > 0) json["condition"] = spread(form.measure.condition);
   for (const ErrorMeasure& measure : form.measure.arithmetics)
     json[std::string(name_of(measure.arithmetic))] = measure_json(measure);
@@ -54,6 +54,7 @@ Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
   json["not_evaluated"] = Json::array();
   for (const ChainResult::LeftOut& each : result.left_out)
     json["not_evaluated"].push_back({{"source", chain->forms[each.side].source}, {"why", each.why}});
+  if (!result.not_comparable.empty()) json["not_comparable"] = result.not_comparable;
   if (!result.no_trials.empty()) json["no_trials"] = result.no_trials;
   json["trials"] = Json::array();
   for (const TrialResult& trial : result.trials) {

@@ -62,7 +62,7 @@ TEST_CASE("with a part whose inertia is not known, the whole's is not") {
   CHECK(joined("none", {}).error().reason == "the body has no parts");
 }
 
-TEST_CASE("a body with given moments has them; a plate is accepted, what cannot exist is refused") {
+TEST_CASE("a body with given moments has them, a plate is accepted, what cannot exist is refused") {
   for (const Position& moments : {Position{1, 2, 2.5}, Position{1, 2, 3}, Position{0, 1, 1}}) {
     const InertiaTensor inertia{{{moments[0], 0, 0}, {0, moments[1], 0}, {0, 0, moments[2]}}};
     const auto body = body_with_inertia("top", 0.5, inertia);

@@ -74,6 +74,18 @@ TEST_CASE("forms that err alike are told apart by what they cost") {
   CHECK(advice_text(alike.result, *advice) == "Both forms err alike; A is the cheapest (1 operations).");
 }
 
+TEST_CASE("nothing is advised between forms that are not proved to be equal") {
+  const auto why = [](const std::string& notes) { return Measured(notes).result.not_comparable; };
+  CHECK(why(square_of_cross).empty());
+  CHECK(why("$$|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2 + (\\mathbf{A}\\cdot\\mathbf{B})^2$$") ==
+        "`|\\mathbf{A}\\times\\mathbf{B}|^2 = A^2B^2 + (\\mathbf{A}\\cdot\\mathbf{B})^2` is refuted");
+  CHECK(why("<!-- rigor: scalar a, b -->\n$$a^2 + b^2 \\ge 2ab$$") == "`a^2 + b^2 \\ge 2ab` is no equality");
+  CHECK(why("<!-- rigor:\nscalar a, x\nsmall x\n-->\n$$(a + x)^2 \\approx a^2 + 2ax$$") ==
+        "`(a + x)^2 \\approx a^2 + 2ax` is no equality");
+  const Measured wrong("$$\\mathbf{A}\\times\\mathbf{B} = 2\\mathbf{B}\\times\\mathbf{A}$$");
+  CHECK_FALSE(advise(wrong.result));
+}
+
 TEST_CASE("a name is not computed beside what it names, and a bare letter is not computed at all") {
   const Measured measured(energy);
   REQUIRE(measured.result.forms.size() == 2);

@@ -94,7 +94,7 @@ TEST_CASE("a surface with a hole is refused with an edge of the hole") {
   CHECK(reason({}) == "the mesh has no triangles");
 }
 
-TEST_CASE("one triangle that is turned is refused; where all are, they are turned back") {
+TEST_CASE("one triangle that is turned is refused, and where all are, they are turned back") {
   Mesh mesh = box_mesh({1, 1, 1}, {0, 0, 0});
   std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
   CHECK(reason(mesh) ==
