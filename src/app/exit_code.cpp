@@ -11,7 +11,7 @@ constexpr auto table = std::to_array<ExitCodeInfo>({
     {ExitCode::wrong, "something is refuted, malformed or not confirmed; a scene or a body is wrong"},
     {ExitCode::open, "something is undecided or not understood, and nothing is refuted or malformed"},
     {ExitCode::usage, "the command line is wrong"},
-    {ExitCode::no_input, "a file is missing or unreadable"},
+    {ExitCode::no_input, "a file is missing or unreadable, or cannot be written"},
     {ExitCode::internal, "an error of rigor itself"},
 });
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,16 +26,14 @@ namespace {
 
 constexpr std::size_t most_panels = 4;
 
-bool same_tag(const std::string& tag, const std::string& name) {
-  return !tag.empty() && (tag == name || tag == "(" + name + ")" || "(" + tag + ")" == name);
-}
-
 /// The notes with their forms, and the bodies.
 struct Forms {
   SourceMap sources;
   FormsReading reading;
   std::vector<Body> bodies;
   std::vector<const WrittenFormChain*> chains;
+  bool malformed = false;  // something in the notes cannot be read
+  [[nodiscard]] ExitCode code() const { return malformed ? ExitCode::wrong : ExitCode::ok; }
 };
 
 void print(const Diagnostics& diagnostics, const SourceMap& sources, std::ostream& err) {
@@ -43,21 +42,19 @@ void print(const Diagnostics& diagnostics, const SourceMap& sources, std::ostrea
 
 /// The chains at the places that are asked for. Claims only: what is assumed is not computed.
 ExitCode choose_chains(const FormsCommand& command, Forms& forms, std::ostream& err) {
+  const std::vector<WrittenFormChain>& all = forms.reading.forms.chains;
   std::vector<std::string> names;
-  for (const WrittenFormChain& chain : forms.reading.forms.chains) {
+  for (const WrittenFormChain& chain : all) {
     if (!chain.tag.empty()) names.push_back(chain.tag);
-    if (!chain.section.empty()) names.push_back(chain.section);
-    const bool wanted =
-        command.places.empty() ||
-        std::any_of(command.places.begin(), command.places.end(), [&](const std::string& place) {
-          return same_tag(chain.tag, place) || chain.section == place;
-        });
+    names.insert(names.end(), chain.headings.begin(), chain.headings.end());
+    const bool wanted = command.places.empty() ||
+                        std::any_of(command.places.begin(), command.places.end(),
+                                    [&](const std::string& place) { return stands_at(chain, place); });
     if (wanted && !chain.assumed) forms.chains.push_back(&chain);
   }
   for (const std::string& place : command.places) {
-    const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-      return name == place || same_tag(name, place);
-    });
+    const bool known = std::any_of(all.begin(), all.end(),
+                                   [&](const WrittenFormChain& chain) { return stands_at(chain, place); });
     if (known) continue;
     err << fmt::format("rigor: {}: no equation and no section is named `{}`", printable(command.file),
                        printable(place));
@@ -66,6 +63,21 @@ ExitCode choose_chains(const FormsCommand& command, Forms& forms, std::ostream& 
     return ExitCode::wrong;
   }
   return ExitCode::ok;
+}
+
+/// What is wrong in the notes, so that it cannot be evaluated. True if there is anything.
+bool print_errors(const FileReport& report, const SourceMap& sources, std::ostream& err) {
+  bool any = false;
+  const auto print_all = [&](const Diagnostics& diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) {
+      if (diagnostic.severity() != Severity::error) continue;
+      err << render(diagnostic, sources);
+      any = true;
+    }
+  };
+  print_all(report.diagnostics);
+  for (const Step& step : report.steps) print_all(step.diagnostics);
+  return any;
 }
 
 ExitCode read_all(const FormsCommand& command, Forms& forms, std::ostream& err) {
@@ -78,6 +90,7 @@ ExitCode read_all(const FormsCommand& command, Forms& forms, std::ostream& err) 
     print(forms.reading.report.diagnostics, forms.sources, err);
     return ExitCode::no_input;
   }
+  forms.malformed = print_errors(forms.reading.report, forms.sources, err);
   return choose_chains(command, forms, err);
 }
 
@@ -103,6 +116,7 @@ std::optional<std::string> bench_text(const std::vector<EvaluatedChain>& chains,
                                       const std::filesystem::path& folder, std::ostream& err) {
   std::string differing;
   std::string alike;
+  std::map<std::string, std::size_t> used;  // names of pictures
   for (const EvaluatedChain& chain : chains) {
     const auto advice = advise(chain.result);
     if (!advice) continue;  // nothing to compare
@@ -113,7 +127,9 @@ std::optional<std::string> bench_text(const std::vector<EvaluatedChain>& chains,
     const auto trials = telling_trials(chain.result, most_panels);
     std::optional<std::string> picture;
     if (!folder.empty()) {
-      picture = file_name_of(*chain.chain, sources) + ".svg";
+      const std::string name = file_name_of(*chain.chain, sources);
+      const std::size_t earlier = used[name]++;
+      picture = earlier == 0 ? name + ".svg" : fmt::format("{}-{}.svg", name, earlier + 1);
       if (!write(folder / *picture, bench_picture(chain, trials))) {
         err << fmt::format("rigor: {}: cannot be written\n", printable((folder / *picture).string()));
         return std::nullopt;
@@ -139,7 +155,7 @@ ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostr
   const TerminalOptions options = terminal_options(command.forms.color, out);
   out << (command.json ? evaluation_json(notes, forms.sources)
                        : print_evaluation(notes, forms.sources, options));
-  return ExitCode::ok;
+  return forms.code();
 }
 
 ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostream& err) {
@@ -157,10 +173,10 @@ ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostrea
   if (!text) return ExitCode::no_input;
   if (command.folder.empty()) {
     out << *text;
-    return ExitCode::ok;
+    return forms.code();
   }
   const std::string name = std::filesystem::path(command.forms.file).stem().string() + ".md";
-  if (write(folder / name, *text)) return ExitCode::ok;
+  if (write(folder / name, *text)) return forms.code();
   err << fmt::format("rigor: {}: cannot be written\n", printable((folder / name).string()));
   return ExitCode::no_input;
 }

@@ -20,16 +20,19 @@ ExitCode read_bodies(const std::vector<std::string>& names, const std::string& b
   for (const std::string& name : names) {
     std::vector<std::string> paths;
     std::error_code error;
-    if (std::filesystem::is_directory(name, error)) {
+    const auto found = find_body(name, body_folders(beside));
+    if (std::filesystem::is_directory(name, error) && (!found || *found == name)) {
       for (const std::string& each : body_names({name}))
         paths.push_back((std::filesystem::path(name) / (each + ".toml")).string());
-    } else {
-      const auto path = find_body(name, body_folders(beside));
-      if (!path) {
-        err << "rigor: " << printable(path.error().reason) << "\n";
-        return ExitCode::no_input;
-      }
-      paths.push_back(*path);
+    } else if (found) {
+      paths.push_back(*found);
+    }
+    if (paths.empty()) {
+      const bool folder = std::filesystem::is_directory(name, error);
+      const std::string reason =
+          folder || found ? "there is no body in the folder `" + name + "`" : found.error().reason;
+      err << "rigor: " << printable(reason) << "\n";
+      return ExitCode::no_input;
     }
     for (const std::string& path : paths) {
       Diagnostics diagnostics;

@@ -12,8 +12,8 @@
 
 namespace rigor {
 
-/// Where bodies are looked for by name: `bodies` beside the file and in the folders above it, up to the
-/// working directory, and `derivations/bodies` there.
+/// Where bodies are looked for by name: `bodies` beside the file and in the folder above it; in the working
+/// directory `bodies` and `derivations/bodies`.
 [[nodiscard]] std::vector<std::string> body_folders(const std::string& beside);
 
 /// Names, files, or folders, all of whose bodies are meant. What is wrong goes to `err`.

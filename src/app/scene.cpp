@@ -44,6 +44,14 @@ Span place_in_scene(const SceneFile& scene, const std::string& latex) {
   return scene.span;
 }
 
+/// A body's path is relative to the scene's file, as that of the notes is.
+std::string from_scene(const std::string& body, const std::string& scene) {
+  const bool is_path = body.find('/') != std::string::npos || body.ends_with(".toml");
+  if (!is_path || std::filesystem::path(body).is_absolute()) return body;
+  const std::filesystem::path folder = std::filesystem::path(scene).parent_path();
+  return folder.empty() ? body : (folder / body).string();
+}
+
 /// What is said of an expression that the scene asks for is said at its place in the scene.
 void move_to_scene(const SceneFile& scene, const FormRequest& request, FormsReading& reading) {
   for (Diagnostic& diagnostic : reading.report.diagnostics) {
@@ -81,7 +89,8 @@ ExitCode compute(const std::string& path, const SceneCommand& command, std::ostr
   if (const ExitCode code = load_scene(path, sources, loaded, err); code != ExitCode::ok) return code;
   const SceneResult result = evaluate_scene(loaded.scene, loaded.body, loaded.reading.forms);
   const bool wrong = print(result.diagnostics, sources, err);
-  out << (command.json ? to_json(result, sources) : print_scene(result, {.explain = command.explain}));
+  out << (command.json ? to_json(result, sources, command.explain)
+                       : print_scene(result, {.explain = command.explain}));
   if (command.explain && !command.json)
     out << fmt::format("of the notes: {} chains read, {} passed over\n", loaded.reading.forms.chains.size(),
                        loaded.reading.chains_passed_over);
@@ -103,7 +112,7 @@ ExitCode load_scene(const std::string& path, SourceMap& sources, LoadedScene& lo
   auto scene = read_scene(sources, file, diagnostics);
   if (print(diagnostics, sources, err) || !scene) return ExitCode::wrong;
   loaded.scene = std::move(*scene);
-  const auto body_path = find_body(loaded.scene.body.text, body_folders(path));
+  const auto body_path = find_body(from_scene(loaded.scene.body.text, path), body_folders(path));
   if (!body_path) {
     print({{DiagnosticKind::bad_body, loaded.scene.body.span, body_path.error().reason}}, sources, err);
     return ExitCode::wrong;

@@ -112,6 +112,13 @@ void FormRecorder::plan(Names& names) {
   needed_ = chains_needed(notes_, names, notes_.asked, wanted);
 }
 
+void FormRecorder::enter(std::size_t event) {
+  const auto* heading = std::get_if<Heading>(&notes_.events[event]);
+  if (heading == nullptr) return;
+  std::erase_if(sections_, [&](const Heading* open) { return open->level >= heading->level; });
+  sections_.push_back(heading);
+}
+
 void FormRecorder::note(Span relation, Judgement& judgement) {
   WrittenStep step;
   step.question = std::move(judgement.question);
@@ -128,6 +135,7 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
                          .span = written.span,
                          .assumed = chain.assumed,
                          .image = chain.parsed.image};
+  for (const Heading* heading : sections_) forms.headings.push_back(heading->title);
   std::vector<ExprId> expressions;
   std::vector<FreeIndex> free;
   std::vector<FreeParticle> particles;

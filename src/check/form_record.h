@@ -33,6 +33,8 @@ class FormRecorder {
     return needed;
   }
 
+  /// The walk comes to an event.
+  void enter(std::size_t event);
   /// What the exact side was asked about the step at hand, and answered; both are taken.
   void note(Span relation, Judgement& judgement);
   /// The chain at hand is over; `steps` are its own.
@@ -58,6 +60,7 @@ class FormRecorder {
   const SourceMap& sources_;
   Diagnostics& diagnostics_;
   std::set<const ParsedChain*> needed_;
+  std::vector<const Heading*> sections_;  // that are open, the outermost first
   std::size_t passed_over_ = 0;
   std::size_t asked_behind_ = 0;  // event
   std::set<std::string> known_;

@@ -18,7 +18,8 @@ struct FormRequest {
   std::optional<std::string> at = {};    // a tag or a heading: asked for behind it; nothing: at the end
   std::optional<std::string> sidecar{};  // without it, `NAME.rigor` beside the notes, if there is one
   /// Tags or headings. Given, only these chains, and those that define what they or the asked need, are
-  /// elaborated, and nothing is decided. Nothing: all chains, each step decided.
+  /// elaborated, and nothing is decided but whether a name gets a second meaning. Nothing: all chains, each
+  /// step decided.
   std::optional<std::vector<std::string>> only = {};
 };
 

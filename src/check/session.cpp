@@ -20,6 +20,7 @@ void Session::run() {
   sight_all();
   if (options_.forms != nullptr) options_.forms->plan(names_);
   for (std::size_t k = 0; k < notes_.events.size(); ++k) {
+    if (options_.forms != nullptr) options_.forms->enter(k);
     std::visit([this](const auto& event) { follow(event); }, notes_.events[k]);
     if (options_.forms != nullptr) options_.forms->ask(k, tree_, names_);
     if (options_.progress) options_.progress(k + 1, notes_.events.size());

@@ -19,7 +19,7 @@ bool is_certain(const WrittenFormChain& chain) {
   const bool bare = chain.indices.empty() && chain.particles.empty() && !chain.assumed;
   return bare && std::all_of(chain.steps.begin(), chain.steps.end(), [](const WrittenStep& step) {
            const bool equal = !step.question || step.question->claim.relation == Relation::equal;
-           return equal && (step.defines || step.outcome == Outcome::proved);
+           return equal && !step.nearly && (step.defines || step.outcome == Outcome::proved);
          });
 }
 

@@ -31,9 +31,10 @@ struct WrittenStep {
 
 /// a = b = c, as it stands in the notes. All forms share their free letters.
 struct WrittenFormChain {
-  std::string tag;      // `(6)`, or empty
-  std::string label;    // of \label
-  std::string section;  // its heading
+  std::string tag;                         // `(6)`, or empty
+  std::string label;                       // of \label
+  std::string section;                     // its heading
+  std::vector<std::string> headings = {};  // of the sections that it stands in, the outermost first
   Span span = {};
   bool assumed = false;  // said by `given` or `where`: not a claim
   int image = 0;         // of "and cyclic permutations"
@@ -44,6 +45,9 @@ struct WrittenFormChain {
   std::vector<Definition> definitions = {};  // of what the forms speak of, and of what these speak of
   std::vector<Equation> assumptions = {};    // that bear on it
 };
+
+/// Is it the chain with this tag, with or without brackets, or in a section of this heading?
+[[nodiscard]] bool stands_at(const WrittenFormChain& chain, const std::string& place);
 
 /// What was asked for by name: `T_{rot}`, `I_{ij}`, `(\Omega_2)^2`.
 struct AskedForm {

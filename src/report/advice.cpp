@@ -20,16 +20,22 @@ const ErrorMeasure& in_double(const FormResult& form) {
   return form.measure.arithmetics[static_cast<std::size_t>(Arithmetic::plain)];
 }
 
-double least_error(const TrialResult& trial) {
-  double least = infinite;
-  for (const FormResult& form : trial.forms) least = std::min(least, failing_error(in_double(form)));
-  return least;
+/// Without a value more often than another form is.
+bool lacks_values(const TrialResult& trial, std::size_t form) {
+  const std::size_t own = in_double(trial.forms[form]).undefined;
+  return std::any_of(trial.forms.begin(), trial.forms.end(),
+                     [&](const FormResult& other) { return in_double(other).undefined < own; });
+}
+
+double error_on(const TrialResult& trial, std::size_t form) {
+  return lacks_values(trial, form) ? infinite : failing_error(in_double(trial.forms[form]));
 }
 
 double loss_of(const TrialResult& trial, std::size_t form) {
-  const double least = least_error(trial);
+  double least = infinite;
+  for (std::size_t k = 0; k < trial.forms.size(); ++k) least = std::min(least, error_on(trial, k));
   if (std::isinf(least)) return 1.0;  // where all fail, none is worse
-  const double error = failing_error(in_double(trial.forms[form]));
+  const double error = error_on(trial, form);
   return std::max(error, unit_roundoff) / std::max(least, unit_roundoff);
 }
 
@@ -70,6 +76,8 @@ std::string cost_text(const ChainResult& result, std::size_t form) {
 std::string error_text(const FormResult& form) {
   const ErrorMeasure& measure = in_double(form);
   const std::size_t samples = form.measure.measured;
+  if (measure.undefined > 0 && measure.compared == 0)
+    return fmt::format("has no value in {} of {}", measure.undefined, samples);
   if (measure.overflows > 0) return fmt::format("overflows in {} of {}", measure.overflows, samples);
   if (measure.not_a_number > 0)
     return fmt::format("is not a number in {} of {}", measure.not_a_number, samples);
@@ -83,7 +91,8 @@ std::string error_text(const FormResult& form) {
 
 double failing_error(const ErrorMeasure& measure) {
   if (measure.overflows > 0 || measure.not_a_number > 0) return infinite;
-  return measure.relative.worst;
+  if (measure.compared > 0) return measure.relative.worst;
+  return measure.zeros > 0 ? measure.worst_at_zero : 0.0;
 }
 
 std::optional<Advice> advise(const ChainResult& result) {

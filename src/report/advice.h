@@ -11,17 +11,17 @@
 
 namespace rigor {
 
-/// What a form's worst error in double amounts to on a trial: infinite where a sign is wrong, a result is not
-/// a number or overflows, or where nothing right is left.
+/// What a form's worst error amounts to on a trial: the relative one, infinite where a result is not a number
+/// or overflows; where all exact values are 0, the greatest result.
 [[nodiscard]] double failing_error(const ErrorMeasure& measure);
 
-/// A form is the safest if its worst loss is the least: the loss on a trial is its error over the least error
-/// of any form there, taken as u at least. Forms within a factor of 8 of the safest are as good; the fastest
-/// of them is advised.
+/// A form without a value where another has one fails. A form is the safest if its worst loss is the least:
+/// the loss on a trial is its error over the least error of any form there, taken as u at least. Forms within
+/// a factor of 8 of the safest are as good; the fastest of them is advised.
 struct Advice {
   std::size_t form = 0;             // of ChainResult::forms
   bool all_alike = false;           // no form is worse than a factor of 8 anywhere
-  std::vector<std::size_t> fronts;  // forms that no other beats in worst error and time together
+  std::vector<std::size_t> fronts;  // forms that no other beats in greatest loss and time together
 };
 
 /// Nothing with fewer than two forms, without a trial, or where the forms are not proved to be equal.

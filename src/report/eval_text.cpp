@@ -48,7 +48,7 @@ std::string events(const FormResult& form) {
 Row row_of(const TrialResult& trial, const FormResult& form) {
   const ErrorMeasure& measure = in_double(form);
   Row row;
-  row[0] = trial.name;
+  row[0] = printable(trial.name);
   row[1] = shorten(value_text(form.first), longest_value);
   if (measure.compared > 0) {
     row[2] = short_number(measure.relative.worst);
@@ -113,8 +113,8 @@ std::string print_evaluation(const EvaluatedNotes& notes, const SourceMap& sourc
   for (const auto& [chain, result] : notes.chains) {
     text += paint(place_of(*chain, sources), Paint::strong, options.color) + "\n";
     for (const ChainResult::LeftOut& each : result.left_out)
-      text +=
-          fmt::format("  {}\n      not evaluated: {}\n", printable(chain->forms[each.side].source), each.why);
+      text += fmt::format("  {}\n      not evaluated: {}\n", printable(chain->forms[each.side].source),
+                          printable(each.why));
     for (std::size_t k = 0; k < result.forms.size(); ++k) {
       text += fmt::format("  {}  {}\n", form_letter(k), printable(chain->forms[result.forms[k].side].source));
       text += result.trials.empty() ? fmt::format("      not evaluated: {}\n", result.no_trials)

@@ -71,8 +71,9 @@ Json array_of(const Items& items) {
 
 }  // namespace
 
-std::string to_json(const SceneResult& result, const SourceMap& sources) {
+std::string to_json(const SceneResult& result, const SourceMap& sources, bool times) {
   Json object;
+  object["format"] = 1;
   object["title"] = result.title;
   object["body"] = result.body;
   object["along_principal_axes"] = result.along_principal_axes;
@@ -80,6 +81,9 @@ std::string to_json(const SceneResult& result, const SourceMap& sources) {
   object["motion"] = result.motion ? json_of(*result.motion) : Json(nullptr);
   object["drifts"] = array_of(result.drifts);
   object["nodes"] = array_of(result.nodes);
+  if (!times) {
+    for (Json& node : object["nodes"]) node.erase("milliseconds");
+  }
   object["computed"] = result.counts().computed;
   object["skipped"] = result.counts().skipped;
   object["diagnostics"] = Json::array();

@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// Ends with a line break; keys stand in a fixed order; numbers as they are, what is not finite as `null`.
-/// Only `milliseconds` differs between two runs.
-[[nodiscard]] std::string to_json(const SceneResult& result, const SourceMap& sources);
+/// `times`: with the milliseconds of what was computed, which differ from run to run.
+[[nodiscard]] std::string to_json(const SceneResult& result, const SourceMap& sources, bool times = false);
 
 }  // namespace rigor

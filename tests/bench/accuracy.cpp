@@ -51,7 +51,7 @@ std::string forms_of(const std::string& notes, const std::filesystem::path& fold
   std::ifstream file(written);
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::filesystem::remove(written);
-  const std::string here = "](";
+  const std::string here = "![time against error](";
   for (auto at = text.find(here); at != std::string::npos; at = text.find(here, at + 1))
     text.insert(at + here.size(), folder.filename().string() + "/");
   return text;

@@ -28,6 +28,8 @@ TEST_CASE("chains that begin with one name are forms of one quantity, each form 
 TEST_CASE("a chain with a step that is not proved is no form of a name") {
   CHECK(forms_in("<!-- rigor: scalar a, b -->\n$$T = (a + b)^2$$\n\n$$T = a^2 + b^2$$\n").empty());
   CHECK(forms_in("<!-- rigor: scalar a, b -->\n$$T = (a + b)^2$$\n\n$$T \\ge 0$$\n").empty());
+  CHECK(forms_in("<!-- rigor:\nscalar a, x\nsmall x\n-->\n$$T = (a + x)^2 - a^2$$\n\n$$T \\approx 2ax$$\n")
+            .empty());
 }
 
 TEST_CASE("components and free letters are no forms of one name") {

@@ -86,6 +86,14 @@ TEST_CASE("nothing is advised between forms that are not proved to be equal") {
   CHECK_FALSE(advise(wrong.result));
 }
 
+TEST_CASE("a form without a value where another has one is not advised") {
+  const Measured measured(
+      "<!-- rigor: scalar a, b, c -->\n$$a^2 - b^2 = \\frac{(a^2 - b^2)(c - c)}{c - c}$$");
+  REQUIRE(measured.result.forms.size() == 2);
+  CHECK(measured.in_double("random", 1).undefined > 0);
+  if (const auto advice = advise(measured.result)) CHECK(advice->form == 0);
+}
+
 TEST_CASE("a name is not computed beside what it names, and a bare letter is not computed at all") {
   const Measured measured(energy);
   REQUIRE(measured.result.forms.size() == 2);

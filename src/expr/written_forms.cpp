@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expr/written_forms.h"
+
+#include <algorithm>
+
+namespace rigor {
+namespace {
+
+std::string bare(const std::string& tag) {
+  const bool brackets = tag.size() >= 2 && tag.front() == '(' && tag.back() == ')';
+  return brackets ? tag.substr(1, tag.size() - 2) : tag;
+}
+
+}  // namespace
+
+bool stands_at(const WrittenFormChain& chain, const std::string& place) {
+  if (!chain.tag.empty() && bare(chain.tag) == bare(place)) return true;
+  return std::find(chain.headings.begin(), chain.headings.end(), place) != chain.headings.end();
+}
+
+}  // namespace rigor
