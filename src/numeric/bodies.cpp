@@ -54,6 +54,9 @@ std::optional<KnownInertia> joined_inertia(const std::vector<PlacedBody>& parts)
 
 }  // namespace
 
+/// Second moments of flat bodies come out negative by rounding, in units of the greatest one.
+constexpr double negative_rounding = 1e-12;
+
 Body along_axis(Body body, std::size_t axis) {
   RIGOR_CHECK(axis < 3, axis);
   const std::size_t step = (axis + 1) % 3;  // z, the axis 2, goes to (2 + step) mod 3
@@ -71,6 +74,12 @@ Body along_axis(Body body, std::size_t axis) {
 Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts) {
   if (parts.empty()) return refuse("the body has no parts");
   Body whole{std::move(name), {}, {}, joined_inertia(parts)};
+  if (whole.known) {
+    for (const Position& row : whole.known->inertia) {
+      if (!std::all_of(row.begin(), row.end(), [](double each) { return std::isfinite(each); }))
+        return refuse("its moments of inertia are not finite");
+    }
+  }
   for (const auto& [body, offset] : parts) {
     whole.masses.insert(whole.masses.end(), body.masses.begin(), body.masses.end());
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -84,6 +93,12 @@ Result<Body> equimomental_body(std::string name, double mass, const InertiaTenso
   if (const auto checked = check_mass(mass); !checked) return tl::unexpected(checked.error());
   const auto principal = principal_axes(second_moments);
   if (!principal) return tl::unexpected(principal.error());
+  const Position& moments = principal->moments;
+  const double least = *std::min_element(moments.begin(), moments.end());
+  const double most = *std::max_element(moments.begin(), moments.end());
+  if (least < -negative_rounding * most)
+    return refuse(
+        fmt::format("its mean square extent along an axis is {:g} m^2, which cannot be negative", least));
   Body body{std::move(name), std::vector<double>(6, mass / 6), {}, KnownInertia{mass, {}}};
   for (std::size_t k = 0; k < 3; ++k) {
     const double distance = std::sqrt(3 * std::max(0.0, principal->moments[k]));

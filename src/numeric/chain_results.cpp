@@ -41,6 +41,13 @@ class ChainMeasurement {
       return std::move(result_);
     }
     letters_ = *letters;
+    const auto take = [&](const std::optional<SymbolId>& symbol, const char* what) {
+      if (!symbol) return;
+      if (!result_.taken_for.empty()) result_.taken_for += ", ";
+      result_.taken_for += fmt::format("`{}` for the {}", forms_.tree.symbols[*symbol].name, what);
+    };
+    take(letters_.mass, "masses");
+    take(letters_.position, "positions");
     for (const Body& body : bodies) {
       for (const FamilyKind kind : {FamilyKind::random, FamilyKind::thin_axis}) try_family({kind, 0}, &body);
     }

@@ -43,6 +43,7 @@ struct ChainResult {
   std::vector<LeftOut> left_out;    // what could not be evaluated
   std::vector<TrialResult> trials;  // none: no form was evaluated
   std::string not_comparable;       // why no form can stand for another: a step that is not a proved equality
+  std::string taken_for;            // with bodies: which letters were taken for masses and positions
   std::string no_trials;            // why not, if there are forms
 };
 

@@ -26,9 +26,16 @@ std::optional<double> nearest_double(std::string_view rational) {
   const std::string_view over = rational.substr(0, slash);
   const std::string_view under = slash == std::string_view::npos ? "1" : rational.substr(slash + 1);
   if (!are_digits(over.starts_with('-') ? over.substr(1) : over) || !are_digits(under)) return std::nullopt;
-  const cpp_int divisor{std::string(under)};
+  const auto number = [](std::string_view digits) {  // a leading 0 would make it octal
+    const bool negative = digits.starts_with('-');
+    if (negative) digits.remove_prefix(1);
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size() - 1));
+    const cpp_int value{std::string(digits)};
+    return negative ? cpp_int(-value) : value;
+  };
+  const cpp_int divisor = number(under);
   if (divisor == 0) return std::nullopt;
-  const boost::multiprecision::cpp_rational value(cpp_int{std::string(over)}, divisor);
+  const boost::multiprecision::cpp_rational value(number(over), divisor);
   return value.convert_to<double>();
 }
 

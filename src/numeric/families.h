@@ -19,8 +19,8 @@ namespace rigor {
 
 enum class FamilyKind : std::uint8_t {
   random,      // vectors in the cube |x| < 1, positive scalars from 1/8 to 8
-  angle,       // all vectors at an angle of `size` to the first; rotations by `size`
-  orthogonal,  // vectors along three axes that are exactly at right angles
+  angle,       // all vectors at an angle of the tangent `size` to the first; rotations by about `size`
+  orthogonal,  // vectors along three axes that are exactly at right angles, a fourth along the first again
   integers,    // small whole numbers
   lengths,     // the first vector longer by `size`, the others shorter by it
   gap,  // I_1, I_2, I_3 a relative distance of `size` apart; so are the eigenvalues of symmetric tensors

@@ -60,7 +60,14 @@ class AsciiStl {
     words_.next_line();
     for (;;) {
       const std::string_view word = words_.next();
-      if (word == "endsolid") return mesh_;
+      if (word == "endsolid") {  // another one may follow
+        words_.next_line();
+        const std::string_view more = words_.next();
+        if (more.empty()) return mesh_;
+        if (more != "solid") return unexpected(more, "solid");
+        words_.next_line();
+        continue;
+      }
       if (word.empty()) return words_.refuse("the file ends before `endsolid`");
       if (word != "facet") return unexpected(word, "facet");
       if (const auto facet = read_facet(); !facet) return tl::unexpected(facet.error());

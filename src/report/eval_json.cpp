@@ -55,6 +55,7 @@ Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
   for (const ChainResult::LeftOut& each : result.left_out)
     json["not_evaluated"].push_back({{"source", chain->forms[each.side].source}, {"why", each.why}});
   if (!result.not_comparable.empty()) json["not_comparable"] = result.not_comparable;
+  if (!result.taken_for.empty()) json["taken_for"] = result.taken_for;
   if (!result.no_trials.empty()) json["no_trials"] = result.no_trials;
   json["trials"] = Json::array();
   for (const TrialResult& trial : result.trials) {

@@ -112,6 +112,7 @@ std::string print_evaluation(const EvaluatedNotes& notes, const SourceMap& sourc
   std::string text;
   for (const auto& [chain, result] : notes.chains) {
     text += paint(place_of(*chain, sources), Paint::strong, options.color) + "\n";
+    if (!result.taken_for.empty()) text += fmt::format("  of the bodies: {}\n", printable(result.taken_for));
     for (const ChainResult::LeftOut& each : result.left_out)
       text += fmt::format("  {}\n      not evaluated: {}\n", printable(chain->forms[each.side].source),
                           printable(each.why));

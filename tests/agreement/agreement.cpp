@@ -68,11 +68,6 @@ Finding relate(Relation relation, double left, double right, double bound) {
   return Finding::open;
 }
 
-/// A written 0 may have fewer components than the other side.
-std::size_t component_in(const BoundedResults& results, std::size_t outputs, std::size_t output) {
-  return results.values.size() < outputs ? 0 : output;
-}
-
 Finding compare_outputs(const Sides& sides, const Equation& equation, const Samples& samples,
                         double uncertainty, std::span<const std::uint32_t> particles,
                         std::optional<std::size_t> only, std::string& detail) {
@@ -80,13 +75,14 @@ Finding compare_outputs(const Sides& sides, const Equation& equation, const Samp
   const auto right_at = places(sides.right, equation, particles);
   const BoundedResults left = evaluate_with_bounds(sides.left, samples, uncertainty, left_at);
   const BoundedResults right = evaluate_with_bounds(sides.right, samples, uncertainty, right_at);
-  const std::size_t outputs = std::max(sides.left.outputs(), sides.right.outputs());
+  const std::size_t outputs = sides.left.outputs();
+  if (sides.right.outputs() != outputs) throw std::runtime_error("the sides differ in rank");
   Finding whole = equation.relation == Relation::unequal ? Finding::open : Finding::related;
   for (std::size_t output = 0; output < outputs; ++output) {
     if (only && *only != output) continue;
     for (std::size_t sample = 0; sample < samples.samples(); ++sample) {
-      const std::size_t l = component_in(left, sides.left.outputs(), output) * samples.samples() + sample;
-      const std::size_t r = component_in(right, sides.right.outputs(), output) * samples.samples() + sample;
+      const std::size_t l = output * samples.samples() + sample;
+      const std::size_t r = output * samples.samples() + sample;
       const double bound = left.bounds[l] + right.bounds[r];
       const Finding found = relate(equation.relation, left.values[l], right.values[r], bound);
       if (found == Finding::not_related || (only && found != Finding::related)) {

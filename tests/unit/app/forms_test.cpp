@@ -77,7 +77,7 @@ TEST_CASE("the forms as text and as JSON say the same") {
   const std::string text = run_words({"eval", notes, "--no-times"}).out;
   const auto json = nlohmann::json::parse(run_words({"eval", notes, "--no-times", "--json"}).out);
   const auto& chain = json["chains"][0];
-  CHECK(chain["tag"] == "1");
+  CHECK(chain["tag"] == "(1)");
   CHECK(chain["forms"].size() == 2);
   CHECK(chain["trials"].size() == 7);
   CHECK(chain["advice"]["form"] == 0);

@@ -78,5 +78,18 @@ TEST_CASE("a body with given moments has them, a plate is accepted, what cannot 
   check_known(*full, 6);
 }
 
+TEST_CASE("second moments that no mass can have are refused, those of a flat body are not") {
+  const auto hollow = equimomental_body("hollow", 1, {{{-16, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  REQUIRE_FALSE(hollow);
+  CHECK(hollow.error().reason == "its mean square extent along an axis is -16 m^2, which cannot be negative");
+  CHECK(equimomental_body("flat", 1, {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1e-16}}}));
+}
+
+TEST_CASE("parts so far apart that their moments overflow are refused") {
+  const Body ball = *quadrature_body("ball", {ShapeKind::sphere, 1, {1, 1, 1}});
+  CHECK(joined("far", {{ball, {1e160, 1e160, 0}}, {ball, {0, 0, 0}}}).error().reason ==
+        "its moments of inertia are not finite");
+}
+
 }  // namespace
 }  // namespace rigor

@@ -12,6 +12,8 @@ TEST_CASE("a rational number becomes the nearest double") {
   CHECK(nearest_double("0") == 0.0);
   CHECK(nearest_double("-3/2") == -1.5);
   CHECK(nearest_double("1/3") == 1.0 / 3.0);
+  CHECK(nearest_double("-010") == -10.0);
+  CHECK(nearest_double("08/0010") == 0.8);
   CHECK(nearest_double("9007199254740993") == 9007199254740992.0);  // 2^53 + 1, to even
   CHECK(nearest_double("9007199254740993/9007199254740992") == 1.0);
   CHECK(nearest_double("1" + std::string(400, '0') + "/1" + std::string(399, '0')) == 10.0);

@@ -59,6 +59,16 @@ TEST_CASE("ASCII and binary STL give the same triangles") {
   CHECK(mesh_mass(*ascii)->volume == Approx(1));
 }
 
+TEST_CASE("all solids of an STL file are read, and what is none is refused") {
+  const std::string ascii = ascii_stl(tetrahedron_mesh());
+  const auto one = read_stl(ascii);
+  const auto two = read_stl(ascii + ascii);
+  REQUIRE(one);
+  REQUIRE(two);
+  CHECK(two->triangles.size() == 2 * one->triangles.size());
+  CHECK(reason(read_stl(ascii + "facets\n")) == "line 31: `facets` stands where `solid` was expected");
+}
+
 TEST_CASE("a truncated STL file is refused with what is missing") {
   const std::string ascii = ascii_stl(tetrahedron_mesh());
   CHECK(reason(read_stl(ascii.substr(0, ascii.size() - 13))) == "line 30: the file ends before `endsolid`");
