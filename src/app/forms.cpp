@@ -175,7 +175,7 @@ ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostrea
     out << *text;
     return forms.code();
   }
-  const std::string name = std::filesystem::path(command.forms.file).stem().string() + ".md";
+  const std::string name = std::filesystem::path(command.forms.file).stem().string() + "-forms.md";
   if (write(folder / name, *text)) return forms.code();
   err << fmt::format("rigor: {}: cannot be written\n", printable((folder / name).string()));
   return ExitCode::no_input;

@@ -11,7 +11,7 @@ namespace rigor {
 
 std::vector<std::string> body_folders(const std::string& beside) {
   const std::filesystem::path folder = std::filesystem::path(beside).parent_path();
-  return {(folder / "bodies").string(), (folder.parent_path() / "bodies").string(), "bodies",
+  return {(folder / "bodies").string(), (folder / ".." / "bodies").lexically_normal().string(), "bodies",
           "derivations/bodies"};
 }
 

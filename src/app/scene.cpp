@@ -61,9 +61,37 @@ void move_to_scene(const SceneFile& scene, const FormRequest& request, FormsRead
   }
 }
 
+/// A value has the dimension that `units` declares in the notes. What is wrong is said.
+bool units_fit(const LoadedScene& loaded, const SourceMap& sources, std::ostream& err) {
+  const WrittenForms& forms = loaded.reading.forms;
+  bool fit = true;
+  for (const SceneValue& value : loaded.scene.values) {
+    const auto asked = std::find_if(forms.asked.begin(), forms.asked.end(),
+                                    [&](const AskedForm& form) { return form.source == value.name.text; });
+    if (!value.dimension || asked == forms.asked.end()) continue;
+    const ExprNode& node = forms.tree[asked->expr];
+    const auto declared = forms.units.find(node.symbol);
+    if (node.op != Op::symbol || declared == forms.units.end() || declared->second == *value.dimension)
+      continue;
+    print({{DiagnosticKind::wrong_unit, value.name.span,
+            fmt::format("`{}` is a quantity of dimension {}, but the notes declare {}", value.name.text,
+                        value.dimension->text(), declared->second.text())}},
+          sources, err);
+    fit = false;
+  }
+  return fit;
+}
+
 /// False where a picture was asked for and cannot be written.
 bool write_plots(const LoadedScene& loaded, const SceneResult& result, std::ostream& err) {
   if (loaded.scene.plot.empty() || !result.motion) return true;
+  const std::filesystem::path name(loaded.scene.plot);
+  const bool inside = !name.is_absolute() && std::find(name.begin(), name.end(), "..") == name.end();
+  if (!inside || name.extension() != ".svg") {
+    err << "rigor: " << printable(loaded.scene.path) << ": `plot` is `" << printable(loaded.scene.plot)
+        << "`, but must be a name that ends in `.svg`, beside the scene or below\n";
+    return false;
+  }
   const std::filesystem::path path =
       std::filesystem::path(loaded.scene.path).parent_path() / loaded.scene.plot;
   const auto write = [&](const std::filesystem::path& to, const std::string& text) {
@@ -128,7 +156,8 @@ ExitCode load_scene(const std::string& path, SourceMap& sources, LoadedScene& lo
   move_to_scene(loaded.scene, request, loaded.reading);
   if (print(loaded.reading.report.diagnostics, sources, err))
     return loaded.reading.report.unreadable ? ExitCode::no_input : ExitCode::wrong;
-  return ExitCode::ok;
+  if (!request.asked.empty() && loaded.reading.forms.asked.empty()) return ExitCode::wrong;
+  return units_fit(loaded, sources, err) ? ExitCode::ok : ExitCode::wrong;
 }
 
 ExitCode compute_scenes(const SceneCommand& command, std::ostream& out, std::ostream& err) {

@@ -24,6 +24,30 @@ void define_zeros(ExprTree& tree, Question& question) {
   question.zeroed.clear();
 }
 
+/// π where nobody says that the letter is something else. To the exact side it is any number.
+void define_pi(ExprTree& tree, Question& question, std::span<const ExprId> expressions) {
+  static constexpr const char* digits =
+      "3.1415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679"
+      "82148086513282306647093844609550582231725359408128481117450284102701938521105559644622948954930381964"
+      "4";
+  std::vector<ExprId> roots(expressions.begin(), expressions.end());
+  for (const Definition& definition : question.definitions) roots.push_back(definition.body);
+  for (const ExprId root : roots) {
+    for (const SymbolId symbol : symbols_in(tree, root)) {
+      const Symbol& letter = tree.symbols[symbol];
+      const bool is_pi = letter.name == "\\pi" && letter.rank == 0 && !letter.per_particle &&
+                         !letter.declared && !letter.derivation;
+      const bool known =
+          std::any_of(question.definitions.begin(), question.definitions.end(),
+                      [&](const Definition& definition) { return definition.symbol == symbol; });
+      if (!is_pi || known) continue;
+      Definition pi{.symbol = symbol};
+      pi.body = tree.add_number(letter.first_seen, digits);
+      question.definitions.push_back(pi);
+    }
+  }
+}
+
 /// The definitions and assumptions that concern some expressions.
 Question question_about(ExprTree& tree, Names& names, std::span<const ExprId> expressions) {
   if (expressions.empty()) return {};
@@ -31,6 +55,7 @@ Question question_about(ExprTree& tree, Names& names, std::span<const ExprId> ex
   same.left = same.right = expressions.front();
   Question question = prepare(tree, names, same, 0, Precision::exact, 0, expressions).question;
   define_zeros(tree, question);
+  define_pi(tree, question, expressions);
   return question;
 }
 

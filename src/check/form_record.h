@@ -33,6 +33,7 @@ class FormRecorder {
     return needed;
   }
 
+  void declare_unit(SymbolId symbol, const Dimension& dimension) { forms_.units[symbol] = dimension; }
   /// The walk comes to an event.
   void enter(std::size_t event);
   /// What the exact side was asked about the step at hand, and answered; both are taken.

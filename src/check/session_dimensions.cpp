@@ -17,7 +17,10 @@ bool compares(RelationKind kind) {
 
 void Session::declare_units(const Directive& directive) {
   for (std::size_t k = 0; k < directive.symbols.size(); ++k) {
-    if (const std::optional<Typed> typed = read_declared(directive.symbols[k]))
+    const std::optional<Typed> typed = read_declared(directive.symbols[k]);
+    if (typed && options_.forms != nullptr)
+      options_.forms->declare_unit(tree_[typed->id].symbol, directive.dimensions[k]);
+    if (typed)
       dimensions_.declare(typed->id, directive.dimensions[k], notes_.syntax[directive.symbols[k]].span,
                           directive.number);
   }

@@ -3,6 +3,7 @@
 // definitions and assumptions in force there, and what the exact side says of each step.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +63,7 @@ struct WrittenForms {
   std::vector<WrittenFormChain> chains;
   std::vector<AskedForm> asked;         // in the order in which they were asked for
   std::vector<Definition> definitions;  // that those asked for need
+  std::map<SymbolId, Dimension> units;  // that the notes declare
 };
 
 }  // namespace rigor

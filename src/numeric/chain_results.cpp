@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "numeric/assumptions.h"
 #include "numeric/body_letters.h"
 #include "numeric/families.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t fewest_samples = 16;
 constexpr std::size_t digits_over_double = 40;  // by so much many digits cost more operations
 constexpr std::size_t particles_without_body = 8;
+constexpr double uncertainty = 16 * 0x1p-53;  // of numbers that meet assumptions to rounding
 
 /// The forms of a chain as programs, and what is drawn for them.
 class ChainMeasurement {
@@ -28,6 +30,7 @@ class ChainMeasurement {
     find_incomparable();
     for (const Program& program : programs_) pointers_.push_back(&program);
     symbols_ = symbols_read(pointers_);
+    compile_assumptions();
     const bool of_particles = std::any_of(symbols_.begin(), symbols_.end(), [&](SymbolId symbol) {
       return forms_.tree.symbols[symbol].per_particle;
     });
@@ -93,6 +96,24 @@ class ChainMeasurement {
     }
   }
 
+  /// Do the assumptions only speak of what the forms read?
+  [[nodiscard]] bool has_all_letters(const Samples& samples) const {
+    return std::all_of(assumed_.begin(), assumed_.end(), [&](const ProgramInput& input) {
+      return samples.find(input.symbol, input.component) != nullptr;
+    });
+  }
+
+  /// What the assumptions read; one that cannot be compiled counts as not met.
+  void compile_assumptions() {
+    for (const Equation& assumption : chain_.assumptions) {
+      for (const ExprId side : {assumption.left, assumption.right}) {
+        const ProgramRoot root{side, assumption.indices};
+        const auto program = Program::compile(forms_.tree, chain_.definitions, std::span(&root, 1));
+        if (program) assumed_.insert(assumed_.end(), program->inputs().begin(), program->inputs().end());
+      }
+    }
+  }
+
   void try_family(const InputFamily& family, const Body* body) {
     if (!applies(family, forms_.tree, symbols_, body)) return;
     const std::size_t particles = body != nullptr ? body->size() : particles_without_body;
@@ -121,6 +142,8 @@ class ChainMeasurement {
       const bool plain = family.kind == FamilyKind::random;
       trial.name = plain ? body->name : fmt::format("{}, {}", body->name, trial.name);
     }
+    trial.met = has_all_letters(*drawn) &&
+                meets_all(forms_.tree, chain_.definitions, chain_.assumptions, *drawn, uncertainty);
     for (const Program& program : programs_) trial.forms.push_back(run(program, *drawn));
     result_.trials.push_back(std::move(trial));
   }
@@ -146,6 +169,7 @@ class ChainMeasurement {
   std::vector<Program> programs_;
   std::vector<const Program*> pointers_;
   std::vector<SymbolId> symbols_;
+  std::vector<ProgramInput> assumed_;
   BodyLetters letters_;
 };
 

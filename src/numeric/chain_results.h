@@ -24,6 +24,7 @@ struct TrialResult {
   std::string name;  // `random`, `book`
   std::string what;  // one line
   std::size_t samples = 0;
+  bool met = true;                // the assumptions in force hold on the samples, within error bounds
   std::size_t particles = 0;      // 0: nothing is summed over them
   std::vector<FormResult> forms;  // in the order of ChainResult::forms
 };

@@ -39,6 +39,13 @@ double loss_of(const TrialResult& trial, std::size_t form) {
   return std::max(error, unit_roundoff) / std::max(least, unit_roundoff);
 }
 
+/// The forms are equal there, and at least one of them can be compared to an exact value.
+bool counts(const TrialResult& trial) {
+  return trial.met && std::any_of(trial.forms.begin(), trial.forms.end(), [](const FormResult& form) {
+           return in_double(form).compared + in_double(form).zeros > 0;
+         });
+}
+
 /// On the trial where it is greatest.
 struct Loss {
   double factor = 1.0;
@@ -48,6 +55,7 @@ struct Loss {
 Loss greatest_loss(const ChainResult& result, std::size_t form) {
   Loss greatest;
   for (const TrialResult& trial : result.trials) {
+    if (!counts(trial)) continue;
     const double factor = loss_of(trial, form);
     if (greatest.trial == nullptr || factor > greatest.factor) greatest = {factor, &trial};
   }
@@ -70,7 +78,7 @@ bool has_times(const ChainResult& result) { return in_double(result.trials[0].fo
 std::string cost_text(const ChainResult& result, std::size_t form) {
   const double cost = cost_of(result, form);
   return has_times(result) ? fmt::format("{} ns", short_number(cost))
-                           : fmt::format("{:.0f} operations", cost);
+                           : fmt::format("{:.0f} operation{}", cost, cost == 1 ? "" : "s");
 }
 
 std::string error_text(const FormResult& form) {
@@ -95,7 +103,9 @@ double failing_error(const ErrorMeasure& measure) {
   return measure.zeros > 0 ? measure.worst_at_zero : 0.0;
 }
 
-std::optional<Advice> advise(const ChainResult& result) {
+std::optional<Advice> advise(const ChainResult& all) {
+  ChainResult result = all;
+  std::erase_if(result.trials, [](const TrialResult& trial) { return !counts(trial); });
   const std::size_t count = result.forms.size();
   if (count < 2 || result.trials.empty() || !result.not_comparable.empty()) return std::nullopt;
   std::vector<double> losses;

@@ -63,6 +63,7 @@ Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
     for (const FormResult& form : trial.forms) forms.push_back(form_json(form));
     json["trials"].push_back({{"name", trial.name},
                               {"what", trial.what},
+                              {"assumptions_hold", trial.met},
                               {"samples", trial.samples},
                               {"particles", trial.particles},
                               {"forms", std::move(forms)}});

@@ -27,13 +27,14 @@ const ErrorMeasure& in_double(const FormResult& form) {
 }
 
 /// What cannot be said in a column.
-std::string events(const FormResult& form) {
+std::string events(const TrialResult& trial, const FormResult& form) {
   const ErrorMeasure& measure = in_double(form);
   const std::size_t samples = form.measure.measured;
   std::vector<std::string> texts;
   const auto say = [&](std::size_t count, const char* what) {
     if (count > 0) texts.push_back(fmt::format("{} {} of {}", what, count, samples));
   };
+  if (!trial.met) texts.emplace_back("the assumptions do not hold here");
   say(measure.overflows, "overflow in");
   say(measure.not_a_number, "not a number in");
   say(measure.wrong_signs, "wrong sign in");
@@ -77,7 +78,7 @@ std::string table(const ChainResult& result, std::size_t form, bool color) {
   std::vector<std::pair<Row, std::string>> rows;
   std::array<std::size_t, heads.size()> widths{};
   for (const TrialResult& trial : result.trials) {
-    rows.emplace_back(row_of(trial, trial.forms[form]), events(trial.forms[form]));
+    rows.emplace_back(row_of(trial, trial.forms[form]), events(trial, trial.forms[form]));
     for (std::size_t k = 0; k < heads.size(); ++k)
       widths[k] = std::max(widths[k], cells(rows.back().first[k]));
   }

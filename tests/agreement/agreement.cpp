@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "algebra/decide.h"
+#include "numeric/assumptions.h"
 #include "numeric/body_letters.h"
 #include "numeric/bounds.h"
 #include "numeric/exact_sample.h"
@@ -97,19 +98,6 @@ Finding compare_outputs(const Sides& sides, const Equation& equation, const Samp
   return whole;
 }
 
-bool holds(const ExprTree& tree, const Question& question, const Equation& equation, const Samples& samples,
-           double uncertainty) {
-  const Sides sides(tree, question, equation);
-  std::string detail;
-  const std::size_t particles = equation.particles.empty() ? 1 : samples.particles();
-  for (std::uint32_t particle = 0; particle < particles; ++particle) {
-    const std::vector<std::uint32_t> at(equation.particles.size(), particle);
-    if (compare_outputs(sides, equation, samples, uncertainty, at, std::nullopt, detail) != Finding::related)
-      return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 Finding compare(const ExprTree& tree, const Question& question, const Samples& samples, double uncertainty,
@@ -141,9 +129,7 @@ Finding compare_at_sample(const ExprTree& tree, const Question& question, const 
 
 bool meets_assumptions(const ExprTree& tree, const Question& question, const Samples& samples,
                        double uncertainty) {
-  return std::all_of(
-      question.assumptions.begin(), question.assumptions.end(),
-      [&](const Equation& assumption) { return holds(tree, question, assumption, samples, uncertainty); });
+  return meets_all(tree, question.definitions, question.assumptions, samples, uncertainty);
 }
 
 Trials trials_for(const ExprTree& tree, const Question& question, std::span<const Body> bodies) {

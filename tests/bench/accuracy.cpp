@@ -48,7 +48,7 @@ std::string forms_of(const std::string& notes, const std::filesystem::path& fold
   if (with_bodies) words.insert(words.end(), {"--body", "derivations/bodies"});
   std::ostringstream ignored;
   if (run(static_cast<int>(words.size()), words.data(), ignored, std::cerr) != 0) return "";
-  const std::filesystem::path written = folder / (std::filesystem::path(notes).stem().string() + ".md");
+  const std::filesystem::path written = folder / (std::filesystem::path(notes).stem().string() + "-forms.md");
   std::ifstream file(written);
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::filesystem::remove(written);

@@ -102,7 +102,7 @@ TEST_CASE("pictures of chains with one tag have names of their own") {
   const std::string notes = folder.write("a.md", square + "\n# B\n\n" + square);
   const Ended ended = run_words({"bench", notes, "--into", folder / "out"});
   CHECK(ended.code == 0);
-  const std::string table = text_of(folder / "out/a.md");
+  const std::string table = text_of(folder / "out/a-forms.md");
   CHECK(table.find("![time against error](a-1.svg)") != std::string::npos);
   CHECK(table.find("![time against error](a-1-2.svg)") != std::string::npos);
   CHECK(text_of(folder / "out/a-1.svg").find("<svg") != std::string::npos);

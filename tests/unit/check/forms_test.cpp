@@ -124,6 +124,20 @@ TEST_CASE("what cannot be read of what is asked is reported, and nothing is aske
   }
 }
 
+TEST_CASE("the letter π is the number for the floating-point side, unless it is declared") {
+  const auto defined = [&](const std::string& text) {
+    return !read({}, text).forms.chains.back().definitions.empty();
+  };
+  CHECK(defined("$$(\\pi + 1)a = \\pi a + a$$\n"));
+  CHECK_FALSE(defined("<!-- rigor: scalar \\pi -->\n$$(\\pi + 1)a = \\pi a + a$$\n"));
+}
+
+TEST_CASE("the units that notes declare are handed over") {
+  const FormsReading reading = read({}, "<!-- rigor:\nscalar m\nunits m: kg\n-->\n$$m + m = 2m$$\n");
+  CHECK(reading.forms.units.size() == 1);
+  CHECK(reading.forms.units.begin()->second.text() == "M");
+}
+
 TEST_CASE("nothing is known in notes without equations") {
   const FormsReading reading = read({.asked = {"M"}, .only = {{}}}, "Only words.\n");
   CHECK(messages(reading) == std::vector<std::string>{"`M` is nowhere in the notes"});

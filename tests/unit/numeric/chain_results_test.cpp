@@ -74,7 +74,7 @@ TEST_CASE("forms that err alike are told apart by what they cost") {
   const auto advice = advise(alike.result);
   REQUIRE(advice);
   CHECK(advice->all_alike);
-  CHECK(advice_text(alike.result, *advice) == "Both forms err alike; A is the cheapest (1 operations).");
+  CHECK(advice_text(alike.result, *advice) == "Both forms err alike; A is the cheapest (1 operation).");
 }
 
 TEST_CASE("nothing is advised between forms that are not proved to be equal") {
@@ -95,6 +95,16 @@ TEST_CASE("a form without a value where another has one is not advised") {
   REQUIRE(measured.result.forms.size() == 2);
   CHECK(measured.in_double("random", 1).undefined > 0);
   if (const auto advice = advise(measured.result)) CHECK(advice->form == 0);
+}
+
+TEST_CASE("numbers that break an assumption do not count for the advice") {
+  const Measured measured("<!-- rigor:\nscalar a, b\ngiven a + b = 0\n-->\n$$a^3 = -b^3$$");
+  REQUIRE(measured.result.trials.size() > 1);
+  for (const TrialResult& trial : measured.result.trials) CHECK_FALSE(trial.met);
+  CHECK_FALSE(advise(measured.result));
+  const Measured positive("<!-- rigor:\nscalar a\ngiven a > 0\n-->\n$$3a + a - a = 3a$$");
+  CHECK(positive.result.trials[0].met);
+  CHECK(advise(positive.result));
 }
 
 TEST_CASE("a name is not computed beside what it names, and a bare letter is not computed at all") {
