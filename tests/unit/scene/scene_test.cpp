@@ -7,6 +7,7 @@
 
 #include "catch.h"
 #include "check/forms.h"
+#include "expr/build.h"
 #include "numeric/body.h"
 #include "scene/body_file.h"
 #include "scene/scene_file.h"
@@ -165,7 +166,7 @@ TEST_CASE("where it is open along which axes a spin is meant, the scene says so"
                       turned_cross(3, 2, 1));
   CHECK(played.messages() ==
         "bad-scene: principal moments are needed, and the body does not lie along its principal axes\n"
-        "help: say with `axes = \"principal\"` or `axes = \"body\"` along which the spin is given\n");
+        "help: say with `axes = \"principal\"` or `axes = \"body\"` along which the components are given\n");
 }
 
 TEST_CASE("the energy does not depend on the axes along which a turned body is looked at", "[scene]") {
@@ -277,6 +278,113 @@ TEST_CASE("a rod's spin about itself is not determined, and the axis is named", 
   const Played played(
       std::string("spin = [1, 2, 3]\n[ask]\nquantities = ['\\boldsymbol{\\omega}(t)']\n") + euler, rod);
   CHECK(played.messages().find("do not determine the rate of the spin's component 3") != std::string::npos);
+}
+
+TEST_CASE("a torque moves a body that is at rest, or nearly", "[scene]") {
+  for (const std::string spin : {"[0, 0, 0]", "[1e-6, 0, 0]"}) {
+    const Played played("spin = " + spin +
+                            "\n[motion]\nequations = \"(22)\"\nduration = \"20 s\"\n[values]\n"
+                            "'\\boldsymbol{\\tau}' = [1, 0, 0]\n[ask]\nquantities = "
+                            "['\\boldsymbol{\\omega}(t)']\n",
+                        sample());
+    INFO(spin);
+    CHECK(played.messages() == "");
+    REQUIRE(played.result.motion);
+    REQUIRE(played.result.motion->spins.size() == 501);
+    CHECK(played.result.motion->spins[500][0] == Approx(2).epsilon(1e-6));  // τ t / I₁
+    CHECK(played.result.motion->spins[250][0] - played.result.motion->spins[0][0] ==
+          Approx(1).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a spin whose square is not finite is a diagnostic, and there is no motion", "[scene]") {
+  const std::string ask = "[ask]\nquantities = ['\\boldsymbol{\\omega}(t)']\n";
+  const Played played("spin = [1.7e308, 1.7e308, 0]\n" + ask + euler, sample());
+  CHECK(played.messages().find("the equations are not finite at the first spin") != std::string::npos);
+  CHECK(!played.result.motion);
+}
+
+TEST_CASE("a row that is not finite is said, and is not constant", "[scene]") {
+  // 1/ω₁ with ω₁ = τ t / I₁ − 1 at the tenth second.
+  const Played played(
+      "spin = [-1, 0, 0]\n[motion]\nequations = \"(22)\"\nduration = \"20 s\"\nrows = 3\n[values]\n"
+      "'\\boldsymbol{\\tau}' = [1, 0, 0]\n[ask]\nquantities = ['\\boldsymbol{\\omega}(t)', "
+      "'\\sqrt{-\\omega_1}(t)']\n",
+      sample());
+  CHECK(played.messages() == "bad-scene: `\\sqrt{-\\omega_1}(t)` is not finite at 20 s\n");
+  REQUIRE(played.result.drifts.size() == 2);
+  CHECK(std::isnan(played.result.drifts[1].relative));
+  CHECK(!played.result.drifts[1].constant);
+}
+
+TEST_CASE("what changes is not constant, however coarse the integration", "[scene]") {
+  const auto drift = [](const std::string& tolerance) {
+    const Played played(
+        "spin = [0, 0, 1]\n[motion]\nequations = \"(22)\"\nduration = 1\ntolerance = " + tolerance +
+            "\n[values]\n'\\boldsymbol{\\tau}' = [0, 0, 13]\n[ask]\nquantities = "
+            "['\\boldsymbol{\\omega}(t)']\n",
+        sample());
+    REQUIRE(played.result.drifts.size() == 1);
+    return played.result.drifts[0];
+  };
+  CHECK(drift("1e-2").relative == Approx(1.0 / 3));
+  CHECK(!drift("1e-2").constant);
+  CHECK(!drift("1e-10").constant);
+}
+
+TEST_CASE("a vector with a value is turned, or needs the axes to be said", "[scene]") {
+  const std::string ask =
+      "[values]\n'\\mathbf{V}' = [1, 2, 3]\n[ask]\nquantities = ['I_2 V_1']\n" + std::string();
+  const std::string at = racket;
+  CHECK(Played(at + ask, turned_cross(3, 2, 1)).messages().find("axes = \"body\"") != std::string::npos);
+  const Played body("axes = \"body\"\n" + at + ask, turned_cross(3, 2, 1));
+  CHECK(body.messages() == "");
+  CHECK(body.value("I_2 V_1") == Approx(20 * (std::sqrt(0.75) + 1)).epsilon(1e-13));
+  const Played principal("axes = \"principal\"\n" + at + ask, turned_cross(3, 2, 1));
+  CHECK(principal.messages() == "");
+  CHECK(principal.value("I_2 V_1") == Approx(20).epsilon(1e-13));
+}
+
+TEST_CASE("a tensor whose components stand alone is that along the principal axes", "[scene]") {
+  build::Page page;
+  const build::Named tensor = page.tensor("J");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  WrittenForms forms;
+  const build::Term letter = tensor;
+  forms.asked.push_back({"J_{ij}", build::at(tensor, i, j).id, {i, j}, {}});
+  forms.asked.push_back({"J", letter.id, {}, {}});
+  forms.tree = page.tree;
+  SceneFile scene;
+  scene.axes = SceneAxes::principal;
+  scene.symbols.tensor = {"J", {}, true};
+  scene.symbols.principal_moments = {{"I_1", {}, false}, {"I_2", {}, false}, {"I_3", {}, false}};
+  scene.asked.push_back({SceneAskKind::quantity, {"J_{ij}", {}}, "J_{ij}"});
+  const Body body = turned_cross(3, 2, 1);
+  const SceneResult result = evaluate_scene(scene, body, forms);
+  CHECK(result.diagnostics.empty());
+  CHECK(result.along_principal_axes);
+  REQUIRE(result.quantities.size() == 1);
+  REQUIRE(result.quantities[0].value.size() == 9);
+  CHECK(result.quantities[0].value[0] == Approx(10).epsilon(1e-13));
+  CHECK(result.quantities[0].value[1] == 0);
+}
+
+TEST_CASE("the orientation is that of the axes along which the spin is given", "[scene]") {
+  const std::string lines = std::string(
+      "spin = [1, 2, 3]\norientation = { axis = [1, 1, 0], angle = \"50 deg\" }\n[ask]\nquantities = "
+      "['\\boldsymbol{\\omega}(t)']\n");
+  const Played played("axes = \"body\"\n" + lines + euler, turned_cross(3, 2, 1));
+  const Played plain("axes = \"principal\"\n" + lines + euler, turned_cross(3, 2, 1));
+  CHECK(played.messages() == "");
+  REQUIRE(played.result.motion);
+  REQUIRE(plain.result.motion);
+  // The first spin in space is the one given, turned by 50 degrees, whatever axes the motion is followed
+  // along.
+  const Vector3 expected = turned(plain.result.motion->orientations[0], {1, 2, 3});
+  const Vector3 in_space = turned(played.result.motion->orientations[0], played.result.motion->spins[0]);
+  CHECK(played.result.motion->spins[0][0] == Approx(std::sqrt(0.75) + 1));
+  for (std::size_t i = 0; i < 3; ++i) CHECK(in_space[i] == Approx(expected[i]).epsilon(1e-14));
 }
 
 TEST_CASE("every scene in derivations/ gives all it is asked for", "[scene]") {
