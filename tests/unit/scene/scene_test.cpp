@@ -6,99 +6,11 @@
 #include <filesystem>
 
 #include "catch.h"
-#include "check/forms.h"
 #include "expr/build.h"
-#include "numeric/body.h"
-#include "scene/body_file.h"
-#include "scene/scene_file.h"
-#include "source/read_file.h"
+#include "scene/played_scene.h"
 
 namespace rigor {
 namespace {
-
-/// A scene on the notes in derivations/, from its lines.
-struct Played {
-  SourceMap sources;
-  Diagnostics diagnostics;  // of the file, the notes and the evaluation
-  SceneResult result;
-
-  Played(const std::string& lines, const Body& body) {
-    play(sources.add("derivations/scenes/test.toml",
-                     "notes = \"../rigid-bodies.md\"\nbody = \"test\"\n" + lines),
-         &body);
-  }
-  /// A scene of derivations/scenes, with its own body.
-  explicit Played(const std::string& path) {
-    const auto text = read_file(path);
-    REQUIRE(text);
-    play(sources.add(path, *text), nullptr);
-  }
-
-  void play(FileId file, const Body* body) {
-    const auto scene = read_scene(sources, file, diagnostics);
-    if (!scene) return;
-    std::optional<Body> own;
-    if (body == nullptr) {
-      const auto path = find_body(scene->body.text, {"derivations/bodies"});
-      REQUIRE(path);
-      own = read_body_file(*path, sources, diagnostics);
-      REQUIRE(own);
-    }
-    FormRequest request{.asked = asked_of_notes(*scene)};
-    if (!scene->at.empty()) request.at = scene->at;
-    request.only = scene->motion ? std::vector{scene->motion->equations.text} : std::vector<std::string>();
-    const FormsReading reading = read_forms(sources, scene->notes_path(), request);
-    diagnostics = reading.report.diagnostics;
-    result = evaluate_scene(*scene, body == nullptr ? *own : *body, reading.forms);
-    diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
-  }
-
-  [[nodiscard]] const SceneQuantity& quantity(const std::string& source) const {
-    static const SceneQuantity none;
-    for (const SceneQuantity& each : result.quantities) {
-      if (each.source == source) return each;
-    }
-    return none;
-  }
-  [[nodiscard]] double value(const std::string& source, std::size_t component = 0) const {
-    const auto& values = quantity(source).value;
-    return component < values.size() ? values[component] : std::nan("");
-  }
-  [[nodiscard]] bool computed(const std::string& node) const {
-    return std::any_of(result.nodes.begin(), result.nodes.end(),
-                       [&](const SceneNode& each) { return each.name == node && each.computed; });
-  }
-  [[nodiscard]] std::string messages() const {
-    std::string all;
-    for (const Diagnostic& each : diagnostics) {
-      all += std::string(info(each.kind).name) + ": " + each.message + "\n";
-      for (const std::string& help : each.help) all += "help: " + help + "\n";
-    }
-    return all;
-  }
-};
-
-/// Two of each at ±a e₁, ±b e₂, ±c e₃, of 1 kg each: I₁ = 2(b² + c²) and so on.
-Body cross_of_masses(double a, double b, double c) {
-  return *point_masses("cross", {1, 1, 1, 1, 1, 1},
-                       {{a, 0, 0}, {-a, 0, 0}, {0, b, 0}, {0, -b, 0}, {0, 0, c}, {0, 0, -c}});
-}
-
-/// The same, turned by 30° about the third axis.
-Body turned_cross(double a, double b, double c) {
-  const double s = 0.5;
-  const double k = std::sqrt(0.75);
-  return *point_masses("turned", {1, 1, 1, 1, 1, 1},
-                       {{a * k, a * s, 0},
-                        {-a * k, -a * s, 0},
-                        {-b * s, b * k, 0},
-                        {b * s, -b * k, 0},
-                        {0, 0, c},
-                        {0, 0, -c}});
-}
-
-// Moments 2·(4 + 1) = 10, 2·(9 + 1) = 20 and 2·(9 + 4) = 26.
-Body sample() { return cross_of_masses(3, 2, 1); }
 
 TEST_CASE("a scene that asks for the energy alone touches neither moments, axes nor motion", "[scene]") {
   const Played played("spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}']\n", sample());
@@ -121,10 +33,6 @@ TEST_CASE("a stability frequency needs principal moments and no axes", "[scene]"
   CHECK(!played.computed("motion"));
   CHECK(played.result.counts().computed == 3);
 }
-
-constexpr const char* racket = "at = \"A thrown racket\"\n";
-constexpr const char* euler =
-    "[motion]\nequations = \"(22)\"\nduration = \"20 s\"\n[values]\n'\\boldsymbol{\\tau}' = [0, 0, 0]\n";
 
 TEST_CASE("moments and axes of the body are found where it does not lie along them", "[scene]") {
   const Played played("[ask]\nquantities = ['principal moments', 'principal axes', 'I_{ij}']\n",
@@ -264,74 +172,6 @@ TEST_CASE("an unknown quantity comes with a suggestion", "[scene]") {
   CHECK(played.result.quantities.empty());
 }
 
-TEST_CASE("equations that leave the torque open are no law of motion", "[scene]") {
-  const Played played(
-      "spin = [1, 2, 3]\n[motion]\nequations = \"(22)\"\nduration = 1\n[ask]\nquantities = "
-      "['\\boldsymbol{\\omega}(t)']\n",
-      sample());
-  CHECK(played.messages().find("`(22)` gives no law of motion: ") != std::string::npos);
-  CHECK(!played.result.motion);
-}
-
-TEST_CASE("a rod's spin about itself is not determined, and the axis is named", "[scene]") {
-  const Body rod = *point_masses("rod", {1, 1}, {{0, 0, 1}, {0, 0, -1}});
-  const Played played(
-      std::string("spin = [1, 2, 3]\n[ask]\nquantities = ['\\boldsymbol{\\omega}(t)']\n") + euler, rod);
-  CHECK(played.messages().find("do not determine the rate of the spin's component 3") != std::string::npos);
-}
-
-TEST_CASE("a torque moves a body that is at rest, or nearly", "[scene]") {
-  for (const std::string spin : {"[0, 0, 0]", "[1e-6, 0, 0]"}) {
-    const Played played("spin = " + spin +
-                            "\n[motion]\nequations = \"(22)\"\nduration = \"20 s\"\n[values]\n"
-                            "'\\boldsymbol{\\tau}' = [1, 0, 0]\n[ask]\nquantities = "
-                            "['\\boldsymbol{\\omega}(t)']\n",
-                        sample());
-    INFO(spin);
-    CHECK(played.messages() == "");
-    REQUIRE(played.result.motion);
-    REQUIRE(played.result.motion->spins.size() == 501);
-    CHECK(played.result.motion->spins[500][0] == Approx(2).epsilon(1e-6));  // τ t / I₁
-    CHECK(played.result.motion->spins[250][0] - played.result.motion->spins[0][0] ==
-          Approx(1).epsilon(1e-12));
-  }
-}
-
-TEST_CASE("a spin whose square is not finite is a diagnostic, and there is no motion", "[scene]") {
-  const std::string ask = "[ask]\nquantities = ['\\boldsymbol{\\omega}(t)']\n";
-  const Played played("spin = [1.7e308, 1.7e308, 0]\n" + ask + euler, sample());
-  CHECK(played.messages().find("the equations are not finite at the first spin") != std::string::npos);
-  CHECK(!played.result.motion);
-}
-
-TEST_CASE("a row that is not finite is said, and is not constant", "[scene]") {
-  // 1/ω₁ with ω₁ = τ t / I₁ − 1 at the tenth second.
-  const Played played(
-      "spin = [-1, 0, 0]\n[motion]\nequations = \"(22)\"\nduration = \"20 s\"\nrows = 3\n[values]\n"
-      "'\\boldsymbol{\\tau}' = [1, 0, 0]\n[ask]\nquantities = ['\\boldsymbol{\\omega}(t)', "
-      "'\\sqrt{-\\omega_1}(t)']\n",
-      sample());
-  CHECK(played.messages() == "bad-scene: `\\sqrt{-\\omega_1}(t)` is not finite at 20 s\n");
-  REQUIRE(played.result.drifts.size() == 2);
-  CHECK(std::isnan(played.result.drifts[1].relative));
-  CHECK(!played.result.drifts[1].constant);
-}
-
-TEST_CASE("what changes is not constant, however coarse the integration", "[scene]") {
-  const auto drift = [](const std::string& tolerance) {
-    const Played played(
-        "spin = [0, 0, 1]\n[motion]\nequations = \"(22)\"\nduration = 1\ntolerance = " + tolerance +
-            "\n[values]\n'\\boldsymbol{\\tau}' = [0, 0, 13]\n[ask]\nquantities = "
-            "['\\boldsymbol{\\omega}(t)']\n",
-        sample());
-    REQUIRE(played.result.drifts.size() == 1);
-    return played.result.drifts[0];
-  };
-  CHECK(drift("1e-2").relative == Approx(1.0 / 3));
-  CHECK(!drift("1e-2").constant);
-  CHECK(!drift("1e-10").constant);
-}
-
 TEST_CASE("a vector with a value is turned, or needs the axes to be said", "[scene]") {
   const std::string ask =
       "[values]\n'\\mathbf{V}' = [1, 2, 3]\n[ask]\nquantities = ['I_2 V_1']\n" + std::string();
@@ -368,23 +208,6 @@ TEST_CASE("a tensor whose components stand alone is that along the principal axe
   REQUIRE(result.quantities[0].value.size() == 9);
   CHECK(result.quantities[0].value[0] == Approx(10).epsilon(1e-13));
   CHECK(result.quantities[0].value[1] == 0);
-}
-
-TEST_CASE("the orientation is that of the axes along which the spin is given", "[scene]") {
-  const std::string lines = std::string(
-      "spin = [1, 2, 3]\norientation = { axis = [1, 1, 0], angle = \"50 deg\" }\n[ask]\nquantities = "
-      "['\\boldsymbol{\\omega}(t)']\n");
-  const Played played("axes = \"body\"\n" + lines + euler, turned_cross(3, 2, 1));
-  const Played plain("axes = \"principal\"\n" + lines + euler, turned_cross(3, 2, 1));
-  CHECK(played.messages() == "");
-  REQUIRE(played.result.motion);
-  REQUIRE(plain.result.motion);
-  // The first spin in space is the one given, turned by 50 degrees, whatever axes the motion is followed
-  // along.
-  const Vector3 expected = turned(plain.result.motion->orientations[0], {1, 2, 3});
-  const Vector3 in_space = turned(played.result.motion->orientations[0], played.result.motion->spins[0]);
-  CHECK(played.result.motion->spins[0][0] == Approx(std::sqrt(0.75) + 1));
-  for (std::size_t i = 0; i < 3; ++i) CHECK(in_space[i] == Approx(expected[i]).epsilon(1e-14));
 }
 
 TEST_CASE("every scene in derivations/ gives all it is asked for", "[scene]") {
