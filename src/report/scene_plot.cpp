@@ -12,6 +12,9 @@
 namespace rigor {
 namespace {
 
+/// Of Σ I ω², relative.
+constexpr double most_off_surface = 1e-6;
+
 constexpr std::array strokes{Stroke::solid, Stroke::dashed, Stroke::dotted};
 
 std::string component_name(std::size_t component, int axes) {
@@ -73,6 +76,11 @@ std::vector<EllipsoidPlot> spin_paths_of(const SceneResult& result) {
   double energy = 0;
   for (std::size_t i = 0; i < 3; ++i) energy += moments[i] * first[i] * first[i];
   if (!(energy > 0)) return {};
+  for (const Vector3& spin : result.motion->spins) {  // with a torque the path leaves the ellipsoid
+    double there = 0;
+    for (std::size_t i = 0; i < 3; ++i) there += moments[i] * spin[i] * spin[i];
+    if (!(std::abs(there - energy) <= most_off_surface * energy)) return {};
+  }
   EllipsoidPlot plot{.title = result.title + ": path of the spin on the inertia ellipsoid",
                      .names = {"axis 1", "axis 2", "axis 3"}};
   for (std::size_t i = 0; i < 3; ++i) plot.half_axes[i] = std::sqrt(energy / moments[i]);

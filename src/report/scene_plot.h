@@ -16,7 +16,7 @@ namespace rigor {
 [[nodiscard]] std::vector<Plot> plots_of(const SceneResult& result);
 
 /// The ellipsoid I₁ω₁² + I₂ω₂² + I₃ω₃² = const through the first spin, with half axes ∝ 1/√I. Nothing without
-/// a motion, or where a moment is not known or 0.
+/// a motion, where a moment is not known or 0, or where the sum changes by more than 1e-6 of itself.
 [[nodiscard]] std::vector<EllipsoidPlot> spin_paths_of(const SceneResult& result);
 
 /// `\boldsymbol{\omega}(t)` becomes `$\boldsymbol{\omega}$`.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/utf8.h"
 #include "scene/quantity_dimension.h"
@@ -60,6 +61,8 @@ std::string print_rows(const SceneQuantity& quantity, const Motion& motion) {
 }
 
 std::string print_drift(const SceneDrift& drift) {
+  if (std::isnan(drift.relative))
+    return fmt::format("  {}is not finite all the time\n", padded(drift.source, name_width));
   if (!drift.constant)
     return fmt::format("  {}changes by {:.1e} of its size\n", padded(drift.source, name_width),
                        drift.relative);

@@ -225,13 +225,24 @@ class BodyReader {
     const auto* items = reader_.array("parts");
     if (items == nullptr) return std::nullopt;
     std::vector<PlacedBody> parts;
+    std::size_t particles = 0;
+    bool is_good = true;
     for (const TomlValue& item : *items) {
       if (!is_table(item, "parts", diagnostics_)) return std::nullopt;
       Position offset{};
-      if (auto part = BodyReader(item, name_, folder_, diagnostics_).read(&offset))
-        parts.push_back({std::move(*part), offset});
+      auto part = BodyReader(item, name_, folder_, diagnostics_).read(&offset);
+      is_good = is_good && part;
+      if (!is_good) continue;
+      particles += part->size();
+      if (particles > most_particles) {  // before all of them are in memory
+        report(
+            DiagnosticKind::bad_body, item.span,
+            fmt::format("the parts up to this one have {} particles, at most {}", particles, most_particles));
+        return std::nullopt;
+      }
+      parts.push_back({std::move(*part), offset});
     }
-    if (parts.size() != items->size()) return std::nullopt;
+    if (!is_good) return std::nullopt;
     return value_or_report(joined(name_, parts), DiagnosticKind::bad_body, reader_.span_of("parts"),
                            diagnostics_);
   }

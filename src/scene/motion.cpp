@@ -152,6 +152,30 @@ Vector3 turned(const Quaternion& orientation, const Vector3& v) {
           v[2] + w * once[2] + x * once[1] - y * once[0]};
 }
 
+Quaternion composed(const Quaternion& outer, const Quaternion& inner) {
+  const auto [a, b, c, d] = outer;
+  const auto [w, x, y, z] = inner;
+  return {a * w - b * x - c * y - d * z, a * x + b * w + c * z - d * y, a * y - b * z + c * w + d * x,
+          a * z + b * y - c * x + d * w};
+}
+
+/// Four times the products of the components of the quaternion are sums of the components of its matrix; the
+/// row of the greatest one is divided by it.
+Quaternion turn_to(const std::array<Vector3, 3>& axes) {
+  const auto& [x, y, z] = axes;
+  const std::array<Quaternion, 4> products{{
+      {1 + x[0] + y[1] + z[2], y[2] - z[1], z[0] - x[2], x[1] - y[0]},
+      {y[2] - z[1], 1 + x[0] - y[1] - z[2], x[1] + y[0], z[0] + x[2]},
+      {z[0] - x[2], x[1] + y[0], 1 - x[0] + y[1] - z[2], y[2] + z[1]},
+      {x[1] - y[0], z[0] + x[2], y[2] + z[1], 1 - x[0] - y[1] + z[2]},
+  }};
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < 4; ++i) best = products[i][i] > products[best][best] ? i : best;
+  Quaternion turn = products[best];
+  for (double& each : turn) each /= 2 * std::sqrt(products[best][best]);
+  return turn;
+}
+
 Motion integrate(const SpinRates& rates, const MotionRequest& request) {
   Motion motion;
   motion.stopped = fault_of(request);

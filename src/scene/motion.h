@@ -23,6 +23,12 @@ using Quaternion = std::array<double, 4>;
 /// q v q*, a vector's components along the fixed axes.
 [[nodiscard]] Vector3 turned(const Quaternion& orientation, const Vector3& along_body);
 
+/// `inner` first.
+[[nodiscard]] Quaternion composed(const Quaternion& outer, const Quaternion& inner);
+
+/// That turns the unit vectors to these, which are a right-handed orthonormal triple.
+[[nodiscard]] Quaternion turn_to(const std::array<Vector3, 3>& axes);
+
 /// Rates of change of the components in 1/s². Not a number: the law does not determine them there.
 using SpinRates = std::function<Vector3(const Vector3& spin)>;
 

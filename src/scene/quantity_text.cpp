@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 
@@ -61,7 +62,7 @@ std::optional<double> scaled(std::string_view digits, int ten) {
     if (std::from_chars(digits.data() + begin, digits.data() + digits.size(), own).ec != std::errc())
       return std::nullopt;
   }
-  const std::string text = fmt::format("{}e{}", digits.substr(0, e), own + ten);
+  const std::string text = fmt::format("{}e{}", digits.substr(0, e), static_cast<std::int64_t>(own) + ten);
   if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) return std::nullopt;
   return value;
 }

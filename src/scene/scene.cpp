@@ -90,7 +90,11 @@ void SceneEvaluation::compile(Asked& asked, std::set<SceneRole>& read) {
 
 void SceneEvaluation::note_roles(const Program& program, std::set<SceneRole>& read) const {
   for (const ProgramInput& input : program.inputs()) {
-    if (const SceneLetter* letter = letters_.find(input.symbol)) read.insert(letter->role);
+    const SceneLetter* letter = letters_.find(input.symbol);
+    if (letter == nullptr) continue;
+    const bool is_number =
+        letter->role == SceneRole::value && scene_.values[letter->which].components.size() == 1;
+    if (!is_number) read.insert(letter->role);  // a number is the same along any axes
   }
 }
 

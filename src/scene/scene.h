@@ -28,8 +28,9 @@ struct SceneQuantity {
 /// How constant a quantity stayed while the body moved.
 struct SceneDrift {
   std::string source;
-  double relative = 0;    // greatest change of any component, over the greatest size
-  bool constant = false;  // no more than the integration explains: 1e4 times its tolerance
+  double relative = 0;    // greatest change of any component, over the greatest size; not a number: a row is
+                          // not finite
+  bool constant = false;  // no more than the integration explains: 1e4 times its tolerance, at most 1e-4
   bool in_space = false;  // of the components along fixed axes
 };
 

@@ -60,7 +60,8 @@ class SceneEvaluation {
   [[nodiscard]] Samples samples_for(const Program& program, std::span<const Vector3> spins);
   [[nodiscard]] std::vector<double> run_program(const Program& program, std::span<const Vector3> spins);
   void follow_motion(const Asked& asked, SceneQuantity& quantity);
-  void note_drift(const SceneQuantity& quantity, const std::vector<std::vector<double>>& rows);
+  void note_drift(const SceneText& name, const SceneQuantity& quantity,
+                  const std::vector<std::vector<double>>& rows);
 
   const SceneFile& scene_;
   const WrittenForms& forms_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 #include "scene/quantity_text.h"
 #include "scene/toml_reader.h"
@@ -14,6 +15,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_asked = 200;
+constexpr std::size_t most_values = 200;
 constexpr std::int64_t most_rows = 100'000;
 
 void report(Diagnostics& diagnostics, DiagnosticKind kind, Span span, std::string message,
@@ -125,6 +127,11 @@ class ValueReader {
 std::vector<SceneValue> read_values(const TomlValue* table, Diagnostics& diagnostics) {
   std::vector<SceneValue> values;
   if (table == nullptr) return values;
+  if (table->entries.size() > most_values) {
+    report(diagnostics, DiagnosticKind::bad_scene, table->span,
+           fmt::format("{} values are too many: at most {}", table->entries.size(), most_values));
+    return values;
+  }
   for (const TomlEntry& entry : table->entries) {
     SceneValue value{{entry.key, entry.key_span}, {}, {}};
     if (ValueReader(value, diagnostics).read(entry.value)) values.push_back(std::move(value));
@@ -162,6 +169,20 @@ std::optional<SceneMotion> read_motion(const TomlValue& table, Diagnostics& diag
   return motion;
 }
 
+/// To length 1; false: it is 0. The largest is made 1 first, since squares overflow and underflow.
+bool normalise(std::span<double> vector) {
+  double largest = 0;
+  for (const double each : vector) largest = std::max(largest, std::abs(each));
+  if (!(largest > 0) || !std::isfinite(largest)) return false;
+  double square = 0;
+  for (double& each : vector) {
+    each /= largest;
+    square += each * each;
+  }
+  for (double& each : vector) each /= std::sqrt(square);
+  return true;
+}
+
 /// `[w, x, y, z]`, of any length but 0, or `{ axis = [0, 0, 1], angle = "30 deg" }`.
 std::optional<Quaternion> read_orientation(const TomlValue& toml, Diagnostics& diagnostics) {
   Quaternion turn{};
@@ -169,26 +190,23 @@ std::optional<Quaternion> read_orientation(const TomlValue& toml, Diagnostics& d
     TomlReader reader(toml, "`orientation`", diagnostics);
     (void)reader.require("axis");
     (void)reader.require("angle");
-    const auto axis = reader.quantities("axis", Dimension(), 3);
+    auto axis = reader.quantities("axis", Dimension(), 3);
     const auto angle = reader.quantity("angle", Dimension());
     reader.report_unknown();
     if (!axis || !angle) return std::nullopt;
-    const double length = std::hypot((*axis)[0], (*axis)[1], (*axis)[2]);
-    turn[0] = length == 0 ? 0 : std::cos(*angle / 2);
-    for (std::size_t i = 0; i < 3; ++i) {
-      turn[i + 1] = length == 0 ? 0 : std::sin(*angle / 2) * (*axis)[i] / length;
+    if (normalise(*axis)) {
+      turn[0] = std::cos(*angle / 2);
+      for (std::size_t i = 0; i < 3; ++i) turn[i + 1] = std::sin(*angle / 2) * (*axis)[i];
     }
   } else {
     const auto numbers = quantities_of(toml, "orientation", Dimension(), 4, diagnostics);
     if (!numbers) return std::nullopt;
     std::copy(numbers->begin(), numbers->end(), turn.begin());
   }
-  const double length = std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3]));
-  if (!(length > 0) || !std::isfinite(length)) {
+  if (!normalise(turn)) {
     report(diagnostics, DiagnosticKind::bad_scene, toml.span, "the orientation has no axis");
     return std::nullopt;
   }
-  for (double& each : turn) each /= length;
   return turn;
 }
 

@@ -22,6 +22,8 @@ SceneFunctions SceneEvaluation::functions(const std::shared_ptr<SceneEvaluation>
       if (scalar) {
         if (const auto missing = values_.provide(*asked.program)) {
           fail(asked, missing->message, missing->help);
+        } else if (!law_of_spin_ && reads(*asked.program, rate_symbols_)) {
+          fail(asked, "the rates of the spin are not known");
         } else {
           function = [self, program = *asked.program](const Vector3& spin) {
             return self->run_program(program, {&spin, 1})[0];

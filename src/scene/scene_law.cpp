@@ -2,6 +2,8 @@
 // The law of motion of a scene, out of the equations that it names, and the motion.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "scene/scene_evaluation.h"
 
 namespace rigor {
@@ -80,17 +82,26 @@ void SceneEvaluation::make_law() {
 }
 
 void SceneEvaluation::move() {
+  const auto orientation = values_.orientation();
+  if (!orientation) {
+    return report(DiagnosticKind::bad_scene, scene_.motion->span, orientation.error().reason);
+  }
   const MotionRequest request{.spin = start_,
                               .duration = scene_.motion->duration,
                               .rows = scene_.motion->rows,
                               .tolerance = scene_.motion->tolerance,
-                              .orientation = scene_.orientation.value_or(Quaternion{1, 0, 0, 0})};
-  const SpinRates rates = [this](const Vector3& spin) { return law_of_spin_->rates(spin); };
+                              .orientation = *orientation};
+  std::string fault;  // the first one on the way
+  const SpinRates rates = [&](const Vector3& spin) {
+    const Vector3 found = law_of_spin_->rates(spin);
+    if (std::isnan(found[0]) && fault.empty()) fault = ": " + law_of_spin_->fault_at(spin);
+    return found;
+  };
   result_.motion = ledger_.compute(motion_node, "something is asked over the time",
                                    [&] { return integrate(rates, request); });
   if (result_.motion->stopped.empty()) return;
   report(DiagnosticKind::bad_scene, scene_.motion->span,
-         fmt::format("the motion ends early: {}", result_.motion->stopped));
+         fmt::format("the motion ends early: {}{}", result_.motion->stopped, fault));
 }
 
 }  // namespace rigor

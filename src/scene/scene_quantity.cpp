@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "numeric/bounds.h"
 #include "numeric/evaluate.h"
@@ -16,19 +17,26 @@ namespace {
 /// Rows times particles for one quantity: seconds of work.
 constexpr double most_work = 1e9;
 
-/// Steps of the integration err by its tolerance; there are thousands.
+/// Steps of the integration err by its tolerance; there are thousands. More than this is no constant, however
+/// coarse the integration.
 constexpr double steps_allowed_for = 1e4;
+constexpr double most_change = 1e-4;
 
 using Rows = std::vector<std::vector<double>>;
 
-/// The greatest change of any component, over the greatest size.
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
+}
+
+/// The greatest change of any component, over the greatest size; of rows that are finite. The sizes are
+/// halved so that no difference overflows.
 double relative_change(const Rows& rows) {
   double size = 0;
   double change = 0;
   for (const auto& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      size = std::max(size, std::abs(row[c]));
-      change = std::max(change, std::abs(row[c] - rows[0][c]));
+      size = std::max(size, std::abs(row[c]) / 2);
+      change = std::max(change, std::abs(row[c] / 2 - rows[0][c] / 2));
     }
   }
   return size > 0 ? change / size : 0;
@@ -72,8 +80,7 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
   const Samples samples = samples_for(*asked.program, {&start_, 1});
   quantity.value = ledger_.compute(name, over_time ? "asked for over the time" : "asked for",
                                    [&] { return evaluate(*asked.program, samples); });
-  if (std::any_of(quantity.value.begin(), quantity.value.end(),
-                  [](double each) { return !std::isfinite(each); })) {
+  if (!all_finite(quantity.value)) {
     report(DiagnosticKind::bad_scene, asked.ask->name.span, fmt::format("`{}` is not finite", name));
   }
   if (scene_.errors) {
@@ -114,6 +121,7 @@ std::vector<double> SceneEvaluation::run_program(const Program& program, std::sp
 
 void SceneEvaluation::follow_motion(const Asked& asked, SceneQuantity& quantity) {
   const Motion& motion = *result_.motion;
+  if (motion.times.empty()) return;  // and the motion's diagnostic says why
   const std::size_t particles = asked.program->sums_over_particles() ? body_.body().size() : 1;
   if (static_cast<double>(motion.times.size()) * static_cast<double>(particles) > most_work) {
     return report(DiagnosticKind::bad_scene, asked.ask->name.span,
@@ -124,13 +132,21 @@ void SceneEvaluation::follow_motion(const Asked& asked, SceneQuantity& quantity)
   Rows rows = ledger_.compute(quantity.source, "asked for, and followed along the motion", [&] {
     return by_row(run_program(*asked.program, motion.spins), motion.times.size());
   });
-  note_drift(quantity, rows);
+  note_drift(asked.ask->name, quantity, rows);
   if (asked.ask->kind == SceneAskKind::over_time) quantity.rows = std::move(rows);
 }
 
 /// A vector that is not constant along the body's axes may rest in space.
-void SceneEvaluation::note_drift(const SceneQuantity& quantity, const Rows& rows) {
-  const double allowed = steps_allowed_for * scene_.motion->tolerance;
+void SceneEvaluation::note_drift(const SceneText& name, const SceneQuantity& quantity, const Rows& rows) {
+  const auto bad = std::find_if_not(rows.begin(), rows.end(), all_finite);
+  if (bad != rows.end()) {
+    result_.drifts.push_back({quantity.source, std::numeric_limits<double>::quiet_NaN(), false, false});
+    if (bad == rows.begin()) return;  // it has been said
+    const double time = result_.motion->times[static_cast<std::size_t>(bad - rows.begin())];
+    return report(DiagnosticKind::bad_scene, name.span,
+                  fmt::format("`{}` is not finite at {:.6g} s", quantity.source, time));
+  }
+  const double allowed = std::min(steps_allowed_for * scene_.motion->tolerance, most_change);
   const double change = relative_change(rows);
   SceneDrift drift{quantity.source, change, change <= allowed, false};
   if (quantity.axes == 1 && !drift.constant) {

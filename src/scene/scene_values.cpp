@@ -14,7 +14,8 @@ Dimension moment_dimension() { return mass_dimension() + length_dimension() + le
 
 std::optional<MissingValue> SceneValues::settle_axes(const std::set<SceneRole>& read) {
   const bool moments = read.contains(SceneRole::moment);
-  const bool oriented = read.contains(SceneRole::spin) || read.contains(SceneRole::position);
+  const bool oriented = read.contains(SceneRole::spin) || read.contains(SceneRole::position) ||
+                        read.contains(SceneRole::tensor) || read.contains(SceneRole::value);
   if (!moments && scene_.axes != SceneAxes::principal) return std::nullopt;
   if (!moments && !oriented) return std::nullopt;
   const auto along = body_.is_along_principal_axes();
@@ -22,8 +23,9 @@ std::optional<MissingValue> SceneValues::settle_axes(const std::set<SceneRole>& 
   principal_ = true;
   if (*along) return std::nullopt;
   if (oriented && scene_.axes == SceneAxes::not_said) {
-    return MissingValue{"principal moments are needed, and the body does not lie along its principal axes",
-                        "say with `axes = \"principal\"` or `axes = \"body\"` along which the spin is given"};
+    return MissingValue{
+        "principal moments are needed, and the body does not lie along its principal axes",
+        "say with `axes = \"principal\"` or `axes = \"body\"` along which the components are given"};
   }
   turn_places_ = true;
   turn_ = scene_.axes == SceneAxes::body;
@@ -54,6 +56,14 @@ Result<Vector3> SceneValues::spin() {
   auto along = turned_value({scene_.spin->begin(), scene_.spin->end()});
   if (!along) return tl::unexpected(along.error());
   return Vector3{along->components[0], along->components[1], along->components[2]};
+}
+
+Result<Quaternion> SceneValues::orientation() {
+  const Quaternion given = scene_.orientation.value_or(Quaternion{1, 0, 0, 0});
+  if (!turn_) return given;
+  const auto& axes = body_.axes();
+  if (!axes) return tl::unexpected(axes.error());
+  return composed(given, turn_to(axes->axes));
 }
 
 Result<LetterValue> SceneValues::value_of(const SceneLetter& letter) {

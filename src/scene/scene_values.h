@@ -25,9 +25,9 @@ class SceneValues {
   SceneValues(const SceneFile& scene, const ExprTree& tree, const SceneLetters& letters, SceneBody& body)
       : scene_(scene), tree_(tree), letters_(letters), body_(body) {}
 
-  /// Along which axes components are, once it is known what will be read. Principal axes are taken where they
-  /// are asked for or a principal moment is read. A reason where the scene leaves open along which axes it
-  /// means its components.
+  /// Along which axes components are, once it is known what with components will be read. Principal axes are
+  /// taken where they are asked for or a principal moment is read. A reason where the scene leaves open along
+  /// which axes it means its components.
   [[nodiscard]] std::optional<MissingValue> settle_axes(const std::set<SceneRole>& read);
   [[nodiscard]] bool along_principal_axes() const { return principal_; }
 
@@ -35,6 +35,8 @@ class SceneValues {
   [[nodiscard]] std::optional<MissingValue> provide(const Program& program);
   /// The spin along the axes that were settled.
   [[nodiscard]] Result<Vector3> spin();
+  /// At the time 0, of the axes that were settled.
+  [[nodiscard]] Result<Quaternion> orientation();
 
   [[nodiscard]] const LetterValues& values() const { return values_; }
   [[nodiscard]] std::optional<Dimension> dimension_of(SymbolId symbol) const;

@@ -28,12 +28,30 @@ constexpr double smallest_pivot = 1e-9;
 
 struct Elimination {
   Vector3 rates{};
-  int undetermined = -1;     // an axis whose rate nothing determines
-  double contradiction = 0;  // the largest remainder of the other equations, against their largest term
+  int undetermined = -1;  // an axis whose rate nothing determines
+  double misfit = 0;      // of the rates in the equations, against their terms; not a number: they are not
+                          // finite
 };
+
+/// Equations that the rates miss by more contradict each other, or are not affine in the rates there.
+constexpr double most_misfit = 1e-6;
+
+/// What is left of two sides that say the same, against their size.
+constexpr double rounding = 1e-13;
+
+/// Terms of the size of the spin's square, of which the equations' are made, may have cancelled.
+constexpr double cancelled = 1e-4;
+
+bool is_finite(const Row& row) {
+  return std::isfinite(row.coefficients[0]) && std::isfinite(row.coefficients[1]) &&
+         std::isfinite(row.coefficients[2]) && std::isfinite(row.rest);
+}
 
 /// Full pivoting: the best equation for the best rate first.
 Elimination eliminate(std::vector<Row> rows) {
+  if (!std::all_of(rows.begin(), rows.end(), is_finite)) {
+    return {.rates = {}, .undetermined = -1, .misfit = std::numeric_limits<double>::quiet_NaN()};
+  }
   std::erase_if(rows, [](const Row& row) { return largest(row.coefficients) == 0; });
   for (Row& row : rows) {
     const double scale = largest(row.coefficients);
@@ -43,8 +61,6 @@ Elimination eliminate(std::vector<Row> rows) {
   Elimination result;
   std::array<std::size_t, 3> row_of{};
   std::array<bool, 3> done{};
-  double size = 0;
-  for (const Row& row : rows) size = std::max(size, std::abs(row.rest));
   for (std::size_t count = 0; count < 3; ++count) {
     std::size_t best_row = count;
     std::size_t best_axis = 3;
@@ -76,10 +92,6 @@ Elimination eliminate(std::vector<Row> rows) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Row& row = rows[row_of[k]];
     result.rates[k] = -row.rest / row.coefficients[k];
-    size = std::max(size, std::abs(result.rates[k]));
-  }
-  for (std::size_t r = 3; r < rows.size(); ++r) {
-    if (size > 0) result.contradiction = std::max(result.contradiction, std::abs(rows[r].rest) / size);
   }
   return result;
 }
@@ -137,12 +149,28 @@ class SpinLaw::System {
   [[nodiscard]] std::size_t passed_over() const { return passed_over_; }
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
 
-  [[nodiscard]] Elimination solve(const Vector3& spin) { return eliminate(rows(spin)); }
+  /// Where the rates are determined, they have been put back into the equations.
+  [[nodiscard]] Elimination solve(const Vector3& spin) {
+    const std::vector<Row> all = rows(spin);
+    Elimination solved = eliminate(all);
+    if (solved.undetermined < 0 && !std::isnan(solved.misfit))
+      solved.misfit = misfit(all, spin, solved.rates);
+    return solved;
+  }
 
-  /// With rates a, b: is f(a + b) + f(0) = f(a) + f(b)? A law that is not affine is
-  /// refused if it differs by more than 1e-9 of its terms.
-  [[nodiscard]] bool is_affine(const Vector3& spin) {
+  /// With the rates 0 and of a size to be expected.
+  [[nodiscard]] bool is_finite_at(const Vector3& spin) {
     const double h = probe_size(spin);
+    const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}}};
+    return std::all_of(parts_.begin(), parts_.end(), [&](Part& part) {
+      const std::vector<double>& values = residuals(part, spin, batch);
+      return std::all_of(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
+    });
+  }
+
+  /// With rates a, b of about the size h: is f(a + b) + f(0) = f(a) + f(b)? A law that is not affine is
+  /// refused if it differs by more than 1e-9 of its terms.
+  [[nodiscard]] bool is_affine(const Vector3& spin, double h) {
     const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 2 * h, -h}, {3 * h, -h, 2 * h}, {4 * h, h, h}}};
     for (Part& part : parts_) {
       const std::vector<double>& values = residuals(part, spin, batch);
@@ -150,11 +178,22 @@ class SpinLaw::System {
       for (std::size_t o = 0; o < outputs; ++o) {
         const double* f = &values[o * probes];
         const double size = std::abs(f[0]) + std::abs(f[1]) + std::abs(f[2]) + std::abs(f[3]);
-        if (std::abs(f[3] + f[0] - f[1] - f[2]) > 1e-9 * size) return false;
+        const double allowed = 1e-9 * size + rounding * sizes_[o * probes + 3];
+        if (!(std::abs(f[3] + f[0] - f[1] - f[2]) <= allowed)) return false;
       }
     }
     return true;
   }
+
+  /// A power of two near the size of the rates that the spin alone makes.
+  static double probe_size(const Vector3& spin) {
+    const double size = largest(spin);
+    if (!(size > 0) || !std::isfinite(size)) return 1;
+    return std::clamp(std::exp2(2 * std::round(std::log2(size))), 0x1p-900, 0x1p900);
+  }
+
+  /// So large that nothing else in an equation rounds the coefficients: larger than any rate.
+  static double large_probe(const Vector3& spin) { return std::max(0x1p200, probe_size(spin)); }
 
  private:
   static constexpr std::size_t probes = 4;
@@ -176,32 +215,29 @@ class SpinLaw::System {
     if (obstacle_.empty()) obstacle_ = reason;
   }
 
-  /// A power of two near the size of the rates to be expected.
-  static double probe_size(const Vector3& spin) {
-    const double size = largest(spin);
-    if (!(size > 0) || !std::isfinite(size)) return 1;
-    return std::clamp(std::exp2(2 * std::round(std::log2(size))), 0x1p-900, 0x1p900);
-  }
-
-  /// left − right of each component at each probe: [component · probes + probe].
+  /// left − right of each component at each of the rates: [component · count of rates + which].
   [[nodiscard]] const std::vector<double>& residuals(Part& part, const Vector3& spin,
-                                                     const std::array<Vector3, probes>& rates) {
+                                                     std::span<const Vector3> rates) {
     const std::size_t half = part.results.size() / 2;
-    residuals_.resize(half * probes);
-    for (std::size_t p = 0; p < probes; ++p) {
+    const std::size_t count = rates.size();
+    residuals_.resize(half * count);
+    sizes_.resize(half * count);
+    for (std::size_t p = 0; p < count; ++p) {
       for (std::size_t i = 0; i < part.varying.size(); ++i) {
         part.values[i] = (part.varying[i].is_rate ? rates[p] : spin)[part.varying[i].component];
       }
       part.run(part.values.data(), part.results.data());
       for (std::size_t o = 0; o < half; ++o) {
-        residuals_[o * probes + p] = part.results[o] - part.results[half + o];
+        residuals_[o * count + p] = part.results[o] - part.results[half + o];
+        sizes_[o * count + p] = std::abs(part.results[o]) + std::abs(part.results[half + o]);
       }
     }
     return residuals_;
   }
 
+  /// A coefficient that is rounding of the two sides, which say the same of that rate, is 0.
   [[nodiscard]] std::vector<Row> rows(const Vector3& spin) {
-    const double h = probe_size(spin);
+    const double h = large_probe(spin);
     const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}}};
     std::vector<Row> all;
     for (Part& part : parts_) {
@@ -209,11 +245,54 @@ class SpinLaw::System {
       for (std::size_t o = 0; o < values.size() / probes; ++o) {
         const double* f = &values[o * probes];
         Row row{.coefficients = {}, .rest = f[0]};
-        for (std::size_t k = 0; k < 3; ++k) row.coefficients[k] = (f[k + 1] - f[0]) / h;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double change = f[k + 1] - f[0];
+          const bool is_rounding = std::abs(change) <= rounding * sizes_[o * probes + k + 1];
+          row.coefficients[k] = is_rounding && std::isfinite(f[k + 1]) ? 0 : change / h;
+        }
         all.push_back(row);
       }
     }
     return all;
+  }
+
+  /// The worst equation's: what is left of it at the rates, or of its affine form at other ones, over its
+  /// terms.
+  [[nodiscard]] double misfit(const std::vector<Row>& all, const Vector3& spin, const Vector3& rates) {
+    const double h = large_probe(spin);
+    const std::array<Vector3, 2> batch{rates, {2 * h, 2 * h, 2 * h}};
+    double worst = 0;
+    auto row = all.begin();
+    for (Part& part : parts_) {
+      const std::vector<double>& values = residuals(part, spin, batch);
+      for (std::size_t o = 0; o < values.size() / 2; ++o, ++row) {
+        for (const std::size_t p : {0, 1}) {
+          const double each = misfit(*row, spin, batch[p], values[2 * o + p], sizes_[2 * o + p]);
+          if (!(each <= worst)) worst = each;
+          if (std::isnan(worst)) return worst;
+        }
+      }
+    }
+    return worst;
+  }
+
+  /// `size`: of the equation's two sides, whose difference is `value`.
+  static double misfit(const Row& row, const Vector3& spin, const Vector3& rates, double value, double size) {
+    const double scale = largest(row.coefficients);
+    double expected = row.rest;
+    double terms = std::abs(row.rest) + scale * largest(spin) * largest(spin) * cancelled;
+    for (std::size_t k = 0; k < 3; ++k) {
+      expected += row.coefficients[k] * rates[k];
+      terms += std::abs(row.coefficients[k] * rates[k]);
+    }
+    if (scale == 0) terms += size;
+    // Where it has coefficients, `expected` at the solved rates is 0 unless equations contradict each other.
+    const double not_affine = std::abs(value - expected);
+    const bool solved = largest(rates) < large_probe(spin);
+    const double left = scale != 0 && solved ? std::abs(value) : 0;
+    const double worst = std::max(not_affine, left);
+    if (std::isnan(not_affine)) return not_affine;
+    return worst == 0 ? 0 : worst / terms;
   }
 
   const ExprTree& tree_;
@@ -223,6 +302,7 @@ class SpinLaw::System {
   std::size_t particles_;
   std::vector<Part> parts_;
   std::vector<double> residuals_;
+  std::vector<double> sizes_;  // of the two sides, in the order of the residuals
   std::size_t passed_over_ = 0;
   std::string obstacle_;  // the first one
 };
@@ -239,24 +319,40 @@ Result<SpinLaw> SpinLaw::make(const ExprTree& tree, std::span<const LawEquation>
     return tl::unexpected(
         Error{"no equation there has a rate of the spin and otherwise known letters" + because});
   }
-  if (!law.system_->is_affine(at)) {
-    return tl::unexpected(Error{"the equations are not affine in the rates of the spin"});
+  if (!law.system_->is_finite_at(at)) {
+    return tl::unexpected(Error{"the equations are not finite at the first spin"});
   }
+  const auto not_affine = [] {
+    return tl::unexpected(Error{"the equations are not affine in the rates of the spin"});
+  };
+  if (!law.system_->is_affine(at, System::large_probe(at))) return not_affine();
   const Elimination tried = law.system_->solve(at);
   if (tried.undetermined >= 0) {
     return tl::unexpected(
         Error{fmt::format("the equations do not determine the rate of the spin's component {}{}",
                           tried.undetermined + 1, because)});
   }
-  if (tried.contradiction > 1e-6) return tl::unexpected(Error{"the equations contradict each other"});
+  const double size = std::max(System::probe_size(at), largest(tried.rates));
+  if (!law.system_->is_affine(at, size)) return not_affine();
+  if (!(tried.misfit <= most_misfit)) return tl::unexpected(Error{"the equations contradict each other"});
   return law;
 }
 
 Vector3 SpinLaw::rates(const Vector3& spin) const {
   const Elimination solved = system_->solve(spin);
-  if (solved.undetermined < 0) return solved.rates;
+  if (solved.undetermined < 0 && solved.misfit <= most_misfit) return solved.rates;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   return {none, none, none};
+}
+
+std::string SpinLaw::fault_at(const Vector3& spin) const {
+  const Elimination solved = system_->solve(spin);
+  if (solved.undetermined >= 0) {
+    return fmt::format("the equations do not determine the rate of the spin's component {} there",
+                       solved.undetermined + 1);
+  }
+  if (std::isnan(solved.misfit)) return "the equations are not finite there";
+  return solved.misfit <= most_misfit ? "" : "the equations contradict each other there";
 }
 
 std::size_t SpinLaw::equations_used() const { return system_->used(); }

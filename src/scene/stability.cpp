@@ -21,15 +21,17 @@ std::optional<double> time_of(const SpinRates& rates, const Vector3& start, std:
   const MotionRequest request{
       .spin = start, .duration = until, .rows = 401, .tolerance = tolerance, .orientation = {}};
   const Motion motion = integrate(rates, request);
+  if (!motion.stopped.empty()) return std::nullopt;
   for (std::size_t row = 1; row + 1 < motion.spins.size(); ++row) {
     const double before = motion.spins[row][component] - level;
     const double after = motion.spins[row + 1][component] - level;
-    if (before != 0 && (before < 0) == (after < 0)) continue;
+    if (before == 0 ? after == 0 : (before < 0) == (after < 0)) continue;
     double at = (motion.times[row + 1] - motion.times[row]) * before / (before - after);
     for (int iteration = 0; iteration < 8; ++iteration) {
       const Motion there = integrate(
           rates,
           {.spin = motion.spins[row], .duration = at, .rows = 2, .tolerance = tolerance, .orientation = {}});
+      if (!there.stopped.empty()) return std::nullopt;
       const double step = (there.spins.back()[component] - level) / rates(there.spins.back())[component];
       if (!std::isfinite(step)) return std::nullopt;
       at -= step;
@@ -66,7 +68,7 @@ double drift(const SpinRates& rates, std::size_t axis, Vector3 start) {
   const double spin = std::abs(start[axis]);
   const Motion motion = integrate(
       rates, {.spin = start, .duration = 2 / spin, .rows = 3, .tolerance = tolerance, .orientation = {}});
-  if (motion.spins.size() != 3) return none;
+  if (!motion.stopped.empty()) return none;
   double worst = 0;
   for (const std::size_t across : {(axis + 1) % 3, (axis + 2) % 3}) {
     const double second = motion.spins[2][across] - 2 * motion.spins[1][across] + motion.spins[0][across];
@@ -74,6 +76,17 @@ double drift(const SpinRates& rates, std::size_t axis, Vector3 start) {
     if (!(std::abs(squared) <= std::abs(worst))) worst = squared;
   }
   return worst;
+}
+
+/// The rate at which the part of the spin across axis 3, which is along axis 1 at first, turns towards axis
+/// 2; over 1/ω.
+double slow_turn(const SpinRates& rates, const Vector3& start) {
+  const double spin = std::abs(start[2]);
+  const Motion motion = integrate(
+      rates, {.spin = start, .duration = 1 / spin, .rows = 2, .tolerance = tolerance, .orientation = {}});
+  if (!motion.stopped.empty()) return none;
+  const double sign = start[0] < 0 ? -1 : 1;
+  return std::atan2(sign * motion.spins[1][1], sign * motion.spins[1][0]) * spin;
 }
 
 /// d log(error) / d log(push), between the ends of what is not rounding.
@@ -144,6 +157,9 @@ PrecessionMeasurement measure_precession(const SpinRates& rates, const SpinFunct
     const auto time = time_of(rates, start, 1, 0, 3 * std::numbers::pi / std::abs(result.predicted));
     if (!time) result.problem = "the spin does not go round as fast as the formula says";
     result.measured = time ? std::copysign(std::numbers::pi / *time, first / start[0]) : none;
+  } else {
+    result.measured = slow_turn(rates, start);
+    if (!std::isfinite(result.measured)) result.problem = "the spin cannot be followed";
   }
   return result;
 }

@@ -52,7 +52,8 @@ struct PrecessionMeasurement {
   std::string problem;
 };
 
-/// The rate at which the part of the spin across axis 3 goes round in the body, from half a turn.
+/// The rate at which the part of the spin across axis 3 goes round in the body, from half a turn; where the
+/// formula gives 0 (below 1e-9 ω), from the angle after 1/ω.
 [[nodiscard]] PrecessionMeasurement measure_precession(const SpinRates& rates, const SpinFunction& predicted,
                                                        double spin, double push);
 

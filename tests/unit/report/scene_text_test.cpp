@@ -74,10 +74,29 @@ TEST_CASE("the path of the spin lies on an ellipsoid only where the moments are 
   SceneResult result = example();
   CHECK(spin_paths_of(result).empty());
   result.moments = Vector3{4, 1, 0.25};
+  result.motion->spins[1] = {0, 2, 0};
   REQUIRE(spin_paths_of(result).size() == 1);
   CHECK(spin_paths_of(result)[0].half_axes == std::array<double, 3>{1, 2, 4});
   result.moments = Vector3{4, 1, 0};
   CHECK(spin_paths_of(result).empty());
+}
+
+TEST_CASE("a spin that leaves the ellipsoid, as with a torque, has no path on it", "[scene]") {
+  SceneResult result = example();
+  result.moments = Vector3{4, 1, 0.25};
+  result.motion->spins[1] = {0, 2 * (1 + 4e-7), 0};
+  CHECK(spin_paths_of(result).size() == 1);
+  result.motion->spins[1] = {0, 2 * (1 + 6e-7), 0};
+  CHECK(spin_paths_of(result).empty());
+  result.motion->spins[1] = {0, std::nan(""), 0};
+  CHECK(spin_paths_of(result).empty());
+}
+
+TEST_CASE("a quantity that is not finite all the time is not said to change", "[scene]") {
+  SceneResult result = example();
+  result.drifts[0] = {"\\mathbf{L}(t)", std::nan(""), false, false};
+  CHECK(print_scene(result).find("  \\mathbf{L}(t)           is not finite all the time\n") !=
+        std::string::npos);
 }
 
 }  // namespace

@@ -114,6 +114,13 @@ TEST_CASE("`along` turns the z axis, and parts are placed by their centres of ma
         "b.toml:4:9: error: `w` is no axis: `along` must be `x`, `y` or `z` [bad-body]");
 }
 
+TEST_CASE("parts are counted while they are read") {
+  std::string parts;
+  for (int i = 0; i < 12; ++i) parts += "[[parts]]\nshape = \"random cloud\"\npoints = 1000000\n";
+  CHECK(wrong(parts) ==
+        "b.toml:31:1: error: the parts up to this one have 11000000 particles, at most 10000000 [bad-body]");
+}
+
 TEST_CASE("particles are placed by coordinates or by distance and angles") {
   const auto body =
       read(

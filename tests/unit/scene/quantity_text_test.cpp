@@ -20,6 +20,7 @@ TEST_CASE("a quantity in a power of ten of SI units is rounded once") {
   CHECK(read_quantity("0.3 µm")->value == 0.3e-6);
   CHECK(read_quantity("7 g/cm^3")->value == 7000.0);
   CHECK(read_quantity("7 g/cm^3")->dimension == density_dimension());
+  CHECK(read_quantity("0e2147483647 km")->value == 0);
   CHECK(read_quantity("3")->dimension.is_none());
 }
 

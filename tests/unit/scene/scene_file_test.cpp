@@ -90,6 +90,14 @@ TEST_CASE("components of one value with two units contradict each other", "[scen
         "4: bad-toml: `\\tau` is inf, but must be finite\n");
 }
 
+TEST_CASE("values are at most 200", "[scene file]") {
+  std::string values = "[values]\n";
+  for (int i = 0; i < 200; ++i) values += "'a_{" + std::to_string(i) + "}' = 1\n";
+  CHECK(ReadScene(head + values + ask).messages() == "");
+  CHECK(ReadScene(head + values + "b = 1\n" + ask).messages() ==
+        "3: bad-scene: 201 values are too many: at most 200\n");
+}
+
 TEST_CASE("an orientation is a quaternion, or an axis and an angle", "[scene file]") {
   const ReadScene turned(head + "orientation = { axis = [0, 0, 2], angle = \"90 deg\" }\n" + ask);
   REQUIRE(turned.scene);
@@ -98,6 +106,17 @@ TEST_CASE("an orientation is a quaternion, or an axis and an angle", "[scene fil
   const ReadScene given(head + "orientation = [3, 0, 4, 0]\n" + ask);
   REQUIRE(given.scene);
   CHECK((*given.scene->orientation)[2] == Approx(0.8));
+  for (const std::string size : {"1e308", "1e-308"}) {  // whose squares overflow, or are 0
+    const ReadScene far(head + "orientation = { axis = [0, " + size + ", " + size +
+                        "], angle = \"90 deg\" }\n" + ask);
+    REQUIRE(far.scene);
+    CHECK((*far.scene->orientation)[2] == Approx(0.5));
+    const ReadScene large(head + "orientation = [" + size + ", 0, " + size + ", 0]\n" + ask);
+    REQUIRE(large.scene);
+    CHECK((*large.scene->orientation)[2] == Approx(std::sqrt(0.5)));
+  }
+  CHECK(ReadScene(head + "orientation = { axis = [0, 0, 0], angle = 1 }\n" + ask).messages() ==
+        "3: bad-scene: the orientation has no axis\n");
   CHECK(ReadScene(head + "orientation = [0, 0, 0, 0]\n" + ask).messages() ==
         "3: bad-scene: the orientation has no axis\n");
 }

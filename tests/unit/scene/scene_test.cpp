@@ -6,98 +6,11 @@
 #include <filesystem>
 
 #include "catch.h"
-#include "check/forms.h"
-#include "numeric/body.h"
-#include "scene/body_file.h"
-#include "scene/scene_file.h"
-#include "source/read_file.h"
+#include "expr/build.h"
+#include "scene/played_scene.h"
 
 namespace rigor {
 namespace {
-
-/// A scene on the notes in derivations/, from its lines.
-struct Played {
-  SourceMap sources;
-  Diagnostics diagnostics;  // of the file, the notes and the evaluation
-  SceneResult result;
-
-  Played(const std::string& lines, const Body& body) {
-    play(sources.add("derivations/scenes/test.toml",
-                     "notes = \"../rigid-bodies.md\"\nbody = \"test\"\n" + lines),
-         &body);
-  }
-  /// A scene of derivations/scenes, with its own body.
-  explicit Played(const std::string& path) {
-    const auto text = read_file(path);
-    REQUIRE(text);
-    play(sources.add(path, *text), nullptr);
-  }
-
-  void play(FileId file, const Body* body) {
-    const auto scene = read_scene(sources, file, diagnostics);
-    if (!scene) return;
-    std::optional<Body> own;
-    if (body == nullptr) {
-      const auto path = find_body(scene->body.text, {"derivations/bodies"});
-      REQUIRE(path);
-      own = read_body_file(*path, sources, diagnostics);
-      REQUIRE(own);
-    }
-    FormRequest request{.asked = asked_of_notes(*scene)};
-    if (!scene->at.empty()) request.at = scene->at;
-    request.only = scene->motion ? std::vector{scene->motion->equations.text} : std::vector<std::string>();
-    const FormsReading reading = read_forms(sources, scene->notes_path(), request);
-    diagnostics = reading.report.diagnostics;
-    result = evaluate_scene(*scene, body == nullptr ? *own : *body, reading.forms);
-    diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
-  }
-
-  [[nodiscard]] const SceneQuantity& quantity(const std::string& source) const {
-    static const SceneQuantity none;
-    for (const SceneQuantity& each : result.quantities) {
-      if (each.source == source) return each;
-    }
-    return none;
-  }
-  [[nodiscard]] double value(const std::string& source, std::size_t component = 0) const {
-    const auto& values = quantity(source).value;
-    return component < values.size() ? values[component] : std::nan("");
-  }
-  [[nodiscard]] bool computed(const std::string& node) const {
-    return std::any_of(result.nodes.begin(), result.nodes.end(),
-                       [&](const SceneNode& each) { return each.name == node && each.computed; });
-  }
-  [[nodiscard]] std::string messages() const {
-    std::string all;
-    for (const Diagnostic& each : diagnostics) {
-      all += std::string(info(each.kind).name) + ": " + each.message + "\n";
-      for (const std::string& help : each.help) all += "help: " + help + "\n";
-    }
-    return all;
-  }
-};
-
-/// Two of each at ±a e₁, ±b e₂, ±c e₃, of 1 kg each: I₁ = 2(b² + c²) and so on.
-Body cross_of_masses(double a, double b, double c) {
-  return *point_masses("cross", {1, 1, 1, 1, 1, 1},
-                       {{a, 0, 0}, {-a, 0, 0}, {0, b, 0}, {0, -b, 0}, {0, 0, c}, {0, 0, -c}});
-}
-
-/// The same, turned by 30° about the third axis.
-Body turned_cross(double a, double b, double c) {
-  const double s = 0.5;
-  const double k = std::sqrt(0.75);
-  return *point_masses("turned", {1, 1, 1, 1, 1, 1},
-                       {{a * k, a * s, 0},
-                        {-a * k, -a * s, 0},
-                        {-b * s, b * k, 0},
-                        {b * s, -b * k, 0},
-                        {0, 0, c},
-                        {0, 0, -c}});
-}
-
-// Moments 2·(4 + 1) = 10, 2·(9 + 1) = 20 and 2·(9 + 4) = 26.
-Body sample() { return cross_of_masses(3, 2, 1); }
 
 TEST_CASE("a scene that asks for the energy alone touches neither moments, axes nor motion", "[scene]") {
   const Played played("spin = [1, 2, 3]\n[ask]\nquantities = ['T_{rot}']\n", sample());
@@ -120,10 +33,6 @@ TEST_CASE("a stability frequency needs principal moments and no axes", "[scene]"
   CHECK(!played.computed("motion"));
   CHECK(played.result.counts().computed == 3);
 }
-
-constexpr const char* racket = "at = \"A thrown racket\"\n";
-constexpr const char* euler =
-    "[motion]\nequations = \"(22)\"\nduration = \"20 s\"\n[values]\n'\\boldsymbol{\\tau}' = [0, 0, 0]\n";
 
 TEST_CASE("moments and axes of the body are found where it does not lie along them", "[scene]") {
   const Played played("[ask]\nquantities = ['principal moments', 'principal axes', 'I_{ij}']\n",
@@ -165,7 +74,7 @@ TEST_CASE("where it is open along which axes a spin is meant, the scene says so"
                       turned_cross(3, 2, 1));
   CHECK(played.messages() ==
         "bad-scene: principal moments are needed, and the body does not lie along its principal axes\n"
-        "help: say with `axes = \"principal\"` or `axes = \"body\"` along which the spin is given\n");
+        "help: say with `axes = \"principal\"` or `axes = \"body\"` along which the components are given\n");
 }
 
 TEST_CASE("the energy does not depend on the axes along which a turned body is looked at", "[scene]") {
@@ -263,20 +172,42 @@ TEST_CASE("an unknown quantity comes with a suggestion", "[scene]") {
   CHECK(played.result.quantities.empty());
 }
 
-TEST_CASE("equations that leave the torque open are no law of motion", "[scene]") {
-  const Played played(
-      "spin = [1, 2, 3]\n[motion]\nequations = \"(22)\"\nduration = 1\n[ask]\nquantities = "
-      "['\\boldsymbol{\\omega}(t)']\n",
-      sample());
-  CHECK(played.messages().find("`(22)` gives no law of motion: ") != std::string::npos);
-  CHECK(!played.result.motion);
+TEST_CASE("a vector with a value is turned, or needs the axes to be said", "[scene]") {
+  const std::string ask =
+      "[values]\n'\\mathbf{V}' = [1, 2, 3]\n[ask]\nquantities = ['I_2 V_1']\n" + std::string();
+  const std::string at = racket;
+  CHECK(Played(at + ask, turned_cross(3, 2, 1)).messages().find("axes = \"body\"") != std::string::npos);
+  const Played body("axes = \"body\"\n" + at + ask, turned_cross(3, 2, 1));
+  CHECK(body.messages() == "");
+  CHECK(body.value("I_2 V_1") == Approx(20 * (std::sqrt(0.75) + 1)).epsilon(1e-13));
+  const Played principal("axes = \"principal\"\n" + at + ask, turned_cross(3, 2, 1));
+  CHECK(principal.messages() == "");
+  CHECK(principal.value("I_2 V_1") == Approx(20).epsilon(1e-13));
 }
 
-TEST_CASE("a rod's spin about itself is not determined, and the axis is named", "[scene]") {
-  const Body rod = *point_masses("rod", {1, 1}, {{0, 0, 1}, {0, 0, -1}});
-  const Played played(
-      std::string("spin = [1, 2, 3]\n[ask]\nquantities = ['\\boldsymbol{\\omega}(t)']\n") + euler, rod);
-  CHECK(played.messages().find("do not determine the rate of the spin's component 3") != std::string::npos);
+TEST_CASE("a tensor whose components stand alone is that along the principal axes", "[scene]") {
+  build::Page page;
+  const build::Named tensor = page.tensor("J");
+  const IndexId i = page.index("i");
+  const IndexId j = page.index("j");
+  WrittenForms forms;
+  const build::Term letter = tensor;
+  forms.asked.push_back({"J_{ij}", build::at(tensor, i, j).id, {i, j}, {}});
+  forms.asked.push_back({"J", letter.id, {}, {}});
+  forms.tree = page.tree;
+  SceneFile scene;
+  scene.axes = SceneAxes::principal;
+  scene.symbols.tensor = {"J", {}, true};
+  scene.symbols.principal_moments = {{"I_1", {}, false}, {"I_2", {}, false}, {"I_3", {}, false}};
+  scene.asked.push_back({SceneAskKind::quantity, {"J_{ij}", {}}, "J_{ij}"});
+  const Body body = turned_cross(3, 2, 1);
+  const SceneResult result = evaluate_scene(scene, body, forms);
+  CHECK(result.diagnostics.empty());
+  CHECK(result.along_principal_axes);
+  REQUIRE(result.quantities.size() == 1);
+  REQUIRE(result.quantities[0].value.size() == 9);
+  CHECK(result.quantities[0].value[0] == Approx(10).epsilon(1e-13));
+  CHECK(result.quantities[0].value[1] == 0);
 }
 
 TEST_CASE("every scene in derivations/ gives all it is asked for", "[scene]") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/spin_law.h"
 
+#include <array>
 #include <cmath>
 
 #include "catch.h"
@@ -114,6 +115,70 @@ TEST_CASE("where the equations lose a rate on the way it is not a number", "[spi
   law.add(at(law.rate, 3), law.k);
   REQUIRE(law.make());
   CHECK(std::isnan(law.make()->rates({0, 1, 1})[0]));
+}
+
+TEST_CASE("what drives the spin harder than its own square does not round the rates", "[spin law]") {
+  Law law;
+  const Named drive = law.page.scalar("q");
+  const Named moment = law.page.scalar("I");
+  law.values.set(drive.symbol, {{1.0}, {}});
+  law.values.set(moment.symbol, {{0.004410}, {}});
+  law.add(moment * at(law.rate, 1), drive + moment * at(law.w, 2) * at(law.w, 3));
+  law.add(at(law.rate, 2), law.k * at(law.w, 1));
+  law.add(at(law.rate, 3), law.page.zero());
+  for (const double spin : {0.0, 1e-6, 1e-30, 1e-150}) {
+    INFO(spin);
+    const auto made = law.make({spin, 0, 0});
+    REQUIRE(made);
+    check_rates(made->rates({spin, 0, 0}), {1 / 0.004410, 2 * spin, 0});
+  }
+}
+
+TEST_CASE("both sides of an identity say nothing of the rates, however they round", "[spin law]") {
+  Law law;
+  const std::array parts{law.page.scalar("a"), law.page.scalar("b"), law.page.scalar("c")};
+  for (std::size_t i = 0; i < 3; ++i) law.values.set(parts[i].symbol, {{std::array{0.1, 0.2, 0.3}[i]}, {}});
+  law.add(parts[0] * at(law.rate, 1) + parts[1] * at(law.rate, 1), parts[2] * at(law.rate, 1));
+  law.add(law.rate, law.k * Term(law.w));
+  REQUIRE(law.make());
+  check_rates(law.make()->rates({1, 2, 3}), {2, 4, 6});
+}
+
+TEST_CASE("equations that contradict each other only on the way give no rates there", "[spin law]") {
+  Law law;
+  law.add(at(law.rate, 1), at(law.w, 2) * at(law.w, 3));
+  law.add(at(law.rate, 1), -(law.page.number("5") * at(law.w, 2) * at(law.w, 3)));
+  law.add(at(law.rate, 2), law.k);
+  law.add(at(law.rate, 3), law.page.zero());
+  const auto made = law.make({0, 0, 1});
+  REQUIRE(made);
+  CHECK(made->rates({0, 0, 1})[1] == 2);
+  CHECK(made->fault_at({0, 0, 1}) == "");
+  CHECK(std::isnan(made->rates({0, 1e-3, 1})[0]));
+  CHECK(made->fault_at({0, 1e-3, 1}) == "the equations contradict each other there");
+}
+
+TEST_CASE("an equation that is affine only at the first spin gives no rates elsewhere", "[spin law]") {
+  Law law;
+  law.add(at(law.rate, 1) + at(law.w, 2) * pow(at(law.rate, 1), 2), law.k);
+  law.add(at(law.rate, 2), law.k);
+  law.add(at(law.rate, 3), law.k);
+  const auto made = law.make({1, 0, 0});
+  REQUIRE(made);
+  CHECK(made->rates({1, 0, 0})[0] == 2);
+  CHECK(std::isnan(made->rates({1, 1, 0})[0]));
+}
+
+TEST_CASE("equations that are not finite are no law, and give no rates on the way", "[spin law]") {
+  Law law;
+  law.add(at(law.rate, 1), law.k / at(law.w, 1));
+  law.add(at(law.rate, 2), law.k);
+  law.add(at(law.rate, 3), law.k);
+  REQUIRE(!law.make({0, 1, 1}));
+  CHECK(law.make({0, 1, 1}).error().reason == "the equations are not finite at the first spin");
+  REQUIRE(law.make());
+  CHECK(std::isnan(law.make()->rates({0, 1, 1})[0]));
+  CHECK(law.make()->fault_at({0, 1, 1}) == "the equations are not finite there");
 }
 
 }  // namespace

@@ -104,6 +104,48 @@ TEST_CASE("a body whose motion the equations do not determine is said to be one"
   CHECK(all[0].diagnostics[0].message.find("component 3") != std::string::npos);
 }
 
+TEST_CASE("a spin that stays where it is, or is lost on the way, gives no event", "[stability]") {
+  const SpinFunction oscillates = [](const Vector3&) { return 1.0; };
+  const SpinFunction grows = [](const Vector3&) { return -1.0; };
+  const auto problem = [](const SpinRates& rates, const SpinFunction& squared) {
+    const StabilityMeasurement measured = measure_stability(rates, squared, 0, 1, pushes);
+    for (const StabilityPoint& point : measured.points) CHECK(std::isnan(point.measured));
+    return measured.problem;
+  };
+  const std::string missing = "what the formula says did not come with every push";
+  const SpinRates none = [](const Vector3&) { return Vector3{}; };
+  CHECK(problem(none, oscillates) == missing);  // the third component is 0 in every row
+  CHECK(problem(none, grows) == missing);
+  // Not a number once the push has grown by a tenth.
+  const SpinRates lost = [](const Vector3& spin) {
+    return Vector3{0, spin[1] < 0.11 ? 0.01 : std::nan(""), 0};
+  };
+  const std::vector<double> one{0.1};
+  CHECK(measure_stability(lost, grows, 0, 1, one).problem == missing);
+}
+
+TEST_CASE("a precession of 0 is measured too", "[stability]") {
+  const SpinFunction zero = [](const Vector3&) { return 0.0; };
+  const SpinRates none = [](const Vector3&) { return Vector3{}; };
+  CHECK(measure_precession(none, zero, 5, 0.1).measured == 0);
+  CHECK(measure_precession(none, zero, 5, 0.1).problem == "");
+  const SpinRates turning = [](const Vector3& spin) { return Vector3{-0.25 * spin[1], 0.25 * spin[0], 0}; };
+  CHECK(measure_precession(turning, zero, 5, 0.1).measured == Approx(0.25).epsilon(1e-12));
+  CHECK(measure_precession(turning, zero, 5, -0.1).measured == Approx(0.25).epsilon(1e-12));
+  CHECK(measure_precession(none, zero, 0, 0.1).problem == "the spin cannot be followed");
+}
+
+TEST_CASE("a scalar of the rates of the spin is no function where there is no law", "[stability]") {
+  const FromNotes notes{"A thrown racket", "(999)", "'\\dot{\\omega}_1'"};
+  const Body body = cross_of_masses(3, 2, 1);
+  const SceneFunctions functions = scene_functions(notes.scene, body, notes.forms);
+  CHECK(!functions.rates);
+  REQUIRE(functions.asked.size() == 1);
+  CHECK(!functions.asked[0]);
+  CHECK(functions.diagnostics.back().message.find("the rates of the spin are not known") !=
+        std::string::npos);
+}
+
 TEST_CASE("the notes' precession of a symmetric top is that of the notes' motion", "[stability]") {
   const FromNotes notes{"The symmetric top", "(22)", "'\\Omega'"};
   for (const Body& body : {cross_of_masses(2, 2, 1), cross_of_masses(1, 1, 3)}) {
