@@ -104,6 +104,16 @@ EvaluatedNotes evaluate_all(const FormsCommand& command, const Forms& forms, con
   return notes;
 }
 
+/// All chains: fewer samples for each.
+TrialOptions trials_for(const FormsCommand& command, bool times) {
+  TrialOptions trials{.times = times};
+  if (command.places.empty()) {
+    trials.samples = 256;
+    trials.operations = 200'000;
+  }
+  return trials;
+}
+
 /// False if the file cannot be written.
 bool write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
@@ -146,12 +156,7 @@ std::optional<std::string> bench_text(const std::vector<EvaluatedChain>& chains,
 ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostream& err) {
   Forms forms;
   if (const ExitCode code = read_all(command.forms, forms, err); code != ExitCode::ok) return code;
-  TrialOptions trials{.times = command.times};
-  if (command.forms.places.empty()) {  // all chains: fewer samples each
-    trials.samples = 256;
-    trials.operations = 200'000;
-  }
-  const EvaluatedNotes notes = evaluate_all(command.forms, forms, trials);
+  const EvaluatedNotes notes = evaluate_all(command.forms, forms, trials_for(command.forms, command.times));
   const TerminalOptions options = terminal_options(command.forms.color, out);
   out << (command.json ? evaluation_json(notes, forms.sources)
                        : print_evaluation(notes, forms.sources, options));
@@ -168,7 +173,7 @@ ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostrea
   const std::filesystem::path folder(command.folder);
   std::error_code error;
   if (!command.folder.empty()) std::filesystem::create_directories(folder, error);
-  const EvaluatedNotes notes = evaluate_all(command.forms, forms, {});
+  const EvaluatedNotes notes = evaluate_all(command.forms, forms, trials_for(command.forms, true));
   const auto text = bench_text(notes.chains, forms.sources, folder, err);
   if (!text) return ExitCode::no_input;
   if (command.folder.empty()) {

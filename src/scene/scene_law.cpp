@@ -11,11 +11,6 @@ namespace {
 
 constexpr const char* add_spin = "add a spin, as `spin = [\"1 rad/s\", 0, 0]`";
 
-std::string without_brackets(const std::string& tag) {
-  const bool bracketed = tag.size() > 2 && tag.front() == '(' && tag.back() == ')';
-  return bracketed ? tag.substr(1, tag.size() - 2) : tag;
-}
-
 bool is_equality(const WrittenStep& step) {
   return !step.expected_refuted && (step.kind == "=" || step.kind == "\\equiv" || step.kind == ":=");
 }
@@ -28,8 +23,7 @@ void SceneEvaluation::collect_law(std::set<SceneRole>& read) {
   if (!scene_.motion) return;
   const std::string& wanted = scene_.motion->equations.text;
   for (const WrittenFormChain& chain : forms_.chains) {
-    const bool tagged = !chain.tag.empty() && without_brackets(chain.tag) == without_brackets(wanted);
-    if (!tagged && chain.section != wanted) continue;
+    if (!stands_at(chain, wanted)) continue;
     ++chains_of_law_;
     for (std::size_t step = 0; step + 1 < chain.forms.size(); ++step) {
       if (is_equality(chain.steps[step])) add_to_law(chain, step, read);
