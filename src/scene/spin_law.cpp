@@ -266,8 +266,10 @@ class SpinLaw::System {
     for (Part& part : parts_) {
       const std::vector<double>& values = residuals(part, spin, batch);
       for (std::size_t o = 0; o < values.size() / 2; ++o, ++row) {
-        for (const std::size_t p : {0, 1}) {
-          const double each = misfit(*row, spin, batch[p], values[2 * o + p], sizes_[2 * o + p]);
+        for (std::size_t p = 0; p < 2; ++p) {
+          const std::size_t at = 2 * o + p;
+          const bool must_vanish = p == 0 && largest(row->coefficients) != 0;
+          const double each = misfit(*row, spin, batch[p], values[at], sizes_[at], must_vanish);
           if (!(each <= worst)) worst = each;
           if (std::isnan(worst)) return worst;
         }
@@ -276,8 +278,10 @@ class SpinLaw::System {
     return worst;
   }
 
-  /// `size`: of the equation's two sides, whose difference is `value`.
-  static double misfit(const Row& row, const Vector3& spin, const Vector3& rates, double value, double size) {
+  /// `size`: of the equation's two sides, whose difference is `value`. What solves a row satisfies its affine
+  /// form, unless equations contradict each other: then `value` is not 0.
+  static double misfit(const Row& row, const Vector3& spin, const Vector3& rates, double value, double size,
+                       bool must_vanish) {
     const double scale = largest(row.coefficients);
     double expected = row.rest;
     double terms = std::abs(row.rest) + scale * largest(spin) * largest(spin) * cancelled;
@@ -285,14 +289,10 @@ class SpinLaw::System {
       expected += row.coefficients[k] * rates[k];
       terms += std::abs(row.coefficients[k] * rates[k]);
     }
-    if (scale == 0) terms += size;
-    // Where it has coefficients, `expected` at the solved rates is 0 unless equations contradict each other.
-    const double not_affine = std::abs(value - expected);
-    const bool solved = largest(rates) < large_probe(spin);
-    const double left = scale != 0 && solved ? std::abs(value) : 0;
-    const double worst = std::max(not_affine, left);
-    if (std::isnan(not_affine)) return not_affine;
-    return worst == 0 ? 0 : worst / terms;
+    if (scale == 0) terms += size;  // what is left of two sides that say the same is rounding
+    double left = std::abs(value - expected);
+    if (must_vanish && std::abs(value) > left) left = std::abs(value);
+    return left == 0 ? 0 : left / terms;
   }
 
   const ExprTree& tree_;

@@ -106,7 +106,7 @@ TEST_CASE("an orientation is a quaternion, or an axis and an angle", "[scene fil
   const ReadScene given(head + "orientation = [3, 0, 4, 0]\n" + ask);
   REQUIRE(given.scene);
   CHECK((*given.scene->orientation)[2] == Approx(0.8));
-  for (const std::string size : {"1e308", "1e-308"}) {  // whose squares overflow, or are 0
+  for (const std::string size : {"1.7e308", "1e-308"}) {  // lengths that overflow, or whose squares are 0
     const ReadScene far(head + "orientation = { axis = [0, " + size + ", " + size +
                         "], angle = \"90 deg\" }\n" + ask);
     REQUIRE(far.scene);
