@@ -20,6 +20,8 @@ constexpr double unit_roundoff = 0x1p-53;
 constexpr std::array<const char*, arithmetic_count> arithmetic_names{"float", "double", "long double",
                                                                      "double-double"};
 
+constexpr std::array<const char*, arithmetic_count> short_names{"float", "double", "long", "dd"};
+
 const ErrorMeasure& at(const TrialResult& trial, std::size_t form, std::size_t arithmetic) {
   return trial.forms[form].measure.arithmetics[arithmetic];
 }
@@ -53,7 +55,7 @@ Plot panel(const TrialResult& trial) {
                       .colour = -1};
     for (std::size_t k = 0; k < arithmetic_count; ++k)
       series.points.push_back(
-          {at(trial, form, k).nanoseconds, failing_error(at(trial, form, k)), arithmetic_names[k]});
+          {at(trial, form, k).nanoseconds, failing_error(at(trial, form, k)), short_names[k]});
     plot.series.push_back(std::move(series));
   }
   plot.series.push_back(pareto_front("not beaten", plot.series));
