@@ -43,9 +43,9 @@ std::string machine() {
 }
 
 /// The part of the page about one file of notes, from what `rigor bench --into` wrote.
-std::string forms_of(const std::string& notes, const std::filesystem::path& folder, bool with_bodies) {
-  std::vector<const char*> words{"rigor", "bench", notes.c_str(), "--into", folder.c_str()};
-  if (with_bodies) words.insert(words.end(), {"--body", "derivations/bodies"});
+std::string forms_of(const std::string& notes, const std::filesystem::path& folder) {
+  std::vector<const char*> words{"rigor",        "bench",  notes.c_str(),       "--into",
+                                 folder.c_str(), "--body", "derivations/bodies"};
   std::ostringstream ignored;
   if (run(static_cast<int>(words.size()), words.data(), ignored, std::cerr) != 0) return "";
   const std::filesystem::path written = folder / (std::filesystem::path(notes).stem().string() + "-forms.md");
@@ -78,7 +78,7 @@ constexpr const char* introduction =
     R"(Each form is computed as it is written. The error is the worst relative one over the samples of a trial, against exact
 values for the same inputs; a result that overflows or is not a number errs by infinity. The samples of a trial are numbers
 of one family, or spins of one sample body (`thin axis`: about its axis of least moment). The points of a picture are
-float, double, long double and double-double; the line joins those that no other beats.
+float, double, long double and double-double (dd); the line joins those that no other beats.
 
 )";
 
@@ -104,9 +104,7 @@ int write(const std::filesystem::path& docs, const std::string& program_bench) {
   const std::string measured = nature(folder);
   parts.push_back({"The notes against nature", measured.empty() ? "" : of_nature + measured});
   parts.push_back({"Forms in derivations/rigid-bodies.md, on all sample bodies",
-                   forms_of("derivations/rigid-bodies.md", folder, true)});
-  parts.push_back({"Forms in derivations/vector-identities.tex",
-                   forms_of("derivations/vector-identities.tex", folder, false)});
+                   forms_of("derivations/rigid-bodies.md", folder)});
   std::string page = fmt::format(
       "# Time against error\n\nMade by `cmake --build --preset bench --target accuracy` on {}, {}, at "
       "{}{}.\n\n{}",
