@@ -5,10 +5,10 @@
 // = 2^-1074 and operands x ± d, y ± e (Higham, Accuracy and Stability of Numerical Algorithms, 3.3):
 //   x + y:  d + e + u|x + y|                 x y:  |x|e + |y|d + d e + u|x y| + η
 //   x / y:  (d + |x/y|e) / (|y| − e) + u|x/y| + η          √x:  d / (√x + √(x − d)) + u√x
-//   sin, cos:  d + 4u                        exp:  eˣ(e^d − 1) + 4u eˣ
+//   sin, cos:  d + 4u                        exp:  eˣ(e^d − 1) + 4u eˣ, e^(x + d) below the normal range
 // all rounded upwards by a factor 1 + 8u. The square root of a number that is 0 within its bound is bounded
-// by √d: it is taken for granted that it has a real value. The library's sin, cos and exp are taken to be
-// right to 2 units in the last place.
+// by √(x + d): it is taken for granted that it has a real value. The library's sin, cos and exp are taken to
+// be right to 2 units in the last place.
 #pragma once
 
 #include <cstdint>

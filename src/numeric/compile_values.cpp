@@ -132,7 +132,8 @@ Operand ValueTable::add(Operand a, Operand b) {
   if (b == zero) return a;
   double x = 0.0;
   double y = 0.0;
-  if (exact_value(a, x) != nullptr && exact_value(b, y) != nullptr && is_exact_everywhere(x + y))
+  if (exact_value(a, x) != nullptr && exact_value(b, y) != nullptr && is_exact_everywhere(x + y) &&
+      (x + y) - x == y && (x + y) - y == x)
     return exact_constant(x + y);
   if ((a >> 1) > (b >> 1)) std::swap(a, b);
   const bool differ = ((a ^ b) & 1u) != 0;

@@ -3,18 +3,23 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <cmath>
+#include <optional>
 
-#include "numeric/reference_digits.h"
+#include "numeric/measure.h"
+#include "numeric/reference_exact.h"
+#include "numeric/run_bounded_decimal.h"
 #include "numeric/run_samples.h"
 
 namespace rigor {
 namespace {
 
-using Number = Decimal<100>;
+constexpr int known_bits = 20;  // of a condition number
+constexpr std::size_t cost_of_more_digits = 64;
 
 /// All values of a program at one sample, for all particles of the loops that they are in, and how a result
 /// depends on each.
+template <class Number>
 class Tape {
  public:
   Tape(const Program& program, const Samples& samples, std::span<const std::uint32_t> at)
@@ -23,7 +28,6 @@ class Tape {
     for (const Value& value : code_.values) {
       first_.push_back(elements_);
       elements_ += tuples(value.levels);
-      work_ += tuples(value.op == Instruction::sum ? code_.values[value.a].levels : value.levels);
     }
     for (const ProgramInput& input : program.inputs()) {
       const Column& column = *samples.find(input.symbol, input.component);
@@ -32,18 +36,13 @@ class Tape {
     }
   }
 
-  /// Operations for one sample.
-  [[nodiscard]] std::size_t work() const { return work_ * (1 + program_.outputs()); }
-  [[nodiscard]] double condition(std::size_t sample);
+  /// Nothing where so many digits do not tell.
+  [[nodiscard]] std::optional<double> condition(std::size_t sample);
 
  private:
   using Tuple = std::array<std::size_t, deepest_level + 1>;
 
-  [[nodiscard]] std::size_t tuples(unsigned levels) const {
-    std::size_t count = 1;
-    for (int i = std::popcount(levels); i > 0; --i) count *= samples_.particles();
-    return count;
-  }
+  [[nodiscard]] std::size_t tuples(unsigned levels) const { return tuples_of(levels, samples_.particles()); }
   /// Calls visit(particles, k) for all particles of the levels.
   template <class Visit>
   void for_each(unsigned levels, const Visit& visit) const;
@@ -67,11 +66,11 @@ class Tape {
   std::vector<Number> gradient_;
   std::size_t elements_ = 0;
   std::size_t gradient_count_ = 0;
-  std::size_t work_ = 0;
 };
 
+template <class Number>
 template <class Visit>
-void Tape::for_each(unsigned levels, const Visit& visit) const {
+void Tape<Number>::for_each(unsigned levels, const Visit& visit) const {
   const std::size_t count = tuples(levels);
   for (std::size_t k = 0; k < count; ++k) {
     Tuple particles{};
@@ -85,7 +84,8 @@ void Tape::for_each(unsigned levels, const Visit& visit) const {
   }
 }
 
-std::size_t Tape::element(ValueId id, const Tuple& particles) const {
+template <class Number>
+std::size_t Tape<Number>::element(ValueId id, const Tuple& particles) const {
   std::size_t at = 0;
   std::size_t scale = 1;
   for (std::size_t level = 1; level <= deepest_level; ++level) {
@@ -96,19 +96,22 @@ std::size_t Tape::element(ValueId id, const Tuple& particles) const {
   return first_[id] + at;
 }
 
-std::size_t Tape::particle_of(const Value& input, const Tuple& particles) const {
+template <class Number>
+std::size_t Tape<Number>::particle_of(const Value& input, const Tuple& particles) const {
   if (input.b == InputParticle::none) return 0;
   return input.b >= InputParticle::first_free ? at_[input.b - InputParticle::first_free] : particles[input.b];
 }
 
-Number Tape::input(const Value& value, const Tuple& particles, std::size_t sample) const {
+template <class Number>
+Number Tape<Number>::input(const Value& value, const Tuple& particles, std::size_t sample) const {
   const ProgramInput& named = code_.inputs[value.a];
   const Column& column = *samples_.find(named.symbol, named.component);
-  return column
-      .values[sample * column.sample_stride + particle_of(value, particles) * column.particle_stride];
+  return Number(
+      column.values[sample * column.sample_stride + particle_of(value, particles) * column.particle_stride]);
 }
 
-Number Tape::compute(const Value& value, const Tuple& particles, std::size_t sample) const {
+template <class Number>
+Number Tape<Number>::compute(const Value& value, const Tuple& particles, std::size_t sample) const {
   const auto a = [&]() -> const Number& { return value_[element(value.a, particles)]; };
   const auto b = [&]() -> const Number& { return value_[element(value.b, particles)]; };
   using Traits = NumberTraits<Number>;
@@ -140,17 +143,19 @@ Number Tape::compute(const Value& value, const Tuple& particles, std::size_t sam
     case Instruction::sum:
       break;
   }
-  return 0;
+  return {};
 }
 
-void Tape::run(std::size_t sample) {
-  value_.assign(elements_, Number(0));
+template <class Number>
+void Tape<Number>::run(std::size_t sample) {
+  value_.assign(elements_, Number());
   for (ValueId id = 0; id < code_.values.size(); ++id) {
     const Value& value = code_.values[id];
     if (value.op == Instruction::sum) {
       const unsigned levels = code_.values[value.a].levels | 1u << value.level;
       for_each(levels, [&](const Tuple& particles) {
-        value_[element(id, particles)] += value_[element(value.a, particles)];
+        Number& sum = value_[element(id, particles)];
+        sum = sum + value_[element(value.a, particles)];
       });
     } else {
       for_each(value.levels, [&](const Tuple& particles) {
@@ -161,14 +166,16 @@ void Tape::run(std::size_t sample) {
 }
 
 /// Adds to its operands' adjoints what comes through one value.
-void Tape::pass_on(ValueId id, const Tuple& particles) {
+template <class Number>
+void Tape<Number>::pass_on(ValueId id, const Tuple& particles) {
   const Value& value = code_.values[id];
   const Number& here = adjoint_[element(id, particles)];
-  if (here == 0) return;
+  if (here.is_exact_zero()) return;
   if (value.op == Instruction::input) {
     const ProgramInput& named = code_.inputs[value.a];
     const bool each = samples_.find(named.symbol, named.component)->particle_stride != 0;
-    gradient_[gradient_first_[value.a] + (each ? particle_of(value, particles) : 0)] += here;
+    Number& gradient = gradient_[gradient_first_[value.a] + (each ? particle_of(value, particles) : 0)];
+    gradient = gradient + here;
     return;
   }
   if (!has_operands(value.op)) return;
@@ -180,49 +187,51 @@ void Tape::pass_on(ValueId id, const Tuple& particles) {
   Number to_a = here;
   switch (value.op) {
     case Instruction::add:
-      adjoint_[at_b] += here;
+      adjoint_[at_b] = adjoint_[at_b] + here;
       break;
     case Instruction::subtract:
-      adjoint_[at_b] -= here;
+      adjoint_[at_b] = adjoint_[at_b] - here;
       break;
     case Instruction::multiply:
-      adjoint_[at_b] += here * a;
-      to_a *= b;
+      adjoint_[at_b] = adjoint_[at_b] + here * a;
+      to_a = here * b;
       break;
     case Instruction::divide:
-      adjoint_[at_b] -= here * result / b;
-      to_a /= b;
+      adjoint_[at_b] = adjoint_[at_b] - here * result / b;
+      to_a = here / b;
       break;
     case Instruction::negate:
       to_a = -here;
       break;
     case Instruction::root:
-      to_a /= 2 * result;
+      to_a = here / (result + result);
       break;
     case Instruction::absolute:
-      if (a < 0) to_a = -here;
+      if (a.value < 0) to_a = -here;
+      if (!a.has_known_sign()) to_a.bound = Magnitude::infinite();
       break;
     case Instruction::sin:
-      to_a *= NumberTraits<Number>::cosine(a);
+      to_a = here * NumberTraits<Number>::cosine(a);
       break;
     case Instruction::cos:
-      to_a *= -NumberTraits<Number>::sine(a);
+      to_a = here * -NumberTraits<Number>::sine(a);
       break;
     case Instruction::exp:
-      to_a *= result;
+      to_a = here * result;
       break;
     case Instruction::sum:
     case Instruction::constant:
     case Instruction::input:
       break;
   }
-  adjoint_[at_a] += to_a;
+  adjoint_[at_a] = adjoint_[at_a] + to_a;
 }
 
-void Tape::differentiate(ValueId output) {
-  adjoint_.assign(elements_, Number(0));
-  gradient_.assign(gradient_count_, Number(0));
-  adjoint_[first_[output]] = 1;
+template <class Number>
+void Tape<Number>::differentiate(ValueId output) {
+  adjoint_.assign(elements_, Number());
+  gradient_.assign(gradient_count_, Number());
+  adjoint_[first_[output]] = Number(1.0);
   for (ValueId id = output + 1; id-- > 0;) {
     const Value& value = code_.values[id];
     const unsigned levels =
@@ -231,31 +240,59 @@ void Tape::differentiate(ValueId output) {
   }
 }
 
-double Tape::condition(std::size_t sample) {
+/// |y| where that is larger than |x|, with a bound that holds for either.
+template <class Number>
+void enlarge(Number& x, const Number& y) {
+  const bool undefined = x.undefined || y.undefined;
+  const Magnitude bound = std::max(x.bound, y.bound);
+  if (x.value < abs(y.value)) x.value = abs(y.value);
+  x.bound = bound;
+  x.undefined = undefined;
+}
+
+template <class Number>
+std::optional<double> Tape<Number>::condition(std::size_t sample) {
   run(sample);
-  Number size = 0;
-  std::vector<Number> largest(gradient_count_, Number(0));  // over the results
+  Number size;
+  std::vector<Number> largest(gradient_count_);  // over the results
   for (const ValueId output : code_.outputs) {
     const Number& result = value_[first_[output]];
-    if (!boost::multiprecision::isfinite(result)) return std::numeric_limits<double>::quiet_NaN();
-    size = std::max(size, Number(abs(result)));
+    if (result.undefined) return std::numeric_limits<double>::quiet_NaN();
+    enlarge(size, result);
     differentiate(output);
-    for (std::size_t i = 0; i < gradient_count_; ++i) {
-      if (!boost::multiprecision::isfinite(gradient_[i])) return std::numeric_limits<double>::infinity();
-      largest[i] = std::max(largest[i], Number(abs(gradient_[i])));
-    }
+    for (std::size_t i = 0; i < gradient_count_; ++i) enlarge(largest[i], gradient_[i]);
   }
-  Number total = 0;
+  Number total;
   for (std::size_t i = 0; i < code_.inputs.size(); ++i) {
     const Column& column = *samples_.find(code_.inputs[i].symbol, code_.inputs[i].component);
     const std::size_t count = column.particle_stride == 0 ? 1 : samples_.particles();
     for (std::size_t particle = 0; particle < count; ++particle) {
       const double x = column.values[sample * column.sample_stride + particle * column.particle_stride];
-      total += abs(Number(x)) * largest[gradient_first_[i] + particle];
+      total = total + Number(std::abs(x)) * largest[gradient_first_[i] + particle];
     }
   }
-  if (size == 0) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(Number(total / size));
+  if (total.undefined || size.is_exact_zero()) return std::numeric_limits<double>::infinity();
+  const Number condition = total / size;
+  if (!condition.is_exact_zero() && !condition.is_known_to(known_bits)) return std::nullopt;
+  return static_cast<double>(condition.value);
+}
+
+template <unsigned digits>
+[[nodiscard]] std::optional<double> condition_with(const Program& program, const Samples& samples,
+                                                   std::span<const std::uint32_t> at, std::size_t sample) {
+  return Tape<BoundedDecimal<digits>>(program, samples, at).condition(sample);
+}
+
+/// Where 100 digits do not tell: with more, unless the result is 0.
+[[nodiscard]] double condition_again(const Program& program, const Samples& samples,
+                                     std::span<const std::uint32_t> at, std::size_t sample) {
+  const ReferenceDigits exact = exact_results(program, samples.only(std::array{sample}), at);
+  const auto is_zero = [](Known known) { return known == Known::zero; };
+  if (std::all_of(exact.known.begin(), exact.known.end(), is_zero))
+    return std::numeric_limits<double>::infinity();
+  auto condition = condition_with<400>(program, samples, at, sample);
+  if (!condition) condition = condition_with<1400>(program, samples, at, sample);
+  return condition.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
@@ -265,10 +302,18 @@ std::vector<double> condition_numbers(const Program& program, const Samples& sam
   static_cast<void>(varying_inputs(program, samples, at));
   std::vector<double> result;
   if (program.outputs() == 0) return result;
-  Tape tape(program, samples, at);
-  for (std::size_t sample = 0; sample < samples.samples(); ++sample) {
-    if ((sample + 1) * tape.work() > budget) break;
-    result.push_back(tape.condition(sample));
+  const std::size_t once = work_of(program, samples);
+  const std::size_t affordable = budget / (1 + program.outputs()) / once;
+  if (affordable == 0) return result;
+  std::size_t again = budget / (1 + program.outputs()) / once / cost_of_more_digits;
+  Tape<BoundedDecimal<100>> tape(program, samples, at);
+  for (std::size_t sample = 0; sample < std::min(samples.samples(), affordable); ++sample) {
+    std::optional<double> condition = tape.condition(sample);
+    if (!condition && again > 0) {
+      --again;
+      condition = condition_again(program, samples, at, sample);
+    }
+    result.push_back(condition.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
   return result;
 }

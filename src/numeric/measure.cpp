@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "base/check.h"
 #include "numeric/condition.h"
 #include "numeric/reference_digits.h"
 #include "numeric/run_double_double.h"
@@ -49,9 +50,16 @@ template <class T>
 [[nodiscard]] bool is_nan(const T& x) {
   return std::isnan(x);
 }
+/// Of a double-double, both parts.
+[[nodiscard]] bool is_finite(const dd_real& x) { return std::isfinite(x.x[0]) && std::isfinite(x.x[1]); }
+template <class T>
+[[nodiscard]] bool is_finite(const T& x) {
+  return std::isfinite(x);
+}
 
 [[nodiscard]] Spread spread_of(std::vector<double> values, bool least_is_worst = false) {
   if (values.empty()) return {};
+  for (const double value : values) RIGOR_CHECK(!std::isnan(value), values.size());  // they have no order
   std::sort(values.begin(), values.end());
   return {least_is_worst ? values.front() : values.back(), values[values.size() / 2]};
 }
@@ -98,17 +106,20 @@ class Comparison {
     ReferenceNumber error = 0;
     ReferenceNumber largest = 0;
     bool nan = false;
+    bool infinite = false;
     for (std::size_t k = 0; k < outputs_; ++k) {
       const T& value = computed[k * samples_ + sample];
       const ReferenceNumber& exact = exact_.values[k * samples_ + sample];
       nan = nan || is_nan(value);
+      infinite = infinite || !is_finite(value);
       size = std::max(size, ReferenceNumber(abs(exact)));
+      if (infinite) continue;
       largest = std::max(largest, ReferenceNumber(abs(exactly(value))));
       error = std::max(error, ReferenceNumber(abs(exactly(value) - exact)));
     }
     if (count(Known::zero, sample) == outputs_) {
       ++result_.zeros;
-      const double at_zero = nan ? infinity : static_cast<double>(largest);
+      const double at_zero = infinite ? infinity : static_cast<double>(largest);
       result_.worst_at_zero = std::max(result_.worst_at_zero, at_zero);
       return;
     }
@@ -117,7 +128,7 @@ class Comparison {
       const ReferenceNumber value = exactly(computed[sample]);
       if (value * exact_.values[sample] <= 0) ++result_.wrong_signs;
     }
-    if (nan || !boost::multiprecision::isfinite(largest)) {
+    if (infinite) {
       ++(nan ? result_.not_a_number : result_.overflows);
       if (!nan && size > std::numeric_limits<double>::max()) --result_.overflows;
       relative_.push_back(infinity);
@@ -176,11 +187,6 @@ template <class T>
   return measure;
 }
 
-[[nodiscard]] std::size_t work_of(const Program& program, const Samples& samples) {
-  const ProgramCounts counts = program.counts();
-  return 1 + counts.once + counts.per_particle * samples.particles();
-}
-
 [[nodiscard]] Samples first_of(const Samples& samples, std::size_t count) {
   std::vector<std::size_t> which(count);
   std::iota(which.begin(), which.end(), std::size_t{0});
@@ -202,7 +208,7 @@ template <class T>
 FormMeasure measure(const Program& program, const Samples& samples, const MeasureOptions& options,
                     std::span<const std::uint32_t> at) {
   FormMeasure result;
-  const std::size_t affordable = std::max<std::size_t>(1, options.operations / work_of(program, samples));
+  const std::size_t affordable = options.operations / work_of(program, samples);
   result.measured = std::min(samples.samples(), affordable);
   const Samples measured =
       result.measured == samples.samples() ? samples : first_of(samples, result.measured);

@@ -33,7 +33,7 @@ struct ErrorMeasure {
   std::size_t not_a_number = 0;  // where there is an exact value
   std::size_t wrong_signs = 0;  // of scalars: exact and computed value have opposite signs, or 0 was computed
   std::size_t zeros = 0;        // the exact value is 0: out of the statistics above
-  double worst_at_zero = 0.0;   // the largest |computed| there
+  double worst_at_zero = 0.0;   // the largest |computed| there, infinite for what is not finite
   std::size_t undefined = 0;    // no exact value
   std::size_t unknown = 0;      // the exact value is not known to enough digits
   double nanoseconds = 0.0;     // a sample; 0: not measured
@@ -43,13 +43,21 @@ struct FormMeasure {
   std::array<ErrorMeasure, arithmetic_count> arithmetics;
   Spread condition;                 // over the samples that have one
   std::size_t condition_known = 0;  // for so many; 0: it would take too long
-  std::size_t measured = 0;         // samples whose errors were measured: the first ones
+  std::size_t measured = 0;         // samples whose errors were measured: the first ones; 0: a single one
+                                    // would take more than `MeasureOptions::operations`
 };
 
 struct MeasureOptions {
   double milliseconds = 2.0;  // for the time of each arithmetic, once at least; 0: time is not measured
   std::size_t operations = 4'000'000;  // with many digits, for errors and condition
 };
+
+/// Operations for one sample, loops within loops included: with N particles an operation in k of them counts
+/// N^k. At least 1; the largest number where it would be more.
+[[nodiscard]] std::size_t work_of(const Program& program, const Samples& samples);
+[[nodiscard]] std::size_t work_of(const Program& program, std::size_t particles);
+/// N^k for so many levels (`LevelMask`), or the largest number.
+[[nodiscard]] std::size_t tuples_of(unsigned levels, std::size_t particles);
 
 /// For one form. The time is the least one of several runs over the samples, which are repeated up to 1,024
 /// if there is more than one; what they have in common is computed in each run.

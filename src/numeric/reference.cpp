@@ -2,81 +2,106 @@
 #include "numeric/reference.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
+#include "numeric/measure.h"
 #include "numeric/reference_digits.h"
 #include "numeric/reference_exact.h"
+#include "numeric/run_bounded_decimal.h"
 #include "numeric/run_samples_parts.h"
 
 namespace rigor {
 namespace {
 
-constexpr const char* agreement = "1e-40";
+constexpr int known_bits = 133;  // 40 decimal digits
+// Operations with so many digits; samples beyond stay unknown.
+constexpr std::size_t operations_with_400 = 400'000;
+constexpr std::size_t operations_with_1400 = 40'000;
 
-/// The longer number is rounded to the length of the shorter one, never the other way round.
-template <class Short, class Long>
-[[nodiscard]] bool agree(const Short& fewer, const Long& more) {
-  static const Short tolerance(agreement);
-  const Short rounded(more);
-  return abs(Short(fewer - rounded)) <= tolerance * abs(rounded);
+template <unsigned digits>
+[[nodiscard]] Known settled(const BoundedDecimal<digits>& result) {
+  if (result.undefined) return Known::undefined;
+  if (result.is_exact_zero()) return Known::zero;
+  return result.is_known_to(known_bits) ? Known::value : Known::unknown;
 }
 
-/// Does a value fall by `digits` when so many more are computed?
-template <class Short, class Long>
-[[nodiscard]] bool falls(const Short& fewer, const Long& more, int digits) {
-  return abs(Short(more)) <= pow(Short(10), -digits) * abs(fewer);
-}
-
-/// False: to be looked at again.
-[[nodiscard]] bool settle(const Decimal<100>& with_100, const ReferenceNumber& with_200, Known& known) {
-  const bool none = !boost::multiprecision::isfinite(with_100) && !boost::multiprecision::isfinite(with_200);
-  known = none ? Known::undefined : Known::value;
-  return none || (with_200 != 0 && agree(with_100, with_200));
-}
-
-[[nodiscard]] Known settle_again(const Decimal<100>& with_100, ReferenceNumber& value,
-                                 const Decimal<400>& with_400) {
-  if (!boost::multiprecision::isfinite(with_400))
-    return boost::multiprecision::isfinite(value) ? Known::unknown : Known::undefined;
-  if (with_400 == 0 || (falls(with_100, value, 50) && falls(value, with_400, 100))) {
-    value = 0;
-    return Known::zero;
+/// The results of all samples, and those samples of which some result is not known.
+class Settlement {
+ public:
+  Settlement(const Program& program, const Samples& samples, std::span<const std::uint32_t> at)
+      : program_(program), samples_(samples), at_(at) {
+    const std::size_t count = program.outputs() * samples.samples();
+    digits_.values.resize(count);
+    digits_.known.resize(count, Known::unknown);
+    for (std::size_t i = 0; i < samples.samples(); ++i) doubtful_.push_back(i);
   }
-  const Known known = agree(value, with_400) ? Known::value : Known::unknown;
-  value = ReferenceNumber(with_400);
-  return known;
-}
+
+  template <unsigned digits>
+  void run(std::size_t operations = std::numeric_limits<std::size_t>::max()) {
+    const std::vector<std::size_t> which = affordable(operations);
+    if (which.empty()) return;
+    const Samples chosen = samples_.only(which);
+    const auto results = run_on_samples<BoundedDecimal<digits>>(program_, chosen, Lanes::none, at_);
+    take(
+        which, [&](std::size_t at) { return ReferenceNumber(results[at].value); },
+        [&](std::size_t at) { return settled(results[at]); });
+  }
+
+  void run_exactly() {
+    if (doubtful_.empty()) return;
+    const std::vector<std::size_t> which = doubtful_;
+    const ReferenceDigits exact = exact_results(program_, samples_.only(which), at_);
+    take(
+        which, [&](std::size_t at) { return exact.values[at]; },
+        [&](std::size_t at) { return exact.known[at]; });
+  }
+
+  [[nodiscard]] ReferenceDigits digits() { return std::move(digits_); }
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> affordable(std::size_t operations) const {
+    std::vector<std::size_t> which = doubtful_;
+    const std::size_t work = work_of(program_, samples_);
+    if (operations / work < which.size()) which.resize(operations / work);
+    return which;
+  }
+
+  template <class ValueOf, class KnownOf>
+  void take(const std::vector<std::size_t>& which, const ValueOf& value_of, const KnownOf& known_of) {
+    for (std::size_t output = 0; output < program_.outputs(); ++output) {
+      for (std::size_t k = 0; k < which.size(); ++k) {
+        const std::size_t from = output * which.size() + k;
+        const std::size_t to = output * samples_.samples() + which[k];
+        if (digits_.known[to] != Known::unknown) continue;
+        digits_.known[to] = known_of(from);
+        if (digits_.known[to] == Known::value) digits_.values[to] = value_of(from);
+      }
+    }
+    std::erase_if(doubtful_, [&](std::size_t sample) {
+      for (std::size_t output = 0; output < program_.outputs(); ++output)
+        if (digits_.known[output * samples_.samples() + sample] == Known::unknown) return false;
+      return true;
+    });
+  }
+
+  const Program& program_;
+  const Samples& samples_;
+  std::span<const std::uint32_t> at_;
+  ReferenceDigits digits_;
+  std::vector<std::size_t> doubtful_;
+};
 
 }  // namespace
 
 ReferenceDigits reference_digits(const Program& program, const Samples& samples,
                                  std::span<const std::uint32_t> at) {
-  const auto with_100 = run_on_samples<Decimal<100>>(program, samples, Lanes::none, at);
-  ReferenceDigits result{run_on_samples<Decimal<200>>(program, samples, Lanes::none, at), {}};
-  result.known.resize(result.values.size());
-  std::vector<std::size_t> doubtful;  // samples
-  for (std::size_t i = 0; i < result.values.size(); ++i) {
-    if (!settle(with_100[i], result.values[i], result.known[i])) doubtful.push_back(i % samples.samples());
-  }
-  if (doubtful.empty()) return result;
-  std::sort(doubtful.begin(), doubtful.end());
-  doubtful.erase(std::unique(doubtful.begin(), doubtful.end()), doubtful.end());
-  const Samples again = samples.only(doubtful);
-  const auto exact = exact_results(program, again, at);
-  std::vector<Decimal<400>> with_400;
-  if (!exact) with_400 = run_on_samples<Decimal<400>>(program, again, Lanes::none, at);
-  for (std::size_t output = 0; output < program.outputs(); ++output) {
-    for (std::size_t k = 0; k < doubtful.size(); ++k) {
-      const std::size_t i = output * samples.samples() + doubtful[k];
-      const std::size_t there = output * doubtful.size() + k;
-      if (exact) {
-        result.values[i] = (*exact)[there];
-        result.known[i] = result.values[i] == 0 ? Known::zero : Known::value;
-      } else {
-        result.known[i] = settle_again(with_100[i], result.values[i], with_400[there]);
-      }
-    }
-  }
-  return result;
+  Settlement settlement(program, samples, at);
+  settlement.run<100>();
+  settlement.run_exactly();
+  settlement.run<400>(operations_with_400);
+  settlement.run<1400>(operations_with_1400);
+  return settlement.digits();
 }
 
 Reference reference(const Program& program, const Samples& samples, std::span<const std::uint32_t> at) {

@@ -7,10 +7,10 @@
 
 namespace rigor {
 
-using ReferenceNumber = Decimal<200>;
+using ReferenceNumber = Decimal<100>;
 
 struct ReferenceDigits {
-  std::vector<ReferenceNumber> values;  // as in Reference
+  std::vector<ReferenceNumber> values;  // as in Reference; 0 where they are not known
   std::vector<Known> known;
 };
 

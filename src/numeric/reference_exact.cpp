@@ -2,61 +2,153 @@
 #include "numeric/reference_exact.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <stdexcept>
 
+#include "numeric/measure.h"
 #include "numeric/run_samples_parts.h"
 
 namespace rigor {
 namespace {
 
+using Integer = boost::multiprecision::cpp_int;
 using Rational =
     boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
-constexpr std::size_t most_operations = 100'000;
+
+// In products of two words of an integer: a greatest common divisor takes about as many as words squared.
+constexpr std::size_t most_work = 4'000'000;
+constexpr std::size_t most_work_for_a_sample = 1'000'000;
+
+struct NotRational : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What the running sample may still cost. Numbers have no other way to know of each other.
+thread_local std::size_t left = 0;
+
+[[nodiscard]] std::size_t words_of(const Rational& x) {
+  return numerator(x).backend().size() + denominator(x).backend().size();
+}
+
+/// Before an operation.
+void spend(const Rational& x, const Rational& y) {
+  const std::size_t words = words_of(x) + words_of(y);
+  const std::size_t work = words * words;
+  if (work > left) throw NotRational("takes too long");
+  left -= work;
+}
+
+struct ExactNumber {
+  Rational value = 0;
+  bool undefined = false;
+
+  ExactNumber() = default;
+  explicit ExactNumber(double x) : undefined(!std::isfinite(x)) {
+    if (!undefined) value = x;
+  }
+  ExactNumber(Rational result, bool none) : value(std::move(result)), undefined(none) {}
+};
+
+[[nodiscard]] ExactNumber operator-(const ExactNumber& x) { return {Rational(-x.value), x.undefined}; }
+[[nodiscard]] ExactNumber operator+(const ExactNumber& x, const ExactNumber& y) {
+  spend(x.value, y.value);
+  return {Rational(x.value + y.value), x.undefined || y.undefined};
+}
+[[nodiscard]] ExactNumber operator-(const ExactNumber& x, const ExactNumber& y) {
+  spend(x.value, y.value);
+  return {Rational(x.value - y.value), x.undefined || y.undefined};
+}
+[[nodiscard]] ExactNumber operator*(const ExactNumber& x, const ExactNumber& y) {
+  spend(x.value, y.value);
+  return {Rational(x.value * y.value), x.undefined || y.undefined};
+}
+[[nodiscard]] ExactNumber operator/(const ExactNumber& x, const ExactNumber& y) {
+  if (x.undefined || y.undefined || y.value == 0) return {Rational(0), true};
+  spend(x.value, y.value);
+  return {Rational(x.value / y.value), false};
+}
+
+[[nodiscard]] Integer root_of(const Integer& x) {
+  Integer rest;
+  Integer result = sqrt(x, rest);
+  if (rest != 0) throw NotRational("no rational root");
+  return result;
+}
+
+/// The value at 0, the only argument with a rational one.
+[[nodiscard]] ExactNumber at_zero(const ExactNumber& x, int value) {
+  if (!x.undefined && x.value != 0) throw NotRational("no rational value");
+  return {Rational(value), x.undefined};
+}
+
+/// How many numbers are read for one sample, whether they are used or not.
+[[nodiscard]] std::size_t inputs_of(const Program& program, const Samples& samples) {
+  std::size_t count = 1;
+  for (const ProgramInput& input : program.inputs())
+    count += samples.find(input.symbol, input.component)->particle_stride == 0 ? 1 : samples.particles();
+  return count;
+}
+
+/// Every operation on numbers of a word each; with inputs.
+[[nodiscard]] std::size_t least_work(const Program& program, const Samples& samples) {
+  const std::size_t operations = work_of(program, samples);
+  if (operations > most_work_for_a_sample) return operations;
+  return 4 * operations + inputs_of(program, samples);
+}
 
 }  // namespace
 
 template <>
-struct NumberTraits<Rational> {
+struct NumberTraits<ExactNumber> {
   static constexpr bool has_lanes = false;
-  static Rational absolute(const Rational& x) { return abs(x); }
-  static Rational root(const Rational&) { throw std::domain_error("no rational root"); }
-  static Rational sine(const Rational& x) { return root(x); }
-  static Rational cosine(const Rational& x) { return root(x); }
-  static Rational exponential(const Rational& x) { return root(x); }
-  static Rational read(const std::string& digits) {
+  static ExactNumber absolute(const ExactNumber& x) { return x.value < 0 ? -x : x; }
+  static ExactNumber root(const ExactNumber& x) {
+    if (x.undefined || x.value < 0) return {Rational(0), true};
+    spend(x.value, x.value);
+    return {Rational(root_of(numerator(x.value)), root_of(denominator(x.value))), false};
+  }
+  static ExactNumber sine(const ExactNumber& x) { return at_zero(x, 0); }
+  static ExactNumber cosine(const ExactNumber& x) { return at_zero(x, 1); }
+  static ExactNumber exponential(const ExactNumber& x) { return at_zero(x, 1); }
+  static ExactNumber read(const std::string& digits) {
     const std::size_t point = digits.find('.');
-    if (point == std::string::npos) return Rational(digits);
+    if (point == std::string::npos) return {Rational(digits), false};
     std::string whole = digits;
     whole.erase(point, 1);
     whole.erase(0, std::min(whole.find_first_not_of('0'), whole.size() - 1));  // 0 first would mean octal
-    return Rational(whole + "/1" + std::string(digits.size() - point - 1, '0'));
+    return {Rational(whole + "/1" + std::string(digits.size() - point - 1, '0')), false};
   }
 };
 
-std::optional<std::vector<ReferenceNumber>> exact_results(const Program& program, const Samples& samples,
-                                                          std::span<const std::uint32_t> at) {
-  const auto lacks_rational = [](const Value& value) {
-    return value.op == Instruction::root || (value.op >= Instruction::sin && value.op <= Instruction::exp);
-  };
-  const std::vector<Value>& values = program.code().values;
-  if (std::any_of(values.begin(), values.end(), lacks_rational)) return std::nullopt;
-  const ProgramCounts counts = program.counts();
-  if ((counts.once + counts.per_particle * samples.particles()) * samples.samples() > most_operations)
-    return std::nullopt;
-  for (const ProgramInput& input : program.inputs()) {
-    const std::span<const double> column = samples.find(input.symbol, input.component)->values;
-    if (!std::all_of(column.begin(), column.end(), [](double value) { return std::isfinite(value); }))
-      return std::nullopt;
+ReferenceDigits exact_results(const Program& program, const Samples& samples,
+                              std::span<const std::uint32_t> at) {
+  const std::size_t count = program.outputs() * samples.samples();
+  ReferenceDigits exact{std::vector<ReferenceNumber>(count), std::vector<Known>(count, Known::unknown)};
+  const std::size_t least = least_work(program, samples);
+  std::size_t total = most_work;
+  for (std::size_t sample = 0; sample < samples.samples(); ++sample) {
+    const std::size_t given = std::min(total, most_work_for_a_sample);
+    if (given < least) break;
+    left = given - inputs_of(program, samples);
+    try {
+      const auto results =
+          run_on_samples<ExactNumber>(program, samples.only(std::array{sample}), Lanes::none, at);
+      for (std::size_t output = 0; output < results.size(); ++output) {
+        const ExactNumber& result = results[output];
+        const std::size_t to = output * samples.samples() + sample;
+        exact.known[to] = result.undefined    ? Known::undefined
+                          : result.value == 0 ? Known::zero
+                                              : Known::value;
+        if (exact.known[to] == Known::value)
+          exact.values[to] =
+              ReferenceNumber(numerator(result.value)) / ReferenceNumber(denominator(result.value));
+      }
+    } catch (const NotRational&) {
+    }
+    total -= given - left;
   }
-  try {
-    std::vector<ReferenceNumber> results;
-    for (const Rational& value : run_on_samples<Rational>(program, samples, Lanes::none, at))
-      results.push_back(ReferenceNumber(numerator(value)) / ReferenceNumber(denominator(value)));
-    return results;
-  } catch (const std::exception&) {  // divides by 0
-    return std::nullopt;
-  }
+  return exact;
 }
 
 }  // namespace rigor

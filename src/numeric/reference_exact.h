@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results of programs without roots and functions in rational numbers: decides what is exactly 0.
+// Results of programs in rational numbers: decides what is exactly 0, and what divides by 0.
 #pragma once
 
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "numeric/reference_digits.h"
 
 namespace rigor {
 
-/// Nothing where the program has a root or a function, divides by 0, or would take too long.
-[[nodiscard]] std::optional<std::vector<ReferenceNumber>> exact_results(const Program& program,
-                                                                        const Samples& samples,
-                                                                        std::span<const std::uint32_t> at);
+/// Unknown where a sample has a root or a function that is not rational, or would take too long: the lengths
+/// of all numbers are counted as they grow.
+[[nodiscard]] ReferenceDigits exact_results(const Program& program, const Samples& samples,
+                                            std::span<const std::uint32_t> at);
 
 }  // namespace rigor

@@ -65,6 +65,11 @@ struct NumberTraits<Bounded> {
   static Bounded cosine(const Bounded& x) { return {std::cos(x.value), x.bound + 4.0 * Bounded::unit}; }
   static Bounded exponential(const Bounded& x) {
     const double value = std::exp(x.value);
+    if (value <
+        std::numeric_limits<double>::min()) {  // too few bits, or none, to multiply: at most e^(x + d)
+      const double largest = std::exp(std::nextafter(x.value + x.bound, Bounded::infinity));
+      return {value, largest * (1.0 + 8.0 * Bounded::unit) + 2.0 * Bounded::least};
+    }
     return {value, value * (std::expm1(x.bound) + 8.0 * Bounded::unit) * (1.0 + 8.0 * Bounded::unit) +
                        2.0 * Bounded::least};
   }

@@ -22,7 +22,9 @@ namespace rigor {
 /// results[output · samples + sample]. T: float, double, long double, dd_real, and what `run_*.cpp` adds.
 /// Lanes make no difference to a sample's result but in the order of sums over particles: over lanes of
 /// particles, each lane adds up its own, and then the upper half of the lanes is added to the lower one, and
-/// so on.
+/// so on. That is the order of each sum at level 1 that depends on no sample, for any number of particles,
+/// unless `lanes` is none; and of each sum at level 1 where `lanes` is particles. Other sums add one particle
+/// after the other.
 template <class T>
 [[nodiscard]] std::vector<T> run_on_samples(const Program& program, const Samples& samples, Lanes lanes,
                                             std::span<const std::uint32_t> at);

@@ -90,3 +90,25 @@ TEST_CASE("no bound is known behind a divisor that may be 0, or an overflow", "[
   CHECK(bound(1 / x) <= 0x1p-52 * 1e-200);
   CHECK(bound(1 / x) >= 0x1p-54 * 1e-200);
 }
+
+TEST_CASE("the bound of exp holds where its value vanishes in double", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  Samples samples(1, 0);
+  for (const double at : {-800.0, -740.0}) {  // 0 and subnormal
+    samples.set(x.symbol, 0, at);
+    const BoundedResults result = evaluate_with_bounds(compiled(page, exp(x)), samples, 0.25);
+    CHECK(result.bounds[0] >= std::exp(0.75 * at));
+    CHECK(result.bounds[0] <= 1.001 * std::exp(0.75 * at));
+  }
+}
+
+TEST_CASE("the root of what may be 0 is bounded by the root of the largest that it may be", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  Samples samples(1, 0);
+  samples.set(x.symbol, 0, 2.0);
+  const BoundedResults result = evaluate_with_bounds(compiled(page, root(x)), samples, 1.0);
+  CHECK(result.bounds[0] >= 2.0);
+  CHECK(result.bounds[0] <= 2.0 * (1.0 + 0x1p-48));
+}

@@ -56,3 +56,31 @@ TEST_CASE("the condition of a sum over particles is as for the terms written out
   CHECK(condition_numbers(compiled(page, twice), samples)[0] == Approx((6.0 * 3.5 + 5.5 * 6.0) / 21.0));
   CHECK(condition_numbers(compiled(page, twice), samples, {}, 5).empty());
 }
+
+TEST_CASE("a condition number has digits enough, or is not given", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  Samples samples(1, 0);
+  samples.set(x.symbol, 0, 1e160);
+  samples.set(y.symbol, 0, 1e-160);
+  const auto of = [&](const Term& term) { return condition_numbers(compiled(page, term), samples)[0]; };
+  // ((x + y)² − x² − y²)/2 is x y: 2.
+  CHECK(of((pow(x + y, 2) - pow(x, 2) - pow(y, 2)) / 2) == Approx(2.0));
+  CHECK(of(root((pow(x + y, 2) - pow(x, 2) - pow(y, 2)) / 2)) == Approx(1.0));
+  CHECK(std::isinf(of((x + y) - x - y)));  // 0 in rational numbers only
+  CHECK(std::isnan(of(root(x) * root(x) - x)));
+}
+
+TEST_CASE("three sums in each other do not overflow the count of the work", "[numeric]") {
+  Page page;
+  const Named m = page.scalars("m");
+  const ParticleId alpha = page.particle("\\alpha");
+  const ParticleId beta = page.particle("\\beta");
+  const ParticleId gamma = page.particle("\\gamma");
+  const Term term = over(alpha, over(beta, over(gamma, root(m(alpha) + m(beta) + m(gamma)))));
+  constexpr std::size_t particles = std::size_t{1} << 22;
+  Samples samples(1, particles);
+  samples.set_particles(m.symbol, 0, std::vector<double>(particles, 1.0));
+  CHECK(condition_numbers(compiled(page, term), samples).empty());
+}

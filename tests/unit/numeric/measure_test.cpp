@@ -110,3 +110,38 @@ TEST_CASE("time is measured where it is asked for", "[numeric]") {
   const FormMeasure form = measure(compiled(page, x * x + x), samples, {.milliseconds = 0.1});
   for (const ErrorMeasure& each : form.arithmetics) CHECK(each.nanoseconds > 0.0);
 }
+
+TEST_CASE("the work of sums within sums grows with the power of the particles", "[numeric]") {
+  Page page;
+  const Named m = page.scalars("m");
+  const ParticleId alpha = page.particle("\\alpha");
+  const ParticleId beta = page.particle("\\beta");
+  const ParticleId gamma = page.particle("\\gamma");
+  const Term one = over(alpha, m(alpha) * m(alpha));
+  const Term two = over(alpha, over(beta, absolute(m(alpha) - m(beta))));
+  const Term three = over(alpha, over(beta, over(gamma, root(m(alpha) + m(beta) + m(gamma)))));
+  CHECK(work_of(compiled(page, one), 100) == 1 + 200);
+  CHECK(work_of(compiled(page, two), 100) == 1 + 3 * 10'000 + 100);
+  CHECK(work_of(compiled(page, three), std::size_t{1} << 22) == std::numeric_limits<std::size_t>::max());
+  Samples samples(3, 100);
+  samples.set_particles(m.symbol, 0, std::vector<double>(100, 1.5));
+  MeasureOptions options = untimed;
+  options.operations = work_of(compiled(page, two), samples) - 1;
+  CHECK(measure(compiled(page, two), samples, options).measured == 0);
+  ++options.operations;
+  CHECK(measure(compiled(page, two), samples, options).measured == 1);
+}
+
+TEST_CASE("what is not finite where the exact value is 0 is the worst result there", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  Samples samples(1, 0);
+  samples.set(x.symbol, 0, 1e200);
+  // x²/x − x: infinite in double; x² − x²: NaN.
+  for (const Term& term : {pow(x, 2) / x - x, pow(x, 2) - pow(2 * x, 2) / 4}) {
+    const FormMeasure form = measure(compiled(page, term), samples, untimed);
+    CHECK(of(form, Arithmetic::plain).zeros == 1);
+    CHECK(std::isinf(of(form, Arithmetic::plain).worst_at_zero));
+    CHECK(of(form, Arithmetic::extended).worst_at_zero == 0.0);
+  }
+}

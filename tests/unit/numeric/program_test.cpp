@@ -255,3 +255,13 @@ TEST_CASE("a program asks only for the inputs that its results depend on", "[num
                                                                  {s.symbol, 1}, {s.symbol, 2}};
   CHECK(inputs == expected);
 }
+
+TEST_CASE("a sum of constants is taken at compile time only if no digit is lost", "[numeric]") {
+  Page page;
+  const auto sum = [&](const char* a, const char* b) { return page.number(a) + page.number(b); };
+  const auto operations = [&](const Term& term) { return compiled(page, term).counts().once; };
+  CHECK(operations(sum("4194304", "0.5")) == 0);  // 2^22 + 2^-1: 24 bits
+  CHECK(operations(sum("8388608", "0.5")) == 1);  // 25 bits
+  // 2^49 + 2^-13 is 2^49 in double.
+  CHECK(operations(sum("562949953421312", "0.0001220703125")) == 1);
+}
