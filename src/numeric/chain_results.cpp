@@ -118,8 +118,7 @@ class ChainMeasurement {
     if (!applies(family, forms_.tree, symbols_, body)) return;
     const std::size_t particles = body != nullptr ? body->size() : particles_without_body;
     std::size_t work = 1;
-    for (const ChainResult::Form& form : result_.forms)
-      work = std::max(work, form.operations + form.operations_per_particle * particles);
+    for (const Program& program : programs_) work = std::max(work, work_of(program, particles));
     const std::size_t affordable = options_.operations / digits_over_double / work;
     const std::size_t samples =
         std::clamp(affordable, fewest_samples, std::max(fewest_samples, options_.samples));

@@ -35,6 +35,7 @@ std::string events(const TrialResult& trial, const FormResult& form) {
     if (count > 0) texts.push_back(fmt::format("{} {} of {}", what, count, samples));
   };
   if (!trial.met) texts.emplace_back("the assumptions do not hold here");
+  if (samples == 0 && trial.samples > 0) texts.emplace_back("too large to be compared with exact values");
   say(measure.overflows, "overflow in");
   say(measure.not_a_number, "not a number in");
   say(measure.wrong_signs, "wrong sign in");
