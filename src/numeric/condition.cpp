@@ -15,7 +15,9 @@ namespace rigor {
 namespace {
 
 constexpr int known_bits = 20;  // of a condition number
-constexpr std::size_t cost_of_more_digits = 64;
+// Operations with 100 digits that cost as much as one with more.
+constexpr std::size_t cost_of_400 = 8;
+constexpr std::size_t cost_of_1400 = 64;
 
 /// All values of a program at one sample, for all particles of the loops that they are in, and how a result
 /// depends on each.
@@ -277,23 +279,40 @@ std::optional<double> Tape<Number>::condition(std::size_t sample) {
   return static_cast<double>(condition.value);
 }
 
-template <unsigned digits>
-[[nodiscard]] std::optional<double> condition_with(const Program& program, const Samples& samples,
-                                                   std::span<const std::uint32_t> at, std::size_t sample) {
-  return Tape<BoundedDecimal<digits>>(program, samples, at).condition(sample);
-}
+/// Where 100 digits do not tell: with more, as long as the budget lasts, unless the result is 0.
+class FurtherDigits {
+ public:
+  FurtherDigits(const Program& program, const Samples& samples, std::span<const std::uint32_t> at,
+                std::size_t affordable)
+      : program_(program),
+        samples_(samples),
+        at_(at),
+        with_400_(affordable / cost_of_400),
+        with_1400_(affordable / cost_of_1400) {}
 
-/// Where 100 digits do not tell: with more, unless the result is 0.
-[[nodiscard]] double condition_again(const Program& program, const Samples& samples,
-                                     std::span<const std::uint32_t> at, std::size_t sample) {
-  const ReferenceDigits exact = exact_results(program, samples.only(std::array{sample}), at);
-  const auto is_zero = [](Known known) { return known == Known::zero; };
-  if (std::all_of(exact.known.begin(), exact.known.end(), is_zero))
-    return std::numeric_limits<double>::infinity();
-  auto condition = condition_with<400>(program, samples, at, sample);
-  if (!condition) condition = condition_with<1400>(program, samples, at, sample);
-  return condition.value_or(std::numeric_limits<double>::quiet_NaN());
-}
+  [[nodiscard]] std::optional<double> condition(std::size_t sample) {
+    const ReferenceDigits exact = exact_results(program_, samples_.only(std::array{sample}), at_);
+    const auto is_zero = [](Known known) { return known == Known::zero; };
+    if (std::all_of(exact.known.begin(), exact.known.end(), is_zero))
+      return std::numeric_limits<double>::infinity();
+    auto condition = with<400>(sample, with_400_);
+    return condition ? condition : with<1400>(sample, with_1400_);
+  }
+
+ private:
+  template <unsigned digits>
+  [[nodiscard]] std::optional<double> with(std::size_t sample, std::size_t& left) const {
+    if (left == 0) return std::nullopt;
+    --left;
+    return Tape<BoundedDecimal<digits>>(program_, samples_, at_).condition(sample);
+  }
+
+  const Program& program_;
+  const Samples& samples_;
+  std::span<const std::uint32_t> at_;
+  std::size_t with_400_;
+  std::size_t with_1400_;
+};
 
 }  // namespace
 
@@ -305,14 +324,11 @@ std::vector<double> condition_numbers(const Program& program, const Samples& sam
   const std::size_t once = work_of(program, samples);
   const std::size_t affordable = budget / (1 + program.outputs()) / once;
   if (affordable == 0) return result;
-  std::size_t again = budget / (1 + program.outputs()) / once / cost_of_more_digits;
+  FurtherDigits further(program, samples, at, affordable);
   Tape<BoundedDecimal<100>> tape(program, samples, at);
   for (std::size_t sample = 0; sample < std::min(samples.samples(), affordable); ++sample) {
     std::optional<double> condition = tape.condition(sample);
-    if (!condition && again > 0) {
-      --again;
-      condition = condition_again(program, samples, at, sample);
-    }
+    if (!condition) condition = further.condition(sample);
     result.push_back(condition.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
   return result;

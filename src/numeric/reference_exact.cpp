@@ -17,7 +17,7 @@ using Rational =
     boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 
 // In products of two words of an integer: a greatest common divisor takes about as many as words squared.
-constexpr std::size_t most_work = 4'000'000;
+constexpr std::size_t most_work = 16'000'000;
 constexpr std::size_t most_work_for_a_sample = 1'000'000;
 
 struct NotRational : std::runtime_error {
