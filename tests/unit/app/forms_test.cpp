@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `eval`, `bench` and `scene` as whole commands.
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -31,7 +33,9 @@ Ended run_words(std::vector<std::string> words) {
 /// An empty folder that is gone at the end.
 class Folder {
  public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("rigor-forms-" + std::to_string(++count))) {
+  Folder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("rigor-forms-" + std::to_string(::getpid()) + "-" + std::to_string(++count))) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
