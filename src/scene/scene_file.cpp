@@ -223,7 +223,13 @@ SceneAsk asked_as(const SceneText& name) {
 
 void read_asked(const TomlValue& table, SceneFile& scene, Diagnostics& diagnostics) {
   TomlReader reader(table, "[ask]", diagnostics);
-  for (const SceneText& name : texts(reader, "quantities")) scene.asked.push_back(asked_as(name));
+  for (const SceneText& name : texts(reader, "quantities")) {
+    scene.asked.push_back(asked_as(name));
+    const SceneAsk& ask = scene.asked.back();
+    const bool of_notes = ask.kind == SceneAskKind::quantity || ask.kind == SceneAskKind::over_time;
+    if (of_notes && ask.latex.empty())
+      report(diagnostics, DiagnosticKind::bad_scene, name.span, "a quantity without a name is asked for");
+  }
   scene.errors = reader.truth("errors").value_or(false);
   scene.plot = reader.text("plot").value_or("");
   if (scene.asked.empty()) {

@@ -75,7 +75,7 @@ std::optional<std::string> SceneLetters::name_of(const SceneText& letter, const 
   const Symbol& symbol = forms_.tree.symbols[node.symbol];
   if (symbol.rank == kind.rank && symbol.per_particle == kind.per_particle) return symbol.name;
   diagnostics_.push_back({DiagnosticKind::bad_scene, letter.span,
-                          fmt::format("`{}` is {}{} in the notes, but {}{} is expected", letter.text,
+                          fmt::format("`{}` is {}{} in the notes, but stands for {}{} here", letter.text,
                                       word_for(symbol.rank), symbol.per_particle ? " of each particle" : "",
                                       word_for(kind.rank), kind.per_particle ? " of each particle" : "")});
   return std::nullopt;

@@ -126,6 +126,10 @@ TEST_CASE("what a scene cannot mean is a diagnostic at its place", "[scene file]
         "4: bad-scene: `L(t)` needs a motion, and the scene has none\n");
   CHECK(ReadScene(head + "[ask]\nquantities = []\n").messages() ==
         "4: bad-scene: the scene asks for nothing\n");
+  for (const char* blank : {"''", "'  '"}) {
+    CHECK(ReadScene(head + "[ask]\nquantities = ['L', " + blank + "]\n").messages() ==
+          "4: bad-scene: a quantity without a name is asked for\n");
+  }
   CHECK(ReadScene(head + "axes = \"inertial\"\n" + ask).messages() ==
         "3: bad-scene: `axes` is `inertial`, but must be `body` or `principal`\n");
   CHECK(ReadScene(head + "sping = [1, 0, 0]\n" + ask).messages() ==
