@@ -116,7 +116,7 @@ std::optional<Advice> advise(const ChainResult& all) {
   }
   const double least = *std::min_element(losses.begin(), losses.end());
   Advice advice;
-  advice.all_alike = *std::max_element(losses.begin(), losses.end()) <= alike;
+  advice.all_alike = *std::max_element(losses.begin(), losses.end()) <= alike * least;
   bool found = false;
   for (std::size_t k = 0; k < count; ++k) {
     if (losses[k] > alike * least || (found && costs[k] >= costs[advice.form])) continue;

@@ -20,7 +20,7 @@ namespace rigor {
 /// a factor of 8 of the safest are as good; the fastest of them is advised.
 struct Advice {
   std::size_t form = 0;             // of ChainResult::forms
-  bool all_alike = false;           // no form is worse than a factor of 8 anywhere
+  bool all_alike = false;           // no form's greatest loss is over 8 times the least one
   std::vector<std::size_t> fronts;  // forms that no other beats in greatest loss and time together
 };
 
