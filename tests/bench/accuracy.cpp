@@ -98,7 +98,9 @@ int write(const std::filesystem::path& docs, const std::string& program_bench) {
     std::string text;
   };
   std::vector<Part> parts;
-  const std::string table = output_of(program_bench);
+  // GiNaC leaves files behind where its compiler runs
+  const std::string table =
+      output_of("cd " + std::filesystem::temp_directory_path().string() + " && " + program_bench);
   parts.push_back(
       {"Programs beside hand-written loops and GiNaC", table.empty() ? "" : "```\n" + table + "```\n"});
   const std::string measured = nature(folder);
