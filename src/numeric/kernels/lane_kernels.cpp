@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiled once for each instruction set, which CMakeLists.txt names.
+#include "numeric/kernels/lane_kernels.h"
+
+#include "numeric/kernels/lanes.h"
+
+#define RIGOR_NAME_OF(x) #x
+#define RIGOR_NAME(x) RIGOR_NAME_OF(x)
+
+namespace rigor::RIGOR_INSTRUCTION_SET {
+
+extern const LaneKernels kernels;
+const LaneKernels kernels = {
+    .instruction_set = RIGOR_NAME(RIGOR_INSTRUCTION_SET),
+    .lanes = lanes,
+};
+
+}  // namespace rigor::RIGOR_INSTRUCTION_SET

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several doubles at once, as wide as the instruction set has registers. `lane_kernels.cpp` and what it
+// includes are compiled once for each instruction set, in a namespace of that name; no other difference
+// between the sets is visible: every operation is that of IEEE 754, and products are exact in two parts with
+// or without a fused multiply-add, so that a kernel gives the same bits on every machine.
+//
+// Only built-in types here and in the kernels: an inline function of a library, compiled for a wide machine,
+// could be what the linker keeps for all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#ifndef RIGOR_INSTRUCTION_SET
+#define RIGOR_INSTRUCTION_SET baseline
+#define RIGOR_LANES 2
+#endif
+
+#define RIGOR_INLINE [[gnu::always_inline]] inline
+
+namespace rigor::RIGOR_INSTRUCTION_SET {
+
+inline constexpr int lanes = RIGOR_LANES;
+
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+/// All bits of a lane set: true. None: false.
+using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(double))));
+
+/// The comparison of two T, which `select` takes.
+template <class T>
+struct MaskOf;
+template <>
+struct MaskOf<double> {
+  using Type = bool;
+};
+template <>
+struct MaskOf<Lanes> {
+  using Type = LaneMask;
+};
+template <class T>
+using Mask = typename MaskOf<T>::Type;
+
+/// The same number in every lane.
+template <class T>
+RIGOR_INLINE T all(double value) {
+  return value - T{};  // x − 0 is x, also for −0
+}
+
+RIGOR_INLINE Lanes load(const double* from) {
+  Lanes x;
+  __builtin_memcpy(&x, from, sizeof x);
+  return x;
+}
+RIGOR_INLINE void store(double* to, Lanes x) { __builtin_memcpy(to, &x, sizeof x); }
+
+RIGOR_INLINE double root(double x) { return __builtin_sqrt(x); }
+RIGOR_INLINE Lanes root(Lanes x) {
+  Lanes r;
+  for (int i = 0; i < lanes; ++i) r[i] = __builtin_sqrt(x[i]);
+  return r;
+}
+
+RIGOR_INLINE double absolute(double x) { return __builtin_fabs(x); }
+RIGOR_INLINE Lanes absolute(Lanes x) { return (Lanes)((LaneMask)x & INT64_MAX); }
+
+/// The first where both are equal; the second where either is not a number.
+RIGOR_INLINE double greater(double a, double b) { return a > b ? a : b; }
+RIGOR_INLINE Lanes greater(Lanes a, Lanes b) { return a > b ? a : b; }
+
+RIGOR_INLINE double select(bool mask, double a, double b) { return mask ? a : b; }
+RIGOR_INLINE Lanes select(LaneMask mask, Lanes a, Lanes b) { return mask ? a : b; }
+
+RIGOR_INLINE bool any(bool mask) { return mask; }
+RIGOR_INLINE bool any(LaneMask mask) {
+  std::int64_t bits = 0;
+  for (int i = 0; i < lanes; ++i) bits |= mask[i];
+  return bits != 0;
+}
+
+/// |x| with the sign of `sign`.
+RIGOR_INLINE double with_sign(double x, double sign) { return __builtin_copysign(x, sign); }
+RIGOR_INLINE Lanes with_sign(Lanes x, Lanes sign) {
+  return (Lanes)(((LaneMask)x & INT64_MAX) | ((LaneMask)sign & INT64_MIN));
+}
+
+/// The power of two at or below a normal positive number; exact.
+RIGOR_INLINE double power_below(double x) {
+  std::int64_t bits;
+  __builtin_memcpy(&bits, &x, sizeof bits);
+  bits &= 0x7ff0000000000000;
+  __builtin_memcpy(&x, &bits, sizeof x);
+  return x;
+}
+RIGOR_INLINE Lanes power_below(Lanes x) { return (Lanes)((LaneMask)x & 0x7ff0000000000000); }
+
+#ifdef __FMA__
+RIGOR_INLINE double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }
+RIGOR_INLINE Lanes fused(Lanes a, Lanes b, Lanes c) {
+  Lanes r;
+  for (int i = 0; i < lanes; ++i) r[i] = __builtin_fma(a[i], b[i], c[i]);
+  return r;
+}
+/// a b − p for p = fl(a b): exact unless it underflows.
+template <class T>
+RIGOR_INLINE T rest_of_product(T a, T b, T p) {
+  return fused(a, b, -p);
+}
+#else
+/// The same without a fused multiply-add: T. J. Dekker, Numer. Math. 18 (1971) 224. |a|, |b| < 2^996.
+template <class T>
+RIGOR_INLINE T rest_of_product(T a, T b, T p) {
+  const T ca = a * 134217729.;  // 2^27 + 1
+  const T cb = b * 134217729.;
+  const T ah = ca - (ca - a);
+  const T bh = cb - (cb - b);
+  const T al = a - ah;
+  const T bl = b - bh;
+  return ((ah * bh - p) + ah * bl + al * bh) + al * bl;
+}
+#endif
+
+}  // namespace rigor::RIGOR_INSTRUCTION_SET
