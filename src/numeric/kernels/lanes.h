@@ -10,6 +10,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#ifdef __FMA__
+#include <immintrin.h>
+#endif
 
 #ifndef RIGOR_INSTRUCTION_SET
 #define RIGOR_INSTRUCTION_SET baseline
@@ -109,10 +112,15 @@ RIGOR_INLINE Lanes inverse_power(Lanes x) { return (Lanes)(0x7fe0000000000000 - 
 
 #ifdef __FMA__
 RIGOR_INLINE double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }
+/// By the instruction: GCC makes one scalar operation a lane of a loop over `__builtin_fma`.
 RIGOR_INLINE Lanes fused(Lanes a, Lanes b, Lanes c) {
-  Lanes r;
-  for (int i = 0; i < lanes; ++i) r[i] = __builtin_fma(a[i], b[i], c[i]);
-  return r;
+#if RIGOR_LANES == 8
+  return _mm512_fmadd_pd(a, b, c);
+#elif RIGOR_LANES == 4
+  return _mm256_fmadd_pd(a, b, c);
+#else
+  return _mm_fmadd_pd(a, b, c);
+#endif
 }
 /// a b − p for p = fl(a b): exact unless it underflows.
 template <class T>
