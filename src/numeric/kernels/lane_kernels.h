@@ -6,11 +6,16 @@
 #include <cstddef>
 #include <vector>
 
+#include "numeric/kernels/point_sums.h"
+
 namespace rigor {
 
 struct LaneKernels {
   const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
   std::size_t lanes = 0;             // doubles at once
+  SumPoints sum_points = nullptr;
+  SumPoints sum_points_sharply = nullptr;
+  SamplePoints sample_points = nullptr;
 };
 
 /// Those that this program was built with and this machine can run, from the narrowest to the widest. Never
