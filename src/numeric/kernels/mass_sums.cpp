@@ -257,13 +257,19 @@ HighLow scaled(const Number& x, int exponent) {
   return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)};
 }
 
+SharpPosition unscaled_centre(const MomentFinder::FoundMoments& found) {
+  SharpPosition centre;
+  for (std::size_t i = 0; i < 3; ++i) centre[i] = scaled(found.moments.centre[i], -found.scale.length);
+  return centre;
+}
+
 Result<SharpMassSums> unscaled(const MomentFinder::FoundMoments& found) {
   const auto& [moments, scale, compensated] = found;
   SharpMassSums result;
   result.mass = scaled(moments.mass, -scale.mass);
   if (!std::isfinite(result.mass.high)) return refuse("the sum of the masses overflows");
+  result.centre = unscaled_centre(found);
   for (std::size_t i = 0; i < 3; ++i) {
-    result.centre[i] = scaled(moments.centre[i], -scale.length);
     for (std::size_t j = 0; j < 3; ++j) {
       result.inertia[i][j] = scaled(moments.inertia[i][j], -scale.mass - 2 * scale.length);
       if (!std::isfinite(result.inertia[i][j].high)) return refuse("the inertia tensor overflows");
@@ -298,6 +304,12 @@ Result<SharpMassSums> sharp_mass_sums(const PointColumns& points, const SumOptio
   const auto found = MomentFinder(points, options).find(true);
   if (!found) return tl::unexpected(found.error());
   return unscaled(*found);
+}
+
+Result<SharpPosition> sharp_centre_of_mass(const PointColumns& points, const SumOptions& options) {
+  const auto found = MomentFinder(points, options).find(true);
+  if (!found) return tl::unexpected(found.error());
+  return unscaled_centre(*found);
 }
 
 }  // namespace rigor
