@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "numeric/kernels/point_sums.h"
+
 namespace rigor {
 
 /// Symmetric tensors by columns: of each tensor the diagonal a_ii, and a_jk for the cyclic (i, j, k); low
@@ -28,6 +30,9 @@ struct LaneKernels {
   const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
   std::size_t lanes = 0;             // doubles at once
   void (*principal_moments)(const MomentsColumns&) = nullptr;  // moments_lanes.h
+  SumPoints sum_points = nullptr;
+  SumPoints sum_points_sharply = nullptr;
+  SamplePoints sample_points = nullptr;
 };
 
 /// Those that this program was built with and this machine can run, from the narrowest to the widest. Never
