@@ -2,7 +2,9 @@
 // Compiled once for each instruction set, which CMakeLists.txt names.
 #include "numeric/kernels/lane_kernels.h"
 
+#include "numeric/kernels/free_spin_lanes.h"
 #include "numeric/kernels/lanes.h"
+#include "numeric/kernels/torque_free_lanes.h"
 
 #define RIGOR_NAME_OF(x) #x
 #define RIGOR_NAME(x) RIGOR_NAME_OF(x)
@@ -13,6 +15,14 @@ extern const LaneKernels kernels;
 const LaneKernels kernels = {
     .instruction_set = RIGOR_NAME(RIGOR_INSTRUCTION_SET),
     .lanes = lanes,
+    .set_free_spin =
+        [](const double* moments, const double* spin, FreeSpin& into) {
+          StandardFrame frame;
+          set_free_spin(moments, spin, into, frame);
+        },
+    .free_spin_at = [](const FreeSpin& spin, double time, double* into) { free_spin_at(spin, time, into); },
+    .free_spins_at = [](const FreeSpin& spin, const double* times, std::size_t count,
+                        double* into) { free_spins_at(spin, times, count, into); },
 };
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

@@ -8,9 +8,16 @@
 
 namespace rigor {
 
+struct FreeSpin;
+
 struct LaneKernels {
   const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
   std::size_t lanes = 0;             // doubles at once
+
+  // torque_free.h
+  void (*set_free_spin)(const double* moments, const double* spin, FreeSpin& into) = nullptr;
+  void (*free_spin_at)(const FreeSpin& spin, double time, double* into) = nullptr;
+  void (*free_spins_at)(const FreeSpin& spin, const double* times, std::size_t count, double* into) = nullptr;
 };
 
 /// Those that this program was built with and this machine can run, from the narrowest to the widest. Never
