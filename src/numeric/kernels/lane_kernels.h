@@ -9,6 +9,7 @@
 namespace rigor {
 
 struct FreeSpin;
+struct FreeAttitude;
 
 struct LaneKernels {
   const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
@@ -18,6 +19,12 @@ struct LaneKernels {
   void (*set_free_spin)(const double* moments, const double* spin, FreeSpin& into) = nullptr;
   void (*free_spin_at)(const FreeSpin& spin, double time, double* into) = nullptr;
   void (*free_spins_at)(const FreeSpin& spin, const double* times, std::size_t count, double* into) = nullptr;
+
+  // torque_free_attitude.h
+  void (*set_free_attitude)(const double* moments, const double* spin, FreeAttitude& into) = nullptr;
+  void (*attitude_at)(const FreeAttitude& attitude, double time, double* into) = nullptr;
+  void (*attitudes_at)(const FreeAttitude& attitude, const double* times, std::size_t count,
+                       double* into) = nullptr;
 };
 
 /// Those that this program was built with and this machine can run, from the narrowest to the widest. Never
