@@ -106,7 +106,8 @@ RIGOR_INLINE Decay<T> decay(DoubleDouble<T> w) {
   p = z * p + 1 / 24.;
   p = z * p + 1 / 6.;
   p = z * p + 0.5;
-  const T change = z + (z * z * p + (rest + rest * z));  // eʳ − 1
+  const T inner = z * z * p;
+  const T change = z + (inner + rest * (1 + (z + inner)));  // eʳ − 1
   const T scale = power_of_two(n);
   return {scale + scale * change, (scale - 1) + scale * change};
 }

@@ -10,12 +10,12 @@
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
 /// M(a, b), the arithmetic-geometric mean, a ≥ b > 0: K = π a / 2 M(a, b). Relative error 1e-30.
-/// Method: means until (a − b)/(a + b) = κ < 2^-20, then M = ½ (a + b) (1 − κ²/4 − 5 κ⁴/64): DLMF 19.8.
+/// Method: means until (a − b)/(a + b) = κ < 2^-26, then M = ½ (a + b) (1 − κ²/4 − 5 κ⁴/64): DLMF 19.8.
 RIGOR_INLINE DoubleDouble<double> mean_of(DoubleDouble<double> a, DoubleDouble<double> b) {
   for (int level = 0; level < 16; ++level) {  // 12 suffice for b/a = 2^-1000
     const DoubleDouble<double> sum = a + b;
     const double kappa = (a - b).high / sum.high;
-    if (kappa < 0x1p-20)
+    if (kappa < 0x1p-26)
       return sum * 0.5 * (DoubleDouble<double>{1, 0} + -kappa * kappa * (0.25 + kappa * kappa * (5 / 64.)));
     b = root(a * b);
     a = sum * 0.5;

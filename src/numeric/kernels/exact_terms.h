@@ -7,9 +7,9 @@
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
-/// Parts do not overlap and grow. Room for two products of five factors, 106 bits in two of them.
+/// Parts do not overlap and grow. Room for two products and one term more.
 struct ExactTerms {
-  double parts[32] = {};
+  double parts[33] = {};
   int count = 0;
 
   RIGOR_INLINE void add(double x) {
