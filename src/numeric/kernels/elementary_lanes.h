@@ -147,9 +147,21 @@ RIGOR_INLINE DoubleDouble<double> half_turns_of(DoubleDouble<double> x, DoubleDo
   const double slope = s.high / c.high;
   const double j = nearest_integer(slope * (16 + 5.56 * (1 - slope)));  // 64/π atan, within 0.1
   const double* at = sixty_fourths[(int)j];
-  const DoubleDouble<double> cj{at[0], at[1]};
-  const DoubleDouble<double> sj{at[2], at[3]};
-  const DoubleDouble<double> z = (s * cj - c * sj) / (c * cj + s * sj);
+  // z = tan of what is left = (s cⱼ − c sⱼ) / (c cⱼ + s sⱼ)
+  const DoubleDouble<double> near = exact_product(s.high, at[0]);
+  const DoubleDouble<double> far = exact_product(c.high, at[2]);
+  const DoubleDouble<double> y_high = exact_difference(near.high, far.high);
+  const double y_low = y_high.low + ((near.low - far.low) +
+                                     ((s.high * at[1] + s.low * at[0]) - (c.high * at[3] + c.low * at[2])));
+  const DoubleDouble<double> along = exact_product(c.high, at[0]);
+  const DoubleDouble<double> across = exact_product(s.high, at[2]);
+  const DoubleDouble<double> x_high = exact_sum(along.high, across.high);
+  const double x_low = x_high.low + ((along.low + across.low) +
+                                     ((c.high * at[1] + c.low * at[0]) + (s.high * at[3] + s.low * at[2])));
+  const double q = y_high.high / x_high.high;
+  const DoubleDouble<double> p_high = exact_product(q, x_high.high);
+  const DoubleDouble<double> z =
+      normalised(q, (((y_high.high - p_high.high) - p_high.low) + (y_low - q * x_low)) / x_high.high);
   const double w = z.high * z.high;
   double p = 1 / 13. - w * (1 / 15.);
   p = 1 / 11. - w * p;

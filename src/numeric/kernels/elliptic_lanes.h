@@ -9,16 +9,40 @@
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
+using Double2 = DoubleDouble<double>;
+
+/// a + b of like signs. Relative error 3 v, v = 2^-106. 11 operations.
+RIGOR_INLINE Double2 like_sum(Double2 a, Double2 b) {
+  const Double2 s = exact_sum(a.high, b.high);
+  return normalised(s.high, s.low + (a.low + b.low));
+}
+
+/// a / b. Relative error 10 v.
+RIGOR_INLINE Double2 quotient(Double2 a, Double2 b) {
+  const double q = a.high / b.high;
+  const Double2 p = exact_product(q, b.high);
+  return normalised(q, (((a.high - p.high) - p.low) + (a.low - q * b.low)) / b.high);
+}
+
+/// √a, a ≥ 0. Relative error 4 v.
+RIGOR_INLINE Double2 square_root(Double2 a) {
+  const double r = root(a.high);
+  const Double2 p = exact_product(r, r);
+  return normalised(r, r > 0 ? (((a.high - p.high) - p.low) + a.low) * (0.5 / r) : 0);
+}
+
 /// M(a, b), the arithmetic-geometric mean, a ≥ b > 0: K = π a / 2 M(a, b). Relative error 1e-30.
 /// Method: means until (a − b)/(a + b) = κ < 2^-26, then M = ½ (a + b) (1 − κ²/4 − 5 κ⁴/64): DLMF 19.8.
-RIGOR_INLINE DoubleDouble<double> mean_of(DoubleDouble<double> a, DoubleDouble<double> b) {
+RIGOR_INLINE Double2 mean_of(Double2 a, Double2 b) {
   for (int level = 0; level < 16; ++level) {  // 12 suffice for b/a = 2^-1000
-    const DoubleDouble<double> sum = a + b;
-    const double kappa = (a - b).high / sum.high;
-    if (kappa < 0x1p-26)
-      return sum * 0.5 * (DoubleDouble<double>{1, 0} + -kappa * kappa * (0.25 + kappa * kappa * (5 / 64.)));
-    b = root(a * b);
-    a = sum * 0.5;
+    const Double2 mean = like_sum(a, b) * 0.5;
+    const double kappa = ((a.high - b.high) + (a.low - b.low)) / (2 * mean.high);
+    if (kappa < 0x1p-26) {
+      return normalised(mean.high,
+                        mean.low - mean.high * (kappa * kappa * (0.25 + kappa * kappa * (5 / 64.))));
+    }
+    b = square_root(a * b);
+    a = mean;
   }
   return a;
 }
@@ -32,36 +56,37 @@ RIGOR_INLINE double nome_of(double l) {
 /// The limits of the descending Landen transformation of (a, b) at Δ = a dn, 0 < Δ: factors of tan φ and of
 /// sin φ that lead to tan v, sin v, v = π u / 2K. Also for the imaginary amplitude, where Δ > a.
 ///   a' = ½ (a + b), b' = √(ab), Δ'² = a a' (Δ + b)/(Δ + a); tan φ' = tan φ Δ'/a; sin φ' = sin φ 2a'/(a + Δ).
-/// Relative error 1e-21. All terms are positive.
-struct AmplitudeFactors {
-  DoubleDouble<double> tangent;
-  DoubleDouble<double> sine;
+/// Relative error 1e-21, of the mean 1e-30. All terms are positive.
+struct Descent {
+  Double2 tangent;
+  Double2 sine;
+  Double2 mean;  // M(a, b)
 };
-RIGOR_INLINE AmplitudeFactors descend(DoubleDouble<double> a, DoubleDouble<double> b,
-                                      DoubleDouble<double> delta) {
-  AmplitudeFactors factors{{1, 0}, {1, 0}};
+RIGOR_INLINE Descent descend(Double2 a, Double2 b, Double2 delta) {
+  Descent factors{{1, 0}, {1, 0}, {}};
   for (int level = 0; level < 16; ++level) {
-    const DoubleDouble<double> mean = (a + b) * 0.5;
-    const DoubleDouble<double> sum = delta + a;
-    const double e = (a - mean).high;
+    const Double2 mean = like_sum(a, b) * 0.5;
+    const double e = ((a.high - b.high) + (a.low - b.low)) * 0.5;
     if (level > 0 && e < 0x1p-16 * a.high) break;
-    const DoubleDouble<double> next = root((a * mean) * (delta + b) / sum);
-    factors.tangent = factors.tangent * (next / a);
-    factors.sine = factors.sine * (mean * 2. / sum);
-    b = root(a * b);
+    const Double2 sum = like_sum(delta, a);
+    const Double2 next = square_root(quotient((a * mean) * like_sum(delta, b), sum));
+    factors.tangent = factors.tangent * quotient(next, a);
+    factors.sine = factors.sine * quotient(mean * 2., sum);
+    b = square_root(a * b);
     a = mean;
     delta = next;
   }
+  factors.mean = mean_of(a, b);
   // What is left differs from 1 by less than 2^-15 at first: one part is enough.
   double ah = a.high;
-  double gap = (a - delta).high;
-  double e = (a - b).high * 0.5;
+  double gap = (a.high - delta.high) + (a.low - delta.low);
+  double e = ((a.high - b.high) + (a.low - b.low)) * 0.5;
   for (int level = 0; level < 3; ++level) {
     const double sum = 2 * ah - gap;
     const double x = e * (sum + 2 * (ah - e)) / (ah * sum);
     const double change = -x / (1 + root(1 - x));
-    factors.tangent = factors.tangent + factors.tangent * change;
-    factors.sine = factors.sine + factors.sine * ((gap - 2 * e) / sum);
+    factors.tangent = factors.tangent + factors.tangent.high * change;
+    factors.sine = factors.sine + factors.sine.high * ((gap - 2 * e) / sum);
     gap = -e - ah * change;
     ah -= e;
     e = e * e / (4 * ah);

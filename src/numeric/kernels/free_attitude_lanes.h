@@ -146,31 +146,31 @@ RIGOR_INLINE void attitude_at(const FreeAttitude& at, T time, T* into) {
 /// The mean of (d₁ cn² + d₂ sn²)/(J₁ d₁ cn² + J₂ d₂ sn²) over a period, k' = b/a > 0. Relative error 1e-29.
 RIGOR_INLINE Double2 mean_rate(const StandardFrame& frame, const Moduli& moduli) {
   const Double2 whole = frame.gap[0] * frame.moment[0];
-  Double2 kc = moduli.b / moduli.a;
-  Double2 p = root(frame.gap[1] * frame.moment[1] / whole);
-  Double2 a = Double2{1, 0} / Double2{frame.moment[0], 0};
-  Double2 b = frame.gap[1] / whole / p;
+  Double2 kc = quotient(moduli.b, moduli.a);
+  Double2 p = square_root(quotient(frame.gap[1] * frame.moment[1], whole));
+  Double2 a = quotient({1, 0}, {frame.moment[0], 0});
+  Double2 b = quotient(frame.gap[1], whole * p);
   Double2 e = kc;
   Double2 m{1, 0};
   double power = 1;
   for (int level = 0; level < 20; ++level) {
     const Double2 f = a;
-    a = a + b / p;
-    Double2 g = e / p;
-    b = (b + f * g) * 2.;
-    p = p + g;
+    a = like_sum(a, quotient(b, p));
+    Double2 g = quotient(e, p);
+    b = like_sum(b, f * g) * 2.;
+    p = like_sum(p, g);
     g = m;
-    m = m + kc;
+    m = like_sum(m, kc);
     power *= 2;
-    if (absolute((g - kc).high) <= g.high * 0x1p-50) break;
-    kc = root(e) * 2.;
+    if (absolute((g.high - kc.high) + (g.low - kc.low)) <= g.high * 0x1p-50) break;
+    kc = square_root(e) * 2.;
     e = kc * m;
   }
-  return (b + a * m) / ((m + p) * power);
+  return quotient(like_sum(b, a * m), like_sum(m, p) * power);
 }
 
 /// η of circular_azimuth or η' of hyperbolic_azimuth.
-RIGOR_INLINE void set_eta(const StandardFrame& frame, const Moduli& m, FreeAttitude& out) {
+RIGOR_INLINE void set_eta(const StandardFrame& frame, const Moduli& m, Double2 third, FreeAttitude& out) {
   const auto& [j1, j2, j3] = frame.moment;
   const double ratio = frame.scale1 / frame.scale3;
   const Double2 s2 = frame.p1 * j3 / (frame.p3 * j1);  // over ratio²
@@ -180,7 +180,7 @@ RIGOR_INLINE void set_eta(const StandardFrame& frame, const Moduli& m, FreeAttit
   // The other end's: √(J₁d₁/J₃d₃).
   out.about_zero = gap3.high > 0 && root(frame.gap[0].high * j1 / gap3.high) < sigma.high;
   if (out.about_zero) sigma = root(frame.gap[0] * j1 / gap3);
-  const Double2 c = m.c * sigma;
+  const Double2 c = third * sigma;
   const Double2 delta = root(m.a * m.a + c * c);
   if (out.spin.kind == FreeSpinKind::circular) {
     const double sine = (sigma * descend(m.a, m.b, delta).sine).high;
@@ -191,7 +191,7 @@ RIGOR_INLINE void set_eta(const StandardFrame& frame, const Moduli& m, FreeAttit
     return;
   }
   const Double2 secant = root(sigma * sigma + 1.);
-  const Double2 tangent = sigma * descend(m.a, m.c, delta / secant).tangent;
+  const Double2 tangent = sigma * descend(m.a, third, delta / secant).tangent;
   const Double2 x = out.about_zero ? tangent : one;
   const Double2 y = out.about_zero ? one : tangent;
   const double size = root(x.high * x.high + y.high * y.high);
@@ -226,8 +226,8 @@ RIGOR_INLINE void set_free_attitude(const double* moments, const double* spin, F
     square = square + part * part;
     out.moment[i] = frame.moment[i];
   }
-  set_eta(frame, m, out);
-  Double2 rate = root(square) * inverse_pi *
+  set_eta(frame, m, third_modulus(frame), out);
+  Double2 rate = square_root(square) * inverse_pi *
                  (m.b.high == 0 ? Double2{1, 0} / Double2{frame.moment[1], 0} : mean_rate(frame, m));
   if (out.spin.kind == FreeSpinKind::hyperbolic && m.b.high != 0) {
     const Double2 phase_rate{out.spin.rate[0], out.spin.rate[1]};

@@ -28,9 +28,10 @@ const char* fault_of(const Position& moments, const Position& spin) {
 
 Result<TorqueFree> TorqueFree::make(const Position& moments, const Position& spin) {
   if (const char* fault = fault_of(moments, spin)) return tl::unexpected(Error{fault});
-  TorqueFree motion;
-  lane_kernels().set_free_spin(moments.data(), spin.data(), motion.spin_);
-  if (!is_finite(motion.spin_.amplitude)) return tl::unexpected(Error{"the spin grows beyond all doubles"});
+  Result<TorqueFree> motion(tl::in_place);
+  lane_kernels().set_free_spin(moments.data(), spin.data(), motion->spin_);
+  if (!is_finite(motion->spin_.amplitude))
+    motion = tl::unexpected(Error{"the spin grows beyond all doubles"});
   return motion;
 }
 

@@ -26,8 +26,8 @@ std::array<Position, 3> matrix_of(const AttitudeQuaternion& attitude) {
 Result<TorqueFreeAttitude> TorqueFreeAttitude::make(const Position& moments, const Position& spin) {
   const auto motion = TorqueFree::make(moments, spin);
   if (!motion) return tl::unexpected(motion.error());
-  TorqueFreeAttitude attitude;
-  lane_kernels().set_free_attitude(moments.data(), spin.data(), attitude.attitude_);
+  Result<TorqueFreeAttitude> attitude(tl::in_place);
+  lane_kernels().set_free_attitude(moments.data(), spin.data(), attitude->attitude_);
   return attitude;
 }
 

@@ -15,8 +15,6 @@
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
-using Double2 = DoubleDouble<double>;
-
 /// Moments and spin in the standard frame, with what Euler's equations keep.
 struct StandardFrame {
   double moment[3] = {};
@@ -34,7 +32,7 @@ struct StandardFrame {
 RIGOR_INLINE Double2 product(double a, Double2 b, double c) { return (b * a) * exact_product(c, c); }
 
 RIGOR_INLINE double power_below_largest(double a, double b) {
-  return power_below(greater(absolute(a), absolute(b)));
+  return greater(power_below(greater(absolute(a), absolute(b))), 0x1p-1022);
 }
 
 /// I₃ d₁ ω₃² − I₁ d₃ ω₁² in the order of the moments; exactly where it nearly vanishes.
@@ -99,80 +97,88 @@ RIGOR_INLINE bool standard_frame(const double* moments, const double* spin, Free
   const auto& [w1, w2, w3] = frame.spin;
   frame.scale1 = power_below_largest(w2, w3);
   frame.scale3 = power_below_largest(w1, w2);
-  frame.p1 = product(j2, frame.gap[2], w2 / frame.scale1) + product(j3, across, w3 / frame.scale1);
-  frame.p3 = product(j1, across, w1 / frame.scale3) + product(j2, frame.gap[0], w2 / frame.scale3);
+  const double inverse1 = 1 / frame.scale1;
+  const double inverse3 = 1 / frame.scale3;
+  frame.p1 = like_sum(product(j2, frame.gap[2], w2 * inverse1), product(j3, across, w3 * inverse1));
+  frame.p3 = like_sum(product(j1, across, w1 * inverse3), product(j2, frame.gap[0], w2 * inverse3));
   return true;
 }
 
-/// a, b, c, each over √(J₁J₂J₃)⁻¹.
+/// a and b in units of (J₁J₂J₃)^-½.
 struct Moduli {
   Double2 a;
   Double2 b;
-  Double2 c;
 };
 RIGOR_INLINE Moduli moduli_of(const StandardFrame& frame) {
-  return {root(frame.gap[0] * frame.p1) * frame.scale1, root(frame.gap[1] * frame.d) * frame.scale,
-          root(frame.gap[2] * frame.p3) * frame.scale3};
+  return {square_root(frame.gap[0] * frame.p1) * frame.scale1,
+          square_root(frame.gap[1] * frame.d) * frame.scale};
+}
+/// c in the same unit.
+RIGOR_INLINE Double2 third_modulus(const StandardFrame& frame) {
+  return square_root(frame.gap[2] * frame.p3) * frame.scale3;
 }
 
-/// √((a + c) a) and so on need no more than one part.
+RIGOR_INLINE void set_two(double* into, Double2 from) {
+  into[0] = from.high;
+  into[1] = from.low;
+}
+
+/// The nome of (a, b), c² = a² − b² given, from one step down, where it is q². Relative error 4 u.
+RIGOR_INLINE double circular_nome(double a, double b, double c_square) {
+  const double a1 = (a + b) / 2;
+  const double b1 = root(a * b);
+  const double c1 = c_square / (4 * a1);
+  const double r = a1 + root(a1 * b1);
+  return root(nome_of(c1 * c1 * a1 / (2 * (a1 + b1) * r * r)));
+}
+
 RIGOR_INLINE void set_circular(const StandardFrame& frame, const Moduli& m, Double2 root_product,
                                FreeSpin& out) {
   const auto& [j1, j2, j3] = frame.moment;
   const auto& [w1, w2, w3] = frame.spin;
   const Double2 inverse_pi{0.3183098861837907, -1.9678676675182486e-17};
-  const Double2 rate = mean_of(m.a, m.b) / root_product * inverse_pi * frame.direction;
-  // One level down, where the nome is q².
-  const double a1 = (m.a.high + m.b.high) / 2;
-  const double b1 = root(m.a.high * m.b.high);
-  const double r1 = root(b1 / a1);
-  const double c1 = m.c.high * m.c.high / (4 * a1);
-  const double q = root(nome_of(c1 * c1 / (2 * a1 * (a1 + b1) * (1 + r1) * (1 + r1))));
-  const Double2 delta = root(frame.gap[0] * frame.gap[1] * j3) * w3;
-  const Double2 factor = descend(m.a, m.b, delta).tangent;
-  const Double2 x = root(frame.gap[1] * j1) * (w1 / frame.scale3);
-  const Double2 y = root(frame.gap[0] * j2) * (w2 / frame.scale3) * factor;
-  const Double2 start = half_turns_of(x, y);
+  const double c = frame.gap[2].high * frame.p3.high * frame.scale3 * frame.scale3;
   out.kind = FreeSpinKind::circular;
-  out.nome = q;
-  out.rate[0] = rate.high;
-  out.rate[1] = rate.low;
-  out.start[0] = start.high;
-  out.start[1] = start.low;
+  out.nome = circular_nome(m.a.high, m.b.high, c);
+  const Double2 delta = square_root(frame.gap[0] * frame.gap[1] * j3) * w3;
+  const Descent descent = descend(m.a, m.b, delta);
+  set_two(out.rate, quotient(descent.mean, root_product) * inverse_pi * frame.direction);
+  // tan φ at the time 0, both parts times √(J₁ d₂).
+  const Double2 x = frame.gap[1] * j1;
+  const Double2 y = square_root(frame.gap[0] * j2 * x) * descent.tangent;
+  set_two(out.start, half_turns_of(x * (w1 / frame.scale3), y * (w2 / frame.scale3)));
 }
 
 RIGOR_INLINE void set_hyperbolic(const StandardFrame& frame, const Moduli& m, Double2 root_product,
                                  FreeSpin& out) {
   const auto& [j1, j2, j3] = frame.moment;
   const auto& [w1, w2, w3] = frame.spin;
-  const Double2 mean = mean_of(m.a, m.c);
-  const Double2 rate = mean / root_product * frame.direction;
-  const double ac = (m.a.high + m.c.high) * m.a.high;
-  const double root_l = m.b.high / (root(2 * ac) * (1 + root(m.c.high / m.a.high)));
-  const double l4 = root_l * root_l * root_l * root_l * root_l * root_l * root_l * root_l;
+  const Double2 c = third_modulus(frame);
+  const double ac = (m.a.high + c.high) * m.a.high;
+  const double root_l = m.b.high / (root(2 * ac) * (1 + root(c.high / m.a.high)));
+  const double l2 = root_l * root_l;
+  const double l8 = l2 * l2 * l2 * l2;
   out.kind = FreeSpinKind::hyperbolic;
-  out.nome = nome_of(root_l * root_l);
-  out.root_nome = root_l * root(1 + l4 * (2 + l4 * (15 + l4 * 150)));
-  out.rate[0] = rate.high;
-  out.rate[1] = rate.low;
-  // sn u : cn u : 1 = y : x : r at the time 0. From u or from K − u, whichever is less.
-  const Double2 x = root(frame.gap[1] * j1) * (w1 / frame.scale3);
-  const Double2 y = root(frame.gap[0] * j2) * (absolute(w2) / frame.scale3);
-  const Double2 r = root(frame.p3);
+  out.nome = nome_of(l2);
+  out.root_nome = root_l * root(1 + l8 * (2 + l8 * (15 + l8 * 150)));
+  // cn u : sn u : 1 = x : y : r at the time 0. From u or from K − u, whichever is less.
+  const Double2 x = square_root(frame.gap[1] * j1) * (w1 / frame.scale3);
+  const Double2 y = square_root(frame.gap[0] * j2) * (absolute(w2) / frame.scale3);
+  const Double2 r = square_root(frame.p3);
   const bool near = m.b.high == 0 || y.high * y.high * m.b.high <= x.high * x.high * m.a.high;
-  const Double2 delta = near ? root(frame.gap[0] * frame.gap[1] * j3) * w3 * r / x : m.a * r / y;
-  const Double2 sine = (near ? y / x : x * m.a / (y * m.b)) * descend(m.a, m.c, delta).sine;
-  Double2 start = logarithm(sine + root(sine * sine + 1.));
+  const Double2 delta =
+      near ? quotient(square_root(frame.gap[0] * frame.gap[1] * j3) * w3 * r, x) : quotient(m.a * r, y);
+  const Descent descent = descend(m.a, c, delta);
+  const Double2 sine = (near ? quotient(y, x) : quotient(x * m.a, y * m.b)) * descent.sine;
+  Double2 start = logarithm(sine + square_root(sine * sine + 1.));
+  set_two(out.rate, quotient(descent.mean, root_product) * frame.direction);
   if (m.b.high != 0) {
-    const Double2 half = mean * Double2{pi_high, pi_low} / mean_of(m.a, m.b);
-    out.half_period[0] = half.high;
-    out.half_period[1] = half.low;
+    const Double2 half = quotient(descent.mean * Double2{pi_high, pi_low}, mean_of(m.a, m.b));
+    set_two(out.half_period, half);
     out.inverse_half_period = 1 / half.high;
     if (!near) start = half * 0.5 - start;
   }
-  if (w2 < 0) start = -start;
-  out.start[0] = start.high;
-  out.start[1] = start.low;
+  set_two(out.start, w2 < 0 ? -start : start);
 }
 
 /// The amplitudes of ω, with the constants of the theta functions.
@@ -191,10 +197,10 @@ RIGOR_INLINE void set_amplitudes(const StandardFrame& frame, FreeSpin& out) {
   for (int i = 0; i < 3; ++i) out.amplitude[i] *= out.sign[i] * out.scale;
 }
 
-/// The largest of three, as a power of two; also of subnormal ones.
+/// The largest of three, as a power of two; at least 2^-1000, and 0 for zeros.
 RIGOR_INLINE double size_of(const double* v) {
   const double largest = greater(greater(absolute(v[0]), absolute(v[1])), absolute(v[2]));
-  return largest < 0x1p-1000 ? power_below(largest * 0x1p100) * 0x1p-100 : power_below(largest);
+  return largest > 0x1p-1000 || largest == 0 ? power_below(largest) : 0x1p-1000;
 }
 
 /// Moments and spin are finite, moments positive and within 2^200 of each other.
@@ -203,16 +209,17 @@ RIGOR_INLINE void set_free_spin(const double* moments, const double* spin, FreeS
   for (int i = 0; i < 3; ++i) out.spin[i] = spin[i];
   out.scale = size_of(spin);
   if (out.scale == 0) return;
-  const double unit = size_of(moments);
+  const double per_moment = 1 / size_of(moments);
+  const double per_spin = 1 / out.scale;
   double scaled_moments[3];
   double scaled_spin[3];
   for (int i = 0; i < 3; ++i) {
-    scaled_moments[i] = moments[i] / unit;
-    scaled_spin[i] = spin[i] / out.scale;
+    scaled_moments[i] = moments[i] * per_moment;
+    scaled_spin[i] = spin[i] * per_spin;
   }
   if (!standard_frame(scaled_moments, scaled_spin, out, frame)) return;
   const Moduli m = moduli_of(frame);
-  const Double2 root_product = root(exact_product(frame.moment[0], frame.moment[1]) * frame.moment[2]);
+  const Double2 root_product = square_root(exact_product(frame.moment[0], frame.moment[1]) * frame.moment[2]);
   if (m.b.high >= m.a.high / 2) {
     set_circular(frame, m, root_product, out);
   } else {

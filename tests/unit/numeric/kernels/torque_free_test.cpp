@@ -154,6 +154,14 @@ TEST_CASE("units do not matter, at 1e±300 neither", "[torque free]") {
   }
 }
 
+TEST_CASE("a spin off its axis by less than any normal number does no harm", "[torque free]") {
+  for (const double off : {1e-290, 1e-310, 5e-324}) {
+    INFO(off);
+    CHECK(std::isfinite(TorqueFree::make({1, 2, 3}, {off, 1, off})->spin(2000)[0]));
+    CHECK(std::isfinite(TorqueFree::make({1, 2, 3}, {off, off, 1})->spin(2000)[0]));
+  }
+}
+
 TEST_CASE("random bodies stay within the bound", "[torque free]") {
   SplitMix random(20);
   const auto number = [&] { return std::ldexp(static_cast<double>(random.next() >> 11), -52) - 1; };
