@@ -77,14 +77,14 @@ RIGOR_INLINE Descent descend(Double2 a, Double2 b, Double2 delta) {
     delta = next;
   }
   factors.mean = mean_of(a, b);
-  // What is left differs from 1 by less than 2^-15 at first: one part is enough.
+  // What is left differs from 1 by less than 2^-15, then 2^-33: one part is enough.
   double ah = a.high;
   double gap = (a.high - delta.high) + (a.low - delta.low);
   double e = ((a.high - b.high) + (a.low - b.low)) * 0.5;
-  for (int level = 0; level < 3; ++level) {
+  for (int level = 0; level < 2; ++level) {
     const double sum = 2 * ah - gap;
     const double x = e * (sum + 2 * (ah - e)) / (ah * sum);
-    const double change = -x / (1 + root(1 - x));
+    const double change = -x * (0.5 + x * (0.125 + x * (0.0625 + x * (5 / 128.))));  // √(1 − x) − 1
     factors.tangent = factors.tangent + factors.tangent.high * change;
     factors.sine = factors.sine + factors.sine.high * ((gap - 2 * e) / sum);
     gap = -e - ah * change;
