@@ -31,6 +31,13 @@ RIGOR_INLINE Double2 square_root(Double2 a) {
   return normalised(r, r > 0 ? (((a.high - p.high) - p.low) + a.low) * (0.5 / r) : 0);
 }
 
+/// √(a / b), a, b > 0: one correction of the root of the quotient in one part. Relative error 10 v.
+RIGOR_INLINE Double2 root_of_quotient(Double2 a, Double2 b) {
+  const double r = root(a.high / b.high);
+  const Double2 p = exact_product(r, r) * b;
+  return normalised(r, ((a.high - p.high) + (a.low - p.low)) * (0.5 / (r * b.high)));
+}
+
 /// M(a, b), the arithmetic-geometric mean, a ≥ b > 0: K = π a / 2 M(a, b). Relative error 1e-30.
 /// Method: means until (a − b)/(a + b) = κ < 2^-26, then M = ½ (a + b) (1 − κ²/4 − 5 κ⁴/64): DLMF 19.8.
 RIGOR_INLINE Double2 mean_of(Double2 a, Double2 b) {
@@ -69,7 +76,7 @@ RIGOR_INLINE Descent descend(Double2 a, Double2 b, Double2 delta) {
     const double e = ((a.high - b.high) + (a.low - b.low)) * 0.5;
     if (level > 0 && e < 0x1p-16 * a.high) break;
     const Double2 sum = like_sum(delta, a);
-    const Double2 next = square_root(quotient((a * mean) * like_sum(delta, b), sum));
+    const Double2 next = root_of_quotient((a * mean) * like_sum(delta, b), sum);
     factors.tangent = factors.tangent * quotient(next, a);
     factors.sine = factors.sine * quotient(mean * 2., sum);
     b = square_root(a * b);

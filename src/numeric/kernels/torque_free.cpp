@@ -20,7 +20,7 @@ const char* fault_of(const Position& moments, const Position& spin) {
   const auto [least, greatest] = std::minmax_element(moments.begin(), moments.end());
   if (*least < 0) return "a moment is negative";
   if (*least == 0) return "a moment is zero: nothing determines the spin about its axis";
-  if (*least / *greatest < 0x1p-200) return "the moments are too unlike";
+  if (*least < *greatest * 0x1p-200) return "the moments are too unlike";
   return nullptr;
 }
 
