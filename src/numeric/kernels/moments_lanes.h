@@ -21,7 +21,7 @@
 #pragma once
 
 #include "numeric/kernels/double_double.h"
-#include "numeric/kernels/lane_kernels.h"
+#include "numeric/kernels/moments_columns.h"
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
