@@ -7,7 +7,7 @@
 //   ψ = A t + arg θ₄(v + iη | q) = A' t + arg θ₂(η' − iv' | q'),   sc(2Kη/π, k') = √(J₃P₁/J₁P₃),
 //
 // where A = ⟨dψ/dt⟩ is a complete integral of the third kind, whose terms are all positive, in two parts;
-// A' = A − 2η' v''/L. Where η is nearer to its end −½ ln q the zero of θ₄ there is taken out: θ₁.
+// A' = A − 2η' (dv'/dt)/L. Where η is nearer to its end −½ ln q the zero of θ₄ there is taken out: θ₁.
 // Sources: C. G. J. Jacobi, J. reine angew. Math. 39 (1850) 293; R. van Zon, J. Schofield, J. Comput. Phys.
 // 225 (2007) 145; R. Bulirsch, Numer. Math. 13 (1969) 305 (`cel`).
 #pragma once

@@ -10,9 +10,13 @@
 // is. The functions are quotients of theta functions in the nome or, for k' < 1/2, in the complementary nome
 // (≤ 0.09 each: four terms); phase, rate and period have two parts each. Sources: C. G. J. Jacobi, J. reine
 // angew. Math. 39 (1850) 293; R. van Zon, J. Schofield, J. Comput. Phys. 225 (2007) 145; T. Fukushima, SIAM
-// J. Sci. Comput. 35 (2013) A1 (phase from tan φ). Error, for the doubles as given: 16 u of every component
-// on its own, at every time up to 1e8 periods and beyond, forwards and backwards, on the separatrix and next
-// to it (torque_free_test.cpp, 50 digits); above 1e12 turns it grows as 1e-28 times their number.
+// J. Sci. Comput. 35 (2013) A1 (phase from tan φ).
+//
+// Cost on a machine with AVX-512: 0.3 us for set-up and one time, 1.3 us where k' < 1/2; 28 to 42 ns a time
+// after that, 5 to 8 ns each of many (tests/bench/torque_free_cases.cpp).
+// Error, for the doubles as given: 16 u of every component on its own, 7 u measured, at every time up to 1e8
+// periods, forwards and backwards, on the separatrix and next to it (torque_free_test.cpp, 50 digits); it
+// grows as 1e-28 times the number of turns, and by u a period next to the middle axis by less than 1e-290.
 // The same bits on every machine.
 #pragma once
 
