@@ -103,9 +103,9 @@ PointMoments moved_to_centre(const PointSums& sums, const SharpPosition& s,
   }
   std::array<std::array<Number, 3>, 3> second;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      second[i][j] = number(sums, second_moment(i, j)) -
-                     number(sums, PointSums::first + std::min(i, j)) * shift[std::max(i, j)];
+    for (std::size_t j = i; j < 3; ++j) {
+      second[i][j] = number(sums, second_moment(i, j)) - number(sums, PointSums::first + i) * shift[j];
+      second[j][i] = second[i][j];
     }
     if (second[i][i].high < 0) second[i][i] = {};  // Σ m d² ≥ 0: what is less is rounding
   }
@@ -254,6 +254,7 @@ class MomentFinder {
 };
 
 HighLow scaled(const Number& x, int exponent) {
+  if (exponent == 0) return {x.high, x.low};  // as a rule, and `ldexp` takes its time
   return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)};
 }
 
