@@ -3,6 +3,7 @@
 #include "numeric/kernels/lane_kernels.h"
 
 #include "numeric/kernels/lanes.h"
+#include "numeric/kernels/mesh_sums_lanes.h"
 
 #define RIGOR_NAME_OF(x) #x
 #define RIGOR_NAME(x) RIGOR_NAME_OF(x)
@@ -13,6 +14,7 @@ extern const LaneKernels kernels;
 const LaneKernels kernels = {
     .instruction_set = RIGOR_NAME(RIGOR_INSTRUCTION_SET),
     .lanes = lanes,
+    .mesh_sums = mesh_sums,
 };
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET
