@@ -14,7 +14,7 @@ extern const LaneKernels kernels;
 const LaneKernels kernels = {
     .instruction_set = RIGOR_NAME(RIGOR_INSTRUCTION_SET),
     .lanes = lanes,
-    .mesh_sums = mesh_sums,
+    .mesh = mesh_kernels,
 };
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

@@ -4,18 +4,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
-namespace rigor {
+#include "numeric/kernels/mesh_totals.h"
 
-struct MeshTotals;
+namespace rigor {
 
 struct LaneKernels {
   const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
   std::size_t lanes = 0;             // doubles at once
-  void (*mesh_sums)(const double* packed, const std::uint32_t* corners, std::size_t triangles, bool sharp,
-                    MeshTotals& totals) = nullptr;  // mesh_sums_lanes.h
+  MeshKernels mesh;
 };
 
 /// Those that this program was built with and this machine can run, from the narrowest to the widest. Never

@@ -37,57 +37,40 @@ Axis axis_for(double least, double most) {
   const double near = std::min(std::abs(least), std::abs(most));
   const double far = std::max(std::abs(least), std::abs(most));
   if ((least < 0) == (most < 0) && far / 4 <= near)
-    axis.origin = std::copysign(std::clamp(near / 2 + far / 2, far / 2, 2 * near), most);
+    axis.origin = std::clamp(near / 2 + far / 2, far / 2, 2 * near) * (most < 0 ? -1 : 1);
   const double size = std::max(std::abs(least - axis.origin), std::abs(most - axis.origin));
   if (size > 0 && std::isfinite(size)) axis.exponent = std::ilogb(size) + 1;
   return axis;
 }
 
-/// Least and most of each coordinate, four vertices at a time.
-std::array<Axis, 3> axes_for(std::span<const Position> vertices) {
-  constexpr std::size_t together = 4;
-  std::array<double, 3 * together> least{};
-  std::array<double, 3 * together> most{};
-  for (std::size_t n = 0; n < least.size(); ++n) least[n] = most[n] = vertices.front()[n % 3];
-  const auto widen = [&](std::size_t n, double x) {
-    least[n] = x < least[n] ? x : least[n];
-    most[n] = x > most[n] ? x : most[n];
-  };
-  const double* const x = vertices.front().data();
-  const std::size_t count = 3 * vertices.size();
-  const std::size_t whole = count - count % least.size();
-  for (std::size_t first = 0; first < whole; first += least.size())
-    for (std::size_t n = 0; n < least.size(); ++n) widen(n, x[first + n]);
-  for (std::size_t n = whole; n < count; ++n) widen(n % 3, x[n]);
+std::array<Axis, 3> axes_for(std::span<const Position> vertices, const MeshKernels& kernels) {
+  Position least{};
+  Position most{};
+  kernels.box(vertices.front().data(), vertices.size(), least.data(), most.data());
   std::array<Axis, 3> axes;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t n = i + 3; n < least.size(); n += 3) {
-      widen(i, least[n]);
-      widen(i, most[n]);
-    }
-    axes[i] = axis_for(least[i], most[i]);
-  }
+  for (std::size_t i = 0; i < 3; ++i) axes[i] = axis_for(least[i], most[i]);
   return axes;
 }
 
-/// Four numbers a vertex, as the kernels read them. Is every coordinate finite?
-bool pack(std::span<const Position> vertices, const std::array<Axis, 3>& axes, double* packed) {
-  std::array<double, 3> scale{};
-  std::array<double, 3> rest{};  // in two factors: 2^1074 is not a double
+/// As the kernels read it, in one piece of a cache line.
+struct alignas(4 * sizeof(double)) PackedVertex {
+  double numbers[4];
+};
+
+/// Is every coordinate finite?
+bool pack(std::span<const Position> vertices, const std::array<Axis, 3>& axes, const MeshKernels& kernels,
+          PackedVertex* packed) {
+  Position origin{};
+  Position scale{};
+  Position rest{};  // in two factors: 2^1074 is not a double
   for (std::size_t i = 0; i < 3; ++i) {
-    scale[i] = std::ldexp(1, -axes[i].exponent / 2);
-    rest[i] = std::ldexp(1, -axes[i].exponent - -axes[i].exponent / 2);
+    const int half = -axes[i].exponent / 2;
+    origin[i] = axes[i].origin;
+    scale[i] = std::ldexp(1, half);
+    rest[i] = std::ldexp(1, -axes[i].exponent - half);
   }
-  std::array<double, 3> nothing{};
-  for (const Position& vertex : vertices) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      packed[i] = (vertex[i] - axes[i].origin) * scale[i] * rest[i];
-      nothing[i] += packed[i] * 0;
-    }
-    packed[3] = 0;
-    packed += 4;
-  }
-  return nothing == std::array<double, 3>{};
+  return kernels.pack(vertices.front().data(), vertices.size(), origin.data(), scale.data(), rest.data(),
+                      packed->numbers);
 }
 
 HighLow scaled(Sharp x, int exponent) { return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)}; }
@@ -141,11 +124,11 @@ Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, cons
   return moments;
 }
 
-Result<void> check_triangles(std::size_t vertices, Triangles triangles) {
-  bool outside = false;
-  for (const auto& triangle : triangles)
-    for (const std::uint32_t corner : triangle) outside |= corner >= vertices;
-  if (!outside) return {};
+Result<void> check_triangles(std::size_t vertices, Triangles triangles, const MeshKernels& kernels) {
+  if (vertices == 0 || vertices > 0x80000000U)
+    return refuse(fmt::format("the mesh has {} vertices", vertices));
+  const auto last = static_cast<std::uint32_t>(vertices - 1);
+  if (kernels.corners(triangles.front().data(), 3 * triangles.size(), last)) return {};
   for (std::size_t n = 0;; ++n) {
     for (const std::uint32_t corner : triangles[n])
       if (corner >= vertices)
@@ -161,15 +144,17 @@ constexpr std::size_t few_triangles = 256;
 Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles triangles,
                                  MeshSharpness sharpness, const LaneKernels& kernels) {
   if (triangles.empty()) return refuse("the mesh has no triangles");
-  if (const auto checked = check_triangles(vertices.size(), triangles); !checked)
+  if (const auto checked = check_triangles(vertices.size(), triangles, kernels.mesh); !checked)
     return tl::unexpected(checked.error());
-  const std::array<Axis, 3> axes = axes_for(vertices);
-  const auto packed = std::make_unique_for_overwrite<double[]>(4 * vertices.size());
-  if (!pack(vertices, axes, packed.get())) return refuse("a coordinate of the mesh is not finite");
+  const std::array<Axis, 3> axes = axes_for(vertices, kernels.mesh);
+  const auto packed = std::make_unique_for_overwrite<PackedVertex[]>(vertices.size());
+  if (!pack(vertices, axes, kernels.mesh, packed.get()))
+    return refuse("a coordinate of the mesh is not finite");
 
   MeshTotals totals;
   const auto sum = [&](bool in_double_double) {
-    kernels.mesh_sums(packed.get(), triangles.front().data(), triangles.size(), in_double_double, totals);
+    kernels.mesh.sums(packed[0].numbers, triangles.front().data(), triangles.size(), in_double_double,
+                      totals);
   };
   bool is_sharp = sharpness == MeshSharpness::always || triangles.size() < few_triangles;
   sum(is_sharp);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "numeric/kernels/double_double.h"
+#include "numeric/kernels/mesh_pack_lanes.h"
 #include "numeric/kernels/mesh_totals.h"
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
@@ -16,8 +17,6 @@ inline constexpr std::size_t mesh_lanes = 8;
 struct MeshCorners {
   Lanes at[3][3];  // corner, coordinate
 };
-
-using MeshVertex = double __attribute__((vector_size(32)));  // x, y, z and a fourth number that is not read
 
 /// x, y and z of the vertices, one of which each lane takes.
 RIGOR_INLINE void load_vertices(const double* packed, const std::uint32_t (&vertices)[lanes],
@@ -206,5 +205,8 @@ static void mesh_sums(const double* packed, const std::uint32_t* corners, std::s
   }
   totals.flat -= mesh_lanes - triangles % mesh_lanes;
 }
+
+inline constexpr MeshKernels mesh_kernels = {
+    .corners = mesh_corners, .box = mesh_box, .pack = mesh_pack, .sums = mesh_sums};
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace rigor {
 
@@ -17,5 +18,15 @@ struct MeshTotals {
 
 /// The rounding of a D is below this, if all coordinates are at most 1 in size.
 inline constexpr double mesh_flat = 0x1p-99;
+
+/// `mesh_pack_lanes.h`, `mesh_sums_lanes.h`.
+struct MeshKernels {
+  bool (*corners)(const std::uint32_t* corners, std::size_t count, std::uint32_t last) = nullptr;
+  void (*box)(const double* xyz, std::size_t vertices, double* least, double* most) = nullptr;
+  bool (*pack)(const double* xyz, std::size_t vertices, const double* origin, const double* scale,
+               const double* rest, double* packed) = nullptr;
+  void (*sums)(const double* packed, const std::uint32_t* corners, std::size_t triangles, bool sharp,
+               MeshTotals& totals) = nullptr;
+};
 
 }  // namespace rigor
