@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/check.h"
-#include "numeric/inertia.h"
+#include "numeric/kernels/principal_moments.h"
 
 namespace rigor {
 namespace {
@@ -93,7 +93,7 @@ Result<Body> equimomental_body(std::string name, double mass, const InertiaTenso
   if (const auto checked = check_mass(mass); !checked) return tl::unexpected(checked.error());
   const auto principal = principal_axes(second_moments);
   if (!principal) return tl::unexpected(principal.error());
-  const Position& moments = principal->moments;
+  const Position moments = principal->principal.values();
   const double least = *std::min_element(moments.begin(), moments.end());
   const double most = *std::max_element(moments.begin(), moments.end());
   if (least < -negative_rounding * most)
@@ -101,7 +101,7 @@ Result<Body> equimomental_body(std::string name, double mass, const InertiaTenso
         fmt::format("its mean square extent along an axis is {:g} m^2, which cannot be negative", least));
   Body body{std::move(name), std::vector<double>(6, mass / 6), {}, KnownInertia{mass, {}}};
   for (std::size_t k = 0; k < 3; ++k) {
-    const double distance = std::sqrt(3 * std::max(0.0, principal->moments[k]));
+    const double distance = std::sqrt(3 * std::max(0.0, moments[k]));
     for (const double sign : {1.0, -1.0}) {
       for (std::size_t i = 0; i < 3; ++i)
         body.positions[i].push_back(sign * distance * principal->axes[k][i]);

@@ -9,6 +9,7 @@
 #include "numeric/family_letters.h"
 #include "numeric/family_values.h"
 #include "numeric/inertia.h"
+#include "numeric/kernels/principal_moments.h"
 
 namespace rigor {
 namespace {

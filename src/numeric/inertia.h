@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mass, centre of mass, inertia tensor, principal moments and axes of a body, each on its own: moments alone
-// compute no axes.
+// Mass, centre of mass and inertia tensor of a body, each on its own. Its principal moments and axes:
+// kernels/principal_moments.h.
 #pragma once
 
 #include "numeric/body.h"
@@ -14,18 +14,5 @@ namespace rigor {
 /// About the body's centre of mass, along its axes; two passes. Cost: O(N). Error: about N u relative to the
 /// greatest entry at worst, √N u as a rule. Fails where a body is invalid or a sum overflows.
 [[nodiscard]] Result<InertiaTensor> inertia_tensor(const Body& body);
-
-/// Eigenvalues of a finite symmetric tensor (its lower triangle is read), ascending. Method: Eigen's
-/// tridiagonal QR. Error: 14 u times the norm; a gap between two of them has no better absolute error.
-[[nodiscard]] Result<Position> principal_moments(const InertiaTensor& inertia);
-
-struct PrincipalAxes {
-  Position moments{};              // ascending
-  std::array<Position, 3> axes{};  // unit vectors in the order of the moments, right-handed
-};
-
-/// Where moments coincide the axes are some orthonormal choice. The first two point to where their component
-/// of greatest size is positive.
-[[nodiscard]] Result<PrincipalAxes> principal_axes(const InertiaTensor& inertia);
 
 }  // namespace rigor

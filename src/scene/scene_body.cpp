@@ -40,21 +40,24 @@ const Result<Position>& SceneBody::moments() {
           return Result<Position>(Position{i[0][0], i[1][1], i[2][2]});
         });
   } else {
-    moments_ = ledger_.compute(moments_node, "values alone", [&] { return principal_moments(**tensor_); });
+    moments_ = ledger_.compute(moments_node, "values alone",
+                               [&] { return principal_moments(**tensor_).map(&PrincipalMoments::values); });
   }
   return *moments_;
 }
 
-const Result<PrincipalAxes>& SceneBody::axes() {
+const Result<SceneBody::Axes>& SceneBody::axes() {
   if (axes_) return *axes_;
   const auto along = is_along_principal_axes();
   if (!along) {
     axes_ = tl::unexpected(along.error());
   } else if (*along) {
     ledger_.skip(axes_node, "the body is along its principal axes");
-    axes_ = PrincipalAxes{*moments(), {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    axes_ = std::array<Position, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   } else {
-    axes_ = ledger_.compute(axes_node, "vectors of the tensor", [&] { return principal_axes(**tensor_); });
+    axes_ = ledger_.compute(axes_node, "vectors of the tensor", [&] {
+      return principal_axes(**tensor_).map([](const PrincipalAxes& axes) { return axes.axes; });
+    });
   }
   return *axes_;
 }
@@ -70,7 +73,7 @@ const Result<SceneBody::Places>& SceneBody::places_along_axes() {
     Places places;
     for (std::size_t k = 0; k < 3; ++k) {
       places[k].resize(body_.size());
-      const Position& axis = turn->axes[k];
+      const Position& axis = (*turn)[k];
       for (std::size_t p = 0; p < body_.size(); ++p) {
         places[k][p] = axis[0] * body_.positions[0][p] + axis[1] * body_.positions[1][p] +
                        axis[2] * body_.positions[2][p];

@@ -7,6 +7,7 @@
 
 #include "numeric/body.h"
 #include "numeric/inertia.h"
+#include "numeric/kernels/principal_moments.h"
 #include "scene/explain.h"
 
 namespace rigor {
@@ -28,8 +29,10 @@ class SceneBody {
   [[nodiscard]] Result<bool> is_along_principal_axes();
   /// In the order of the axes where the body is along them, else ascending. Computes no axes.
   [[nodiscard]] const Result<Position>& moments();
-  /// In the order of `moments`. Where the body is along them, e₁, e₂, e₃, and nothing is computed.
-  [[nodiscard]] const Result<PrincipalAxes>& axes();
+  /// In the order of `moments`, right-handed. Where the body is along them, e₁, e₂, e₃, and nothing is
+  /// computed.
+  using Axes = std::array<Position, 3>;
+  [[nodiscard]] const Result<Axes>& axes();
   /// Coordinates of the particles along `axes`.
   using Places = std::array<std::vector<double>, 3>;
   [[nodiscard]] const Result<Places>& places_along_axes();
@@ -39,7 +42,7 @@ class SceneBody {
   SceneLedger& ledger_;
   std::optional<Result<InertiaTensor>> tensor_;
   std::optional<Result<Position>> moments_;
-  std::optional<Result<PrincipalAxes>> axes_;
+  std::optional<Result<Axes>> axes_;
   std::optional<Result<Places>> places_;
 };
 

@@ -175,7 +175,7 @@ void SceneEvaluation::evaluate_own_part(Asked& asked) {
     const auto& axes = body_.axes();
     if (!axes) return fail(asked, axes.error().reason);
     quantity.axes = 2;
-    for (const Position& axis : axes->axes)
+    for (const Position& axis : *axes)
       quantity.value.insert(quantity.value.end(), axis.begin(), axis.end());
     quantity.dimension = Dimension();
   }

@@ -63,7 +63,7 @@ Result<Quaternion> SceneValues::orientation() {
   if (!turn_) return given;
   const auto& axes = body_.axes();
   if (!axes) return tl::unexpected(axes.error());
-  return composed(given, turn_to(axes->axes));
+  return composed(given, turn_to(*axes));
 }
 
 Result<LetterValue> SceneValues::value_of(const SceneLetter& letter) {
@@ -129,7 +129,7 @@ Result<LetterValue> SceneValues::turned_value(std::vector<double> components) {
     for (std::size_t at = 0; at < components.size(); ++at) {
       const std::size_t k = at / stride % 3;
       for (std::size_t i = 0; i < 3; ++i) {
-        turned[at] += axes->axes[k][i] * components[at - k * stride + i * stride];
+        turned[at] += (*axes)[k][i] * components[at - k * stride + i * stride];
       }
     }
     components = std::move(turned);

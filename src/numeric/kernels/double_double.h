@@ -70,18 +70,29 @@ RIGOR_INLINE DoubleDouble<T> operator+(DoubleDouble<T> a, T b) {
   return normalised(high.high, high.low + a.low);
 }
 
-/// Relative error 7 v. 9 operations with a fused multiply-add.
+/// The product, not normalised: the low part may be several units in the last place. 6 and 4 operations with
+/// a fused multiply-add. For sums; the factors need not be normalised either.
 template <class T>
-RIGOR_INLINE DoubleDouble<T> operator*(DoubleDouble<T> a, DoubleDouble<T> b) {
+RIGOR_INLINE DoubleDouble<T> raw_product(DoubleDouble<T> a, DoubleDouble<T> b) {
   const DoubleDouble<T> p = exact_product(a.high, b.high);
-  return normalised(p.high, p.low + (a.high * b.low + a.low * b.high));
+  return {p.high, p.low + (a.high * b.low + a.low * b.high)};
+}
+template <class T>
+RIGOR_INLINE DoubleDouble<T> raw_product(DoubleDouble<T> a, T b) {
+  const DoubleDouble<T> p = exact_product(a.high, b);
+  return {p.high, p.low + a.low * b};
 }
 
-/// Relative error 3 v.
+/// Relative error 7 v, and 3 v for a factor of one part.
+template <class T>
+RIGOR_INLINE DoubleDouble<T> operator*(DoubleDouble<T> a, DoubleDouble<T> b) {
+  const DoubleDouble<T> p = raw_product(a, b);
+  return normalised(p.high, p.low);
+}
 template <class T>
 RIGOR_INLINE DoubleDouble<T> operator*(DoubleDouble<T> a, T b) {
-  const DoubleDouble<T> p = exact_product(a.high, b);
-  return normalised(p.high, p.low + a.low * b);
+  const DoubleDouble<T> p = raw_product(a, b);
+  return normalised(p.high, p.low);
 }
 
 /// Relative error 15 v.
@@ -108,6 +119,10 @@ struct CompensatedSum {
   T high{};
   T low{};
 
+  CompensatedSum() = default;
+  /// The first term.
+  RIGOR_INLINE explicit CompensatedSum(DoubleDouble<T> x) : high(x.high), low(x.low) {}
+
   /// 7 operations.
   RIGOR_INLINE void add(T x) {
     const DoubleDouble<T> s = exact_sum(high, x);
@@ -119,14 +134,10 @@ struct CompensatedSum {
     low = low + x.low;
   }
   RIGOR_INLINE void add_product(T a, T b) { add(exact_product(a, b)); }
-  RIGOR_INLINE void add_product(DoubleDouble<T> a, T b) {
-    add(exact_product(a.high, b));
-    low = low + a.low * b;
-  }
-  RIGOR_INLINE void add_product(DoubleDouble<T> a, DoubleDouble<T> b) {
-    add(exact_product(a.high, b.high));
-    low = low + (a.high * b.low + a.low * b.high);
-  }
+  RIGOR_INLINE void add_product(DoubleDouble<T> a, T b) { add(raw_product(a, b)); }
+  RIGOR_INLINE void add_product(DoubleDouble<T> a, DoubleDouble<T> b) { add(raw_product(a, b)); }
+  /// |low| may be several units in the last place of high.
+  [[nodiscard]] RIGOR_INLINE DoubleDouble<T> raw() const { return {high, low}; }
   [[nodiscard]] RIGOR_INLINE DoubleDouble<T> value() const { return exact_sum(high, low); }
 };
 

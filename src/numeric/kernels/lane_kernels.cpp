@@ -4,6 +4,7 @@
 
 #include "numeric/kernels/lanes.h"
 #include "numeric/kernels/mesh_sums_lanes.h"
+#include "numeric/kernels/moments_lanes.h"
 
 #define RIGOR_NAME_OF(x) #x
 #define RIGOR_NAME(x) RIGOR_NAME_OF(x)
@@ -15,6 +16,7 @@ const LaneKernels kernels = {
     .instruction_set = RIGOR_NAME(RIGOR_INSTRUCTION_SET),
     .lanes = lanes,
     .mesh = mesh_kernels,
+    .principal_moments = principal_moments_kernel,
 };
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

@@ -20,6 +20,7 @@
 #endif
 
 #define RIGOR_INLINE [[gnu::always_inline]] inline
+#define RIGOR_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
@@ -80,6 +81,9 @@ RIGOR_INLINE bool any(LaneMask mask) {
   return bits != 0;
 }
 
+RIGOR_INLINE bool negation(bool mask) { return !mask; }
+RIGOR_INLINE LaneMask negation(LaneMask mask) { return ~mask; }
+
 /// |x| with the sign of `sign`.
 RIGOR_INLINE double with_sign(double x, double sign) { return __builtin_copysign(x, sign); }
 RIGOR_INLINE Lanes with_sign(Lanes x, Lanes sign) {
@@ -95,6 +99,16 @@ RIGOR_INLINE double power_below(double x) {
   return x;
 }
 RIGOR_INLINE Lanes power_below(Lanes x) { return (Lanes)((LaneMask)x & 0x7ff0000000000000); }
+
+/// 1 / x for such a power of two, from 2^-1022 to 2^1022; exact.
+RIGOR_INLINE double inverse_power(double x) {
+  std::int64_t bits;
+  __builtin_memcpy(&bits, &x, sizeof bits);
+  bits = 0x7fe0000000000000 - bits;
+  __builtin_memcpy(&x, &bits, sizeof x);
+  return x;
+}
+RIGOR_INLINE Lanes inverse_power(Lanes x) { return (Lanes)(0x7fe0000000000000 - (LaneMask)x); }
 
 #ifdef __FMA__
 RIGOR_INLINE double fused(double a, double b, double c) { return __builtin_fma(a, b, c); }

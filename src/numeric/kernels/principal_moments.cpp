@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/kernels/principal_moments.h"
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "numeric/kernels/moments_exact.h"
+
+namespace rigor {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double high_of(double entry) { return entry; }
+double high_of(const HighLow& entry) { return entry.high; }
+
+SharpTensor tensor_of(const MomentsColumns& c, std::size_t at) {
+  SharpTensor a{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    a[i][i] = {c.diagonal[i][at], c.diagonal_low[i] != nullptr ? c.diagonal_low[i][at] : 0};
+    a[j][k] = {c.off[i][at], c.off_low[i] != nullptr ? c.off_low[i][at] : 0};
+    a[k][j] = a[j][k];
+  }
+  return a;
+}
+
+/// NaN everywhere where there is none.
+void put(const MomentsColumns& c, std::size_t at, const std::optional<PrincipalAxes>& solved) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    c.moments[k][at] = solved ? solved->principal.moments[k].high : none;
+    if (c.moments_low[k] != nullptr) c.moments_low[k][at] = solved ? solved->principal.moments[k].low : none;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (c.axes[k][i] != nullptr) c.axes[k][i][at] = solved ? solved->axes[k][i] : none;
+    }
+  }
+  for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = solved ? solved->principal.gaps[k] : none;
+  c.state[at] = solved ? 1 : 2;
+}
+
+/// One tensor with room for its results.
+struct SingleTensor {
+  std::array<double, 3> diagonal{};
+  std::array<double, 3> off{};
+  std::array<double, 3> diagonal_low{};
+  std::array<double, 3> off_low{};
+  PrincipalAxes result;
+  std::array<double, 3> high{};
+  std::array<double, 3> low{};
+  double state = 0;
+
+  template <class Tensor>
+  explicit SingleTensor(const Tensor& tensor) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      const auto& beside = tensor[std::max(j, k)][std::min(j, k)];
+      diagonal[i] = high_of(tensor[i][i]);
+      off[i] = high_of(beside);
+      if constexpr (std::is_same_v<Tensor, SharpTensor>) {
+        diagonal_low[i] = tensor[i][i].low;
+        off_low[i] = beside.low;
+      }
+    }
+  }
+
+  MomentsColumns columns(bool sharp, bool with_axes) {
+    MomentsColumns c;
+    c.count = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      c.diagonal[i] = &diagonal[i];
+      c.off[i] = &off[i];
+      if (sharp) {
+        c.diagonal_low[i] = &diagonal_low[i];
+        c.off_low[i] = &off_low[i];
+      }
+      c.moments[i] = &high[i];
+      c.moments_low[i] = &low[i];
+      for (std::size_t j = 0; j < 3 && with_axes; ++j) c.axes[i][j] = &result.axes[i][j];
+    }
+    for (std::size_t k = 0; k < 2; ++k) c.gaps[k] = &result.principal.gaps[k];
+    c.state = &state;
+    return c;
+  }
+};
+
+template <class Tensor>
+Result<PrincipalAxes> solved(const Tensor& tensor, bool with_axes) {
+  for (const auto& row : tensor) {
+    for (const auto& entry : row) {
+      if (!std::isfinite(high_of(entry))) return tl::unexpected(Error{"the inertia tensor is not finite"});
+    }
+  }
+  SingleTensor single(tensor);
+  solve_principal_moments(single.columns(std::is_same_v<Tensor, SharpTensor>, with_axes));
+  if (single.state == 2) return tl::unexpected(Error{"a principal moment overflows"});
+  for (std::size_t k = 0; k < 3; ++k) single.result.principal.moments[k] = {single.high[k], single.low[k]};
+  return single.result;
+}
+
+}  // namespace
+
+double PrincipalMoments::gap(std::size_t i, std::size_t j) const {
+  if (i < j) return 0 - gap(j, i);
+  double sum = 0;
+  for (std::size_t k = j; k < i; ++k) sum += gaps[k];
+  return sum;
+}
+
+Result<PrincipalMoments> principal_moments(const InertiaTensor& tensor) {
+  return solved(tensor, false).map(&PrincipalAxes::principal);
+}
+Result<PrincipalMoments> principal_moments(const SharpTensor& tensor) {
+  return solved(tensor, false).map(&PrincipalAxes::principal);
+}
+Result<PrincipalAxes> principal_axes(const InertiaTensor& tensor) { return solved(tensor, true); }
+Result<PrincipalAxes> principal_axes(const SharpTensor& tensor) { return solved(tensor, true); }
+
+void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& kernels) {
+  kernels.principal_moments(columns);
+  for (std::size_t at = 0; at < columns.count; ++at) {
+    if (columns.state[at] != 0) put(columns, at, solved_in_many_digits(tensor_of(columns, at)));
+  }
+}
+
+void solve_principal_moments(const MomentsColumns& columns) {
+  solve_principal_moments(columns, lane_kernels());
+}
+
+}  // namespace rigor
