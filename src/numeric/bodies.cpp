@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "numeric/inertia.h"
 #include "numeric/kernels/principal_moments.h"
 
 namespace rigor {
@@ -21,31 +22,26 @@ Result<void> check_mass(double mass) {
   return {};
 }
 
-double square_of(const Position& r) { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
-
-/// Where the centre of mass of all parts is, in the coordinates of the offsets.
-Position common_centre(const std::vector<PlacedBody>& parts, double total) {
-  Position centre{};
-  for (const PlacedBody& part : parts) {
-    for (std::size_t i = 0; i < 3; ++i) centre[i] += part.body.known->mass / total * part.offset[i];
+/// The parts as points: the mass of each at its offset.
+Body points_of_parts(const std::vector<PlacedBody>& parts) {
+  Body points;
+  for (const auto& [body, offset] : parts) {
+    points.masses.push_back(body.known ? body.known->mass : total_mass(body));
+    for (std::size_t axis = 0; axis < 3; ++axis) points.positions[axis].push_back(offset[axis]);
   }
-  return centre;
+  return points;
 }
 
-std::optional<KnownInertia> joined_inertia(const std::vector<PlacedBody>& parts) {
-  KnownInertia whole;
+/// `points`: of all parts, whose inertia is known.
+Result<KnownInertia> joined_inertia(const std::vector<PlacedBody>& parts, const Body& points) {
+  const auto sums = mass_sums(points_of(points));
+  if (!sums) return tl::unexpected(sums.error());
+  KnownInertia whole{sums->mass, sums->inertia};
   for (const PlacedBody& part : parts) {
-    if (!part.body.known) return std::nullopt;
-    whole.mass += part.body.known->mass;
-  }
-  const Position centre = common_centre(parts, whole.mass);
-  for (const PlacedBody& part : parts) {
-    Position d = part.offset;
-    for (std::size_t i = 0; i < 3; ++i) d[i] -= centre[i];
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        const double shift = (i == j ? square_of(d) : 0) - d[i] * d[j];
-        whole.inertia[i][j] += part.body.known->inertia[i][j] + part.body.known->mass * shift;
+        whole.inertia[i][j] += part.body.known->inertia[i][j];
+        if (!std::isfinite(whole.inertia[i][j])) return refuse("the inertia tensor overflows");
       }
     }
   }
@@ -73,17 +69,21 @@ Body along_axis(Body body, std::size_t axis) {
 
 Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts) {
   if (parts.empty()) return refuse("the body has no parts");
-  Body whole{std::move(name), {}, {}, joined_inertia(parts)};
-  if (whole.known) {
-    for (const Position& row : whole.known->inertia) {
-      if (!std::all_of(row.begin(), row.end(), [](double each) { return std::isfinite(each); }))
-        return refuse("its moments of inertia are not finite");
-    }
+  const Body points = points_of_parts(parts);
+  const auto centre = sharp_centre_of_mass(points_of(points));
+  if (!centre) return tl::unexpected(centre.error());
+  Body whole{std::move(name), {}, {}, {}};
+  if (std::all_of(parts.begin(), parts.end(), [](const PlacedBody& part) { return part.body.known; })) {
+    const auto known = joined_inertia(parts, points);
+    if (!known) return tl::unexpected(known.error());
+    whole.known = *known;
   }
   for (const auto& [body, offset] : parts) {
     whole.masses.insert(whole.masses.end(), body.masses.begin(), body.masses.end());
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const double x : body.positions[axis]) whole.positions[axis].push_back(x + offset[axis]);
+      const auto [high, low] = (*centre)[axis];
+      const double place = (offset[axis] - high) - low;  // not `offset`: that may be far
+      for (const double x : body.positions[axis]) whole.positions[axis].push_back(x + place);
     }
   }
   return centred(std::move(whole));

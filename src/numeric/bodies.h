@@ -18,7 +18,8 @@ struct PlacedBody {
 };
 
 /// All particles of all parts, about the common centre of mass. Where the inertia of every part is known, so
-/// is the whole's, by the parallel-axis theorem: I = Σ I_p + m_p (d² 1 − d d).
+/// is the whole's, by the parallel-axis theorem: I = Σ I_p + m_p (d² 1 − d d). No digit is lost where the
+/// parts are far from the origin.
 [[nodiscard]] Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts);
 
 /// Six particles of M/6 at ±√(3 λ_k) along the principal axes of the second moments ∫x_i x_j dm/M about the

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/splitmix.h"
+#include "numeric/kernels/double_double.h"
 #include "numeric/uniform.h"
 
 namespace rigor {
@@ -16,20 +17,17 @@ constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
 
 tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
 
-/// Σ m x / Σ m for one coordinate. The masses are scaled by their sum first, so that nothing overflows.
-double weighted_mean(const std::vector<double>& masses, const std::vector<double>& coordinates,
-                     double total) {
-  double mean = 0;
-  for (std::size_t k = 0; k < masses.size(); ++k) mean += masses[k] / total * coordinates[k];
-  return mean;
-}
-
 }  // namespace
 
-Result<void> check_body(const Body& body) {
+Result<void> check_count(const Body& body) {
   if (body.masses.empty()) return refuse("the body has no particles");
   if (body.size() > most_particles)
     return refuse(fmt::format("the body has {} particles, at most {}", body.size(), most_particles));
+  return {};
+}
+
+Result<void> check_body(const Body& body) {
+  if (const auto checked = check_count(body); !checked) return checked;
   double total = 0;
   for (std::size_t k = 0; k < body.size(); ++k) {
     const double mass = body.masses[k];
@@ -49,14 +47,20 @@ Result<void> check_body(const Body& body) {
   return {};
 }
 
+PointColumns points_of(const Body& body) {
+  const auto& [x, y, z] = body.positions;
+  return {{x.data(), y.data(), z.data()}, body.masses.data(), body.size()};
+}
+
 Result<Body> centred(Body body) {
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
-  double total = 0;
-  for (const double mass : body.masses) total += mass;
-  for (std::vector<double>& coordinates : body.positions) {
-    for (int pass = 0; pass < 3; ++pass) {  // each takes out the rounding of the one before
-      const double mean = weighted_mean(body.masses, coordinates, total);
-      for (double& x : coordinates) x -= mean;
+  const auto centre = sharp_centre_of_mass(points_of(body));
+  if (!centre) return tl::unexpected(centre.error());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto [high, low] = (*centre)[axis];
+    for (double& x : body.positions[axis]) {
+      const auto difference = baseline::exact_difference(x, high);
+      x = difference.high + (difference.low - low);
     }
   }
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
@@ -76,7 +80,7 @@ Result<Body> point_masses(std::string name, const std::vector<double>& masses,
 
 Result<Body> random_cloud(std::string name, std::size_t count, std::uint64_t seed) {
   if (count == 0) return refuse("the body has no particles");
-  if (count > most_particles)
+  if (count > most_particles)  // before they are in memory
     return refuse(fmt::format("the body has {} particles, at most {}", count, most_particles));
   SplitMix bits(seed);
   Body body{std::move(name), {}, {}, {}};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "numeric/kernels/mass_sums.h"
 
 namespace rigor {
 
@@ -42,9 +43,15 @@ struct Body {
 /// At least one particle; masses finite and not negative, their sum finite and positive; coordinates finite.
 /// The reason names the first particle (from 1) that is wrong.
 [[nodiscard]] Result<void> check_body(const Body& body);
+/// The part of it that sums over the particles do not find by themselves: at most `most_particles`.
+[[nodiscard]] Result<void> check_count(const Body& body);
 
-/// Checks a body and moves its centre of mass to the origin. Residue: at most 4u times its greatest distance
-/// from there, wherever it was before, as far as its coordinates had the digits. Cost: O(N).
+/// The body's particles, which are not copied.
+[[nodiscard]] PointColumns points_of(const Body& body);
+
+/// Checks a body and moves its centre of mass, known to 100 bits, to the origin: coordinates are rounded
+/// once. Residue: u times its mean distance from there at most, wherever it was before, as far as its
+/// coordinates had the digits. Cost: O(N).
 [[nodiscard]] Result<Body> centred(Body body);
 
 /// Point masses at given places, about their own centre of mass.

@@ -15,8 +15,8 @@ BoundedResults evaluate_with_bounds(const Program& program, const Samples& sampl
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Column& column = *samples.find(program.inputs()[i].symbol, program.inputs()[i].component);
     for (const double value : column.values) {
-      const double error = uncertainty * std::abs(value);
-      columns[i].push_back(uncertainty == 0.0 ? Bounded(value) : Bounded(value, error + Bounded::least));
+      const double error = uncertainty * std::abs(value) + std::abs(column.low);
+      columns[i].push_back(error == 0.0 ? Bounded(value) : Bounded(value, error + Bounded::least));
     }
     engine.bind(i, {columns[i].data(), column.sample_stride, column.particle_stride});
   }

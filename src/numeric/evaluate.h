@@ -19,8 +19,8 @@ inline constexpr std::size_t arithmetic_count = 4;
     Arithmetic arithmetic);  // `float`, `double`, `long double`, `double-double`
 
 /// results[output · samples + sample], rounded to double at the end. Inputs are rounded to the arithmetic
-/// first. `at`: which particle (from 0) each of the program's free particle variables is. A missing input is
-/// our own bug.
+/// first, with their low parts. `at`: which particle (from 0) each of the program's free particle variables
+/// is. A missing input is our own bug.
 [[nodiscard]] std::vector<double> evaluate(const Program& program, const Samples& samples,
                                            Arithmetic arithmetic = Arithmetic::plain,
                                            std::span<const std::uint32_t> at = {});

@@ -23,7 +23,8 @@ class BoundColumns {
       } else {
         std::vector<T>& own = rounded_.emplace_back();
         own.reserve(column.values.size());
-        for (const double value : column.values) own.push_back(T(value));
+        for (const double value : column.values)
+          own.push_back(column.low == 0 ? T(value) : T(value) + T(column.low));
         data = own.data();
       }
       engine.bind(i, {data, column.sample_stride, column.particle_stride});

@@ -23,6 +23,11 @@ void Samples::set(SymbolId symbol, std::uint32_t component, double value) {
   put(symbol, component, {value}, 0, 0);
 }
 
+void Samples::set(SymbolId symbol, std::uint32_t component, const HighLow& value) {
+  set(symbol, component, value.high);
+  columns_[{symbol, component}].low = value.low;
+}
+
 void Samples::set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values) {
   RIGOR_CHECK(values.size() == samples_, values.size(), samples_);
   put(symbol, component, std::move(values), 1, 0);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "expr/symbol.h"
+#include "numeric/kernels/high_low.h"
 
 namespace rigor {
 
@@ -34,6 +35,7 @@ struct Column {
   std::size_t sample_stride = 0;
   std::size_t particle_stride = 0;
   std::shared_ptr<const std::vector<double>> owned = {};  // what `values` shows, unless it is borrowed
+  double low = 0;                                         // to be added to a value that is the same for all
 };
 
 class Samples {
@@ -45,6 +47,8 @@ class Samples {
 
   /// The same for all samples (and particles).
   void set(SymbolId symbol, std::uint32_t component, double value);
+  /// The same to about 106 bits: arithmetic of more than 53 bits computes with high + low.
+  void set(SymbolId symbol, std::uint32_t component, const HighLow& value);
   /// One for each sample.
   void set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
   /// One for each particle, the same for all samples.

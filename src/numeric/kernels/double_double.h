@@ -119,10 +119,6 @@ struct CompensatedSum {
   T high{};
   T low{};
 
-  CompensatedSum() = default;
-  /// The first term.
-  RIGOR_INLINE explicit CompensatedSum(DoubleDouble<T> x) : high(x.high), low(x.low) {}
-
   /// 7 operations.
   RIGOR_INLINE void add(T x) {
     const DoubleDouble<T> s = exact_sum(high, x);
@@ -140,5 +136,11 @@ struct CompensatedSum {
   [[nodiscard]] RIGOR_INLINE DoubleDouble<T> raw() const { return {high, low}; }
   [[nodiscard]] RIGOR_INLINE DoubleDouble<T> value() const { return exact_sum(high, low); }
 };
+
+/// The sum that has one term.
+template <class T>
+RIGOR_INLINE CompensatedSum<T> sum_of(DoubleDouble<T> first) {
+  return {first.high, first.low};
+}
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

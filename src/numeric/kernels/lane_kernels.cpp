@@ -5,6 +5,7 @@
 #include "numeric/kernels/lanes.h"
 #include "numeric/kernels/mesh_sums_lanes.h"
 #include "numeric/kernels/moments_lanes.h"
+#include "numeric/kernels/sharp_mass_sums_lanes.h"
 
 #define RIGOR_NAME_OF(x) #x
 #define RIGOR_NAME(x) RIGOR_NAME_OF(x)
@@ -17,6 +18,9 @@ const LaneKernels kernels = {
     .lanes = lanes,
     .mesh = mesh_kernels,
     .principal_moments = principal_moments_kernel,
+    .sum_points = sum_points,
+    .sum_points_sharply = sum_points_sharply,
+    .sample_points = sample_points,
 };
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

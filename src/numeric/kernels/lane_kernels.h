@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "numeric/kernels/mesh_totals.h"
+#include "numeric/kernels/point_sums.h"
 
 namespace rigor {
 
@@ -31,6 +32,9 @@ struct LaneKernels {
   std::size_t lanes = 0;             // doubles at once
   MeshKernels mesh;                  // mesh_sums_lanes.h
   void (*principal_moments)(const MomentsColumns&) = nullptr;  // moments_lanes.h
+  SumPoints sum_points = nullptr;
+  SumPoints sum_points_sharply = nullptr;
+  SamplePoints sample_points = nullptr;
 };
 
 /// Those that this program was built with and this machine can run, from the narrowest to the widest. Never

@@ -235,7 +235,7 @@ RIGOR_INLINE NearlyDiagonalTensor<T> similar(const SymmetricTensor<T>& b, const 
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
       const int k = (i + 2) % 3;
-      CompensatedSum<T> sum(raw_product(m.column[c][i], b.diagonal[i]));
+      CompensatedSum<T> sum = sum_of(raw_product(m.column[c][i], b.diagonal[i]));
       if constexpr (sharp) {
         sum.add(raw_product(m.column[c][j], b.off[k]));
         sum.add(raw_product(m.column[c][k], b.off[j]));
@@ -247,7 +247,7 @@ RIGOR_INLINE NearlyDiagonalTensor<T> similar(const SymmetricTensor<T>& b, const 
     }
   }
   const auto product_of = [&](int i, int j) RIGOR_INLINE_LAMBDA {
-    CompensatedSum<T> sum(raw_product(m.column[i][0], bm[j][0]));
+    CompensatedSum<T> sum = sum_of(raw_product(m.column[i][0], bm[j][0]));
     for (int l = 1; l < 3; ++l) sum.add(raw_product(m.column[i][l], bm[j][l]));
     return sum.raw();
   };

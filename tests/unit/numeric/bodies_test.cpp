@@ -88,7 +88,16 @@ TEST_CASE("second moments that no mass can have are refused, those of a flat bod
 TEST_CASE("parts so far apart that their moments overflow are refused") {
   const Body ball = *quadrature_body("ball", {ShapeKind::sphere, 1, {1, 1, 1}});
   CHECK(joined("far", {{ball, {1e160, 1e160, 0}}, {ball, {0, 0, 0}}}).error().reason ==
-        "its moments of inertia are not finite");
+        "the inertia tensor overflows");
+}
+
+TEST_CASE("parts far from the origin lose no digit of what they are about their common centre") {
+  const Body ball = *quadrature_body("ball", {ShapeKind::sphere, 1, {1, 1, 1}});
+  const auto near = joined("pair", {{ball, {0, 0, 0}}, {ball, {4, 2, 8}}});
+  const auto far = joined("pair", {{ball, {0x1p40, -0x1p40, 0}}, {ball, {0x1p40 + 4, 2 - 0x1p40, 8}}});
+  REQUIRE((near && far));
+  CHECK(far->known->inertia == near->known->inertia);
+  CHECK(far->positions == near->positions);
 }
 
 }  // namespace

@@ -27,6 +27,22 @@ TEST_CASE("the inertia tensor is about the centre of mass, wherever the body is"
     for (std::size_t j = 0; j < 3; ++j) CHECK(std::abs(far[i][j] - at_rest[i][j]) <= 0x1p20 * 32 * u);
 }
 
+TEST_CASE("the sharp inertia tensor of a nearly symmetric body keeps the difference of its moments") {
+  Body body = *point_masses("six", {1, 1, 1, 1, 1, 1},
+                            {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+  body.positions[0][0] = 1 + 0x1p-50;  // I_22 − I_11 = Σ m (x² − y²), with x about its mean
+  const auto sharp = sharp_inertia_tensor(body);
+  REQUIRE(sharp);
+  const HighLow first = (*sharp)[0][0];
+  const HighLow second = (*sharp)[1][1];
+  const double gap = (second.high - first.high) + (second.low - first.low);
+  const double exact = 0x1p-49 + 0x1p-100 * 5 / 6;
+  CHECK(std::abs(gap - exact) <= 4 * u * exact);
+  const InertiaTensor plain = *inertia_tensor(body);
+  CHECK(std::abs(plain[1][1] - plain[0][0] - exact) <= 8 * u);
+  CHECK(sharp_inertia_tensor(Body{}).error().reason == "the body has no particles");
+}
+
 TEST_CASE("an inertia tensor that there is not is an error, not a number") {
   Body body{"nobody", {}, {}, {}};
   CHECK(inertia_tensor(body).error().reason == "the body has no particles");

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/kernels/mass_sums.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "numeric/kernels/double_double.h"
+#include "numeric/kernels/point_pass.h"
+
+namespace rigor {
+namespace {
+
+using Number = baseline::DoubleDouble<double>;
+
+constexpr double u = 0x1p-53;
+
+tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
+
+/// Bounds k of the header: errors of second, first and zeroth moments before the move, and the last rounding.
+struct MomentRoundings {
+  std::array<double, 3> of_order;
+  double last;
+};
+constexpr MomentRoundings plain_roundings{{14 * u, 12 * u, 10 * u}, u};
+constexpr MomentRoundings sharp_roundings{{0x1p-95, 0x1p-95, 0x1p-95}, u};
+
+/// Sums about a centre, and what follows from them; in scaled units.
+struct PointMoments {
+  Number mass;
+  std::array<Number, 3> centre;
+  std::array<std::array<Number, 3>, 3> inertia;
+  double greatest = 0;        // entry
+  double error = 0;           // relative to it
+  double moved_fraction = 0;  // greatest ε_i
+};
+
+Number number(const PointSums& sums, std::size_t q) { return {sums.high[q], sums.low[q]}; }
+
+/// The place of d_i d_j among the sums.
+std::size_t second_moment(std::size_t i, std::size_t j) {
+  return i == j ? PointSums::square + i : PointSums::product + 3 - i - j;
+}
+
+bool is_finite(const PointSums& sums) {
+  return std::all_of(std::begin(sums.high), std::end(sums.high), [](double x) { return std::isfinite(x); });
+}
+
+double sum_of_squares(const PointSums& sums) {
+  return sums.high[PointSums::square] + sums.high[PointSums::square + 1] + sums.high[PointSums::square + 2];
+}
+
+/// No intermediate result left the range: where a product m d underflows, it loses at most 2^-538 √T for
+/// T = Σ m d², because m ≥ 2^-1074; against T ≥ 2^-800 that is nothing, for any number of points.
+bool is_in_range(const PointSums& sums) {
+  if (!is_finite(sums) || sums.is_wide) return false;
+  const double mass = sums.high[PointSums::mass];
+  const double squares = sum_of_squares(sums);
+  return mass >= 0x1p-900 && mass <= 0x1p900 && squares >= 0x1p-800 && squares <= 0x1p900;
+}
+
+/// δI_ij of the header, the greatest.
+double greatest_error(const std::array<double, 3>& extent, const std::array<double, 3>& moved,
+                      const std::array<double, 3>& k) {
+  std::array<double, 3> diagonal{};
+  double greatest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      const double error =
+          extent[i] * extent[j] * (k[0] + k[1] * (moved[i] + moved[j]) + k[2] * moved[i] * moved[j]);
+      if (i == j)
+        diagonal[i] = error;
+      else
+        greatest = std::max(greatest, error);
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    greatest = std::max(greatest, diagonal[(i + 1) % 3] + diagonal[(i + 2) % 3]);
+  return greatest;
+}
+
+/// The move from the centre s to the centre of mass, in double-double: some 40 u² on top of what the sums
+/// have.
+PointMoments moved_to_centre(const PointSums& sums, const SharpPosition& s,
+                             const MomentRoundings& roundings) {
+  PointMoments result;
+  result.mass = number(sums, PointSums::mass);
+  std::array<Number, 3> shift;
+  std::array<double, 3> extent{};
+  std::array<double, 3> moved{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Number first = number(sums, PointSums::first + i);
+    shift[i] = first / result.mass;
+    result.centre[i] = Number{s[i].high, s[i].low} + shift[i];
+    extent[i] = std::sqrt(sums.high[PointSums::square + i]);
+    const double part = std::sqrt(result.mass.high) * std::abs(shift[i].high);
+    moved[i] = extent[i] > 0 ? std::min(1.0, part / extent[i]) : 0;
+    result.moved_fraction = std::max(result.moved_fraction, moved[i] * moved[i]);
+  }
+  std::array<std::array<Number, 3>, 3> second;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      second[i][j] = number(sums, second_moment(i, j)) -
+                     number(sums, PointSums::first + std::min(i, j)) * shift[std::max(i, j)];
+    }
+    if (second[i][i].high < 0) second[i][i] = {};  // Σ m d² ≥ 0: what is less is rounding
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      result.inertia[i][j] =
+          i == j ? second[(i + 1) % 3][(i + 1) % 3] + second[(i + 2) % 3][(i + 2) % 3] : -second[i][j];
+      result.greatest = std::max(result.greatest, std::abs(result.inertia[i][j].high));
+    }
+  }
+  const double error = greatest_error(extent, moved, roundings.of_order);
+  result.error = error == 0 ? 0 : error / result.greatest * (1 + 0x1p-40) + roundings.last;
+  return result;
+}
+
+SharpPosition sharp(const std::array<Number, 3>& position) {
+  SharpPosition result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = {position[i].high, position[i].low};
+  return result;
+}
+
+constexpr std::size_t group_points = 8;
+
+/// Σ m (x_i − x_i of point 0) and Σ m over some groups of points spread over the array; over all points where
+/// they are fewer than a group.
+std::array<double, 4> sample(const PointColumns& points) {
+  constexpr std::size_t most_groups = 32;
+  constexpr std::size_t points_a_sample = 32;  // one group of 8 in four is read twice at most
+  std::array<double, 4> total{};
+  const std::size_t all_groups = points.count / group_points;
+  if (all_groups == 0) {
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const double mass = points.mass[points.stride * k];
+      for (std::size_t i = 0; i < 3; ++i)
+        total[i] += mass * (points.position[i][points.stride * k] - *points.position[i]);
+      total[3] += mass;
+    }
+    return total;
+  }
+  const std::size_t groups = std::clamp<std::size_t>(points.count / points_a_sample, 1, most_groups);
+  double sums[4][group_points] = {};
+  lane_kernels().sample_points(places_of(points), groups, all_groups / groups * group_points, sums);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (const double sum : sums[i]) total[i] += sum;
+  return total;
+}
+
+/// The mean of the sample; the first point where it has no mass or overflows. It need not be good, only the
+/// same on every machine.
+SharpPosition sampled_centre(const PointColumns& points) {
+  SharpPosition centre;
+  for (std::size_t i = 0; i < 3; ++i) centre[i].high = *points.position[i];
+  const std::array<double, 4> total = sample(points);
+  if (!(total[3] > 0)) return centre;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double shifted = centre[i].high + total[i] / total[3];
+    if (std::isfinite(shifted)) centre[i].high = shifted;
+  }
+  return centre;
+}
+
+/// Refuses what no body has; else the scale that brings the greatest coordinate and mass between 1 and 2.
+Result<PointScale> checked_scale(const PointColumns& points) {
+  constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
+  double reach = 0;
+  double heaviest = 0;
+  for (std::size_t k = 0; k < points.count; ++k) {
+    const double mass = points.mass[points.stride * k];
+    if (!std::isfinite(mass) || mass < 0)
+      return refuse(
+          fmt::format("particle {} has the mass {} kg, which must be finite and not negative", k + 1, mass));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = points.position[i][points.stride * k];
+      if (!std::isfinite(x))
+        return refuse(
+            fmt::format("particle {} has {} = {} m, which must be finite", k + 1, axis_names[i], x));
+      if (mass > 0) reach = std::max(reach, std::abs(x));
+    }
+    heaviest = std::max(heaviest, mass);
+  }
+  if (heaviest == 0) return refuse("the body has no mass");
+  const auto to_one = [](double greatest) {
+    return greatest == 0 ? 0 : std::clamp(-std::ilogb(greatest), -1022, 1022);
+  };
+  return PointScale{to_one(reach), to_one(heaviest)};
+}
+
+/// Passes until the bound is met: about the sampled centre, about the centre that it gives, and in
+/// double-double, there until the move to the centre takes away little.
+class MomentFinder {
+ public:
+  MomentFinder(const PointColumns& points, const SumOptions& options) : points_(points), options_(options) {}
+
+  struct FoundMoments {
+    PointMoments moments;
+    PointScale scale;
+    bool compensated = false;
+  };
+
+  Result<FoundMoments> find(bool compensated) {
+    constexpr int plain_passes = 2;
+    constexpr int most_sharp_passes = 4;  // each leaves 2^-90 of the distance of the centre before
+    constexpr double most_moved = 0.25;
+    if (points_.count == 0) return refuse("the body has no particles");
+    RIGOR_CHECK(points_.stride == 1 || points_.stride == 4, points_.stride);
+    centre_ = sampled_centre(points_);
+    for (int pass = compensated ? plain_passes : 0; pass < plain_passes; ++pass) {
+      const auto moments = about_centre(lane_kernels().sum_points, plain_roundings);
+      if (!moments) return tl::unexpected(moments.error());
+      if (moments->error <= plain_error_limit) return FoundMoments{*moments, scale_, false};
+      for (std::size_t i = 0; i < 3; ++i) centre_[i] = {moments->centre[i].high, 0};
+    }
+    for (int pass = 1;; ++pass) {
+      const auto moments = about_centre(lane_kernels().sum_points_sharply, sharp_roundings);
+      if (!moments) return tl::unexpected(moments.error());
+      if (moments->moved_fraction <= most_moved || pass == most_sharp_passes)
+        return FoundMoments{*moments, scale_, true};
+      centre_ = sharp(moments->centre);
+    }
+  }
+
+ private:
+  Result<PointMoments> about_centre(SumPoints sum, const MomentRoundings& roundings) {
+    PointSums sums = point_pass(sum, points_, scale_, centre_, options_.threads);
+    if (!checked_ && (sums.has_sign || !is_in_range(sums))) {
+      const auto scale = checked_scale(points_);
+      if (!scale) return tl::unexpected(scale.error());
+      checked_ = true;
+      if (!is_in_range(sums)) {
+        scale_ = *scale;
+        for (HighLow& x : centre_) x = {std::ldexp(x.high, scale_.length), std::ldexp(x.low, scale_.length)};
+        sums = point_pass(sum, points_, scale_, centre_, options_.threads);
+      }
+    }
+    PointMoments moments = moved_to_centre(sums, centre_, roundings);
+    if (!scale_.is_one() && moments.error > 0)  // numbers are below 4, and some products may underflow
+      moments.error += static_cast<double>(points_.count) * 0x1p-1068 / moments.greatest;
+    return moments;
+  }
+
+  const PointColumns& points_;
+  const SumOptions& options_;
+  SharpPosition centre_{};
+  PointScale scale_{};
+  bool checked_ = false;
+};
+
+HighLow scaled(const Number& x, int exponent) {
+  return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)};
+}
+
+SharpPosition unscaled_centre(const MomentFinder::FoundMoments& found) {
+  SharpPosition centre;
+  for (std::size_t i = 0; i < 3; ++i) centre[i] = scaled(found.moments.centre[i], -found.scale.length);
+  return centre;
+}
+
+Result<SharpMassSums> unscaled(const MomentFinder::FoundMoments& found) {
+  const auto& [moments, scale, compensated] = found;
+  SharpMassSums result;
+  result.mass = scaled(moments.mass, -scale.mass);
+  if (!std::isfinite(result.mass.high)) return refuse("the sum of the masses overflows");
+  result.centre = unscaled_centre(found);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      result.inertia[i][j] = scaled(moments.inertia[i][j], -scale.mass - 2 * scale.length);
+      if (!std::isfinite(result.inertia[i][j].high)) return refuse("the inertia tensor overflows");
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+PointColumns point_records(const double* records, std::size_t count) {
+  return {{records, records + 1, records + 2}, records + 3, count, 4};
+}
+
+Result<MassSums> mass_sums(const PointColumns& points, const SumOptions& options) {
+  const auto found = MomentFinder(points, options).find(false);
+  if (!found) return tl::unexpected(found.error());
+  const auto sums = unscaled(*found);
+  if (!sums) return tl::unexpected(sums.error());
+  MassSums result;
+  result.mass = sums->mass.high;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.centre[i] = sums->centre[i].high;
+    for (std::size_t j = 0; j < 3; ++j) result.inertia[i][j] = sums->inertia[i][j].high;
+  }
+  result.error = found->moments.error;
+  result.compensated = found->compensated;
+  return result;
+}
+
+Result<SharpMassSums> sharp_mass_sums(const PointColumns& points, const SumOptions& options) {
+  const auto found = MomentFinder(points, options).find(true);
+  if (!found) return tl::unexpected(found.error());
+  return unscaled(*found);
+}
+
+Result<SharpPosition> sharp_centre_of_mass(const PointColumns& points, const SumOptions& options) {
+  const auto found = MomentFinder(points, options).find(true);
+  if (!found) return tl::unexpected(found.error());
+  return unscaled_centre(*found);
+}
+
+}  // namespace rigor

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/kernels/point_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "numeric/kernels/double_double.h"
+
+namespace rigor {
+namespace {
+
+using Number = baseline::DoubleDouble<double>;
+
+PointPlaces later(PointPlaces places, std::size_t first) {
+  for (const double*& at : places.at) at += places.stride * first;
+  return places;
+}
+
+class PointPass {
+ public:
+  PointPass(SumPoints sum, const PointColumns& points, const PointScale& scale, const SharpPosition& centre)
+      : sum_(sum), places_(places_of(points)), count_(points.count), scale_(scale) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      high_[i] = centre[i].high;
+      low_[i] = centre[i].low;
+    }
+  }
+
+  /// The chunks from `begin` to `end`.
+  void run(std::size_t begin, std::size_t end, PointSums* sums) const {
+    std::vector<double> scaled(scale_.is_one() ? 0 : 4 * chunk_points);
+    for (std::size_t chunk = begin; chunk < end; ++chunk) {
+      const std::size_t first = chunk * chunk_points;
+      const std::size_t count = std::min(count_ - first, chunk_points);
+      PointPlaces places = later(places_, first);
+      if (!scale_.is_one()) places = scaled_into(scaled, places, count);
+      sum_(places, count, high_, low_, sums[chunk]);
+    }
+  }
+
+ private:
+  PointPlaces scaled_into(std::vector<double>& to, const PointPlaces& from, std::size_t count) const {
+    PointPlaces places;
+    const double* const masses = from.at[3];
+    for (std::size_t i = 0; i < 4; ++i) {
+      double* const column = to.data() + i * chunk_points;
+      const double factor = std::ldexp(1.0, i < 3 ? scale_.length : scale_.mass);
+      for (std::size_t k = 0; k < count; ++k)
+        column[k] = masses[from.stride * k] == 0 ? 0 : from.at[i][from.stride * k] * factor;
+      places.at[i] = column;
+    }
+    return places;
+  }
+
+  SumPoints sum_;
+  PointPlaces places_;
+  std::size_t count_;
+  PointScale scale_;
+  double high_[3];
+  double low_[3];
+};
+
+/// The sums of the chunks in their order, in double-double.
+PointSums combined(const std::vector<PointSums>& chunks) {
+  PointSums all = chunks[0];
+  for (std::size_t k = 1; k < chunks.size(); ++k) {
+    for (int q = 0; q < PointSums::count; ++q) {
+      const Number sum = Number{all.high[q], all.low[q]} + Number{chunks[k].high[q], chunks[k].low[q]};
+      all.high[q] = sum.high;
+      all.low[q] = sum.low;
+    }
+    all.has_sign = all.has_sign || chunks[k].has_sign;
+    all.is_wide = all.is_wide || chunks[k].is_wide;
+  }
+  return all;
+}
+
+}  // namespace
+
+PointPlaces places_of(const PointColumns& points) {
+  return {{points.position[0], points.position[1], points.position[2], points.mass}, points.stride};
+}
+
+PointSums point_pass(SumPoints sum, const PointColumns& points, const PointScale& scale,
+                     const SharpPosition& centre, std::size_t threads) {
+  const PointPass pass(sum, points, scale, centre);
+  const std::size_t chunks = (points.count + chunk_points - 1) / chunk_points;
+  const std::size_t shares = std::clamp<std::size_t>(threads, 1, chunks);
+  std::vector<PointSums> sums(chunks);
+  std::vector<std::thread> others;
+  for (std::size_t share = 1; share < shares; ++share)
+    others.emplace_back(
+        [&, share] { pass.run(chunks * share / shares, chunks * (share + 1) / shares, sums.data()); });
+  pass.run(0, chunks / shares, sums.data());
+  for (std::thread& other : others) other.join();
+  return combined(sums);
+}
+
+}  // namespace rigor
