@@ -17,13 +17,15 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Vertices at the same place become one (−0 is 0). Triangles of which two corners coincide are left out.
-/// Cost: O(N log N).
+/// Vertices at the same place become one (−0 is 0), in the order in which they come first. Left out are
+/// triangles of which two corners coincide and vertices that are then no corner. Cost: O(N), 6 ns a
+/// triangle. Corners must be vertices.
 [[nodiscard]] Mesh welded(const Mesh& mesh);
 
 /// Is the surface of a welded mesh closed and its triangles oriented alike? Each edge must belong to two
-/// triangles, which pass it in opposite directions. The reason names the ends of an edge that does not. Two
-/// bodies that touch along an edge are refused. Cost: O(N log N).
+/// triangles, which pass it in opposite directions. The reason names the ends of the first edge that does
+/// not, in the order of their coordinates. Two bodies that touch along an edge are refused. Cost: O(N), 23 ns
+/// a triangle; O(N log N) to find that edge or where edges without number meet in one vertex.
 [[nodiscard]] Result<void> check_closed(const Mesh& mesh);
 
 /// What a surface encloses, with a density of 1.
@@ -35,12 +37,9 @@ struct MeshMass {
   std::size_t degenerate = 0;      // triangles without an area, which do no harm
 };
 
-/// Welds and checks, then adds up the tetrahedra from the mean of their corners, so that a distance from the
-/// origin costs no more digits than the coordinates have lost. Where the volume is negative, all triangles
-/// are turned. Fails where the surface is open, the volume cannot be told from 0, or something overflows.
-/// Formula: ∫x_i x_j dV over (0, a, b, c) = det(a, b, c)/120 (a_i a_j + b_i b_j + c_i c_j + s_i s_j), s = a +
-/// b + c. Source: F. Tonon, J. Math. Stat. 1 (2005) 8. Error, measured on 8,192 triangles: 4e-15 relative,
-/// 2e-14 at a distance of 1e8 sizes, 9e-15 for a thickness of 1e-4.
+/// Welds, checks and sums up (`kernels/mesh_sums.h`: formula, source and error). Where the volume is
+/// negative, all triangles are turned. Fails where the surface is open, the volume cannot be told from 0, or
+/// something overflows. Cost: 36 ns a triangle, of which the sums are 5.5.
 [[nodiscard]] Result<MeshMass> mesh_mass(const Mesh& mesh);
 
 /// The homogeneous body of that mass as six particles (`equimomental_body`), along the axes of the mesh.

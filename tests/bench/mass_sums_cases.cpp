@@ -125,7 +125,7 @@ std::vector<KernelRow> times() {
     const BenchPoints points(cloud);
     for (const PointMethod& method : point_methods()) {
       volatile double sink = 0;
-      const double time = least_nanoseconds(rounds, [&] { sink = method.inertia(points)[0][0]; });
+      const double time = least_nanoseconds([&] { sink = method.inertia(points)[0][0]; });
       rows.push_back({"inertia of points, time", method.name, fmt::format("{} points in {}", count, where),
                       time / static_cast<double>(count), 0, "a point"});
     }
@@ -140,7 +140,7 @@ std::vector<KernelRow> errors() {
     const ExactMassSums exact(cloud);
     for (const PointMethod& method : point_methods()) {
       if (!method.is_inertia) continue;
-      const double time = least_nanoseconds(50, [&] { return method.inertia(points)[0][0]; });
+      const double time = least_nanoseconds([&] { return method.inertia(points)[0][0]; });
       rows.push_back({"inertia of points, error", method.name, cloud.name,
                       time / static_cast<double>(cloud.size()), exact.error_of(method.inertia(points)),
                       "a point"});

@@ -5,6 +5,7 @@
 #include "numeric/kernels/free_attitude_lanes.h"
 #include "numeric/kernels/free_spin_lanes.h"
 #include "numeric/kernels/lanes.h"
+#include "numeric/kernels/mesh_sums_lanes.h"
 #include "numeric/kernels/moments_lanes.h"
 #include "numeric/kernels/sharp_mass_sums_lanes.h"
 #include "numeric/kernels/torque_free_lanes.h"
@@ -18,6 +19,7 @@ extern const LaneKernels kernels;
 const LaneKernels kernels = {
     .instruction_set = RIGOR_NAME(RIGOR_INSTRUCTION_SET),
     .lanes = lanes,
+    .mesh = mesh_kernels,
     .principal_moments = principal_moments_kernel,
     .sum_points = sum_points,
     .sum_points_sharply = sum_points_sharply,

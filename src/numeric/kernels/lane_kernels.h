@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "numeric/kernels/mesh_totals.h"
 #include "numeric/kernels/point_sums.h"
 
 namespace rigor {
@@ -17,6 +18,9 @@ struct FreeAttitude;
 struct LaneKernels {
   const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
   std::size_t lanes = 0;             // doubles at once
+
+  // mesh_sums.h
+  MeshKernels mesh;
 
   // principal_moments.h
   void (*principal_moments)(const MomentsColumns&) = nullptr;

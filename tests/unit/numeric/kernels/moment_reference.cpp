@@ -49,8 +49,8 @@ void rotate(Diagonalised<Number>& d, std::size_t p, std::size_t q) {
 }
 
 /// Converges quadratically: 12 sweeps are more than 400 digits need.
-template <class Number>
-Diagonalised<Number> diagonalised(const InertiaTensor& tensor) {
+template <class Number, class Tensor>
+Diagonalised<Number> diagonalised(const Tensor& tensor) {
   Diagonalised<Number> d{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -177,6 +177,11 @@ PrincipalReference principal_reference(const InertiaTensor& tensor) {
   if (!has_digits(more, facts, Decimal<400>(longer.norm * Decimal<400>("1e-345"))))
     throw std::domain_error("a moment or gap below 1e-345 of the norm");
   return reference_of(longer, more);
+}
+
+PrincipalReference principal_reference(const std::array<std::array<Decimal<100>, 3>, 3>& tensor) {
+  const auto d = diagonalised<Decimal<100>>(tensor);
+  return reference_of(d, with_facts(d, {}));
 }
 
 double relative_error(double computed, const Digits50& exact, const Digits50& norm, double low) {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Volume, centre and second moments of what a triangle mesh encloses, wherever the mesh is and however thin.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "numeric/body.h"
+#include "numeric/kernels/high_low.h"
+#include "numeric/kernels/lane_kernels.h"
+
+namespace rigor {
+
+/// With a density of 1. The low parts are right if everything was summed in double-double (`sharp`), else 0
+/// but for the volume.
+struct MeshMoments {
+  HighLow volume;              // m³, negative if the triangles are clockwise as seen from outside
+  SharpPosition centre;        // m
+  SharpTensor second_moments;  // ∫x_i x_j dV / V about the centre, m²
+  bool sharp = false;
+  std::size_t flat = 0;  // triangles in a plane with the point that the tetrahedra share, to 2^-99
+};
+
+/// `if_needed`: where rounded terms would cost the second moments digits, and for small meshes.
+enum class MeshSharpness { if_needed, always };
+
+/// Of a closed surface; each vertex is a corner of a triangle (others cost digits). Signed tetrahedra from a
+/// point c, of which each coordinate is 0 or within a factor of two of all x, so that x − c is exact (P. H.
+/// Sterbenz, Floating-point computation, 1974) and at most 4/3 of the extent of the mesh. The axes are scaled
+/// by powers of two. With D = det(a, b, c) in double-double and s = a + b + c,
+///   V = Σ D/6,  f = Σ D s/(24 V),  ∫x_i x_j dV/V = Σ D (a_i a_j + b_i b_j + c_i c_j + s_i s_j)/(120 V) − f_i
+///   f_j.
+/// Source: F. Tonon, J. Math. Stat. 1 (2005) 8. Cost: 5.5 ns a triangle with AVX-512, where the plain sum
+/// about the origin takes 6.8; 19 ns in double-double, which is done where there are few triangles or Σ |D|
+/// (a_i² + …) is more than 4 times what the second moment leaves of it. Error for the coordinates as they
+/// are, at distances up to 1e12 and thicknesses down to 1e-8, measured by mesh_sums_test: volume 0.9 u;
+/// centre 1 u of each coordinate or of √(ii); second moment ij 1.2 u √(ii jj). Sharp: 2^-97 of that times the
+/// volume of the mesh's box over V. Fails where a corner is no vertex, a coordinate is not finite, the volume
+/// cannot be told from 0 (the bound is proved in mesh_sums.cpp and below 1e-24 of the box's volume for 1e4
+/// triangles), a moment is negative, or something overflows.
+[[nodiscard]] Result<MeshMoments> mesh_moments(std::span<const Position> vertices,
+                                               std::span<const std::array<std::uint32_t, 3>> triangles,
+                                               MeshSharpness sharpness = MeshSharpness::if_needed,
+                                               const LaneKernels& kernels = lane_kernels());
+
+}  // namespace rigor

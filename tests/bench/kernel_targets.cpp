@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel_targets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "report/figures.h"
+
+namespace rigor {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double u = 0x1p-53;
+
+class Rows {
+ public:
+  explicit Rows(std::span<const KernelRow> rows) : rows_(rows) {}
+
+  /// Of the families whose names begin so; infinite where there are none.
+  [[nodiscard]] double time(const std::string& table, const std::string& name,
+                            const std::string& family = "") const {
+    double sum = 0;
+    for_each(table, name, family, [&](const KernelRow& row) { sum += row.nanoseconds; });
+    return sum > 0 ? sum : infinity;
+  }
+  [[nodiscard]] double error(const std::string& table, const std::string& name,
+                             const std::string& family = "") const {
+    double worst = -infinity;
+    for_each(table, name, family, [&](const KernelRow& row) { worst = std::max(worst, row.error); });
+    return worst >= 0 ? worst : infinity;
+  }
+  /// How often the second takes the time of the first.
+  [[nodiscard]] double times_faster(const std::string& table, const std::string& name,
+                                    const std::string& peer, const std::string& family = "") const {
+    const double peers = time(table, peer, family);
+    return peers < infinity ? peers / time(table, name, family) : 0;
+  }
+
+ private:
+  void for_each(const std::string& table, const std::string& name, const std::string& family,
+                const std::function<void(const KernelRow&)>& visit) const {
+    for (const KernelRow& row : rows_)
+      if (row.table == table && row.name == name && row.family.starts_with(family)) visit(row);
+  }
+
+  std::span<const KernelRow> rows_;
+};
+
+KernelTarget at_most(std::string what, double most, double measured) {
+  return {std::move(what), fmt::format("at most {}", short_number(most)), short_number(measured),
+          measured <= most};
+}
+
+KernelTarget faster(std::string what, double least, double measured) {
+  return {std::move(what), fmt::format("{} times faster", short_number(least)),
+          fmt::format("{:.2f}", measured), measured >= least};
+}
+
+}  // namespace
+
+std::vector<KernelTarget> kernel_targets(std::span<const KernelRow> all) {
+  const Rows rows(all);
+  const std::string stability = "points to stability frequency";
+  std::vector<KernelTarget> targets;
+  targets.push_back(
+      at_most("error of every gap and moment, all families, in u", 16, rows.error("moments", "kernel") / u));
+  targets.push_back(faster("moments with gaps, against Eigen compute, random bodies", 6,
+                           rows.times_faster("moments", "kernel", "Eigen compute", "random bodies")));
+  targets.push_back(faster("moments with gaps, against Eigen compute, all families", 6,
+                           rows.times_faster("moments", "kernel", "Eigen compute")));
+  targets.push_back(faster("moments with axes, against Eigen compute, random bodies", 5,
+                           rows.times_faster("axes", "kernel", "Eigen compute", "random bodies")));
+  targets.push_back(faster("moments with axes, against Eigen compute, all families", 5,
+                           rows.times_faster("axes", "kernel", "Eigen compute")));
+  targets.push_back(at_most("residual of the axes, in u", 5, rows.error("residual of axes", "kernel") / u));
+  targets.push_back(at_most("points to stability frequency, error", 1e-15, rows.error(stability, "kernel")));
+  targets.push_back(faster("the same, against Eigen", 1,
+                           rows.times_faster(stability, "kernel", "Eigen, two passes, compute")));
+  targets.push_back(
+      at_most("mesh, distance 0 to 1e8: error", 1e-15,
+              std::max(rows.error("mesh", "kernel", "distance "), rows.error("mesh", "kernel"))));
+  targets.push_back(faster("the same, against tetrahedra from the origin", 1,
+                           rows.times_faster("mesh", "kernel", "tetrahedra from the origin", "distance ")));
+  return targets;
+}
+
+}  // namespace rigor
