@@ -55,13 +55,14 @@ TEST_CASE("the families of moments have the gaps that they are named after") {
 
 TEST_CASE(
     "moments that are exactly 0 or equal are so in their reference, and those that are nearly so are not") {
-  const PrincipalReference rank_one = principal_reference({{{1, 2, 3}, {2, 4, 6}, {3, 6, 9}}});
+  const PrincipalReference rank_one = principal_reference(InertiaTensor{{{1, 2, 3}, {2, 4, 6}, {3, 6, 9}}});
   CHECK(rank_one.moments[0] == 0);
   CHECK(rank_one.gaps[0] == 0);
   CHECK(abs(rank_one.gaps[1] - 14) < 1e-45);
-  const PrincipalReference nearly = principal_reference({{{1, 0x1p-500, 0}, {0x1p-500, 1, 0}, {0, 0, 1}}});
+  const PrincipalReference nearly =
+      principal_reference(InertiaTensor{{{1, 0x1p-500, 0}, {0x1p-500, 1, 0}, {0, 0, 1}}});
   CHECK(abs(nearly.gaps[0] / Digits50(0x1p-500) - 1) < 1e-45);
-  const PrincipalReference zero = principal_reference({});
+  const PrincipalReference zero = principal_reference(InertiaTensor{});
   CHECK(zero.gaps[2] == 0);
   CHECK(zero.moments[2] == 0);
 }
