@@ -179,7 +179,7 @@ PrincipalReference principal_reference(const InertiaTensor& tensor) {
   return reference_of(longer, more);
 }
 
-PrincipalReference principal_reference(const std::array<std::array<Decimal<100>, 3>, 3>& tensor) {
+PrincipalReference principal_reference_of_digits(const std::array<std::array<Decimal<100>, 3>, 3>& tensor) {
   const auto d = diagonalised<Decimal<100>>(tensor);
   return reference_of(d, with_facts(d, {}));
 }
