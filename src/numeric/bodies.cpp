@@ -81,8 +81,7 @@ Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts) {
   for (const auto& [body, offset] : parts) {
     whole.masses.insert(whole.masses.end(), body.masses.begin(), body.masses.end());
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [high, low] = (*centre)[axis];
-      const double place = (offset[axis] - high) - low;  // not `offset`: that may be far
+      const double place = away_from(offset[axis], (*centre)[axis]);  // not `offset`: that may be far
       for (const double x : body.positions[axis]) whole.positions[axis].push_back(x + place);
     }
   }

@@ -52,16 +52,17 @@ PointColumns points_of(const Body& body) {
   return {{x.data(), y.data(), z.data()}, body.masses.data(), body.size()};
 }
 
+double away_from(double x, const HighLow& centre) {
+  const auto difference = baseline::exact_difference(x, centre.high);
+  return difference.high + (difference.low - centre.low);
+}
+
 Result<Body> centred(Body body) {
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
   const auto centre = sharp_centre_of_mass(points_of(body));
   if (!centre) return tl::unexpected(centre.error());
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [high, low] = (*centre)[axis];
-    for (double& x : body.positions[axis]) {
-      const auto difference = baseline::exact_difference(x, high);
-      x = difference.high + (difference.low - low);
-    }
+    for (double& x : body.positions[axis]) x = away_from(x, (*centre)[axis]);
   }
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
   return body;

@@ -49,6 +49,9 @@ struct Body {
 /// The body's particles, which are not copied.
 [[nodiscard]] PointColumns points_of(const Body& body);
 
+/// x − centre, rounded once.
+[[nodiscard]] double away_from(double x, const HighLow& centre);
+
 /// Checks a body and moves its centre of mass, known to 100 bits, to the origin: coordinates are rounded
 /// once. Residue: u times its mean distance from there at most, wherever it was before, as far as its
 /// coordinates had the digits. Cost: O(N).

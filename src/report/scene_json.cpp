@@ -26,6 +26,7 @@ Json json_of(const Motion& motion) {
   object["times"] = motion.times;
   object["spin"] = motion.spins;
   object["orientation"] = motion.orientations;
+  object["closed_form"] = motion.closed_form;
   object["steps"] = motion.steps;
   object["evaluations"] = motion.evaluations;
   object["stopped"] = motion.stopped.empty() ? Json(nullptr) : Json(motion.stopped);

@@ -98,10 +98,12 @@ std::string print_scene(const SceneResult& result, const SceneTextOptions& optio
     if (result.motion && !quantity.rows.empty()) text += print_rows(quantity, *result.motion);
   }
   if (result.motion) {
-    text += fmt::format("\nmotion: {} rows until {} s, {} steps, {} evaluations of the rates\n",
-                        result.motion->times.size(),
+    text += fmt::format("\nmotion: {} rows until {} s, {}\n", result.motion->times.size(),
                         number(result.motion->times.empty() ? 0 : result.motion->times.back()),
-                        result.motion->steps, result.motion->evaluations);
+                        result.motion->closed_form
+                            ? "in closed form: the equations are a free rigid body's"
+                            : fmt::format("{} steps, {} evaluations of the rates", result.motion->steps,
+                                          result.motion->evaluations));
     for (const SceneDrift& drift : result.drifts) text += print_drift(drift);
   }
   if (options.explain) text += print_nodes(result);

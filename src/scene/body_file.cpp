@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "numeric/bodies.h"
+#include "numeric/cloud_file.h"
 #include "numeric/mesh.h"
 #include "numeric/mesh_file.h"
 #include "scene/body_file_shape.h"
@@ -22,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> kinds{"shape", "particles", "mesh", "moments", "inertia", "parts"};
+constexpr std::array<std::string_view, 7> kinds{"shape",   "particles", "mesh", "cloud",
+                                                "moments", "inertia",   "parts"};
 
 Dimension inertia_dimension() { return mass_dimension() + length_dimension() + length_dimension(); }
 
@@ -95,6 +97,7 @@ class BodyReader {
     if (kind == "shape") return read_shape(reader_, name_);
     if (kind == "particles") return read_particles();
     if (kind == "mesh") return read_mesh_file();
+    if (kind == "cloud") return read_cloud_file();
     if (kind == "parts") return read_parts();
     return read_inertia(kind);
   }
@@ -177,13 +180,31 @@ class BodyReader {
     return {fmt::format("`{}`: {}", file, error.reason)};
   }
 
-  [[nodiscard]] Result<Mesh> mesh_in(const std::string& file) const {
+  [[nodiscard]] Result<std::string> path_in_folder(const std::string& file) const {
     const fs::path path(file);
     if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
       return tl::unexpected(Error{fmt::format("`{}` is not in the folder of the body's file", file)});
-    const auto bytes = read_file((folder_ / path).string());
+    return (folder_ / path).string();
+  }
+
+  [[nodiscard]] Result<Mesh> mesh_in(const std::string& file) const {
+    const auto path = path_in_folder(file);
+    if (!path) return tl::unexpected(path.error());
+    const auto bytes = read_file(*path);
     if (!bytes) return tl::unexpected(named(file, bytes.error()));
     return read_mesh(file, *bytes).map_error([&](const Error& error) { return named(file, error); });
+  }
+
+  std::optional<Body> read_cloud_file() {
+    const auto file = reader_.text("cloud");
+    const auto unit = reader_.has("unit") ? read_positive(reader_, "unit", length_dimension()) : 1;
+    if (!file || !unit) return std::nullopt;
+    const Span span = reader_.find("cloud")->span;
+    const auto path = value_or_report(path_in_folder(*file), DiagnosticKind::bad_cloud, span, diagnostics_);
+    if (!path) return std::nullopt;
+    return value_or_report(
+        read_cloud(name_, *path, *unit).map_error([&](const Error& error) { return named(*file, error); }),
+        DiagnosticKind::bad_cloud, span, diagnostics_);
   }
 
   std::optional<Body> read_inertia(std::string_view kind) {

@@ -10,6 +10,7 @@
 //               axis
 //   mesh = "wedge.obj"       with `mass` or `density`, and `unit`, the length of 1 in the file, else 1 m;
 //                            the path is relative to the file's folder and does not leave it
+//   cloud = "dust.bin"       points with masses, see cloud_file.h, with `unit` as above; the path likewise
 //   moments = [1, 2, 2.5]    with `mass`: principal moments of inertia, kg m²
 //   inertia = [[…], […], […]]    with `mass`: a tensor about the centre of mass
 //   parts = [{ shape = …, offset = […] }]    where `offset` is the place of the part's centre of mass
@@ -34,7 +35,7 @@ namespace rigor {
 [[nodiscard]] std::optional<Body> read_body_file(const std::string& path, SourceMap& sources,
                                                  Diagnostics& diagnostics);
 
-/// The same for a table of another file. `folder`: where the names of mesh files start.
+/// The same for a table of another file. `folder`: where the names of meshes and clouds start.
 [[nodiscard]] std::optional<Body> read_body(const TomlValue& table, std::string name,
                                             const std::filesystem::path& folder, Diagnostics& diagnostics);
 

@@ -10,6 +10,13 @@ const LetterValue* LetterValues::find(SymbolId symbol) const {
   return found == values_.end() ? nullptr : &found->second;
 }
 
+bool LetterValues::are_sharp(const Program& program) const {
+  return std::any_of(program.inputs().begin(), program.inputs().end(), [this](const ProgramInput& input) {
+    const LetterValue* value = find(input.symbol);
+    return value != nullptr && !value->lows.empty();
+  });
+}
+
 std::optional<ProgramInput> LetterValues::fill(const Program& program, Samples& samples,
                                                const std::vector<SymbolId>& left_out) const {
   for (const ProgramInput& input : program.inputs()) {
@@ -21,7 +28,8 @@ std::optional<ProgramInput> LetterValues::fill(const Program& program, Samples& 
       samples.borrow_particles(input.symbol, input.component, value->particles[input.component]);
     } else {
       if (input.component >= value->components.size()) return input;
-      samples.set(input.symbol, input.component, value->components[input.component]);
+      const double low = value->lows.empty() ? 0 : value->lows[input.component];
+      samples.set(input.symbol, input.component, HighLow{value->components[input.component], low});
     }
   }
   return std::nullopt;

@@ -17,12 +17,15 @@ namespace rigor {
 struct LetterValue {
   std::vector<double> components;                  // 3^rank, row by row; unless per particle
   std::vector<std::span<const double>> particles;  // of each component, one for each particle; not owned
+  std::vector<double> lows = {};                   // of the components, where they are known to 106 bits
 };
 
 class LetterValues {
  public:
   void set(SymbolId symbol, LetterValue value) { values_[symbol] = std::move(value); }
   [[nodiscard]] const LetterValue* find(SymbolId symbol) const;
+  /// Does the program read a value that is known to more than 53 bits?
+  [[nodiscard]] bool are_sharp(const Program& program) const;
 
   /// Puts what the program reads into the samples, the same for all of them. `left_out` are put in by the
   /// caller. Particles' values are borrowed, not copied. Returns the first input that has no value.

@@ -47,7 +47,8 @@ struct Motion {
   std::vector<Quaternion> orientations;  // one a row if asked for, else none
   std::size_t steps = 0;
   std::size_t evaluations = 0;
-  std::string stopped;  // why it ended before its time; empty: it did not
+  std::string stopped;       // why it ended before its time; empty: it did not
+  bool closed_form = false;  // no steps: see free_motion.h
 };
 
 /// Never hangs and never throws; a motion that stops has the rows until then. Values of the request that are

@@ -33,7 +33,8 @@ SceneResult SceneEvaluation::run() {
   }
   result_.along_principal_axes = values_.along_principal_axes();
   if (result_.along_principal_axes && result_.motion) {
-    if (const auto& moments = body_.moments()) result_.moments = *moments;
+    if (const auto& moments = body_.moments())
+      result_.moments = Vector3{(*moments)[0].high, (*moments)[1].high, (*moments)[2].high};
   }
   result_.nodes = ledger_.nodes();
   return std::move(result_);

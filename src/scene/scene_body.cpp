@@ -5,9 +5,30 @@
 #include <limits>
 
 namespace rigor {
+namespace {
+
+/// Of a tensor that is diagonal to rounding: each moment goes to the axis that its own is along. Where two
+/// moments are so close that their axes are not, what stands on the diagonal.
+Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor) {
+  constexpr double nearly_along = 1 - 1e-6;
+  SharpPosition diagonal{tensor[0][0], tensor[1][1], tensor[2][2]};
+  if (tensor[1][0].high == 0 && tensor[2][0].high == 0 && tensor[2][1].high == 0) return diagonal;
+  const auto system = principal_axes(tensor);
+  if (!system) return tl::unexpected(system.error());
+  SharpPosition moments = diagonal;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (std::abs(system->axes[k][i]) >= nearly_along) moments[i] = system->principal.moments[k];
+    }
+  }
+  return moments;
+}
+
+}  // namespace
 
 SceneBody::SceneBody(const Body& body, SceneLedger& ledger) : body_(body), ledger_(ledger) {
-  for (const char* node : {particles_node, tensor_node, moments_node, axes_node, places_node}) {
+  for (const char* node :
+       {particles_node, tensor_node, sharp_tensor_node, moments_node, axes_node, places_node}) {
     ledger.expect(node, "nothing that was asked needs it");
   }
 }
@@ -28,20 +49,31 @@ Result<bool> SceneBody::is_along_principal_axes() {
   return products <= 32 * std::numeric_limits<double>::epsilon() * trace;
 }
 
-const Result<Position>& SceneBody::moments() {
+const Result<SharpTensor>& SceneBody::sharp_tensor() {
+  if (!sharp_tensor_) {
+    sharp_tensor_ = ledger_.compute(sharp_tensor_node, "for the differences of principal moments",
+                                    [&] { return sharp_inertia_tensor(body_); });
+  }
+  return *sharp_tensor_;
+}
+
+const Result<SharpPosition>& SceneBody::moments() {
   if (moments_) return *moments_;
   const auto along = is_along_principal_axes();
   if (!along) {
     moments_ = tl::unexpected(along.error());
+    return *moments_;
+  }
+  const auto& inertia = sharp_tensor();
+  if (!inertia) {
+    moments_ = tl::unexpected(inertia.error());
   } else if (*along) {
-    const InertiaTensor& i = **tensor_;
-    moments_ =
-        ledger_.compute(moments_node, "the body is along its principal axes: the tensor's diagonal", [&] {
-          return Result<Position>(Position{i[0][0], i[1][1], i[2][2]});
-        });
+    moments_ = ledger_.compute(moments_node, "the body is along its principal axes",
+                               [&] { return moments_in_order_of_axes(*inertia); });
   } else {
-    moments_ = ledger_.compute(moments_node, "values alone",
-                               [&] { return principal_moments(**tensor_).map(&PrincipalMoments::values); });
+    moments_ = ledger_.compute(moments_node, "values alone", [&] {
+      return principal_moments(*inertia).map([](const PrincipalMoments& each) { return each.moments; });
+    });
   }
   return *moments_;
 }

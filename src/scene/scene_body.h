@@ -16,6 +16,7 @@ class SceneBody {
  public:
   static constexpr const char* particles_node = "particles";
   static constexpr const char* tensor_node = "inertia tensor";
+  static constexpr const char* sharp_tensor_node = "inertia tensor to 100 bits";
   static constexpr const char* moments_node = "principal moments";
   static constexpr const char* axes_node = "principal axes";
   static constexpr const char* places_node = "particles along the principal axes";
@@ -28,7 +29,8 @@ class SceneBody {
   /// Is the file's set of axes a principal one? No product of inertia exceeds 64 u times the trace.
   [[nodiscard]] Result<bool> is_along_principal_axes();
   /// In the order of the axes where the body is along them, else ascending. Computes no axes.
-  [[nodiscard]] const Result<Position>& moments();
+  /// To about 100 bits of the greatest, so that their differences keep their digits.
+  [[nodiscard]] const Result<SharpPosition>& moments();
   /// In the order of `moments`, right-handed. Where the body is along them, e₁, e₂, e₃, and nothing is
   /// computed.
   using Axes = std::array<Position, 3>;
@@ -38,10 +40,13 @@ class SceneBody {
   [[nodiscard]] const Result<Places>& places_along_axes();
 
  private:
+  const Result<SharpTensor>& sharp_tensor();
+
   const Body& body_;
   SceneLedger& ledger_;
   std::optional<Result<InertiaTensor>> tensor_;
-  std::optional<Result<Position>> moments_;
+  std::optional<Result<SharpTensor>> sharp_tensor_;
+  std::optional<Result<SharpPosition>> moments_;
   std::optional<Result<Axes>> axes_;
   std::optional<Result<Places>> places_;
 };

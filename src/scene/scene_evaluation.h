@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "numeric/evaluate.h"
 #include "scene/scene.h"
 #include "scene/scene_functions.h"
 #include "scene/scene_values.h"
@@ -58,6 +59,7 @@ class SceneEvaluation {
   void evaluate_own_part(Asked& asked);
   /// What a program reads, for each of the spins; everything else is the same for all.
   [[nodiscard]] Samples samples_for(const Program& program, std::span<const Vector3> spins);
+  [[nodiscard]] Arithmetic arithmetic_for(const Program& program) const;
   [[nodiscard]] std::vector<double> run_program(const Program& program, std::span<const Vector3> spins);
   void follow_motion(const Asked& asked, SceneQuantity& quantity);
   void note_drift(const SceneText& name, const SceneQuantity& quantity,

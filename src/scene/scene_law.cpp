@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "scene/free_motion.h"
 #include "scene/scene_evaluation.h"
 
 namespace rigor {
@@ -91,8 +92,18 @@ void SceneEvaluation::move() {
     if (std::isnan(found[0]) && fault.empty()) fault = ": " + law_of_spin_->fault_at(spin);
     return found;
   };
-  result_.motion = ledger_.compute(motion_node, "something is asked over the time",
-                                   [&] { return integrate(rates, request); });
+  if (values_.along_principal_axes()) {
+    if (const auto& sharp = body_.moments()) {
+      const Position moments = {(*sharp)[0].high, (*sharp)[1].high, (*sharp)[2].high};
+      result_.motion = ledger_.compute(motion_node, "in closed form: the equations are a free rigid body's",
+                                       [&] { return free_motion(rates, moments, request); });
+      fault.clear();
+    }
+  }
+  if (!result_.motion) {
+    result_.motion = ledger_.compute(motion_node, "something is asked over the time",
+                                     [&] { return integrate(rates, request); });
+  }
   if (result_.motion->stopped.empty()) return;
   report(DiagnosticKind::bad_scene, scene_.motion->span,
          fmt::format("the motion ends early: {}{}", result_.motion->stopped, fault));

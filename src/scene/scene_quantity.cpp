@@ -78,8 +78,9 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
     if (const auto spin = values_.spin()) start_ = *spin;
   }
   const Samples samples = samples_for(*asked.program, {&start_, 1});
-  quantity.value = ledger_.compute(name, over_time ? "asked for over the time" : "asked for",
-                                   [&] { return evaluate(*asked.program, samples); });
+  quantity.value = ledger_.compute(name, over_time ? "asked for over the time" : "asked for", [&] {
+    return evaluate(*asked.program, samples, arithmetic_for(*asked.program));
+  });
   if (!all_finite(quantity.value)) {
     report(DiagnosticKind::bad_scene, asked.ask->name.span, fmt::format("`{}` is not finite", name));
   }
@@ -114,9 +115,16 @@ Samples SceneEvaluation::samples_for(const Program& program, std::span<const Vec
   return samples;
 }
 
+/// Differences of moments keep their digits in double-double. Sums over particles would take ten times as
+/// long.
+Arithmetic SceneEvaluation::arithmetic_for(const Program& program) const {
+  const bool sharply = values_.values().are_sharp(program) && !program.sums_over_particles();
+  return sharply ? Arithmetic::double_double : Arithmetic::plain;
+}
+
 /// results[output · spins + which].
 std::vector<double> SceneEvaluation::run_program(const Program& program, std::span<const Vector3> spins) {
-  return evaluate(program, samples_for(program, spins));
+  return evaluate(program, samples_for(program, spins), arithmetic_for(program));
 }
 
 void SceneEvaluation::follow_motion(const Asked& asked, SceneQuantity& quantity) {
@@ -168,15 +176,14 @@ void SceneEvaluation::evaluate_own_part(Asked& asked) {
   if (asked.ask->kind == SceneAskKind::principal_moments) {
     const auto& moments = body_.moments();
     if (!moments) return fail(asked, moments.error().reason);
-    quantity.value.assign(moments->begin(), moments->end());
+    for (const HighLow& moment : *moments) quantity.value.push_back(moment.high);
     const Dimension length = Dimension::of(BaseQuantity::length);
     quantity.dimension = Dimension::of(BaseQuantity::mass) + length + length;
   } else {
     const auto& axes = body_.axes();
     if (!axes) return fail(asked, axes.error().reason);
     quantity.axes = 2;
-    for (const Position& axis : *axes)
-      quantity.value.insert(quantity.value.end(), axis.begin(), axis.end());
+    for (const Position& axis : *axes) quantity.value.insert(quantity.value.end(), axis.begin(), axis.end());
     quantity.dimension = Dimension();
   }
   result_.quantities.push_back(std::move(quantity));

@@ -101,14 +101,19 @@ Result<LetterValue> SceneValues::moment(std::size_t which) {
   }
   const auto& moments = body_.moments();
   if (!moments) return tl::unexpected(moments.error());
-  return LetterValue{{(*moments)[which]}, {}};
+  return LetterValue{{(*moments)[which].high}, {}, {(*moments)[which].low}};
 }
 
 Result<LetterValue> SceneValues::tensor() {
   if (turn_places_) {
     const auto& moments = body_.moments();
     if (!moments) return tl::unexpected(moments.error());
-    return LetterValue{{(*moments)[0], 0, 0, 0, (*moments)[1], 0, 0, 0, (*moments)[2]}, {}};
+    LetterValue value{std::vector<double>(9), {}, std::vector<double>(9)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      value.components[4 * k] = (*moments)[k].high;
+      value.lows[4 * k] = (*moments)[k].low;
+    }
+    return value;
   }
   const auto& inertia = body_.tensor();
   if (!inertia) return tl::unexpected(inertia.error());

@@ -84,6 +84,7 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {wrong_unit, "wrong-unit", error, "a quantity's unit is not read, or measures something else"},
     {bad_body, "bad-body", error, "a sample body cannot exist"},
     {bad_mesh, "bad-mesh", error, "a mesh cannot be read, or encloses no body"},
+    {bad_cloud, "bad-cloud", error, "a cloud of points cannot be read, or is no body"},
     {bad_scene, "bad-scene", error, "a scene asks for what does not follow from it"},
 
     {refuted, "refuted", Severity::refuted, "the sides differ on an exact sample"},

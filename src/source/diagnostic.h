@@ -75,6 +75,7 @@ enum class DiagnosticKind : std::uint8_t {
   wrong_unit,
   bad_body,
   bad_mesh,
+  bad_cloud,
   bad_scene,
   // verdicts
   refuted,

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -14,16 +13,12 @@
 #include <memory>
 #include <system_error>
 
+#include "source/system_error.h"
+
 namespace rigor {
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{64} << 20U;
-
-Error error_of(std::error_code code) {
-  std::string reason = code.message();
-  if (!reason.empty()) reason[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(reason[0])));
-  return {reason};
-}
 
 struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }

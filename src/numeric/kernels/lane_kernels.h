@@ -11,30 +11,35 @@
 
 namespace rigor {
 
-/// Symmetric tensors by columns: of each tensor the diagonal a_ii, and a_jk for the cyclic (i, j, k); low
-/// parts, or none of them. What is not asked for is null: low parts of the moments, all axes. `state` is 1
-/// where the results may be wrong, else 0. In and out may not overlap.
-struct MomentsColumns {
-  std::size_t count = 0;
-  const double* diagonal[3] = {};
-  const double* off[3] = {};
-  const double* diagonal_low[3] = {};
-  const double* off_low[3] = {};
-  double* moments[3] = {};
-  double* moments_low[3] = {};
-  double* gaps[2] = {};
-  double* axes[3][3] = {};
-  double* state = nullptr;
-};
+struct MomentsColumns;
+struct FreeSpin;
+struct FreeAttitude;
 
 struct LaneKernels {
   const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
   std::size_t lanes = 0;             // doubles at once
-  MeshKernels mesh;                  // mesh_sums_lanes.h
-  void (*principal_moments)(const MomentsColumns&) = nullptr;  // moments_lanes.h
+
+  // mesh_sums.h
+  MeshKernels mesh;
+
+  // principal_moments.h
+  void (*principal_moments)(const MomentsColumns&) = nullptr;
+
+  // mass_sums.h
   SumPoints sum_points = nullptr;
   SumPoints sum_points_sharply = nullptr;
   SamplePoints sample_points = nullptr;
+
+  // torque_free.h
+  void (*set_free_spin)(const double* moments, const double* spin, FreeSpin& into) = nullptr;
+  void (*free_spin_at)(const FreeSpin& spin, double time, double* into) = nullptr;
+  void (*free_spins_at)(const FreeSpin& spin, const double* times, std::size_t count, double* into) = nullptr;
+
+  // torque_free_attitude.h
+  void (*set_free_attitude)(const double* moments, const double* spin, FreeAttitude& into) = nullptr;
+  void (*attitude_at)(const FreeAttitude& attitude, double time, double* into) = nullptr;
+  void (*attitudes_at)(const FreeAttitude& attitude, const double* times, std::size_t count,
+                       double* into) = nullptr;
 };
 
 /// Those that this program was built with and this machine can run, from the narrowest to the widest. Never

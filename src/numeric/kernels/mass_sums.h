@@ -4,7 +4,7 @@
 // About a centre s, d = x − s: M = Σ m, S_i = Σ m d_i, Q_ij = Σ m d_i d_j; then c = s + S/M, and about c
 // J_ij = Q_ij − S_i S_j / M, I_ij = tr(J) δ_ij − J_ij: products of inertia carry the minus.
 //
-// Method. s is sampled: the mean of up to 256 points spread over the array. A free shift buys what
+// Method. s is sampled: the mean of up to 128 points spread over the array. A free shift buys what
 // compensated sums would buy, because it leaves nothing to cancel: with ε_i = S_i² / (M Q_ii), the part of
 // Q_ii that the move to c takes away, errors of Q grow by 1/(1 − ε_i). Sums run in 8 logical lanes, in chains
 // of 8 terms and a binary tree up to 512 points, from there on in double-double, as does the move to c.

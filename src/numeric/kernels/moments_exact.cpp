@@ -15,7 +15,9 @@ namespace rigor {
 namespace {
 
 namespace mp = boost::multiprecision;
-using Integer = mp::cpp_int;
+template <unsigned bits>
+using Fixed =
+    mp::number<mp::cpp_int_backend<bits, bits, mp::signed_magnitude, mp::unchecked, void>, mp::et_off>;
 template <unsigned bits>
 using Binary = mp::number<mp::cpp_bin_float<bits, mp::digit_base_2>, mp::et_off>;
 
@@ -25,7 +27,28 @@ struct Zeros {
   int gaps = 0;
 };
 
+/// The exponents of the last place of any entry, or less, and beyond its first.
+struct Places {
+  int lowest = std::numeric_limits<int>::max();
+  int highest = std::numeric_limits<int>::min();
+};
+
+Places places_of(const SharpTensor& a) {
+  Places places;
+  for (const auto& row : a) {
+    for (const HighLow& entry : row) {
+      for (const double part : {entry.high, entry.low}) {
+        if (part == 0) continue;
+        places.lowest = std::min(places.lowest, std::ilogb(part) - 52);
+        places.highest = std::max(places.highest, std::ilogb(part) + 1);
+      }
+    }
+  }
+  return places;
+}
+
 /// 2^-lowest of a number, as an integer.
+template <class Integer>
 Integer in_units(const HighLow& a, int lowest) {
   Integer sum = 0;
   for (const double part : {a.high, a.low}) {
@@ -38,25 +61,35 @@ Integer in_units(const HighLow& a, int lowest) {
   return sum;
 }
 
-/// The exponent of the last place of any entry, or less.
-int lowest_place(const SharpTensor& a) {
-  int lowest = std::numeric_limits<int>::max();
-  for (const auto& row : a) {
-    for (const HighLow& entry : row) {
-      for (const double part : {entry.high, entry.low}) {
-        if (part != 0) lowest = std::min(lowest, std::ilogb(part) - 52);
-      }
-    }
-  }
-  return lowest;
+/// x 2^exponent, to 2^-60 of itself; of its root if `of_root`.
+struct Rounded {
+  double x = 0;
+  int exponent = 0;
+};
+
+template <class Integer>
+Rounded rounded_root(const Integer& n, int exponent, bool of_root) {
+  if (n == 0) return {};
+  const Integer size = n < 0 ? Integer(-n) : n;
+  int drop = std::max(0, static_cast<int>(msb(size)) - 62);
+  if (of_root && (drop + exponent) % 2 != 0) ++drop;  // less than a bit
+  const auto x = static_cast<double>(static_cast<std::int64_t>(Integer(size >> drop)));
+  if (of_root) return {std::sqrt(x), (drop + exponent) / 2};
+  return {n < 0 ? 0 - x : x, drop + exponent};
 }
 
-/// From λ³ − c₂λ² + c₁λ − c₀ and its discriminant, exactly.
-Zeros zeros_of(const SharpTensor& tensor) {
-  const int lowest = lowest_place(tensor);
+/// What the characteristic polynomial λ³ − c₂λ² + c₁λ − c₀ tells exactly.
+struct Invariants {
+  Zeros zeros;
+  Rounded product;       // c₀, of the moments
+  Rounded gaps_product;  // the root of the discriminant
+};
+
+template <class Integer>
+Invariants invariants_in(const SharpTensor& tensor, int lowest) {
   std::array<std::array<Integer, 3>, 3> a;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) a[i][j] = in_units(tensor[std::max(i, j)][std::min(i, j)], lowest);
+    for (std::size_t j = 0; j <= i; ++j) a[i][j] = a[j][i] = in_units<Integer>(tensor[i][j], lowest);
   }
   Integer c2 = 0;
   Integer c1 = 0;
@@ -68,17 +101,26 @@ Zeros zeros_of(const SharpTensor& tensor) {
     c1 += a[i][i] * a[j][j] - a[i][j] * a[i][j];
     c0 += a[0][i] * (a[1][j] * a[2][k] - a[1][k] * a[2][j]);
   }
-  Zeros zeros;
-  if (c0 == 0) zeros.moments = c1 != 0 ? 1 : c2 != 0 ? 2 : 3;
-  const Integer squares = c2 * c2;
-  if (squares == 3 * c1) {
-    zeros.gaps = 2;
-  } else if (squares * c1 * c1 - 4 * c1 * c1 * c1 - 4 * squares * c2 * c0 + 18 * c2 * c1 * c0 -
-                 27 * c0 * c0 ==
-             0) {
-    zeros.gaps = 1;
-  }
-  return zeros;
+  // Of the deviator 3a − c₂ 1: its moments' squares 6p, and their product q; 4p³ − q² = 27² of the
+  // discriminant.
+  const Integer p = c2 * c2 - 3 * c1;
+  const Integer q = 2 * c2 * c2 * c2 - 9 * c2 * c1 + 27 * c0;
+  const Integer discriminant = (4 * p * p * p - q * q) / 27;
+  Invariants result;
+  if (c0 == 0) result.zeros.moments = c1 != 0 ? 1 : c2 != 0 ? 2 : 3;
+  result.zeros.gaps = p == 0 ? 2 : discriminant == 0 ? 1 : 0;
+  result.product = rounded_root(c0, 3 * lowest, false);
+  result.gaps_product = rounded_root(discriminant, 6 * lowest, true);
+  return result;
+}
+
+Invariants invariants_of(const SharpTensor& tensor) {
+  const Places places = places_of(tensor);
+  // Of entries of n bits, nothing that is computed has more than 6n + 20 bits.
+  const int bits = 6 * (places.highest - places.lowest) + 24;
+  if (bits < 512) return invariants_in<Fixed<512>>(tensor, places.lowest);
+  if (bits < 1024) return invariants_in<Fixed<1024>>(tensor, places.lowest);
+  return invariants_in<mp::cpp_int>(tensor, places.lowest);
 }
 
 /// Eigenvalues with their axes, ascending, in numbers of so many bits.
@@ -220,6 +262,14 @@ bool stands_out(const SharpTensor& tensor, const Zeros& zeros, PrincipalAxes& re
   return true;
 }
 
+/// x 2^e/(a b).
+double quotient(const Rounded& x, double a, double b) {
+  int power_of_a = 0;
+  int power_of_b = 0;
+  const double ratio = x.x / std::frexp(a, &power_of_a) / std::frexp(b, &power_of_b);
+  return std::ldexp(ratio, x.exponent - power_of_a - power_of_b);
+}
+
 bool is_diagonal(const SharpTensor& a) { return a[1][0].high == 0 && a[2][0].high == 0 && a[2][1].high == 0; }
 
 double difference(const HighLow& a, const HighLow& b) {
@@ -255,12 +305,40 @@ std::optional<PrincipalAxes> solved_in_many_digits(const SharpTensor& tensor) {
   if (is_diagonal(tensor)) {
     result = sorted_diagonal(tensor);
   } else {
-    const Zeros zeros = zeros_of(tensor);
+    const Zeros zeros = invariants_of(tensor).zeros;
     if (!stands_out<256>(tensor, zeros, result) && !stands_out<1024>(tensor, zeros, result))
       stands_out<8192>(tensor, zeros, result);
   }
   if (!is_finite(result.principal)) return std::nullopt;
   return result;
+}
+
+bool mend_by_invariants(const SharpTensor& tensor, const SmallResults& small, PrincipalMoments& principal) {
+  const Invariants exact = invariants_of(tensor);
+  if (exact.zeros.gaps == 2) return false;
+  auto& moments = principal.moments;
+  if (small.moment) {
+    std::array<std::size_t, 3> order = {0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+      return std::abs(moments[i].high) < std::abs(moments[j].high);
+    });
+    const double middle = moments[order[1]].high;
+    const double most = moments[order[2]].high;
+    if (exact.zeros.moments == 2) {
+      moments[order[0]] = moments[order[1]] = {};
+    } else if (std::abs(middle) >= 0x1p-30 * std::abs(most)) {
+      moments[order[0]] = {quotient(exact.product, middle, most), 0};
+    } else {
+      return false;
+    }
+  }
+  if (small.gap) {
+    const std::size_t smaller = principal.gaps[0] <= principal.gaps[1] ? 0 : 1;
+    const double other = principal.gaps[1 - smaller];
+    principal.gaps[smaller] = quotient(exact.gaps_product, other, other + principal.gaps[smaller]);
+    if (exact.zeros.gaps == 1) moments[smaller + 1] = moments[smaller];
+  }
+  return true;
 }
 
 }  // namespace rigor

@@ -15,4 +15,16 @@ namespace rigor {
 /// entry is not finite.
 [[nodiscard]] std::optional<PrincipalAxes> solved_in_many_digits(const SharpTensor& tensor);
 
+/// Which of a kernel's results are too small beside its rounding errors.
+struct SmallResults {
+  bool gap = false;
+  bool moment = false;
+};
+
+/// Puts the smaller gap right, from the others and the discriminant D: √D/(g (g + gap)); and the moment of
+/// least size, from the others and the determinant. Both in integers; error 4 u. A gap of 0 is told exactly.
+/// Cost: 0.5 us. False where that does not do: two small moments that are not both 0, or both gaps 0.
+[[nodiscard]] bool mend_by_invariants(const SharpTensor& tensor, const SmallResults& small,
+                                      PrincipalMoments& principal);
+
 }  // namespace rigor

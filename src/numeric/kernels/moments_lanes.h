@@ -21,7 +21,7 @@
 #pragma once
 
 #include "numeric/kernels/double_double.h"
-#include "numeric/kernels/lane_kernels.h"
+#include "numeric/kernels/moments_columns.h"
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
@@ -42,7 +42,7 @@ struct Eigensystem {
   DoubleDouble<T> values[3];  // ascending
   T gaps[2];                  // values[1] − values[0], values[2] − values[1]
   T axes[3][3];               // axes[k] is the unit vector to values[k]; right-handed
-  Mask<T> doubtful;           // not proved to be good
+  T state;                    // 0, or what is wrong: see `MomentsColumns`
 };
 
 inline constexpr double moments_rounding = 64;
@@ -375,7 +375,7 @@ RIGOR_INLINE Reduced<T> reduced(SymmetricTensor<T> a) {
     r.b.diagonal[i] = scaled<true>(a.diagonal[i], factor);
     r.b.off[i] = scaled<sharp>(a.off[i], factor);
   }
-  r.wrong = negation(size >= 0x1p-900) | negation(size < 0x1p1000) | negation(absolute(r.shift) < 0x1p1000);
+  r.wrong = negation(size >= 0x1p-1010) | negation(size < 0x1p1000) | negation(absolute(r.shift) < 0x1p1000);
   return r;
 }
 
@@ -405,16 +405,19 @@ RIGOR_INLINE Eigensystem<T> eigensystem(const Reduced<T>& r, const Rotation<T>& 
   constexpr double good = 0x1p-50;                // 8 u
   const T less = m.excess - m.excess * m.excess;  // 1 − 1/|q|⁴
   const T bound = all<T>(moments_rounding * 0x1p-106);
-  auto doubtful = r.wrong | d.wrong | negation(gap * good >= bound);
+  constexpr double least = 0x1p-1070;  // where products are rounded to the last place there is
+  auto small = all<T>(0) > 0;
   for (int k = 0; k < 3; ++k) {
     const DoubleDouble<T> v = e.values[k];
     const DoubleDouble<T> sum = exact_sum(r.shift, v.high * r.power);
     e.values[k] = normalised(sum.high, sum.low + (v.low - v.high * less) * r.power);
-    doubtful =
-        doubtful | negation(absolute(e.values[k].high) * good >= bound * (r.power + absolute(r.shift)));
+    small =
+        small | negation(absolute(e.values[k].high) * good >= bound * (r.power + absolute(r.shift)) + least);
   }
   for (int k = 0; k < 2; ++k) e.gaps[k] = (e.gaps[k] - e.gaps[k] * less) * r.power;
-  e.doubtful = doubtful;
+  e.state = select(negation(gap * r.power * good >= bound * r.power + least), all<T>(1), T{}) +
+            select(small, all<T>(2), T{});
+  e.state = select(r.wrong | d.wrong, all<T>(4), e.state);
   if constexpr (with_axes) set_axes(e, m, d, exchanged, separate_first);
   return e;
 }
@@ -455,7 +458,7 @@ RIGOR_INLINE void store_at(const MomentsColumns& c, std::size_t at, const Eigens
     }
   }
   for (int k = 0; k < 2; ++k) store(c.gaps[k] + at, e.gaps[k]);
-  store(c.state + at, select(e.doubtful, all<T>(1), T{}));
+  store(c.state + at, e.state);
 }
 
 /// The tensors from `at` on, as many as T holds.

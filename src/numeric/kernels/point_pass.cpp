@@ -13,6 +13,9 @@ namespace {
 
 using Number = baseline::DoubleDouble<double>;
 
+/// A thread takes some 10 us to start, a chunk 5 us to sum.
+constexpr std::size_t least_chunks_a_thread = 8;
+
 PointPlaces later(PointPlaces places, std::size_t first) {
   for (const double*& at : places.at) at += places.stride * first;
   return places;
@@ -87,7 +90,8 @@ PointSums point_pass(SumPoints sum, const PointColumns& points, const PointScale
                      const SharpPosition& centre, std::size_t threads) {
   const PointPass pass(sum, points, scale, centre);
   const std::size_t chunks = (points.count + chunk_points - 1) / chunk_points;
-  const std::size_t shares = std::clamp<std::size_t>(threads, 1, chunks);
+  const std::size_t shares =
+      std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, chunks / least_chunks_a_thread));
   std::vector<PointSums> sums(chunks);
   std::vector<std::thread> others;
   for (std::size_t share = 1; share < shares; ++share)

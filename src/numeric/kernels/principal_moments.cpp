@@ -27,17 +27,48 @@ SharpTensor tensor_of(const MomentsColumns& c, std::size_t at) {
   return a;
 }
 
+void put_axes(const MomentsColumns& c, std::size_t at, const std::array<Position, 3>& axes) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (c.axes[k][i] != nullptr) c.axes[k][i][at] = axes[k][i];
+    }
+  }
+}
+
 /// NaN everywhere where there is none.
 void put(const MomentsColumns& c, std::size_t at, const std::optional<PrincipalAxes>& solved) {
   for (std::size_t k = 0; k < 3; ++k) {
     c.moments[k][at] = solved ? solved->principal.moments[k].high : none;
     if (c.moments_low[k] != nullptr) c.moments_low[k][at] = solved ? solved->principal.moments[k].low : none;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (c.axes[k][i] != nullptr) c.axes[k][i][at] = solved ? solved->axes[k][i] : none;
-    }
   }
+  constexpr Position nowhere = {none, none, none};
+  put_axes(c, at, solved ? solved->axes : std::array<Position, 3>{nowhere, nowhere, nowhere});
   for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = solved ? solved->principal.gaps[k] : none;
   c.state[at] = solved ? 1 : 2;
+}
+
+/// The results that the kernel got wrong for being small, put right without rotations if that does.
+bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
+  const auto state = static_cast<unsigned>(c.state[at]);
+  const bool diagonal = tensor[1][0].high == 0 && tensor[2][0].high == 0 && tensor[2][1].high == 0;
+  if (state > 3 || diagonal) return false;
+  PrincipalMoments principal;
+  for (std::size_t k = 0; k < 3; ++k)
+    principal.moments[k] = {c.moments[k][at], c.moments_low[k] != nullptr ? c.moments_low[k][at] : 0};
+  for (std::size_t k = 0; k < 2; ++k) principal.gaps[k] = c.gaps[k][at];
+  const SmallResults small = {(state & 1U) != 0, (state & 2U) != 0};
+  if (!mend_by_invariants(tensor, small, principal)) return false;
+  if (small.gap && c.axes[0][0] != nullptr && std::min(principal.gaps[0], principal.gaps[1]) > 0) {
+    // Axes of moments that are as close as that are lost, too.
+    if (const auto turned = solved_in_many_digits(tensor)) put_axes(c, at, turned->axes);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    c.moments[k][at] = principal.moments[k].high;
+    if (c.moments_low[k] != nullptr) c.moments_low[k][at] = principal.moments[k].low;
+  }
+  for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = principal.gaps[k];
+  c.state[at] = 1;
+  return true;
 }
 
 /// One tensor with room for its results.
@@ -100,6 +131,25 @@ Result<PrincipalAxes> solved(const Tensor& tensor, bool with_axes) {
   return single.result;
 }
 
+/// A tensor below the range in which the kernel loses nothing, solved times a power of two, which is exact.
+std::optional<PrincipalAxes> solved_larger(const SharpTensor& tensor) {
+  constexpr int power = 1000;
+  double greatest = 0;
+  SharpTensor larger = tensor;
+  for (auto& row : larger) {
+    for (HighLow& entry : row) {
+      greatest = std::max(greatest, std::abs(entry.high));
+      entry = {std::ldexp(entry.high, power), std::ldexp(entry.low, power)};
+    }
+  }
+  if (greatest == 0 || !(greatest < 0x1p-900)) return std::nullopt;
+  auto result = solved(larger, true);
+  if (!result) return std::nullopt;
+  for (HighLow& moment : result->principal.moments) moment = {std::ldexp(moment.high, -power), 0};
+  for (double& gap : result->principal.gaps) gap = std::ldexp(gap, -power);
+  return *result;
+}
+
 }  // namespace
 
 double PrincipalMoments::gap(std::size_t i, std::size_t j) const {
@@ -121,7 +171,11 @@ Result<PrincipalAxes> principal_axes(const SharpTensor& tensor) { return solved(
 void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& kernels) {
   kernels.principal_moments(columns);
   for (std::size_t at = 0; at < columns.count; ++at) {
-    if (columns.state[at] != 0) put(columns, at, solved_in_many_digits(tensor_of(columns, at)));
+    if (columns.state[at] == 0) continue;
+    const SharpTensor tensor = tensor_of(columns, at);
+    if (mend(columns, at, tensor)) continue;
+    const auto larger = solved_larger(tensor);
+    put(columns, at, larger ? larger : solved_in_many_digits(tensor));
   }
 }
 

@@ -13,6 +13,7 @@
 #include "numeric/body.h"
 #include "numeric/kernels/high_low.h"
 #include "numeric/kernels/lane_kernels.h"
+#include "numeric/kernels/moments_columns.h"
 
 namespace rigor {
 

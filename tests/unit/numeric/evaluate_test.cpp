@@ -141,6 +141,22 @@ struct Spinning {
 
 }  // namespace
 
+TEST_CASE("the low part of a value counts in arithmetic that has room for it", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  const Program program = compiled(page, x - y);
+  Samples samples(2, 0);
+  samples.set(x.symbol, 0, HighLow{1, 0x1p-60});
+  samples.set(y.symbol, 0, HighLow{1, -0x1p-70});
+  CHECK(evaluate(program, samples, Arithmetic::double_double) == std::vector<double>(2, 0x1p-60 + 0x1p-70));
+  CHECK(evaluate(program, samples, Arithmetic::extended) == std::vector<double>(2, 0x1p-60));
+  CHECK(evaluate(program, samples, Arithmetic::plain) == std::vector<double>(2, 0));
+  const BoundedResults bounded = evaluate_with_bounds(program, samples);
+  CHECK(bounded.bounds[0] >= 0x1p-60 + 0x1p-70);
+  CHECK(evaluate(program, samples.only(std::vector<std::size_t>{1}), Arithmetic::double_double)[0] > 0);
+}
+
 TEST_CASE("a batch of any size gives what single samples give, bit for bit", "[numeric]") {
   for (const std::size_t samples : {0u, 1u, 63u, 64u, 65u, 127u, 128u, 129u, 300u}) {
     Spinning spinning(samples, 5);

@@ -181,10 +181,9 @@ TEST_CASE("a misspelled key is reported with what is missing and what is meant")
         "help: did you mean `radius`?\n");
   CHECK(wrong("mass = 1\n") ==
         "b.toml:1:1: error: the body has a key `mass`, which is not known [unknown-key]");
-  CHECK(
-      wrong("") ==
-      "b.toml:1:1: error: the body has none of the keys `shape`, `particles`, `mesh`, `moments`, `inertia`, "
-      "`parts` [bad-body]");
+  CHECK(wrong("") ==
+        "b.toml:1:1: error: the body has none of the keys `shape`, `particles`, `mesh`, `cloud`, `moments`, "
+        "`inertia`, `parts` [bad-body]");
   CHECK(wrong("shape = \"rod\"\nmesh = \"a.obj\"\n") ==
         "b.toml:2:1: error: the body has both `shape` and `mesh` [bad-body]");
   CHECK(wrong("particles = [3]\n") ==
@@ -258,6 +257,65 @@ TEST_CASE("a truncated, binary or open mesh is refused with its reason") {
       "b.toml:1:8: error: `open.obj`: the edge from (0, 0, 1) to (0, 1, 0) belongs to one triangle only: the "
       "surface is open [bad-mesh]");
   CHECK(of("turned.obj").empty());
+}
+
+TEST_CASE("a cloud of points is read from the body's folder, binary or text, with a unit") {
+  const Folder folder("clouds");
+  const std::array<double, 8> points{1e9, 1, 0, 2, 1e9 + 8, 1, -4, 2};  // x, y, z, m
+  folder.write("pair.bin", {reinterpret_cast<const char*>(points.data()), sizeof points});
+  folder.write("pair.csv", "# x, y, z, m\n1e9, 1, 0, 2\n\n  1000000008,+1 ,-4\t2  # the other\r\n");
+  for (const std::string file : {"pair.bin", "pair.csv"}) {
+    INFO(file);
+    const auto [body, printed] = read("cloud = \"" + file + "\"\nunit = \"1 cm\"\n", folder.at(""));
+    CHECK(printed.empty());
+    REQUIRE(body);
+    CHECK(body->masses == std::vector<double>{2, 2});
+    CHECK(body->position(0) == Position{-0.04, 0, 0.02});
+    CHECK(body->position(1) == Position{0.04, 0, -0.02});
+  }
+}
+
+TEST_CASE("a cloud that is no body is refused with its point or line") {
+  const Folder folder("bad-clouds");
+  const auto of = [&](const std::string& file) {
+    return read("cloud = \"" + file + "\"\n", folder.at("")).first_line();
+  };
+  std::array<double, 8> points{0, 1, 0, 2, 8, std::nan(""), -4, 2};
+  const std::string bytes(reinterpret_cast<const char*>(points.data()), sizeof points);
+  folder.write("nan.bin", bytes);
+  folder.write("short.bin", bytes.substr(0, 60));
+  folder.write("empty.bin", "");
+  folder.write("comment.txt", "# nothing\n\n");
+  folder.write("word.txt", "1 2 3 4\n1 2 three 4\n");
+  folder.write("line.txt", "1 2 3 4\n1 2 3\n");
+  folder.write("long.txt", "1 2 3 4 5\n");
+  folder.write("commas.csv", "1,,2,3\n");
+  folder.write("infinite.csv", "1,2,inf,3\n");
+  folder.write("mass.csv", "1,2,3,-4");
+  folder.write("cloud.ply", "1 2 3 4\n");
+  const std::string place = "b.toml:1:9: error: ";
+  CHECK(of("nan.bin") == place + "`nan.bin`: particle 2 has y = nan m, which must be finite [bad-cloud]");
+  CHECK(
+      of("short.bin") ==
+      place +
+          "`short.bin`: its 60 bytes are no multiple of 32, four doubles x, y, z and m a point [bad-cloud]");
+  CHECK(of("empty.bin") == place + "`empty.bin`: the file is empty [bad-cloud]");
+  CHECK(of("comment.txt") == place + "`comment.txt`: the body has no particles [bad-cloud]");
+  CHECK(of("word.txt") == place + "`word.txt`: line 2: `three` is no finite number [bad-cloud]");
+  CHECK(of("line.txt") ==
+        place + "`line.txt`: line 2: the line has 3 of the 4 numbers x, y, z and m [bad-cloud]");
+  CHECK(of("long.txt") ==
+        place + "`long.txt`: line 1: more than the 4 numbers x, y, z and m are on the line [bad-cloud]");
+  CHECK(of("commas.csv") ==
+        place + "`commas.csv`: line 1: there is no number between two commas [bad-cloud]");
+  CHECK(of("infinite.csv") == place + "`infinite.csv`: line 1: `inf` is no finite number [bad-cloud]");
+  CHECK(of("mass.csv") == place +
+                              "`mass.csv`: particle 1 has the mass -4 kg, which must be finite and not "
+                              "negative [bad-cloud]");
+  CHECK(of("cloud.ply") ==
+        place + "`cloud.ply`: a cloud's name ends in `.bin`, `.txt` or `.csv` [bad-cloud]");
+  CHECK(of("none.bin") == place + "`none.bin`: no such file or directory [bad-cloud]");
+  CHECK(of("../none.bin") == place + "`../none.bin` is not in the folder of the body's file [bad-cloud]");
 }
 
 TEST_CASE(

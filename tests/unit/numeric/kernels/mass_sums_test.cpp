@@ -118,7 +118,7 @@ TEST_CASE("sums over points have the same bits in lanes of any number, from colu
 }
 
 TEST_CASE("mass, centre and inertia of points have the same bits for any number of threads") {
-  const PointCloud cloud = cube_cloud(50'000, 10, 3);
+  const PointCloud cloud = cube_cloud(300'001, 10, 3);
   const std::vector<double> records = cloud.records();
   const auto one = mass_sums(cloud.points());
   const auto sharp_one = sharp_mass_sums(cloud.points());

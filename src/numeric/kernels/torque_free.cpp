@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/kernels/torque_free.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "numeric/kernels/lane_kernels.h"
+
+namespace rigor {
+namespace {
+
+bool is_finite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
+}
+
+const char* fault_of(const Position& moments, const Position& spin) {
+  if (!is_finite(moments)) return "a moment is not finite";
+  if (!is_finite(spin)) return "the spin is not finite";
+  const auto [least, greatest] = std::minmax_element(moments.begin(), moments.end());
+  if (*least < 0) return "a moment is negative";
+  if (*least == 0) return "a moment is zero: nothing determines the spin about its axis";
+  if (*least < *greatest * 0x1p-200) return "the moments are too unlike";
+  return nullptr;
+}
+
+}  // namespace
+
+Result<TorqueFree> TorqueFree::make(const Position& moments, const Position& spin) {
+  if (const char* fault = fault_of(moments, spin)) return tl::unexpected(Error{fault});
+  Result<TorqueFree> motion(tl::in_place);
+  lane_kernels().set_free_spin(moments.data(), spin.data(), motion->spin_);
+  if (!is_finite(motion->spin_.amplitude))
+    motion = tl::unexpected(Error{"the spin grows beyond all doubles"});
+  return motion;
+}
+
+Position TorqueFree::spin(double time) const {
+  Position spin;
+  lane_kernels().free_spin_at(spin_, time, spin.data());
+  return spin;
+}
+
+void TorqueFree::spins(std::span<const double> times, std::span<Position> into) const {
+  RIGOR_CHECK(into.size() == times.size());
+  if (!times.empty()) lane_kernels().free_spins_at(spin_, times.data(), times.size(), into.data()->data());
+}
+
+}  // namespace rigor

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mass_sums_cases.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+#include "bench_clock.h"
+#include "numeric/kernels/lane_kernels.h"
+#include "numeric/kernels/point_clouds.h"
+
+namespace rigor {
+namespace {
+
+using Tensor = std::array<std::array<double, 3>, 3>;
+
+/// The same points in the layouts that methods ask for.
+struct BenchPoints {
+  explicit BenchPoints(const PointCloud& cloud)
+      : columns(cloud.points()), records(cloud.records()), masses(cloud.columns[3]) {
+    for (std::size_t k = 0; k < cloud.size(); ++k)
+      positions.emplace_back(cloud.columns[0][k], cloud.columns[1][k], cloud.columns[2][k]);
+  }
+
+  PointColumns columns;
+  std::vector<double> records;
+  std::vector<double> masses;
+  std::vector<Eigen::Vector3d> positions;
+};
+
+Tensor tensor_of(const Eigen::Matrix3d& matrix) {
+  Tensor tensor{};
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index j = 0; j < 3; ++j)
+      tensor[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = matrix(i, j);
+  return tensor;
+}
+
+Tensor eigen_two_passes(const BenchPoints& points) {
+  double mass = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < points.masses.size(); ++k) {
+    mass += points.masses[k];
+    centre += points.masses[k] * points.positions[k];
+  }
+  centre /= mass;
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < points.masses.size(); ++k) {
+    const Eigen::Vector3d r = points.positions[k] - centre;
+    inertia += points.masses[k] * (r.dot(r) * Eigen::Matrix3d::Identity() - r * r.transpose());
+  }
+  return tensor_of(inertia);
+}
+
+Tensor eigen_one_pass(const BenchPoints& points) {
+  double mass = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < points.masses.size(); ++k) {
+    const Eigen::Vector3d weighted = points.masses[k] * points.positions[k];
+    mass += points.masses[k];
+    first += weighted;
+    second += weighted * points.positions[k].transpose();
+  }
+  second -= first * first.transpose() / mass;
+  return tensor_of(second.trace() * Eigen::Matrix3d::Identity() - second);
+}
+
+/// A plain sum over the four columns, as fast as they can be read: a lower bound for any method.
+Tensor plain_read(const BenchPoints& points) {
+  constexpr std::size_t partial_sums = 32;
+  std::array<double, partial_sums> sums{};
+  for (const double* column : {points.columns.position[0], points.columns.position[1],
+                               points.columns.position[2], points.columns.mass}) {
+    for (std::size_t k = 0; k + partial_sums <= points.columns.count; k += partial_sums)
+      for (std::size_t j = 0; j < partial_sums; ++j) sums[j] += column[k + j];
+  }
+  Tensor tensor{};
+  for (const double sum : sums) tensor[0][0] += sum;
+  return tensor;
+}
+
+Tensor rounded(const SharpMassSums& sums) {
+  Tensor tensor{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) tensor[i][j] = sums.inertia[i][j].high;
+  return tensor;
+}
+
+struct PointMethod {
+  std::string name;
+  std::function<Tensor(const BenchPoints&)> inertia;
+  bool is_inertia = true;
+};
+
+std::vector<PointMethod> point_methods() {
+  const auto records = [](const BenchPoints& points) {
+    return point_records(points.records.data(), points.masses.size());
+  };
+  return {
+      {"read", plain_read, false},
+      {"Eigen, two passes", eigen_two_passes},
+      {"Eigen, one pass about the origin", eigen_one_pass},
+      {"kernel", [](const BenchPoints& p) { return mass_sums(p.columns)->inertia; }},
+      {"kernel, 2 threads", [](const BenchPoints& p) { return mass_sums(p.columns, {2})->inertia; }},
+      {"kernel, records", [=](const BenchPoints& p) { return mass_sums(records(p))->inertia; }},
+      {"kernel, sharp", [](const BenchPoints& p) { return rounded(*sharp_mass_sums(p.columns)); }},
+      {"kernel, sharp, records", [=](const BenchPoints& p) { return rounded(*sharp_mass_sums(records(p))); }},
+  };
+}
+
+std::vector<KernelRow> times() {
+  struct Size {
+    std::size_t count;
+    int rounds;
+    const char* where;
+  };
+  std::vector<KernelRow> rows;
+  for (const auto& [count, rounds, where] : {Size{1'024, 4'000, "L1"}, Size{2'048, 2'000, "L2"},
+                                             Size{16'384, 400, "L2"}, Size{10'000'000, 5, "memory"}}) {
+    const PointCloud cloud = cube_cloud(count, 10, 1);
+    const BenchPoints points(cloud);
+    for (const PointMethod& method : point_methods()) {
+      volatile double sink = 0;
+      const double time = least_nanoseconds([&] { sink = method.inertia(points)[0][0]; });
+      rows.push_back({"inertia of points, time", method.name, fmt::format("{} points in {}", count, where),
+                      time / static_cast<double>(count), 0, "a point"});
+    }
+  }
+  return rows;
+}
+
+std::vector<KernelRow> errors() {
+  std::vector<KernelRow> rows;
+  for (const PointCloud& cloud : point_clouds(1'000)) {
+    const BenchPoints points(cloud);
+    const ExactMassSums exact(cloud);
+    for (const PointMethod& method : point_methods()) {
+      if (!method.is_inertia) continue;
+      const double time = least_nanoseconds([&] { return method.inertia(points)[0][0]; });
+      rows.push_back({"inertia of points, error", method.name, cloud.name,
+                      time / static_cast<double>(cloud.size()), exact.error_of(method.inertia(points)),
+                      "a point"});
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<KernelRow> mass_sums_rows() {
+  std::vector<KernelRow> rows = times();
+  std::ranges::copy(errors(), std::back_inserter(rows));
+  return rows;
+}
+
+}  // namespace rigor

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/cloud_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "catch.h"
+#include "numeric/cloud_text.h"
+#include "numeric/kernels/point_clouds.h"
+
+namespace rigor {
+namespace {
+
+/// A file that is gone afterwards.
+class CloudFile {
+ public:
+  CloudFile(const std::string& name, const std::string& bytes)
+      : path_(std::filesystem::temp_directory_path() / fmt::format("rigor-{}-{}", ::getpid(), name)) {
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
+  ~CloudFile() { std::filesystem::remove(path_); }
+  CloudFile(const CloudFile&) = delete;
+  CloudFile& operator=(const CloudFile&) = delete;
+
+  [[nodiscard]] std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST_CASE("sums over a cloud's file are those over its points, to the last bit") {
+  const PointCloud cloud = cube_cloud(10'001, 1e6, 21);
+  const std::vector<double> records = cloud.records();
+  std::string text;
+  for (std::size_t k = 0; k < cloud.size(); ++k) {
+    for (std::size_t i = 0; i < 4; ++i) text += fmt::format("{} ", records[4 * k + i]);
+    text += "\n";
+  }
+  const CloudFile binary("cloud.bin", {reinterpret_cast<const char*>(records.data()), 8 * records.size()});
+  const CloudFile words("cloud.TXT", text);
+  const auto expected = mass_sums(cloud.points());
+  for (const std::string& path : {binary.path(), words.path()}) {
+    const auto sums = mass_sums_of_file(path, {2});
+    REQUIRE(sums);
+    CHECK(sums->mass == expected->mass);
+    CHECK(sums->centre == expected->centre);
+    CHECK(sums->inertia == expected->inertia);
+    const auto body = read_cloud("cloud", path);
+    REQUIRE(body);
+    CHECK(ExactMassSums(cloud).error_of(mass_sums(points_of(*body))->inertia) <= 0x1p-50);
+  }
+}
+
+TEST_CASE("numbers of a cloud's text stand between blanks or single commas") {
+  const auto columns = parse_cloud("\t1 2,3 , 4\r\n# 5 6 7 8\n+1e-3 -.5,0,1#9\n,\n");
+  REQUIRE_FALSE(columns);
+  CHECK(columns.error().reason == "line 4: there is no number before a comma");
+  const auto good = parse_cloud("\t1 2,3 , 4\r\n# 5 6 7 8\n+1e-3 -.5,0,1#9");
+  REQUIRE(good);
+  CHECK((*good)[0] == std::vector<double>{1, 1e-3});
+  CHECK((*good)[1] == std::vector<double>{2, -0.5});
+  CHECK((*good)[2] == std::vector<double>{3, 0});
+  CHECK((*good)[3] == std::vector<double>{4, 1});
+  CHECK(parse_cloud("").value()[0].empty());
+}
+
+TEST_CASE("what is no regular file is no cloud") {
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  const CloudFile file("cloud.bin", "");
+  CHECK(mass_sums_of_file(file.path()).error().reason == "the file is empty");
+  CHECK(mass_sums_of_file(folder + "/none/cloud.bin").error().reason == "no such file or directory");
+  std::filesystem::create_directory(file.path() + ".bin");
+  CHECK(mass_sums_of_file(file.path() + ".bin").error().reason == "is a directory");
+  std::filesystem::remove(file.path() + ".bin");
+  CHECK(mass_sums_of_file(folder).error().reason == "a cloud's name ends in `.bin`, `.txt` or `.csv`");
+}
+
+}  // namespace
+}  // namespace rigor
