@@ -16,16 +16,18 @@
 
 #include "kernel_tables.h"
 #include "kernel_targets.h"
+#include "mass_sums_cases.h"
 #include "mesh_cases.h"
 #include "moments_cases.h"
 #include "stability_cases.h"
+#include "torque_free_cases.h"
 
 namespace rigor {
 namespace {
 
 std::vector<KernelRow> all_rows() {
   std::vector<KernelRow> rows;
-  for (const auto measure : {moments_rows, stability_rows, mesh_rows})
+  for (const auto measure : {moments_rows, stability_rows, mass_sums_rows, mesh_rows, torque_free_rows})
     for (KernelRow& row : measure()) rows.push_back(std::move(row));
   return rows;
 }
