@@ -8,6 +8,7 @@
 // Exit code 0 if all targets are met, 1 if not, 64 for a wrong command line.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -42,8 +43,8 @@ std::string targets_markdown(const std::vector<KernelTarget>& targets) {
 
 /// The name of a table as that of a file.
 std::string file_name(std::string table) {
-  for (char& c : table)
-    if (c == ' ') c = '-';
+  std::erase(table, ',');
+  std::replace(table.begin(), table.end(), ' ', '-');
   return "kernels-" + table + ".svg";
 }
 
