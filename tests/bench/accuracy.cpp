@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes docs/accuracy.md and its pictures: which forms of the notes to compute, what programs cost beside
-// hand-written loops and GiNaC, and the notes' formulas against the motion of bodies.
+// hand-written loops and GiNaC, the kernels beside their peers, and the notes' formulas against the motion of
+// bodies.
 //
-//   accuracy FOLDER PROGRAM_BENCH        from the top of the repository
+//   accuracy FOLDER PROGRAM_BENCH KERNEL_BENCH      from the top of the repository
 #include <fmt/format.h>
 
 #include <array>
@@ -42,13 +43,8 @@ std::string machine() {
   return fmt::format("{} (model {}), {} cores", model, number, first_line(output_of("nproc")));
 }
 
-/// The part of the page about one file of notes, from what `rigor bench --into` wrote.
-std::string forms_of(const std::string& notes, const std::filesystem::path& folder) {
-  std::vector<const char*> words{"rigor",        "bench",  notes.c_str(),       "--into",
-                                 folder.c_str(), "--body", "derivations/bodies"};
-  std::ostringstream ignored;
-  if (run(static_cast<int>(words.size()), words.data(), ignored, std::cerr) != 0) return "";
-  const std::filesystem::path written = folder / (std::filesystem::path(notes).stem().string() + "-forms.md");
+/// What a file holds that was written into `folder`, with the pictures that it shows found from its parent.
+std::string taken_from(const std::filesystem::path& written, const std::filesystem::path& folder) {
   std::ifstream file(written);
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::filesystem::remove(written);
@@ -56,6 +52,21 @@ std::string forms_of(const std::string& notes, const std::filesystem::path& fold
   for (auto at = text.find(here); at != std::string::npos; at = text.find(here, at + 1))
     text.insert(at + here.size(), folder.filename().string() + "/");
   return text;
+}
+
+/// The part of the page about one file of notes, from what `rigor bench --into` wrote.
+std::string forms_of(const std::string& notes, const std::filesystem::path& folder) {
+  std::vector<const char*> words{"rigor",        "bench",  notes.c_str(),       "--into",
+                                 folder.c_str(), "--body", "derivations/bodies"};
+  std::ostringstream ignored;
+  if (run(static_cast<int>(words.size()), words.data(), ignored, std::cerr) != 0) return "";
+  return taken_from(folder / (std::filesystem::path(notes).stem().string() + "-forms.md"), folder);
+}
+
+/// The part of the page about kernels, from what `kernel_bench --into` wrote.
+std::string kernels(const std::string& kernel_bench, const std::filesystem::path& folder) {
+  output_of(kernel_bench + " --into '" + folder.string() + "'");
+  return taken_from(folder / "kernels.md", folder);
 }
 
 /// Table and picture of the notes' frequencies against the motion of all bodies.
@@ -82,6 +93,14 @@ float, double, long double and double-double (dd); the line joins those that no 
 
 )";
 
+constexpr const char* of_kernels =
+    R"(One process, the same inputs for all, one thread. Times are the least of many runs, for one tensor, one point, one
+triangle or one moment of time. Errors are relative, the worst of a family, against references of 50 digits or more for the
+exact inputs; a failure, a NaN and a wrong sign count as infinite. Peers are compiled for this machine with the kernels'
+options, `-O3 -ffp-contract=off -fno-math-errno`.
+
+)";
+
 constexpr const char* of_nature =
     R"(A body spins about one of its principal axes with a small push across it. Its motion follows the equations (22) of
 `derivations/rigid-bodies.md`; its frequency, or rate of growth, is compared with the notes' Ω². Both hold to first order
@@ -89,7 +108,8 @@ in the push, so that the error falls as its square.
 
 )";
 
-int write(const std::filesystem::path& docs, const std::string& program_bench) {
+int write(const std::filesystem::path& docs, const std::string& program_bench,
+          const std::string& kernel_bench) {
   const std::filesystem::path folder = docs / "accuracy";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
@@ -103,6 +123,8 @@ int write(const std::filesystem::path& docs, const std::string& program_bench) {
       output_of("cd " + std::filesystem::temp_directory_path().string() + " && " + program_bench);
   parts.push_back(
       {"Programs beside hand-written loops and GiNaC", table.empty() ? "" : "```\n" + table + "```\n"});
+  const std::string beside = kernels(kernel_bench, folder);
+  parts.push_back({"Kernels beside their peers", beside.empty() ? "" : of_kernels + beside});
   const std::string measured = nature(folder);
   parts.push_back({"The notes against nature", measured.empty() ? "" : of_nature + measured});
   parts.push_back({"Forms in derivations/rigid-bodies.md, on all sample bodies",
@@ -128,9 +150,9 @@ int write(const std::filesystem::path& docs, const std::string& program_bench) {
 }  // namespace rigor
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::cerr << "usage: accuracy FOLDER PROGRAM_BENCH\n";
+  if (argc != 4) {
+    std::cerr << "usage: accuracy FOLDER PROGRAM_BENCH KERNEL_BENCH\n";
     return 64;
   }
-  return rigor::write(argv[1], argv[2]);
+  return rigor::write(argv[1], argv[2], argv[3]);
 }

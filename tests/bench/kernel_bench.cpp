@@ -8,6 +8,7 @@
 // Exit code 0 if all targets are met, 1 if not, 64 for a wrong command line.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -16,16 +17,18 @@
 
 #include "kernel_tables.h"
 #include "kernel_targets.h"
+#include "mass_sums_cases.h"
 #include "mesh_cases.h"
 #include "moments_cases.h"
 #include "stability_cases.h"
+#include "torque_free_cases.h"
 
 namespace rigor {
 namespace {
 
 std::vector<KernelRow> all_rows() {
   std::vector<KernelRow> rows;
-  for (const auto measure : {moments_rows, stability_rows, mesh_rows})
+  for (const auto measure : {moments_rows, stability_rows, mass_sums_rows, mesh_rows, torque_free_rows})
     for (KernelRow& row : measure()) rows.push_back(std::move(row));
   return rows;
 }
@@ -40,8 +43,8 @@ std::string targets_markdown(const std::vector<KernelTarget>& targets) {
 
 /// The name of a table as that of a file.
 std::string file_name(std::string table) {
-  for (char& c : table)
-    if (c == ' ') c = '-';
+  std::erase(table, ',');
+  std::replace(table.begin(), table.end(), ' ', '-');
   return "kernels-" + table + ".svg";
 }
 

@@ -2,7 +2,8 @@
 // What is done once for every vertex and corner of a mesh before sums over its triangles.
 #pragma once
 
-#include "numeric/kernels/lanes.h"
+#include "numeric/kernels/double_double.h"
+#include "numeric/kernels/mesh_totals.h"
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
@@ -43,24 +44,34 @@ static void mesh_box(const double* xyz, std::size_t vertices, double* least, dou
   }
 }
 
-/// (x − origin) scale rest into four numbers a vertex. Is each of them at most 1 in size, and a number?
-static bool mesh_pack(const double* xyz, std::size_t vertices, const double* origin, const double* scale,
-                      const double* rest, double* packed) {
+/// Differences that are known to be exact are not tried.
+template <bool try_exact>
+RIGOR_INLINE PackedMesh pack_vertices(const double* xyz, std::size_t vertices, const double* origin,
+                                      const double* scale, const double* rest, double* packed) {
   const MeshVertex o = {origin[0], origin[1], origin[2], 0};
   const MeshVertex s = {scale[0], scale[1], scale[2], 0};
   const MeshVertex r = {rest[0], rest[1], rest[2], 0};
-  MeshVertexMask good = {-1, -1, -1, -1};
+  MeshVertexMask finite = {-1, -1, -1, -1};
+  MeshVertexMask exact = {-1, -1, -1, -1};
   for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
     MeshVertex x = {};
     if (vertex + 1 < vertices)
       __builtin_memcpy(&x, xyz + 3 * vertex, 32);
     else
       __builtin_memcpy(&x, xyz + 3 * vertex, 24);
-    x = (x - o) * s * r;
-    good &= (x <= 1) & (x >= -1);
-    __builtin_memcpy(packed + 4 * vertex, &x, 32);
+    if constexpr (try_exact) exact &= exact_difference(x, o).low == 0;
+    const MeshVertex w = (x - o) * s * r;
+    finite &= (w <= 1) & (w >= -1);
+    __builtin_memcpy(packed + 4 * vertex, &w, 32);
   }
-  return (good[0] & good[1] & good[2]) != 0;
+  return {(finite[0] & finite[1] & finite[2]) != 0, (exact[0] & exact[1] & exact[2]) != 0};
+}
+
+/// (x − origin) scale rest into four numbers a vertex, each at most 1 in size.
+static PackedMesh mesh_pack(const double* xyz, std::size_t vertices, const double* origin,
+                            const double* scale, const double* rest, bool try_exact, double* packed) {
+  return try_exact ? pack_vertices<true>(xyz, vertices, origin, scale, rest, packed)
+                   : pack_vertices<false>(xyz, vertices, origin, scale, rest, packed);
 }
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

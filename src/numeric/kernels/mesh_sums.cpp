@@ -26,29 +26,42 @@ struct Axis {
   double origin = 0;
   int exponent = 0;
   bool has_extent = false;
+  bool is_exact = true;  // x − origin is, whatever x
 };
+
+enum class Differences { exact, exact_if_short };
 
 /// For least ≤ x ≤ most. Where both have one sign and are within a factor of 4, so that an origin within a
 /// factor of 2 of every x exists, it is the middle or the nearest such point. Else 0, which is then at most
-/// 4/3 extents from all x.
-Axis axis_for(double least, double most) {
+/// 4/3 extents from all x; or, if x − origin need not be exact for numbers of more than 45 bits, the middle
+/// to 8 bits of the extent, unless 0 is near.
+Axis axis_for(double least, double most, Differences differences) {
   Axis axis;
   axis.has_extent = least < most;
   const double near = std::min(std::abs(least), std::abs(most));
   const double far = std::max(std::abs(least), std::abs(most));
-  if ((least < 0) == (most < 0) && far / 4 <= near)
+  const double extent = most / 2 - least / 2;
+  const double middle = most / 2 + least / 2;
+  if ((least < 0) == (most < 0) && far / 4 <= near) {
     axis.origin = std::clamp(near / 2 + far / 2, far / 2, 2 * near) * (most < 0 ? -1 : 1);
+  } else if (differences == Differences::exact_if_short && std::isfinite(extent) &&
+             std::abs(middle) > extent / 4) {
+    const double step = std::ldexp(1, std::ilogb(extent) - 8);
+    axis.origin = step > 0 ? std::round(middle / step) * step : 0;
+    axis.is_exact = axis.origin == 0;
+  }
   const double size = std::max(std::abs(least - axis.origin), std::abs(most - axis.origin));
   if (size > 0 && std::isfinite(size)) axis.exponent = std::ilogb(size) + 1;
   return axis;
 }
 
-std::array<Axis, 3> axes_for(std::span<const Position> vertices, const MeshKernels& kernels) {
+std::array<Axis, 3> axes_for(std::span<const Position> vertices, Differences differences,
+                             const MeshKernels& kernels) {
   Position least{};
   Position most{};
   kernels.box(vertices.front().data(), vertices.size(), least.data(), most.data());
   std::array<Axis, 3> axes;
-  for (std::size_t i = 0; i < 3; ++i) axes[i] = axis_for(least[i], most[i]);
+  for (std::size_t i = 0; i < 3; ++i) axes[i] = axis_for(least[i], most[i], differences);
   return axes;
 }
 
@@ -57,32 +70,26 @@ struct alignas(4 * sizeof(double)) PackedVertex {
   double numbers[4];
 };
 
-/// Is every coordinate finite?
-bool pack(std::span<const Position> vertices, const std::array<Axis, 3>& axes, const MeshKernels& kernels,
-          PackedVertex* packed) {
+PackedMesh pack(std::span<const Position> vertices, const std::array<Axis, 3>& axes,
+                const MeshKernels& kernels, PackedVertex* packed) {
   Position origin{};
   Position scale{};
+  bool try_exact = false;
   Position rest{};  // in two factors: 2^1074 is not a double
   for (std::size_t i = 0; i < 3; ++i) {
     const int half = -axes[i].exponent / 2;
     origin[i] = axes[i].origin;
+    try_exact = try_exact || !axes[i].is_exact;
     scale[i] = std::ldexp(1, half);
     rest[i] = std::ldexp(1, -axes[i].exponent - half);
   }
   return kernels.pack(vertices.front().data(), vertices.size(), origin.data(), scale.data(), rest.data(),
-                      packed->numbers);
+                      try_exact, packed->numbers);
 }
 
 HighLow scaled(Sharp x, int exponent) { return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)}; }
 
 Sharp sharp(const double (&total)[2]) { return {total[0], total[1]}; }
-
-/// Do rounded terms keep the digits of every ∫x_i² dV? `second` is what is left of the sizes.
-bool keeps_digits(const MeshTotals& totals, const std::array<Sharp, 3>& second) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!(totals.size[i] <= 4 * 20 * std::abs(totals.volume[0]) * second[i].high)) return false;
-  return true;
-}
 
 /// What the sums say in the scaled axes.
 struct Scaled {
@@ -100,6 +107,17 @@ Scaled scaled_moments(const MeshTotals& totals) {
           sharp(totals.second[i][j]) / (volumes * 20.) - moments.centre[i] * moments.centre[j];
   }
   return moments;
+}
+
+/// Do rounded terms keep the digits of every ∫x_i² dV? Where coordinates were rounded, too, the body must
+/// fill a good part of the box, which has between 1 and 8 in the scaled axes: then it has not much surface to
+/// move.
+bool keeps_digits(const MeshTotals& totals, bool exact, const Scaled& moments) {
+  const double six_volumes = std::abs(totals.volume[0]);
+  if (!exact && !(six_volumes >= 6 * 8 / 32.)) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(totals.size[i] <= 4 * 20 * six_volumes * moments.second[i][i].high)) return false;
+  return true;
 }
 
 /// Back to metres. Fails where a number overflows.
@@ -146,18 +164,26 @@ Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles t
   if (triangles.empty()) return refuse("the mesh has no triangles");
   if (const auto checked = check_triangles(vertices.size(), triangles, kernels.mesh); !checked)
     return tl::unexpected(checked.error());
-  const std::array<Axis, 3> axes = axes_for(vertices, kernels.mesh);
   const auto packed = std::make_unique_for_overwrite<PackedVertex[]>(vertices.size());
-  if (!pack(vertices, axes, kernels.mesh, packed.get()))
-    return refuse("a coordinate of the mesh is not finite");
-
+  std::array<Axis, 3> axes;
   MeshTotals totals;
   const auto sum = [&](bool in_double_double) {
+    axes =
+        axes_for(vertices, in_double_double ? Differences::exact : Differences::exact_if_short, kernels.mesh);
+    const PackedMesh state = pack(vertices, axes, kernels.mesh, packed.get());
     kernels.mesh.sums(packed[0].numbers, triangles.front().data(), triangles.size(), in_double_double,
                       totals);
+    return state;
   };
   bool is_sharp = sharpness == MeshSharpness::always || triangles.size() < few_triangles;
-  sum(is_sharp);
+  const PackedMesh state = sum(is_sharp);
+  if (!state.finite) return refuse("a coordinate of the mesh is not finite");
+  Scaled moments = scaled_moments(totals);
+  if (!is_sharp && !keeps_digits(totals, state.exact, moments)) {
+    is_sharp = true;
+    sum(true);
+    moments = scaled_moments(totals);
+  }
   // |D| ≤ 6, each wrong by 2^-99; 16 of a lane are added with 16² 2^-106 of their sizes, the sums of those
   // and at last the lanes with 3 · 2^-106 of all sizes each, N/128 + 8 times. Below 6 N (2^-97 + N 2^-106)
   // together.
@@ -166,13 +192,6 @@ Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles t
   for (const Axis& axis : axes)
     if (!axis.has_extent) return refuse("the mesh encloses no volume");
   if (std::abs(totals.volume[0]) <= rounding) return refuse("the mesh encloses no volume");
-  Scaled moments = scaled_moments(totals);
-  if (!is_sharp &&
-      !keeps_digits(totals, {moments.second[0][0], moments.second[1][1], moments.second[2][2]})) {
-    is_sharp = true;
-    sum(true);
-    moments = scaled_moments(totals);
-  }
   for (std::size_t i = 0; i < 3; ++i)
     if (!(moments.second[i][i].high > 0))
       return refuse("the surface passes through itself: its second moments are not positive");

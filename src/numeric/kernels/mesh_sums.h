@@ -25,19 +25,20 @@ struct MeshMoments {
 enum class MeshSharpness { if_needed, always };
 
 /// Of a closed surface; each vertex is a corner of a triangle (others cost digits). Signed tetrahedra from a
-/// point c, of which each coordinate is 0 or within a factor of two of all x, so that x − c is exact (P. H.
-/// Sterbenz, Floating-point computation, 1974) and at most 4/3 of the extent of the mesh. The axes are scaled
-/// by powers of two. With D = det(a, b, c) in double-double and s = a + b + c,
+/// point c from which x − c is exact: each coordinate of c is 0 or within a factor of two of all x (P. H.
+/// Sterbenz, Floating-point computation, 1974), or a short number if that will do for all x. Where it does
+/// not, the differences are rounded if the body fills 1/32 of its box. The axes are scaled by powers of two.
+/// With D = det(a, b, c) in double-double and s = a + b + c,
 ///   V = Σ D/6,  f = Σ D s/(24 V),  ∫x_i x_j dV/V = Σ D (a_i a_j + b_i b_j + c_i c_j + s_i s_j)/(120 V) − f_i
 ///   f_j.
 /// Source: F. Tonon, J. Math. Stat. 1 (2005) 8. Cost: 5.5 ns a triangle with AVX-512, where the plain sum
-/// about the origin takes 6.8; 19 ns in double-double, which is done where there are few triangles or Σ |D|
-/// (a_i² + …) is more than 4 times what the second moment leaves of it. Error for the coordinates as they
-/// are, at distances up to 1e12 and thicknesses down to 1e-8, measured by mesh_sums_test: volume 0.9 u;
-/// centre 1 u of each coordinate or of √(ii); second moment ij 1.2 u √(ii jj). Sharp: 2^-97 of that times the
-/// volume of the mesh's box over V. Fails where a corner is no vertex, a coordinate is not finite, the volume
-/// cannot be told from 0 (the bound is proved in mesh_sums.cpp and below 1e-24 of the box's volume for 1e4
-/// triangles), a moment is negative, or something overflows.
+/// about the origin takes 6.8; 18 ns in double-double, which is done where there are few triangles or Σ |D|
+/// (a_i² + …) is more than 4 times what the second moment leaves of it: for hollow and for crooked thin
+/// bodies. Error for the coordinates as they are, at distances up to 1e12 and thicknesses down to 1e-8,
+/// measured by mesh_sums_test: volume 0.9 u; centre 1 u of each coordinate or of √(ii); second moment ij 1.2
+/// u √(ii jj). Sharp: 2^-97 of that times the volume of the mesh's box over V. Fails where a corner is no
+/// vertex, a coordinate is not finite, the volume cannot be told from 0 (the bound is proved in mesh_sums.cpp
+/// and below 1e-24 of the box's volume for 1e4 triangles), a moment is negative, or something overflows.
 [[nodiscard]] Result<MeshMoments> mesh_moments(std::span<const Position> vertices,
                                                std::span<const std::array<std::uint32_t, 3>> triangles,
                                                MeshSharpness sharpness = MeshSharpness::if_needed,

@@ -19,12 +19,18 @@ struct MeshTotals {
 /// The rounding of a D is below this, if all coordinates are at most 1 in size.
 inline constexpr double mesh_flat = 0x1p-99;
 
+/// Of all coordinates of a mesh.
+struct PackedMesh {
+  bool finite = false;
+  bool exact = false;  // x − origin was not rounded
+};
+
 /// `mesh_pack_lanes.h`, `mesh_sums_lanes.h`.
 struct MeshKernels {
   bool (*corners)(const std::uint32_t* corners, std::size_t count, std::uint32_t last) = nullptr;
   void (*box)(const double* xyz, std::size_t vertices, double* least, double* most) = nullptr;
-  bool (*pack)(const double* xyz, std::size_t vertices, const double* origin, const double* scale,
-               const double* rest, double* packed) = nullptr;
+  PackedMesh (*pack)(const double* xyz, std::size_t vertices, const double* origin, const double* scale,
+                     const double* rest, bool try_exact, double* packed) = nullptr;
   void (*sums)(const double* packed, const std::uint32_t* corners, std::size_t triangles, bool sharp,
                MeshTotals& totals) = nullptr;
 };

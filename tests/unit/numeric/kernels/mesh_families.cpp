@@ -102,6 +102,7 @@ std::vector<MeshFamily> mesh_families(std::size_t triangles) {
     families.push_back(
         {std::string("distance ") + distance, {shifted(sphere, d), shifted(torus(triangles), d)}});
   }
+  families[1].meshes.push_back(scaled(families[1].meshes[0], {0.7, 0.7, 0.7}));  // no short differences
   families.push_back({"boxes, tetrahedra", {}});
   for (int n = 0; n < 16; ++n) {
     const Position corner{uniform_sign(bits), 10 * uniform_sign(bits), 100 * uniform_sign(bits)};

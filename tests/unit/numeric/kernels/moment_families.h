@@ -40,11 +40,12 @@ struct PrincipalReference {
 [[nodiscard]] PrincipalReference principal_reference(const InertiaTensor& tensor);
 
 /// Of a tensor that is no tensor of doubles: a moment or gap that is exactly 0 comes out as about 1e-100.
-[[nodiscard]] PrincipalReference principal_reference(
+[[nodiscard]] PrincipalReference principal_reference_of_digits(
     const std::array<std::array<Decimal<100>, 3>, 3>& tensor);
 
-/// |computed − exact| / |exact|, less what the spacing of doubles near 0 makes inevitable; where `exact` is
-/// 0, |computed| / norm. Infinite for NaN, infinity and a wrong sign. `low` is added to `computed` exactly.
+/// |computed − exact| / |exact|, less one spacing of doubles near 0 (a gap is the sum of two); where `exact`
+/// is 0, |computed| / norm. Infinite for NaN, infinity and a wrong sign. `low` is added to `computed`
+/// exactly.
 [[nodiscard]] double relative_error(double computed, const Digits50& exact, const Digits50& norm,
                                     double low = 0);
 

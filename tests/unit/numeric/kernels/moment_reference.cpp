@@ -179,7 +179,7 @@ PrincipalReference principal_reference(const InertiaTensor& tensor) {
   return reference_of(longer, more);
 }
 
-PrincipalReference principal_reference(const std::array<std::array<Decimal<100>, 3>, 3>& tensor) {
+PrincipalReference principal_reference_of_digits(const std::array<std::array<Decimal<100>, 3>, 3>& tensor) {
   const auto d = diagonalised<Decimal<100>>(tensor);
   return reference_of(d, with_facts(d, {}));
 }
@@ -189,7 +189,7 @@ double relative_error(double computed, const Digits50& exact, const Digits50& no
   const Digits50 value = Digits50(computed) + low;
   if (exact == 0) return value == 0 ? 0 : static_cast<double>(Digits50(abs(value) / norm));
   if (value * exact < 0) return std::numeric_limits<double>::infinity();
-  const Digits50 wrong = abs(value - exact) - Digits50(0x1p-1074) / 2;
+  const Digits50 wrong = abs(value - exact) - 0x1p-1074;
   return wrong <= 0 ? 0 : static_cast<double>(Digits50(wrong / abs(exact)));
 }
 

@@ -54,7 +54,7 @@ std::array<std::array<Decimal<100>, 3>, 3> inertia_of(const NearlySymmetricTop& 
 }
 
 void add_reference(NearlySymmetricTop& top) {
-  const PrincipalReference exact = principal_reference(inertia_of(top));
+  const PrincipalReference exact = principal_reference_of_digits(inertia_of(top));
   const auto gap = [&](std::size_t i, std::size_t j) -> Digits50 {
     return i > j ? exact.gaps[i + j == 1   ? 0
                               : i + j == 3 ? 1
