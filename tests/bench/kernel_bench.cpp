@@ -22,13 +22,15 @@
 #include "moments_cases.h"
 #include "stability_cases.h"
 #include "torque_free_cases.h"
+#include "validity_cases.h"
 
 namespace rigor {
 namespace {
 
 std::vector<KernelRow> all_rows() {
   std::vector<KernelRow> rows;
-  for (const auto measure : {moments_rows, stability_rows, mass_sums_rows, mesh_rows, torque_free_rows})
+  for (const auto measure :
+       {moments_rows, stability_rows, mass_sums_rows, mesh_rows, torque_free_rows, validity_rows})
     for (KernelRow& row : measure()) rows.push_back(std::move(row));
   return rows;
 }

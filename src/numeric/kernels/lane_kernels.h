@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels that run in lanes, as they were compiled for one instruction set. All give the same bits; the
-// widest that the machine has is the fastest.
+// The kernels that run in lanes, as they were compiled for one instruction set. All give the same bits, but
+// for plain sums over points, which have one rounding less a term where there is a fused multiply-add. The
+// widest set that the machine has is the fastest.
 #pragma once
 
 #include <cstddef>

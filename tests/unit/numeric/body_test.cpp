@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/body.h"
 
-#include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 
 #include "catch.h"
 #include "numeric/family_values.h"
 #include "numeric/inertia.h"
+#include "numeric/kernels/plate_families.h"
 
 namespace rigor {
 namespace {
@@ -151,64 +150,6 @@ TEST_CASE("a rod is accepted after a shift by half its length and back, at every
     }
     CHECK_FALSE(check_inertia({{{length, 0, 0}, {0, length * (1 + 1e-14), 0}, {0, 0, 0}}}));
   }
-}
-
-/// Is I₁ + I₂ − I₃ ≥ −4 units in the last place of the greatest entry? That sum is the least eigenvalue of
-/// tr(I) 1 − 2I: no principal minor of it with the tolerance added is negative, in integers.
-bool is_valid_exactly(const InertiaTensor& inertia) {
-  using Integer = boost::multiprecision::int1024_t;
-  double greatest = 0;
-  for (const Position& row : inertia)
-    for (const double entry : row) greatest = std::max(greatest, std::abs(entry));
-  const int unit = std::ilogb(greatest) - 52;
-  const auto in_units = [&](double x) { return Integer(std::ldexp(x, 64 - unit)); };  // 2^-64 of the unit
-  Integer trace = 0;
-  for (std::size_t i = 0; i < 3; ++i) trace += in_units(inertia[i][i]);
-  std::array<std::array<Integer, 3>, 3> a;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) a[i][j] = -2 * in_units(inertia[i][j]);
-    a[i][i] += trace + 4 * in_units(std::ldexp(1, unit));
-  }
-  Integer determinant = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    if (a[i][i] < 0 || a[i][i] * a[j][j] < a[i][j] * a[j][i]) return false;
-    determinant += a[0][i] * (a[1][j] * a[2][k] - a[1][k] * a[2][j]);
-  }
-  return determinant >= 0;
-}
-
-/// A plate of five points in a plane through integers, about its centre of mass or not, with rounded entries,
-/// and one of the entries of the diagonal off by up to 12 units in the last place of the greatest.
-InertiaTensor nearly_a_plate(SplitMix& bits) {
-  std::array<Position, 2> plane{};
-  for (Position& direction : plane)
-    for (double& x : direction) x = static_cast<double>(bits.below(41)) - 20;
-  InertiaTensor inertia{};
-  for (int point = 0; point < 5; ++point) {
-    Position r{};
-    for (const Position& direction : plane) {
-      const double along = static_cast<double>(bits.below(41)) - 20;
-      for (std::size_t i = 0; i < 3; ++i) r[i] += along * direction[i];
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j)
-        inertia[i][j] += (i == j ? r[0] * r[0] + r[1] * r[1] + r[2] * r[2] : 0) - r[i] * r[j];
-    }
-  }
-  const double factor = draw_positive(bits);
-  double greatest = 0;
-  for (Position& row : inertia) {
-    for (double& entry : row) {
-      entry *= factor;
-      greatest = std::max(greatest, std::abs(entry));
-    }
-  }
-  const std::size_t which = bits.below(3);
-  const double units = static_cast<double>(bits.below(25)) - 12;
-  if (greatest > 0) inertia[which][which] += units * std::ldexp(1, std::ilogb(greatest) - 52);
-  return inertia;
 }
 
 TEST_CASE("of 100,000 plates at the edge of what is possible every one is decided as in integers") {
