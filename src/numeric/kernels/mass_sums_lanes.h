@@ -114,16 +114,36 @@ struct PointTerms {
 struct PointTermsAbout {
   Lanes centre[3];
 
-  RIGOR_INLINE void add_to(PointTerms& sums, const PointLanes& p) const {
-    const Lanes m = p.of[3];
+  /// m and m d, d = x − s, which is left in `d`.
+  RIGOR_INLINE PointTerms first_moments(const PointLanes& p, Lanes (&d)[3]) const {
+    PointTerms terms;
+    terms.of[PointSums::mass] = p.of[3];
+    terms.signs = (LaneMask)p.of[3];
+#pragma GCC unroll 10
+    for (int i = 0; i < 3; ++i) {
+      d[i] = p.of[i] - centre[i];
+      terms.of[PointSums::first + i] = p.of[3] * d[i];
+    }
+    return terms;
+  }
+
+  RIGOR_INLINE PointTerms operator()(const PointLanes& p) const {
     Lanes d[3];
-    Lanes md[3];
+    PointTerms terms = first_moments(p, d);
 #pragma GCC unroll 10
-    for (int i = 0; i < 3; ++i) d[i] = p.of[i] - centre[i];
-#pragma GCC unroll 10
-    for (int i = 0; i < 3; ++i) md[i] = m * d[i];
-    sums.of[PointSums::mass] = sums.of[PointSums::mass] + m;
-    sums.signs = sums.signs | (LaneMask)m;
+    for (int i = 0; i < 3; ++i) {
+      terms.of[PointSums::square + i] = terms.of[PointSums::first + i] * d[i];
+      terms.of[PointSums::product + i] = terms.of[PointSums::first + (i + 1) % 3] * d[(i + 2) % 3];
+    }
+    return terms;
+  }
+
+  RIGOR_INLINE void add_to(PointTerms& sums, const PointLanes& p) const {
+    Lanes d[3];
+    const PointTerms terms = first_moments(p, d);
+    const Lanes* const md = terms.of + PointSums::first;
+    sums.of[PointSums::mass] = sums.of[PointSums::mass] + terms.of[PointSums::mass];
+    sums.signs = sums.signs | terms.signs;
 #pragma GCC unroll 10
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
@@ -132,12 +152,6 @@ struct PointTermsAbout {
       sums.of[PointSums::square + i] = product_plus(md[i], d[i], sums.of[PointSums::square + i]);
       sums.of[PointSums::product + i] = product_plus(md[j], d[k], sums.of[PointSums::product + i]);
     }
-  }
-
-  RIGOR_INLINE PointTerms operator()(const PointLanes& p) const {
-    PointTerms terms = {};
-    add_to(terms, p);
-    return terms;
   }
 };
 
