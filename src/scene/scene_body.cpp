@@ -86,9 +86,11 @@ const Result<SceneBody::Axes>& SceneBody::axes() {
   } else if (*along) {
     ledger_.skip(axes_node, "the body is along its principal axes");
     axes_ = std::array<Position, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  } else if (const auto& inertia = sharp_tensor(); !inertia) {
+    axes_ = tl::unexpected(inertia.error());
   } else {
     axes_ = ledger_.compute(axes_node, "vectors of the tensor", [&] {
-      return principal_axes(**tensor_).map([](const PrincipalAxes& axes) { return axes.axes; });
+      return principal_axes(*inertia).map([](const PrincipalAxes& axes) { return axes.axes; });
     });
   }
   return *axes_;

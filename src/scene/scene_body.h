@@ -29,7 +29,9 @@ class SceneBody {
   /// Is the file's set of axes a principal one? No product of inertia exceeds 64 u times the trace.
   [[nodiscard]] Result<bool> is_along_principal_axes();
   /// In the order of the axes where the body is along them, else ascending. Computes no axes.
-  /// To about 100 bits of the greatest, so that their differences keep their digits.
+  /// To about 100 bits of the greatest, so that their differences keep their digits; but two that are alike
+  /// to 64 u of the trace are taken for the tensor's diagonal where the axes of theirs are others: what is left of
+  /// their difference is the rounding of the places.
   [[nodiscard]] const Result<SharpPosition>& moments();
   /// In the order of `moments`, right-handed. Where the body is along them, e₁, e₂, e₃, and nothing is
   /// computed.

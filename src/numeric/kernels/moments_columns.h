@@ -5,10 +5,21 @@
 
 namespace rigor {
 
-/// Symmetric tensors by columns: of each tensor the diagonal a_ii, and a_jk for the cyclic (i, j, k); low
-/// parts, or none of them. What is not asked for is null: low parts of the moments, all axes. `state` is 0
-/// where all results are good; else the sum of 1 for a gap and 2 for moments too small beside the rounding
-/// errors, or 4 where nothing is known. In and out may not overlap.
+/// What is known of a tensor's results; numbers, as they stand in a column of doubles.
+struct MomentsState {
+  static constexpr double good = 0;
+  // From the lane kernel, and nowhere else: what is too small beside the rounding errors. Both: their sum.
+  static constexpr double small_gap = 1;
+  static constexpr double small_moment = 2;
+  static constexpr double lost = 4;  // nothing is known
+  // From `solve_principal_moments`:
+  static constexpr double mended = 8;  // good, and more than the kernel was needed
+  static constexpr double none = 16;   // there are no results
+};
+
+/// Symmetric tensors by columns: of each tensor the diagonal a_ii, and a_jk for the cyclic (i, j, k). Low
+/// parts are null, or none of them is; so are low parts of the moments, and the axes: what is not asked for.
+/// In and out may not overlap.
 struct MomentsColumns {
   std::size_t count = 0;
   const double* diagonal[3] = {};
@@ -19,7 +30,7 @@ struct MomentsColumns {
   double* moments_low[3] = {};
   double* gaps[2] = {};
   double* axes[3][3] = {};
-  double* state = nullptr;
+  double* state = nullptr;  // `MomentsState`
 };
 
 }  // namespace rigor

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/check.h"
 #include "numeric/kernels/double_double.h"
 
 namespace rigor {
@@ -183,7 +184,8 @@ Rotated<Binary<bits>> rotated(const SharpTensor& tensor, Binary<bits>& unit) {
     }
   }
   unit = ldexp(r.greatest(), -static_cast<int>(bits));
-  for (int sweep = 0; sweep < 64; ++sweep) {
+  constexpr int most_sweeps = 64;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     if (abs(r.a[0][1]) <= unit && abs(r.a[1][2]) <= unit && abs(r.a[0][2]) <= unit) break;
     r.rotate(0, 1);
     r.rotate(0, 2);
@@ -230,13 +232,13 @@ bool is_finite(const PrincipalMoments& principal) {
   return std::isfinite(principal.gaps[0]) && std::isfinite(principal.gaps[1]);
 }
 
-/// Results of so many bits; nothing where what is not 0 does not stand out of the rounding errors. Those of a
-/// rotation are a few units, and 2^10 bounds them all; 2^60 beyond them are wanted.
+/// Results of so many bits; false where what is not 0 does not stand out of the rounding errors. Those of the
+/// rotations are less than 2^10 units of the greatest entry, and 2^60 beyond them are wanted.
 template <unsigned bits>
 bool stands_out(const SharpTensor& tensor, const Zeros& zeros, PrincipalAxes& result) {
   Binary<bits> unit;
   Rotated<Binary<bits>> r = rotated<bits>(tensor, unit);
-  const Binary<bits> least = ldexp(unit, 70);
+  const Binary<bits> least = ldexp(unit, 10 + 60);
   std::array<std::size_t, 3> by_size = {0, 1, 2};
   std::sort(by_size.begin(), by_size.end(),
             [&](std::size_t i, std::size_t j) { return abs(r.a[i][i]) < abs(r.a[j][j]); });
@@ -270,8 +272,6 @@ double quotient(const Rounded& x, double a, double b) {
   return std::ldexp(ratio, x.exponent - power_of_a - power_of_b);
 }
 
-bool is_diagonal(const SharpTensor& a) { return a[1][0].high == 0 && a[2][0].high == 0 && a[2][1].high == 0; }
-
 double difference(const HighLow& a, const HighLow& b) {
   const baseline::DoubleDouble<double> x = {a.high, a.low};
   const baseline::DoubleDouble<double> y = {b.high, b.low};
@@ -295,6 +295,10 @@ PrincipalAxes sorted_diagonal(const SharpTensor& a) {
 
 }  // namespace
 
+bool is_diagonal(const SharpTensor& tensor) {
+  return tensor[1][0].high == 0 && tensor[2][0].high == 0 && tensor[2][1].high == 0;
+}
+
 std::optional<PrincipalAxes> solved_in_many_digits(const SharpTensor& tensor) {
   for (const auto& row : tensor) {
     for (const HighLow& entry : row) {
@@ -306,16 +310,19 @@ std::optional<PrincipalAxes> solved_in_many_digits(const SharpTensor& tensor) {
     result = sorted_diagonal(tensor);
   } else {
     const Zeros zeros = invariants_of(tensor).zeros;
-    if (!stands_out<256>(tensor, zeros, result) && !stands_out<1024>(tensor, zeros, result))
-      stands_out<8192>(tensor, zeros, result);
+    const bool found = stands_out<256>(tensor, zeros, result) || stands_out<1024>(tensor, zeros, result) ||
+                       stands_out<8192>(tensor, zeros, result);
+    RIGOR_CHECK(found, zeros.gaps, zeros.moments);
   }
   if (!is_finite(result.principal)) return std::nullopt;
   return result;
 }
 
-bool mend_by_invariants(const SharpTensor& tensor, const SmallResults& small, PrincipalMoments& principal) {
+MendedResults mend_by_invariants(const SharpTensor& tensor, const SmallResults& small,
+                                 PrincipalMoments& principal) {
   const Invariants exact = invariants_of(tensor);
-  if (exact.zeros.gaps == 2) return false;
+  if (exact.zeros.gaps == 2) return {};
+  constexpr double large_enough = 0x1p-30;  // beside the greatest moment: the kernel has it to 2^-70 then
   auto& moments = principal.moments;
   if (small.moment) {
     std::array<std::size_t, 3> order = {0, 1, 2};
@@ -326,10 +333,10 @@ bool mend_by_invariants(const SharpTensor& tensor, const SmallResults& small, Pr
     const double most = moments[order[2]].high;
     if (exact.zeros.moments == 2) {
       moments[order[0]] = moments[order[1]] = {};
-    } else if (std::abs(middle) >= 0x1p-30 * std::abs(most)) {
+    } else if (std::abs(middle) >= large_enough * std::abs(most)) {
       moments[order[0]] = {quotient(exact.product, middle, most), 0};
     } else {
-      return false;
+      return {};
     }
   }
   if (small.gap) {
@@ -338,7 +345,7 @@ bool mend_by_invariants(const SharpTensor& tensor, const SmallResults& small, Pr
     principal.gaps[smaller] = quotient(exact.gaps_product, other, other + principal.gaps[smaller]);
     if (exact.zeros.gaps == 1) moments[smaller + 1] = moments[smaller];
   }
-  return true;
+  return {true, exact.zeros.gaps > 0};
 }
 
 }  // namespace rigor

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/kernels/principal_moments.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
+#include "base/check.h"
 #include "numeric/kernels/moments_exact.h"
 
 namespace rigor {
@@ -14,6 +16,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double high_of(double entry) { return entry; }
 double high_of(const HighLow& entry) { return entry.high; }
+bool is_finite(double entry) { return std::isfinite(entry); }
+bool is_finite(const HighLow& entry) { return std::isfinite(entry.high) && std::isfinite(entry.low); }
 
 SharpTensor tensor_of(const MomentsColumns& c, std::size_t at) {
   SharpTensor a{};
@@ -44,21 +48,23 @@ void put(const MomentsColumns& c, std::size_t at, const std::optional<PrincipalA
   constexpr Position nowhere = {none, none, none};
   put_axes(c, at, solved ? solved->axes : std::array<Position, 3>{nowhere, nowhere, nowhere});
   for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = solved ? solved->principal.gaps[k] : none;
-  c.state[at] = solved ? 1 : 2;
+  c.state[at] = solved ? MomentsState::mended : MomentsState::none;
 }
 
 /// The results that the kernel got wrong for being small, put right without rotations if that does.
 bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
-  const auto state = static_cast<unsigned>(c.state[at]);
-  const bool diagonal = tensor[1][0].high == 0 && tensor[2][0].high == 0 && tensor[2][1].high == 0;
-  if (state > 3 || diagonal) return false;
+  const double state = c.state[at];
+  if (state >= MomentsState::lost || is_diagonal(tensor)) return false;
   PrincipalMoments principal;
   for (std::size_t k = 0; k < 3; ++k)
     principal.moments[k] = {c.moments[k][at], c.moments_low[k] != nullptr ? c.moments_low[k][at] : 0};
   for (std::size_t k = 0; k < 2; ++k) principal.gaps[k] = c.gaps[k][at];
-  const SmallResults small = {(state & 1U) != 0, (state & 2U) != 0};
-  if (!mend_by_invariants(tensor, small, principal)) return false;
-  if (small.gap && c.axes[0][0] != nullptr && std::min(principal.gaps[0], principal.gaps[1]) > 0) {
+  constexpr double both = MomentsState::small_gap + MomentsState::small_moment;
+  const bool small_gap = state == MomentsState::small_gap || state == both;
+  const MendedResults mended =
+      mend_by_invariants(tensor, {small_gap, state >= MomentsState::small_moment}, principal);
+  if (!mended.good) return false;
+  if (small_gap && c.axes[0][0] != nullptr && !mended.equal) {
     // Axes of moments that are as close as that are lost, too.
     if (const auto turned = solved_in_many_digits(tensor)) put_axes(c, at, turned->axes);
   }
@@ -67,7 +73,7 @@ bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
     if (c.moments_low[k] != nullptr) c.moments_low[k][at] = principal.moments[k].low;
   }
   for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = principal.gaps[k];
-  c.state[at] = 1;
+  c.state[at] = MomentsState::mended;
   return true;
 }
 
@@ -121,12 +127,13 @@ template <class Tensor>
 Result<PrincipalAxes> solved(const Tensor& tensor, bool with_axes) {
   for (const auto& row : tensor) {
     for (const auto& entry : row) {
-      if (!std::isfinite(high_of(entry))) return tl::unexpected(Error{"the inertia tensor is not finite"});
+      if (!is_finite(entry)) return tl::unexpected(Error{"the inertia tensor is not finite"});
     }
   }
   SingleTensor single(tensor);
   solve_principal_moments(single.columns(std::is_same_v<Tensor, SharpTensor>, with_axes));
-  if (single.state == 2) return tl::unexpected(Error{"a principal moment overflows"});
+  if (single.state == MomentsState::none)
+    return tl::unexpected(Error{"a principal moment or a gap between two overflows"});
   for (std::size_t k = 0; k < 3; ++k) single.result.principal.moments[k] = {single.high[k], single.low[k]};
   return single.result;
 }
@@ -145,14 +152,29 @@ std::optional<PrincipalAxes> solved_larger(const SharpTensor& tensor) {
   if (greatest == 0 || !(greatest < 0x1p-900)) return std::nullopt;
   auto result = solved(larger, true);
   if (!result) return std::nullopt;
-  for (HighLow& moment : result->principal.moments) moment = {std::ldexp(moment.high, -power), 0};
+  for (HighLow& moment : result->principal.moments)
+    moment = {std::ldexp(moment.high, -power), std::ldexp(moment.low, -power)};
   for (double& gap : result->principal.gaps) gap = std::ldexp(gap, -power);
   return *result;
+}
+
+/// What is given is complete: all of it or none of it, and room for what there always is.
+void check_columns(const MomentsColumns& c) {
+  const bool sharp = c.diagonal_low[0] != nullptr;
+  const bool with_axes = c.axes[0][0] != nullptr;
+  RIGOR_CHECK(c.state != nullptr && c.gaps[0] != nullptr && c.gaps[1] != nullptr, c.count);
+  for (std::size_t i = 0; i < 3; ++i) {
+    RIGOR_CHECK(c.diagonal[i] != nullptr && c.off[i] != nullptr && c.moments[i] != nullptr, i);
+    RIGOR_CHECK((c.diagonal_low[i] != nullptr) == sharp && (c.off_low[i] != nullptr) == sharp, i);
+    RIGOR_CHECK((c.moments_low[i] != nullptr) == (c.moments_low[0] != nullptr), i);
+    for (const double* component : c.axes[i]) RIGOR_CHECK((component != nullptr) == with_axes, i);
+  }
 }
 
 }  // namespace
 
 double PrincipalMoments::gap(std::size_t i, std::size_t j) const {
+  RIGOR_CHECK(i < 3 && j < 3, i, j);
   if (i < j) return 0 - gap(j, i);
   double sum = 0;
   for (std::size_t k = j; k < i; ++k) sum += gaps[k];
@@ -169,9 +191,10 @@ Result<PrincipalAxes> principal_axes(const InertiaTensor& tensor) { return solve
 Result<PrincipalAxes> principal_axes(const SharpTensor& tensor) { return solved(tensor, true); }
 
 void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& kernels) {
+  check_columns(columns);
   kernels.principal_moments(columns);
   for (std::size_t at = 0; at < columns.count; ++at) {
-    if (columns.state[at] == 0) continue;
+    if (columns.state[at] == MomentsState::good) continue;
     const SharpTensor tensor = tensor_of(columns, at);
     if (mend(columns, at, tensor)) continue;
     const auto larger = solved_larger(tensor);

@@ -10,6 +10,7 @@
 
 #include "catch.h"
 #include "numeric/kernels/moment_families.h"
+#include "numeric/uniform.h"
 
 namespace rigor {
 namespace {
@@ -119,7 +120,8 @@ TEST_CASE("every gap and every moment is good to 16 u of itself, in every family
     INFO(family.name << ": gaps " << worst.gap << " u, moments " << worst.moment << " u");
     CHECK(worst.gap <= 16);
     CHECK(worst.moment <= 16);
-    for (std::size_t at = 0; at < family.tensors.size(); ++at) CHECK(solved.columns.state[at] < 2);
+    for (std::size_t at = 0; at < family.tensors.size(); ++at)
+      CHECK(solved.columns.state[at] != MomentsState::none);
   }
 }
 
@@ -148,7 +150,7 @@ TEST_CASE("moments as high + low are good to 64 units of 2^-106 of the norm") {
   }
 }
 
-TEST_CASE("axes are good to 4 u also where moments are close, orthonormal and right-handed") {
+TEST_CASE("axes are good to 6 u also where moments are close, orthonormal and right-handed") {
   for (const MomentFamily& family : moment_families(96)) {
     Solved solved(family.tensors);
     solve_principal_moments(solved.columns);
@@ -165,19 +167,121 @@ TEST_CASE("axes are good to 4 u also where moments are close, orthonormal and ri
           const Digits50 d = n[i] - (along < 0 ? -1 : 1) * exact.axes[k][i];
           away += d * d;
         }
-        if (alone) CHECK(sqrt(away) <= 4 * u);
+        if (alone) CHECK(sqrt(away) <= 6 * u);
         const Position f = solved.axis((k + 1) % 3, at);
         const Position g = solved.axis((k + 2) % 3, at);
         for (std::size_t i = 0; i < 3; ++i) {
           const std::size_t j = (i + 1) % 3;
           const std::size_t l = (i + 2) % 3;
-          CHECK(std::abs(n[i] - (f[j] * g[l] - f[l] * g[j])) <= 6 * u);
+          CHECK(std::abs(n[i] - (f[j] * g[l] - f[l] * g[j])) <= 12 * u);
         }
+        Digits50 length = 0;
+        Digits50 product = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          length += Digits50(n[i]) * n[i];
+          product += Digits50(n[i]) * f[i];
+        }
+        CHECK(abs(length - 1) <= 10 * u);
+        CHECK(abs(product) <= 10 * u);
         if (k < 2) {
           CHECK(*std::max_element(n.begin(), n.end()) >= -*std::min_element(n.begin(), n.end()));
         }
       }
     }
+  }
+}
+
+TEST_CASE("what is exactly 0 comes out as 0, and nothing else does") {
+  for (const MomentFamily& family : moment_families(96)) {
+    Solved solved(family.tensors);
+    solve_principal_moments(solved.columns);
+    for (std::size_t at = 0; at < family.tensors.size(); ++at) {
+      INFO(family.name << " " << at);
+      const PrincipalReference exact = principal_reference(family.tensors[at]);
+      const auto rounds_to_zero = [](const Digits50& x) { return abs(x) < Digits50(0x1p-1074) / 2; };
+      for (std::size_t k = 0; k < 3; ++k)
+        CHECK((solved.columns.moments[k][at] == 0) == rounds_to_zero(exact.moments[k]));
+      for (std::size_t k = 0; k < 2; ++k)
+        CHECK((solved.columns.gaps[k][at] == 0) == rounds_to_zero(exact.gaps[k]));
+    }
+  }
+}
+
+PrincipalReference reference_of(const SharpTensor& tensor) {
+  std::array<std::array<Decimal<100>, 3>, 3> exact;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = Decimal<100>(tensor[i][j].high) + tensor[i][j].low;
+  return principal_reference_of_digits(exact);
+}
+
+/// The same tensor with low parts of random sizes, down to none.
+SharpTensor with_lows(const InertiaTensor& tensor, SplitMix& bits) {
+  SharpTensor sharp{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double low =
+          std::ldexp(uniform_sign(bits) * tensor[i][j], -54 - static_cast<int>(bits.below(40)));
+      sharp[i][j] = sharp[j][i] = {tensor[i][j], low};
+    }
+  }
+  return sharp;
+}
+
+TEST_CASE(
+    "gaps and moments of tensors with low parts are good to 16 u of themselves, and their low parts to 64 "
+    "v") {
+  SplitMix bits(7);
+  for (const MomentFamily& family : moment_families(48)) {
+    const bool has_room = family.name.find("e-300") == std::string::npos && family.name != "scale subnormal";
+    if (!has_room || family.name == "0, 1, diagonal, rank 1") continue;
+    for (const InertiaTensor& tensor : family.tensors) {
+      INFO(family.name);
+      const SharpTensor sharp = with_lows(tensor, bits);
+      const PrincipalReference exact = reference_of(sharp);
+      const auto found = principal_axes(sharp);
+      REQUIRE(found);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const HighLow moment = found->principal.moments[k];
+        CHECK(relative_error(moment.high, exact.moments[k], size_of(tensor)) <= 16 * u);
+        CHECK(abs(Digits50(moment.high) + moment.low - exact.moments[k]) <=
+              64 * Digits50(0x1p-106) * size_of(tensor) + Digits50(0x1p-1074));
+      }
+      for (std::size_t k = 0; k < 2; ++k)
+        CHECK(relative_error(found->principal.gaps[k], exact.gaps[k], size_of(tensor)) <= 16 * u);
+    }
+  }
+}
+
+TEST_CASE("low parts of moments survive a scale at which the kernel cannot work") {
+  const Position v{1. / 3, 0.7, 0.123};
+  InertiaTensor tensor{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) tensor[i][j] = v[i] * v[j];
+  const auto near = principal_moments(tensor);
+  for (Position& row : tensor)
+    for (double& entry : row) entry = std::ldexp(entry, -930);
+  const auto far = principal_moments(tensor);
+  REQUIRE((near && far));
+  CHECK(near->moments[2].low != 0);
+  CHECK(far->moments[2].low == std::ldexp(near->moments[2].low, -930));
+}
+
+TEST_CASE("axes of moments that differ by less than the smallest number are those of different moments") {
+  SharpTensor a{};
+  a[0][0] = {0x1.98fe093c0d426p-1000, 0x0.000000000f322p-1022};
+  a[1][0] = a[0][1] = {0x1.370083ea48a4ap-1002, -0x0.000000002ee04p-1022};
+  a[1][1] = {0x1.4d8543521dad5p-1001, -0x0.00000000dab16p-1022};
+  a[2][0] = a[0][2] = {-0x1.412f1432d55cdp-1000, 0x0.000000001c977p-1022};
+  a[2][1] = a[1][2] = {-0x1.78e1ac041b4ddp-1002, 0x0.000000002af7ep-1022};
+  a[2][2] = {0x1.0a96092b97fb6p-999, 0x0.00000000abd6p-1022};
+  const PrincipalReference exact = reference_of(a);
+  const auto axes = principal_axes(a);
+  REQUIRE(axes);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Digits50 along = 0;
+    for (std::size_t i = 0; i < 3; ++i) along += exact.axes[k][i] * axes->axes[k][i];
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(abs(axes->axes[k][i] - (along < 0 ? -1 : 1) * exact.axes[k][i]) <= 6 * u);
   }
 }
 
@@ -233,11 +337,33 @@ TEST_CASE("moments have the same bits in every instruction set, alone or among o
   }
 }
 
+TEST_CASE("moments have the same bits in every instruction set where products underflow") {
+  SplitMix bits(8);
+  std::vector<InertiaTensor> tensors;
+  for (int k = 0; k < 997; ++k) {
+    InertiaTensor tensor{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      tensor[i][i] = uniform_sign(bits);
+      for (std::size_t j = 0; j < i; ++j)
+        tensor[i][j] = tensor[j][i] = std::ldexp(uniform_sign(bits), -static_cast<int>(bits.below(1074)));
+    }
+    tensors.push_back(tensor);
+  }
+  Solved baseline(tensors);
+  runnable_lane_kernels().front()->principal_moments(baseline.columns);
+  for (const LaneKernels* kernels : runnable_lane_kernels()) {
+    Solved solved(tensors);
+    kernels->principal_moments(solved.columns);
+    for (std::size_t column = 0; column < solved.out.size(); ++column)
+      CHECK(solved.out[column] == baseline.out[column]);
+  }
+}
+
 TEST_CASE("many digits are needed for few tensors, and not for well separated moments") {
   for (const MomentFamily& family : moment_families(96)) {
     Solved solved(family.tensors);
     solve_principal_moments(solved.columns);
-    const auto hard = std::count(solved.out[8].begin(), solved.out[8].end(), 1);
+    const auto hard = std::count(solved.out[8].begin(), solved.out[8].end(), MomentsState::mended);
     if (family.name == "random bodies" || family.name == "gap 1e-4" || family.name == "gap 1e-12" ||
         family.name == "1 : 1e-4 : 1e-8")
       CHECK(hard == 0);
@@ -293,13 +419,13 @@ TEST_CASE("a tensor that is not finite has no moments, and its neighbours keep t
     Solved solved(tensors);
     solve_principal_moments(solved.columns);
     for (std::size_t at = 0; at < tensors.size(); ++at) {
-      CHECK(solved.columns.state[at] == (at == 4 ? 2 : 0));
+      CHECK(solved.columns.state[at] == (at == 4 ? MomentsState::none : MomentsState::good));
       CHECK(std::isnan(solved.columns.gaps[0][at]) == (at == 4));
     }
   }
   constexpr double most = std::numeric_limits<double>::max();
   const InertiaTensor large{{{most, most, most}, {most, most, most}, {most, most, most}}};
-  CHECK(principal_moments(large).error().reason == "a principal moment overflows");
+  CHECK(principal_moments(large).error().reason == "a principal moment or a gap between two overflows");
 }
 
 }  // namespace

@@ -74,6 +74,11 @@ TEST_CASE("neither huge nor tiny moments overflow in a frequency, and a thin rod
     const InertiaTensor tensor{{{scale, 0, 0}, {0, 2 * scale, 0}, {0, 0, 3 * scale}}};
     CHECK(std::abs(squared_stability_frequencies(*principal_moments(tensor), 1)[0] - 1. / 3) <= 4 * u);
   }
+  const InertiaTensor needle{{{1e-300, 0, 0}, {0, 1, 0}, {0, 0, 1 + 0x1p-40}}};
+  const double square = squared_stability_frequencies(*principal_moments(needle), 1e10)[2];
+  CHECK(std::abs(square / (1e20 * 0x1p-40 / 1e-300 * (1 + 0x1p-40)) - 1) <= 8 * u);
+  const InertiaTensor thinner{{{1e-310, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  CHECK(squared_stability_frequencies(*principal_moments(thinner), 1) == std::array<double, 3>{1, 0, 0});
   const auto rod =
       squared_stability_frequencies(*principal_moments(InertiaTensor{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}), 1);
   CHECK(rod[0] == 1);
