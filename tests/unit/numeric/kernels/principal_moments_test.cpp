@@ -9,52 +9,13 @@
 #include <vector>
 
 #include "catch.h"
-#include "numeric/kernels/moment_families.h"
+#include "numeric/kernels/solved_moments.h"
 #include "numeric/uniform.h"
 
 namespace rigor {
 namespace {
 
-constexpr double u = 0x1p-53;
-
-Digits50 size_of(const InertiaTensor& tensor) {
-  Digits50 sum = 0;
-  for (const Position& row : tensor)
-    for (const double x : row) sum += Digits50(x) * x;
-  return sqrt(sum);
-}
-
-/// Tensors as columns, with room for all results.
-struct Solved {
-  std::vector<std::vector<double>> in;
-  std::vector<std::vector<double>> out;
-  MomentsColumns columns;
-
-  explicit Solved(const std::vector<InertiaTensor>& tensors) : in(6), out(18) {
-    for (const InertiaTensor& tensor : tensors) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        in[i].push_back(tensor[i][i]);
-        in[3 + i].push_back(tensor[(i + 1) % 3][(i + 2) % 3]);
-      }
-    }
-    for (auto& column : out) column.resize(tensors.size(), -1);
-    columns.count = tensors.size();
-    for (std::size_t i = 0; i < 3; ++i) {
-      columns.diagonal[i] = in[i].data();
-      columns.off[i] = in[3 + i].data();
-      columns.moments[i] = out[i].data();
-      columns.moments_low[i] = out[3 + i].data();
-      for (std::size_t k = 0; k < 3; ++k) columns.axes[i][k] = out[9 + 3 * i + k].data();
-    }
-    columns.gaps[0] = out[6].data();
-    columns.gaps[1] = out[7].data();
-    columns.state = out[8].data();
-  }
-
-  [[nodiscard]] Position axis(std::size_t k, std::size_t at) const {
-    return {columns.axes[k][0][at], columns.axes[k][1][at], columns.axes[k][2][at]};
-  }
-};
+constexpr double u = unit_roundoff;
 
 /// The worst relative errors, in u, over the tensors.
 struct Worst {
@@ -62,7 +23,7 @@ struct Worst {
   double gap = 0;
 };
 
-Worst worst_of(const std::vector<InertiaTensor>& tensors, const Solved& solved) {
+Worst worst_of(const std::vector<InertiaTensor>& tensors, const SolvedMoments& solved) {
   Worst worst;
   for (std::size_t at = 0; at < tensors.size(); ++at) {
     const PrincipalReference exact = principal_reference(tensors[at]);
@@ -81,8 +42,8 @@ Worst worst_of(const std::vector<InertiaTensor>& tensors, const Solved& solved) 
 }
 
 /// q + 2p cos(θ + 2πk/3), and gaps as differences.
-Solved textbook(const std::vector<InertiaTensor>& tensors) {
-  Solved solved(tensors);
+SolvedMoments textbook(const std::vector<InertiaTensor>& tensors) {
+  SolvedMoments solved(tensors);
   for (std::size_t at = 0; at < tensors.size(); ++at) {
     const InertiaTensor& a = tensors[at];
     const double q = (a[0][0] + a[1][1] + a[2][2]) / 3;
@@ -114,7 +75,7 @@ Solved textbook(const std::vector<InertiaTensor>& tensors) {
 
 TEST_CASE("every gap and every moment is good to 16 u of itself, in every family") {
   for (const MomentFamily& family : moment_families(96)) {
-    Solved solved(family.tensors);
+    SolvedMoments solved(family.tensors);
     solve_principal_moments(solved.columns);
     const Worst worst = worst_of(family.tensors, solved);
     INFO(family.name << ": gaps " << worst.gap << " u, moments " << worst.moment << " u");
@@ -138,7 +99,7 @@ TEST_CASE("moments as high + low are good to 64 units of 2^-106 of the norm") {
   for (const MomentFamily& family : moment_families(48)) {
     if (family.name.find("-300") != std::string::npos || family.name == "scale subnormal")
       continue;  // no low parts
-    Solved solved(family.tensors);
+    SolvedMoments solved(family.tensors);
     solve_principal_moments(solved.columns);
     for (std::size_t at = 0; at < family.tensors.size(); ++at) {
       const PrincipalReference exact = principal_reference(family.tensors[at]);
@@ -150,50 +111,9 @@ TEST_CASE("moments as high + low are good to 64 units of 2^-106 of the norm") {
   }
 }
 
-TEST_CASE("axes are good to 6 u also where moments are close, orthonormal and right-handed") {
-  for (const MomentFamily& family : moment_families(96)) {
-    Solved solved(family.tensors);
-    solve_principal_moments(solved.columns);
-    for (std::size_t at = 0; at < family.tensors.size(); ++at) {
-      INFO(family.name << " " << at);
-      const PrincipalReference exact = principal_reference(family.tensors[at]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Position n = solved.axis(k, at);
-        const bool alone = (k == 0 || exact.gaps[k - 1] != 0) && (k == 2 || exact.gaps[k] != 0);
-        Digits50 along = 0;
-        Digits50 away = 0;
-        for (std::size_t i = 0; i < 3; ++i) along += exact.axes[k][i] * n[i];
-        for (std::size_t i = 0; i < 3; ++i) {
-          const Digits50 d = n[i] - (along < 0 ? -1 : 1) * exact.axes[k][i];
-          away += d * d;
-        }
-        if (alone) CHECK(sqrt(away) <= 6 * u);
-        const Position f = solved.axis((k + 1) % 3, at);
-        const Position g = solved.axis((k + 2) % 3, at);
-        for (std::size_t i = 0; i < 3; ++i) {
-          const std::size_t j = (i + 1) % 3;
-          const std::size_t l = (i + 2) % 3;
-          CHECK(std::abs(n[i] - (f[j] * g[l] - f[l] * g[j])) <= 12 * u);
-        }
-        Digits50 length = 0;
-        Digits50 product = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-          length += Digits50(n[i]) * n[i];
-          product += Digits50(n[i]) * f[i];
-        }
-        CHECK(abs(length - 1) <= 10 * u);
-        CHECK(abs(product) <= 10 * u);
-        if (k < 2) {
-          CHECK(*std::max_element(n.begin(), n.end()) >= -*std::min_element(n.begin(), n.end()));
-        }
-      }
-    }
-  }
-}
-
 TEST_CASE("what is exactly 0 comes out as 0, and nothing else does") {
   for (const MomentFamily& family : moment_families(96)) {
-    Solved solved(family.tensors);
+    SolvedMoments solved(family.tensors);
     solve_principal_moments(solved.columns);
     for (std::size_t at = 0; at < family.tensors.size(); ++at) {
       INFO(family.name << " " << at);
@@ -205,13 +125,6 @@ TEST_CASE("what is exactly 0 comes out as 0, and nothing else does") {
         CHECK((solved.columns.gaps[k][at] == 0) == rounds_to_zero(exact.gaps[k]));
     }
   }
-}
-
-PrincipalReference reference_of(const SharpTensor& tensor) {
-  std::array<std::array<Decimal<100>, 3>, 3> exact;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) exact[i][j] = Decimal<100>(tensor[i][j].high) + tensor[i][j].low;
-  return principal_reference_of_digits(exact);
 }
 
 /// The same tensor with low parts of random sizes, down to none.
@@ -266,55 +179,14 @@ TEST_CASE("low parts of moments survive a scale at which the kernel cannot work"
   CHECK(far->moments[2].low == std::ldexp(near->moments[2].low, -930));
 }
 
-TEST_CASE("axes of moments that differ by less than the smallest number are those of different moments") {
-  SharpTensor a{};
-  a[0][0] = {0x1.98fe093c0d426p-1000, 0x0.000000000f322p-1022};
-  a[1][0] = a[0][1] = {0x1.370083ea48a4ap-1002, -0x0.000000002ee04p-1022};
-  a[1][1] = {0x1.4d8543521dad5p-1001, -0x0.00000000dab16p-1022};
-  a[2][0] = a[0][2] = {-0x1.412f1432d55cdp-1000, 0x0.000000001c977p-1022};
-  a[2][1] = a[1][2] = {-0x1.78e1ac041b4ddp-1002, 0x0.000000002af7ep-1022};
-  a[2][2] = {0x1.0a96092b97fb6p-999, 0x0.00000000abd6p-1022};
-  const PrincipalReference exact = reference_of(a);
-  const auto axes = principal_axes(a);
-  REQUIRE(axes);
-  for (std::size_t k = 0; k < 3; ++k) {
-    Digits50 along = 0;
-    for (std::size_t i = 0; i < 3; ++i) along += exact.axes[k][i] * axes->axes[k][i];
-    for (std::size_t i = 0; i < 3; ++i)
-      CHECK(abs(axes->axes[k][i] - (along < 0 ? -1 : 1) * exact.axes[k][i]) <= 6 * u);
-  }
-}
-
-TEST_CASE("|a n - lambda n| is at most 5 u of the norm") {
-  for (const MomentFamily& family : moment_families(96)) {
-    if (family.name == "scale subnormal") continue;  // moments are rounded to the last place there is
-    Solved solved(family.tensors);
-    solve_principal_moments(solved.columns);
-    for (std::size_t at = 0; at < family.tensors.size(); ++at) {
-      const InertiaTensor& a = family.tensors[at];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Position n = solved.axis(k, at);
-        Digits50 squares = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-          Digits50 rest = -Digits50(solved.columns.moments[k][at]) * n[i];
-          for (std::size_t j = 0; j < 3; ++j) rest += Digits50(a[i][j]) * n[j];
-          squares += rest * rest;
-        }
-        INFO(family.name << " " << at);
-        CHECK(sqrt(squares) <= 5 * u * size_of(a));
-      }
-    }
-  }
-}
-
 TEST_CASE("moments have the same bits in every instruction set, alone or among others") {
   for (const MomentFamily& family : moment_families(37)) {
     INFO(family.name);
-    Solved widest(family.tensors);
+    SolvedMoments widest(family.tensors);
     solve_principal_moments(widest.columns);
     for (const LaneKernels* kernels : runnable_lane_kernels()) {
       INFO(kernels->instruction_set);
-      Solved solved(family.tensors);
+      SolvedMoments solved(family.tensors);
       solve_principal_moments(solved.columns, *kernels);
       for (std::size_t column = 0; column < solved.out.size(); ++column)
         CHECK(std::memcmp(solved.out[column].data(), widest.out[column].data(),
@@ -349,10 +221,10 @@ TEST_CASE("moments have the same bits in every instruction set where products un
     }
     tensors.push_back(tensor);
   }
-  Solved baseline(tensors);
+  SolvedMoments baseline(tensors);
   runnable_lane_kernels().front()->principal_moments(baseline.columns);
   for (const LaneKernels* kernels : runnable_lane_kernels()) {
-    Solved solved(tensors);
+    SolvedMoments solved(tensors);
     kernels->principal_moments(solved.columns);
     for (std::size_t column = 0; column < solved.out.size(); ++column)
       CHECK(solved.out[column] == baseline.out[column]);
@@ -361,7 +233,7 @@ TEST_CASE("moments have the same bits in every instruction set where products un
 
 TEST_CASE("many digits are needed for few tensors, and not for well separated moments") {
   for (const MomentFamily& family : moment_families(96)) {
-    Solved solved(family.tensors);
+    SolvedMoments solved(family.tensors);
     solve_principal_moments(solved.columns);
     const auto hard = std::count(solved.out[8].begin(), solved.out[8].end(), MomentsState::mended);
     if (family.name == "random bodies" || family.name == "gap 1e-4" || family.name == "gap 1e-12" ||
@@ -416,7 +288,7 @@ TEST_CASE("a tensor that is not finite has no moments, and its neighbours keep t
     CHECK(principal_axes(tensor).error().reason == "the inertia tensor is not finite");
     std::vector<InertiaTensor> tensors(9, InertiaTensor{{{3, 1, 0}, {1, 2, 0.5}, {0, 0.5, 1}}});
     tensors[4] = tensor;
-    Solved solved(tensors);
+    SolvedMoments solved(tensors);
     solve_principal_moments(solved.columns);
     for (std::size_t at = 0; at < tensors.size(); ++at) {
       CHECK(solved.columns.state[at] == (at == 4 ? MomentsState::none : MomentsState::good));
