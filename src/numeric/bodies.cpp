@@ -126,7 +126,7 @@ Result<Body> body_with_inertia(std::string name, double mass, const InertiaTenso
     second_moments[i][i] = (inertia[j][j] - inertia[i][i] + inertia[k][k]) / 2 / mass;
   }
   Result<Body> body = equimomental_body(std::move(name), mass, second_moments);
-  if (body) body->known->inertia = inertia;
+  if (body) body->known = KnownInertia{.mass = mass, .inertia = inertia, .low = {}, .is_sharp = true};
   return body;
 }
 

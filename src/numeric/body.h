@@ -23,6 +23,8 @@ using InertiaTensor = std::array<Position, 3>;
 struct KnownInertia {
   double mass = 0;
   InertiaTensor inertia{};  // about the centre of mass, along the body's axes
+  InertiaTensor low{};      // to be added to it
+  bool is_sharp = false;    // inertia + low is what is said of the body, to 100 bits
 };
 
 /// Made by the functions below, which guarantee what `check_body` asks for, and that the centre of mass is

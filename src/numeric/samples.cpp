@@ -66,6 +66,12 @@ Samples Samples::only(std::span<const std::size_t> which) const {
   return chosen;
 }
 
+Samples Samples::rounded_to_double() const {
+  Samples rounded = *this;
+  for (auto& [key, column] : rounded.columns_) column.low = 0;
+  return rounded;
+}
+
 Samples Samples::rounded_to_float() const {
   Samples rounded(samples_, particles_);
   for (const auto& [key, column] : columns_) {

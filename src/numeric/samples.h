@@ -60,6 +60,8 @@ class Samples {
 
   /// Some of the samples, in the given order; one may be taken several times.
   [[nodiscard]] Samples only(std::span<const std::size_t> which) const;
+  /// The same without low parts.
+  [[nodiscard]] Samples rounded_to_double() const;
   /// The same with every number as the nearest float.
   [[nodiscard]] Samples rounded_to_float() const;
 

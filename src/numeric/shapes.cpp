@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "numeric/kernels/double_double.h"
 #include "numeric/uniform.h"
 
 namespace rigor {
@@ -125,14 +126,18 @@ Result<void> check_shape(const Shape& shape) {
 Result<KnownInertia> inertia_of(const Shape& shape) {
   if (const auto checked = check_shape(shape); !checked) return tl::unexpected(checked.error());
   const ShapeInfo& kind = info(shape.kind);
-  KnownInertia known{shape.mass, {}};
+  KnownInertia known{.mass = shape.mass, .inertia = {}, .low = {}, .is_sharp = true};
+  using Number = baseline::DoubleDouble<double>;
   const auto second_moment = [&](std::size_t k) {
-    return kind.over[k] == 0 ? 0 : shape.extents[k] * shape.extents[k] * kind.over[k] / kind.under[k];
+    const Number square = baseline::exact_product(shape.extents[k], shape.extents[k]);
+    return square * kind.over[k] / Number{kind.under[k], 0};
   };
   for (std::size_t i = 0; i < 3; ++i) {
-    known.inertia[i][i] = shape.mass * (second_moment((i + 1) % 3) + second_moment((i + 2) % 3));
-    if (!std::isfinite(known.inertia[i][i]))
+    const Number moment = (second_moment((i + 1) % 3) + second_moment((i + 2) % 3)) * shape.mass;
+    if (!std::isfinite(moment.high))
       return refuse(fmt::format("the {}'s moments of inertia overflow", kind.name));
+    known.inertia[i][i] = moment.high;
+    known.low[i][i] = moment.low;
   }
   return known;
 }

@@ -2,10 +2,12 @@
 #include "scene/scene_body.h"
 
 #include <cmath>
-#include <limits>
 
 namespace rigor {
 namespace {
+
+/// 64 u, beside the trace: what differs by less is the rounding of places.
+constexpr double alike = 64 * 0x1p-53;
 
 /// Of a tensor that is diagonal to rounding: each moment goes to the axis that its own is along. Where two
 /// moments are so close that their axes are not, what stands on the diagonal.
@@ -46,13 +48,33 @@ Result<bool> SceneBody::is_along_principal_axes() {
   const InertiaTensor& i = *inertia;
   const double trace = i[0][0] + i[1][1] + i[2][2];
   const double products = std::abs(i[0][1]) + std::abs(i[0][2]) + std::abs(i[1][2]);
-  return products <= 32 * std::numeric_limits<double>::epsilon() * trace;
+  return products <= alike * trace;
+}
+
+std::optional<SharpTensor> SceneBody::said_inertia() {
+  const auto& of_particles = tensor();
+  if (!body_.known || !body_.known->is_sharp || !of_particles) return std::nullopt;
+  const double allowed =
+      alike * (*of_particles)[0][0] + alike * (*of_particles)[1][1] + alike * (*of_particles)[2][2];
+  SharpTensor said{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      said[i][j] = {body_.known->inertia[i][j], body_.known->low[i][j]};
+      if (!(std::abs(said[i][j].high - (*of_particles)[i][j]) <= allowed)) return std::nullopt;
+    }
+  }
+  return said;
 }
 
 const Result<SharpTensor>& SceneBody::sharp_tensor() {
   if (!sharp_tensor_) {
-    sharp_tensor_ = ledger_.compute(sharp_tensor_node, "for the differences of principal moments",
-                                    [&] { return sharp_inertia_tensor(body_); });
+    if (const auto said = said_inertia()) {
+      ledger_.skip(sharp_tensor_node, "the body's file says it");
+      sharp_tensor_ = *said;
+    } else {
+      sharp_tensor_ = ledger_.compute(sharp_tensor_node, "for the differences of principal moments",
+                                      [&] { return sharp_inertia_tensor(body_); });
+    }
   }
   return *sharp_tensor_;
 }

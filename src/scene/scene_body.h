@@ -30,8 +30,8 @@ class SceneBody {
   [[nodiscard]] Result<bool> is_along_principal_axes();
   /// In the order of the axes where the body is along them, else ascending. Computes no axes.
   /// To about 100 bits of the greatest, so that their differences keep their digits; but two that are alike
-  /// to 64 u of the trace are taken for the tensor's diagonal where the axes of theirs are others: what is left of
-  /// their difference is the rounding of the places.
+  /// to 64 u of the trace are taken for the tensor's diagonal where the axes of theirs are others: what is
+  /// left of their difference is the rounding of the places.
   [[nodiscard]] const Result<SharpPosition>& moments();
   /// In the order of `moments`, right-handed. Where the body is along them, e₁, e₂, e₃, and nothing is
   /// computed.
@@ -43,6 +43,8 @@ class SceneBody {
 
  private:
   const Result<SharpTensor>& sharp_tensor();
+  /// What the body's file says of it, where its particles stand for that and differ by their rounding alone.
+  std::optional<SharpTensor> said_inertia();
 
   const Body& body_;
   SceneLedger& ledger_;

@@ -86,7 +86,7 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
   }
   if (scene_.errors) {
     quantity.error = ledger_.compute("rounding errors of " + name, "asked for by `errors`",
-                                     [&] { return evaluate_with_bounds(*asked.program, samples).bounds; });
+                                     [&] { return bounds_of(*asked.program, samples, quantity.value); });
   }
   if (result_.motion && (over_time || reads(*asked.program, spin_symbols_))) follow_motion(asked, quantity);
   result_.quantities.push_back(std::move(quantity));
@@ -113,6 +113,18 @@ Samples SceneEvaluation::samples_for(const Program& program, std::span<const Vec
     samples.set_each(input.symbol, input.component, std::move(column));
   }
   return samples;
+}
+
+/// Of the evaluation alone: what the values that it reads were rounded to before is not in it. For
+/// double-double, of which a rounding is less than 2^-100: 2^-40 of the bounds for double, and the last
+/// rounding.
+std::vector<double> SceneEvaluation::bounds_of(const Program& program, const Samples& samples,
+                                               const std::vector<double>& values) const {
+  std::vector<double> bounds = evaluate_with_bounds(program, samples.rounded_to_double()).bounds;
+  if (arithmetic_for(program) == Arithmetic::plain) return bounds;
+  for (std::size_t k = 0; k < bounds.size(); ++k)
+    bounds[k] = 0x1p-40 * bounds[k] + 0x1p-53 * std::abs(values[k]);
+  return bounds;
 }
 
 /// Differences of moments keep their digits in double-double. Sums over particles would take ten times as

@@ -7,6 +7,8 @@
 
 #include "catch.h"
 #include "expr/build.h"
+#include "numeric/bodies.h"
+#include "numeric/shapes.h"
 #include "scene/played_scene.h"
 
 namespace rigor {
@@ -48,6 +50,31 @@ TEST_CASE("a stability frequency keeps its digits where two moments are alike in
                         body);
     CHECK(std::abs(played.value("(\\Omega_2)^2") / exact - 1) <= 16 * 0x1p-53);
   }
+}
+
+TEST_CASE("a body that is given by its moments has exactly these", "[scene]") {
+  const Body given = *body_with_inertia("given", 1, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 2 + 0x1p-40}}});
+  const Played played(
+      "spin = [1, 0, 0]\nat = \"A thrown racket\"\n[ask]\nerrors = true\nquantities = ['principal moments', "
+      "'(\\Omega_1)^2', '(\\Omega_3)^2']\n",
+      given);
+  CHECK(played.messages() == "");
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(played.value("principal moments", i) == given.known->inertia[i][i]);
+  const double exact = (1 + 0x1p-40) * 1 / (2 * (2 + 0x1p-40));
+  CHECK(std::abs(played.value("(\\Omega_1)^2") - exact) <= 8 * 0x1p-53 * exact);
+}
+
+TEST_CASE("a shape's moments are as good as its formula, also where two are nearly alike", "[scene]") {
+  const double radius = 1 + 0x1p-36;
+  const Body round = *quadrature_body("round", {ShapeKind::ellipsoid, 1, {radius, 1, 0.5}});
+  const Played played(
+      "spin = [1, 1, 2]\nat = \"A thrown racket\"\n[ask]\nerrors = true\nquantities = ['(\\Omega_2)^2']\n",
+      round);
+  // I_1 = (1 + c²)/5, I_2 = (a² + c²)/5, I_3 = (a² + 1)/5.
+  const double square = radius * radius;
+  const double exact = -(radius - 1) * (radius + 1) * 0.75 / ((square + 1) * 1.25);
+  CHECK(std::abs(played.value("(\\Omega_2)^2") / exact - 1) <= 16 * 0x1p-53);
 }
 
 TEST_CASE("frequencies of a body that lies askew are as good as those of one that does not", "[scene]") {
