@@ -280,10 +280,10 @@ static void sum_points(const PointPlaces& points, std::size_t count, const doubl
 
 template <class Loader>
 RIGOR_INLINE void sample_points_of(const Loader& loader, std::size_t groups, std::size_t step,
-                                   double (&sums)[4][8]) {
+                                   const double (&from)[3], double (&sums)[4][8]) {
   for (int part = 0; part < logical_lanes / lanes; ++part) {
     Lanes origin[3];
-    for (int i = 0; i < 3; ++i) origin[i] = all<Lanes>(*loader.points.at[i]);
+    for (int i = 0; i < 3; ++i) origin[i] = all<Lanes>(from[i]);
     Lanes sum[4] = {};
     for (std::size_t g = 0; g < groups; ++g) {
       const PointLanes p = loader.load_points(g * step + static_cast<std::size_t>(part * lanes));
@@ -295,11 +295,11 @@ RIGOR_INLINE void sample_points_of(const Loader& loader, std::size_t groups, std
 }
 
 static void sample_points(const PointPlaces& points, std::size_t groups, std::size_t step,
-                          double (&sums)[4][8]) {
+                          const double (&origin)[3], double (&sums)[4][8]) {
   if (points.stride == 1)
-    sample_points_of(PointColumnLoader{points}, groups, step, sums);
+    sample_points_of(PointColumnLoader{points}, groups, step, origin, sums);
   else
-    sample_points_of(PointRecordLoader{points}, groups, step, sums);
+    sample_points_of(PointRecordLoader{points}, groups, step, origin, sums);
 }
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET
