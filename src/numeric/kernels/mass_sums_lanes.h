@@ -19,12 +19,17 @@ struct PointLanes {
   Lanes of[4];
 };
 
+/// Asks for the memory some bytes after `at`, which may lie beyond the points: an address, never a pointer.
+RIGOR_INLINE void prefetch_after(const double* at, std::size_t bytes) {
+  __builtin_prefetch((const void*)((std::uintptr_t)at + bytes));
+}
+
 struct PointColumnLoader {
   PointPlaces points;
   RIGOR_INLINE PointLanes load_points(std::size_t first) const {
     PointLanes p;
     for (int i = 0; i < 4; ++i) {
-      __builtin_prefetch(points.at[i] + first + prefetch_points);
+      prefetch_after(points.at[i] + first, prefetch_points * sizeof(double));
       p.of[i] = load(points.at[i] + first);
     }
     return p;
@@ -72,7 +77,8 @@ struct PointRecordLoader {
   PointPlaces points;
   RIGOR_INLINE PointLanes load_points(std::size_t first) const {
     const double* const rows = points.at[0] + 4 * first;
-    for (int k = 0; k < 4 * lanes; k += 8) __builtin_prefetch(rows + 4 * prefetch_points + k);
+    for (std::size_t k = 0; k < 4 * lanes; k += 8)
+      prefetch_after(rows, (4 * prefetch_points + k) * sizeof(double));
     return columns_of_rows<Lanes>(rows);
   }
 };
