@@ -51,12 +51,12 @@ struct Body {
 /// The body's particles, which are not copied.
 [[nodiscard]] PointColumns points_of(const Body& body);
 
-/// x − centre, rounded once.
+/// x − centre. Error: u |x − centre| + u² |centre|, first order.
 [[nodiscard]] double away_from(double x, const HighLow& centre);
 
 /// Checks a body and moves its centre of mass, known to 100 bits, to the origin: coordinates are rounded
-/// once. Residue: u times its mean distance from there at most, wherever it was before, as far as its
-/// coordinates had the digits. Cost: O(N).
+/// as `away_from` says. Residue: u times its mean distance from there at most, wherever it was before, as far
+/// as its coordinates had the digits. Cost: O(N).
 [[nodiscard]] Result<Body> centred(Body body);
 
 /// Point masses at given places, about their own centre of mass.

@@ -20,7 +20,7 @@ namespace rigor {
 [[nodiscard]] Result<MassSums> mass_sums_of_file(const std::string& path, const SumOptions& options = {});
 
 /// The points as a body, about their centre of mass; `unit` is the length of 1 in the file, m. Copied once,
-/// when the centre is known.
+/// when the centre is known, by all cores where there are more than 10^6 points.
 [[nodiscard]] Result<Body> read_cloud(std::string name, const std::string& path, double unit = 1);
 
 }  // namespace rigor

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 #include "numeric/body.h"
@@ -16,15 +14,8 @@ namespace {
 
 bool is_separator(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
 
-/// Blanks with at most one comma among them; nothing where there are two.
-std::optional<const char*> after_separators(const char* at, const char* end) {
-  bool has_comma = false;
-  for (; at != end && is_separator(*at); ++at) {
-    if (*at != ',') continue;
-    if (has_comma) return std::nullopt;
-    has_comma = true;
-  }
-  return at;
+const char* after_separators(const char* at, const char* end) {
+  return std::find_if_not(at, end, is_separator);
 }
 
 std::string_view word_at(const char* at, const char* end) {
@@ -43,14 +34,15 @@ Result<std::optional<std::array<double, 4>>> parse_line(std::string_view line) {
     if (count == numbers.size())
       return tl::unexpected(Error{"more than the 4 numbers x, y, z and m are on the line"});
     if (*at == ',') return tl::unexpected(Error{"there is no number before a comma"});
-    const char* const digits = at + (*at == '+' ? 1 : 0);
-    const auto [next, error] = std::from_chars(digits, end, numbers[count]);
-    if (error != std::errc() || (next != end && !is_separator(*next)) || !std::isfinite(numbers[count]))
-      return tl::unexpected(Error{fmt::format("`{}` is no finite number", shown(word_at(at, end)))});
-    ++count;
-    const auto after = after_separators(next, end);
-    if (!after) return tl::unexpected(Error{"there is no number between two commas"});
-    at = *after;
+    const std::string_view word = word_at(at, end);
+    const auto number = finite_number(word);
+    if (!number) return tl::unexpected(Error{fmt::format("`{}` is no finite number", shown(word))});
+    numbers[count++] = *number;
+    const char* const after = after_separators(at + word.size(), end);
+    const auto commas = std::count(at + word.size(), after, ',');
+    if (commas > 1) return tl::unexpected(Error{"there is no number between two commas"});
+    if (commas == 1 && after == end) return tl::unexpected(Error{"there is no number after the last comma"});
+    at = after;
   }
   if (count == 0) return std::nullopt;
   if (count < numbers.size())

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/inertia.h"
 
+#include <cmath>
+
 #include "numeric/kernels/double_double.h"
 
 namespace rigor {
+
 double total_mass(const Body& body) {
   baseline::CompensatedSum<double> total;
   for (const double mass : body.masses) total.add(mass);
-  return total.value().high;
+  return std::isfinite(total.high) ? total.value().high : total.high;  // the low part of infinity is NaN
 }
 
 Result<Position> centre_of_mass(const Body& body) {

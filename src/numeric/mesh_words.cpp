@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace rigor {
 namespace {
@@ -47,10 +48,16 @@ tl::unexpected<Error> MeshWords::refuse(std::string_view reason) const {
 }
 
 std::optional<double> finite_number(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
+  if (word.starts_with('+')) {
+    word.remove_prefix(1);
+    if (word.starts_with('-')) return std::nullopt;
+  }
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+  const bool is_out_of_range = error == std::errc::result_out_of_range;  // and what is too small is no reason
+  if (is_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);
+  if ((error != std::errc() && !is_out_of_range) || end != word.data() + word.size() || !std::isfinite(value))
+    return std::nullopt;
   return value;
 }
 

@@ -33,7 +33,8 @@ class MeshWords {
   std::uint32_t line_ = 1;
 };
 
-/// A finite decimal number that is the whole word.
+/// A finite decimal number that is the whole word, with one sign at most. What is too small for a double is
+/// rounded to the nearest one, to 0 as a rule; what is too great is no number.
 [[nodiscard]] std::optional<double> finite_number(std::string_view word);
 
 /// At most 24 characters of a word, what is not printable ASCII as `?`.

@@ -11,6 +11,7 @@
 #include "base/check.h"
 #include "numeric/kernels/double_double.h"
 #include "numeric/kernels/point_pass.h"
+#include "numeric/kernels/point_sample.h"
 
 namespace rigor {
 namespace {
@@ -127,75 +128,6 @@ SharpPosition sharp(const std::array<Number, 3>& position) {
   return result;
 }
 
-constexpr std::size_t group_points = 8;
-
-/// Σ m (x_i − x_i of point 0) and Σ m over some groups of points spread over the array; over all points where
-/// they are fewer than a group.
-std::array<double, 4> sample(const PointColumns& points) {
-  // Of n points with like masses ε is about 1/n; up to 0.07 meets the bound in the first pass.
-  constexpr std::size_t least_groups = 8;
-  constexpr std::size_t most_groups = 16;
-  constexpr std::size_t points_a_group = 32;
-  std::array<double, 4> total{};
-  const std::size_t all_groups = points.count / group_points;
-  if (all_groups == 0) {
-    for (std::size_t k = 0; k < points.count; ++k) {
-      const double mass = points.mass[points.stride * k];
-      for (std::size_t i = 0; i < 3; ++i)
-        total[i] += mass * (points.position[i][points.stride * k] - *points.position[i]);
-      total[3] += mass;
-    }
-    return total;
-  }
-  const std::size_t groups =
-      std::clamp(points.count / points_a_group, std::min(least_groups, all_groups), most_groups);
-  double sums[4][group_points] = {};
-  lane_kernels().sample_points(places_of(points), groups, all_groups / groups * group_points, sums);
-  for (std::size_t i = 0; i < 4; ++i)
-    for (const double sum : sums[i]) total[i] += sum;
-  return total;
-}
-
-/// The mean of the sample; the first point where it has no mass or overflows. It need not be good, only the
-/// same on every machine.
-SharpPosition sampled_centre(const PointColumns& points) {
-  SharpPosition centre;
-  for (std::size_t i = 0; i < 3; ++i) centre[i].high = *points.position[i];
-  const std::array<double, 4> total = sample(points);
-  if (!(total[3] > 0)) return centre;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double shifted = centre[i].high + total[i] / total[3];
-    if (std::isfinite(shifted)) centre[i].high = shifted;
-  }
-  return centre;
-}
-
-/// Refuses what no body has; else the scale that brings the greatest coordinate and mass between 1 and 2.
-Result<PointScale> checked_scale(const PointColumns& points) {
-  constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
-  double reach = 0;
-  double heaviest = 0;
-  for (std::size_t k = 0; k < points.count; ++k) {
-    const double mass = points.mass[points.stride * k];
-    if (!std::isfinite(mass) || mass < 0)
-      return refuse(
-          fmt::format("particle {} has the mass {} kg, which must be finite and not negative", k + 1, mass));
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double x = points.position[i][points.stride * k];
-      if (!std::isfinite(x))
-        return refuse(
-            fmt::format("particle {} has {} = {} m, which must be finite", k + 1, axis_names[i], x));
-      if (mass > 0) reach = std::max(reach, std::abs(x));
-    }
-    heaviest = std::max(heaviest, mass);
-  }
-  if (heaviest == 0) return refuse("the body has no mass");
-  const auto to_one = [](double greatest) {
-    return greatest == 0 ? 0 : std::clamp(-std::ilogb(greatest), -1022, 1022);
-  };
-  return PointScale{to_one(reach), to_one(heaviest)};
-}
-
 /// Passes until the bound is met: about the sampled centre, about the centre that it gives, and in
 /// double-double, there until the move to the centre takes away little.
 class MomentFinder {
@@ -210,11 +142,11 @@ class MomentFinder {
 
   Result<FoundMoments> find(bool compensated) {
     constexpr int plain_passes = 2;
-    constexpr int most_sharp_passes = 4;  // each leaves 2^-90 of the distance of the centre before
+    constexpr int most_sharp_passes = 16;  // each leaves 2^-90 of the distance of the centre before
     constexpr double most_moved = 0.25;
     if (points_.count == 0) return refuse("the body has no particles");
     RIGOR_CHECK(points_.stride == 1 || points_.stride == 4, points_.stride);
-    centre_ = sampled_centre(points_);
+    centre_ = sampled_centre(points_, scale_);
     for (int pass = compensated ? plain_passes : 0; pass < plain_passes; ++pass) {
       const auto moments = about_centre(lane_kernels().sum_points, plain_roundings);
       if (!moments) return tl::unexpected(moments.error());
@@ -224,8 +156,8 @@ class MomentFinder {
     for (int pass = 1;; ++pass) {
       const auto moments = about_centre(lane_kernels().sum_points_sharply, sharp_roundings);
       if (!moments) return tl::unexpected(moments.error());
-      if (moments->moved_fraction <= most_moved || pass == most_sharp_passes)
-        return FoundMoments{*moments, scale_, true};
+      if (moments->moved_fraction <= most_moved) return FoundMoments{*moments, scale_, true};
+      if (pass == most_sharp_passes) return refuse("the masses differ too much for a centre of mass");
       centre_ = sharp(moments->centre);
     }
   }
@@ -233,20 +165,38 @@ class MomentFinder {
  private:
   Result<PointMoments> about_centre(SumPoints sum, const MomentRoundings& roundings) {
     PointSums sums = point_pass(sum, points_, scale_, centre_, options_.threads);
-    if (!checked_ && (sums.has_sign || !is_in_range(sums))) {
-      const auto scale = checked_scale(points_);
-      if (!scale) return tl::unexpected(scale.error());
+    const bool in_range = is_in_range(sums);
+    if (!checked_ && (sums.has_sign || !in_range)) {
+      if (const auto checked = check_points(points_); !checked) return tl::unexpected(checked.error());
       checked_ = true;
-      if (!is_in_range(sums)) {
-        scale_ = *scale;
-        for (HighLow& x : centre_) x = {std::ldexp(x.high, scale_.length), std::ldexp(x.low, scale_.length)};
-        sums = point_pass(sum, points_, scale_, centre_, options_.threads);
-      }
+    }
+    if (!scaled_ && !in_range) {
+      scale_points(is_finite(sums));
+      sums = point_pass(sum, points_, scale_, centre_, options_.threads);
+      RIGOR_CHECK(is_finite(sums), scale_.length, scale_.mass);
     }
     PointMoments moments = moved_to_centre(sums, centre_, roundings);
-    if (!scale_.is_one() && moments.error > 0)  // numbers are below 4, and some products may underflow
-      moments.error += static_cast<double>(points_.count) * 0x1p-1068 / moments.greatest;
+    if (scaled_ && !coincident_) moments.error += underflow_error(moments);
     return moments;
+  }
+
+  /// The centre is kept where it came from sums.
+  void scale_points(bool keeps_centre) {
+    const PointReach reach = reach_of(points_);
+    scale_ = reach.scale;
+    coincident_ = reach.coincident;
+    scaled_ = true;
+    if (keeps_centre)
+      for (HighLow& x : centre_) x = {std::ldexp(x.high, scale_.length), std::ldexp(x.low, scale_.length)};
+    else
+      centre_ = sampled_centre(points_, scale_);
+  }
+
+  /// Of scaled points. Distances are below 4: a mass or a product that underflows loses at most 2^-1070 of a
+  /// sum, a coordinate 2^-1072 √(M I) of an entry of I by the Cauchy–Schwarz inequality.
+  [[nodiscard]] double underflow_error(const PointMoments& moments) const {
+    return static_cast<double>(points_.count) * 0x1p-1068 / moments.greatest +
+           0x1p-1070 * std::sqrt(moments.mass.high) / std::sqrt(moments.greatest);
   }
 
   const PointColumns& points_;
@@ -254,6 +204,8 @@ class MomentFinder {
   SharpPosition centre_{};
   PointScale scale_{};
   bool checked_ = false;
+  bool scaled_ = false;
+  bool coincident_ = false;
 };
 
 HighLow scaled(const Number& x, int exponent) {
@@ -299,7 +251,9 @@ Result<MassSums> mass_sums(const PointColumns& points, const SumOptions& options
     result.centre[i] = sums->centre[i].high;
     for (std::size_t j = 0; j < 3; ++j) result.inertia[i][j] = sums->inertia[i][j].high;
   }
+  const double greatest = std::ldexp(found->moments.greatest, -found->scale.mass - 2 * found->scale.length);
   result.error = found->moments.error;
+  if (result.error > 0) result.error += 0x1p-1074 / greatest;  // the last rounding of what is not normal
   result.compensated = found->compensated;
   return result;
 }

@@ -19,12 +19,17 @@ struct PointLanes {
   Lanes of[4];
 };
 
+/// Asks for the memory some bytes after `at`, which may lie beyond the points: an address, never a pointer.
+RIGOR_INLINE void prefetch_after(const double* at, std::size_t bytes) {
+  __builtin_prefetch((const void*)((std::uintptr_t)at + bytes));
+}
+
 struct PointColumnLoader {
   PointPlaces points;
   RIGOR_INLINE PointLanes load_points(std::size_t first) const {
     PointLanes p;
     for (int i = 0; i < 4; ++i) {
-      __builtin_prefetch(points.at[i] + first + prefetch_points);
+      prefetch_after(points.at[i] + first, prefetch_points * sizeof(double));
       p.of[i] = load(points.at[i] + first);
     }
     return p;
@@ -72,7 +77,8 @@ struct PointRecordLoader {
   PointPlaces points;
   RIGOR_INLINE PointLanes load_points(std::size_t first) const {
     const double* const rows = points.at[0] + 4 * first;
-    for (int k = 0; k < 4 * lanes; k += 8) __builtin_prefetch(rows + 4 * prefetch_points + k);
+    for (std::size_t k = 0; k < 4 * lanes; k += 8)
+      prefetch_after(rows, (4 * prefetch_points + k) * sizeof(double));
     return columns_of_rows<Lanes>(rows);
   }
 };
@@ -280,10 +286,10 @@ static void sum_points(const PointPlaces& points, std::size_t count, const doubl
 
 template <class Loader>
 RIGOR_INLINE void sample_points_of(const Loader& loader, std::size_t groups, std::size_t step,
-                                   double (&sums)[4][8]) {
+                                   const double (&from)[3], double (&sums)[4][8]) {
   for (int part = 0; part < logical_lanes / lanes; ++part) {
     Lanes origin[3];
-    for (int i = 0; i < 3; ++i) origin[i] = all<Lanes>(*loader.points.at[i]);
+    for (int i = 0; i < 3; ++i) origin[i] = all<Lanes>(from[i]);
     Lanes sum[4] = {};
     for (std::size_t g = 0; g < groups; ++g) {
       const PointLanes p = loader.load_points(g * step + static_cast<std::size_t>(part * lanes));
@@ -295,11 +301,11 @@ RIGOR_INLINE void sample_points_of(const Loader& loader, std::size_t groups, std
 }
 
 static void sample_points(const PointPlaces& points, std::size_t groups, std::size_t step,
-                          double (&sums)[4][8]) {
+                          const double (&origin)[3], double (&sums)[4][8]) {
   if (points.stride == 1)
-    sample_points_of(PointColumnLoader{points}, groups, step, sums);
+    sample_points_of(PointColumnLoader{points}, groups, step, origin, sums);
   else
-    sample_points_of(PointRecordLoader{points}, groups, step, sums);
+    sample_points_of(PointRecordLoader{points}, groups, step, origin, sums);
 }
 
 }  // namespace rigor::RIGOR_INSTRUCTION_SET

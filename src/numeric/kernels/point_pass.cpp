@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -31,24 +32,26 @@ class PointPass {
     }
   }
 
+  /// Numbers that `run` needs for scaled points.
+  [[nodiscard]] std::size_t scratch_size() const { return scale_.is_one() ? 0 : 4 * chunk_points; }
+
   /// The chunks from `begin` to `end`.
-  void run(std::size_t begin, std::size_t end, PointSums* sums) const {
-    std::vector<double> scaled(scale_.is_one() ? 0 : 4 * chunk_points);
+  void run(std::size_t begin, std::size_t end, double* scratch, PointSums* sums) const noexcept {
     for (std::size_t chunk = begin; chunk < end; ++chunk) {
       const std::size_t first = chunk * chunk_points;
       const std::size_t count = std::min(count_ - first, chunk_points);
       PointPlaces places = later(places_, first);
-      if (!scale_.is_one()) places = scaled_into(scaled, places, count);
+      if (!scale_.is_one()) places = scaled_into(scratch, places, count);
       sum_(places, count, high_, low_, sums[chunk]);
     }
   }
 
  private:
-  PointPlaces scaled_into(std::vector<double>& to, const PointPlaces& from, std::size_t count) const {
+  PointPlaces scaled_into(double* to, const PointPlaces& from, std::size_t count) const {
     PointPlaces places;
     const double* const masses = from.at[3];
     for (std::size_t i = 0; i < 4; ++i) {
-      double* const column = to.data() + i * chunk_points;
+      double* const column = to + i * chunk_points;
       const double factor = std::ldexp(1.0, i < 3 ? scale_.length : scale_.mass);
       for (std::size_t k = 0; k < count; ++k)
         column[k] = masses[from.stride * k] == 0 ? 0 : from.at[i][from.stride * k] * factor;
@@ -93,12 +96,22 @@ PointSums point_pass(SumPoints sum, const PointColumns& points, const PointScale
   const std::size_t shares =
       std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, chunks / least_chunks_a_thread));
   std::vector<PointSums> sums(chunks);
-  std::vector<std::thread> others;
-  for (std::size_t share = 1; share < shares; ++share)
-    others.emplace_back(
-        [&, share] { pass.run(chunks * share / shares, chunks * (share + 1) / shares, sums.data()); });
-  pass.run(0, chunks / shares, sums.data());
-  for (std::thread& other : others) other.join();
+  std::vector<double> scratch(shares * pass.scratch_size());
+  const auto run_shares = [&](std::size_t from, std::size_t to) {
+    pass.run(chunks * from / shares, chunks * to / shares, scratch.data() + from * pass.scratch_size(),
+             sums.data());
+  };
+  std::size_t begun = 1;
+  {
+    std::vector<std::jthread> others;  // joined at the end of the block
+    others.reserve(shares);
+    try {
+      for (; begun < shares; ++begun) others.emplace_back(run_shares, begun, begun + 1);
+    } catch (const std::system_error&) {  // the system has no more threads: what is left is done here
+    }
+    run_shares(0, 1);
+    run_shares(begun, shares);
+  }
   return combined(sums);
 }
 

@@ -18,8 +18,8 @@ struct PointScale {
 [[nodiscard]] PointPlaces places_of(const PointColumns& points);
 
 /// `centre` is in scaled lengths. Chunks are summed by up to `threads` threads and combined in their order,
-/// so that the result does not depend on `threads`. Scaled points are copied chunk by chunk, those without a
-/// mass to the origin.
+/// so that the result does not depend on `threads`; where the system gives fewer, those do the work. Scaled
+/// points are copied chunk by chunk, those without a mass to the origin.
 [[nodiscard]] PointSums point_pass(SumPoints sum, const PointColumns& points, const PointScale& scale,
                                    const SharpPosition& centre, std::size_t threads);
 

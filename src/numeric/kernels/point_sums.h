@@ -38,9 +38,9 @@ inline constexpr std::size_t chunk_points = 16 * block_points;
 using SumPoints = void (*)(const PointPlaces& points, std::size_t count, const double (&high)[3],
                            const double (&low)[3], PointSums& sums);
 
-/// Σ m and Σ m (x_i − x_i of point 0) over `groups` groups of 8 points, `step` points apart, for each place
-/// in the group.
+/// Σ m (x_i − origin_i) and Σ m over `groups` groups of 8 points, `step` points apart, for each place in the
+/// group.
 using SamplePoints = void (*)(const PointPlaces& points, std::size_t groups, std::size_t step,
-                              double (&sums)[4][8]);
+                              const double (&origin)[3], double (&sums)[4][8]);
 
 }  // namespace rigor

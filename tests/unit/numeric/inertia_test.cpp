@@ -2,6 +2,7 @@
 #include "numeric/inertia.h"
 
 #include <cmath>
+#include <limits>
 
 #include "catch.h"
 
@@ -41,6 +42,13 @@ TEST_CASE("the sharp inertia tensor of a nearly symmetric body keeps the differe
   const InertiaTensor plain = *inertia_tensor(body);
   CHECK(std::abs(plain[1][1] - plain[0][0] - exact) <= 8 * u);
   CHECK(sharp_inertia_tensor(Body{}).error().reason == "the body has no particles");
+}
+
+TEST_CASE("a total mass that overflows is infinite") {
+  Body body{"heavy", {1e308, 1e308}, {}, {}};
+  CHECK(total_mass(body) == std::numeric_limits<double>::infinity());
+  body.masses = {1e308, 1};
+  CHECK(total_mass(body) == 1e308);
 }
 
 TEST_CASE("an inertia tensor that there is not is an error, not a number") {

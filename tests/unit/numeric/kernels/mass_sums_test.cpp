@@ -121,8 +121,8 @@ TEST_CASE("sums over points have the same bits in lanes of any number, from colu
         double sampled[4][8] = {};
         double expected[4][8] = {};
         if (count < 64) continue;
-        kernels->sample_points(places, 3, 24, sampled);
-        first.sample_points(columns, 3, 24, expected);
+        kernels->sample_points(places, 3, 24, high, sampled);
+        first.sample_points(columns, 3, 24, high, expected);
         CHECK(std::memcmp(sampled, expected, sizeof sampled) == 0);
       }
     }
@@ -243,6 +243,106 @@ TEST_CASE("sums over points lose nothing where lengths and masses are very large
   massless.add(1e300, -1e300, 1e300, 0);
   CHECK(ExactMassSums(cloud).error_of(mass_sums(massless.points())->inertia) <= plain_bound);
   CHECK(ExactMassSums(cloud).error_of(sharp_mass_sums(massless.points())->inertia) <= sharp_bound);
+}
+
+TEST_CASE("a point without a mass counts for nothing, also where it comes first and is far away") {
+  for (const std::size_t count : {3, 20, 1000}) {
+    const PointCloud near = cube_cloud(count, 2, 6);
+    const ExactMassSums exact(near);
+    const WideFloat extent = sqrt(exact.greatest / exact.mass);
+    for (const double far : {1e300, 0x1p600, 1e308, -1e308}) {
+      INFO(count << " at " << far);
+      PointCloud cloud{"after a massless point", {}};
+      cloud.add(far, far, 0, 0);
+      for (std::size_t k = 0; k < count; ++k)
+        cloud.add(near.columns[0][k], near.columns[1][k], near.columns[2][k], near.columns[3][k]);
+      const auto sums = mass_sums(cloud.points());
+      const auto sharp = sharp_mass_sums(cloud.points());
+      const auto centre = sharp_centre_of_mass(cloud.points());
+      REQUIRE((sums && sharp && centre));
+      CHECK(exact.error_of(sums->inertia) <= plain_bound);
+      CHECK(exact.error_of(sharp->inertia) <= sharp_bound);
+      for (std::size_t i = 0; i < 3; ++i)
+        CHECK(abs(exact.centre[i] - (*centre)[i].high - (*centre)[i].low) <= sharp_bound * extent);
+    }
+  }
+}
+
+TEST_CASE("the centre of mass is found where the inertia overflows") {
+  PointCloud cloud{"far apart", {}};
+  cloud.add(-1e308, 0, 0, 1);
+  cloud.add(1e308, 1e300, 0, 3);
+  cloud.add(1e308, 0, 1e306, 4);
+  const ExactMassSums exact(cloud);
+  const auto centre = sharp_centre_of_mass(cloud.points());
+  REQUIRE(centre);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(abs(exact.centre[i] - (*centre)[i].high - (*centre)[i].low) <= sharp_bound * abs(exact.centre[i]));
+  CHECK(reason_of(cloud) == "the inertia tensor overflows");
+}
+
+TEST_CASE("the bound that comes with sums over points holds where masses and lengths are hardly in range") {
+  const auto check = [](const PointCloud& cloud, double limit) {
+    INFO(cloud.name);
+    const ExactMassSums exact(cloud);
+    const auto sums = mass_sums(cloud.points());
+    REQUIRE(sums);
+    CHECK(exact.error_of(sums->inertia) <= sums->error);
+    CHECK(sums->error <= limit);
+  };
+  PointCloud light = cube_cloud(500, 0, 7);
+  light.name = "a mass among light ones";
+  for (double& mass : light.columns[3]) mass = 0x1p-1040;
+  light.add(0.3, 0.2, 0.1, 1);
+  check(light, 0x1p-40);  // the greatest entry is about 2^-1032, which has 43 bits
+  for (std::size_t k = 0; k < 500; ++k) light.columns[3][k] = 0x1p-1020;
+  check(light, plain_error_limit);
+  PointCloud plate = cube_cloud(20, 0, 8);
+  plate.name = "narrow, far along an axis";
+  for (std::size_t k = 0; k < plate.size(); ++k) {
+    plate.columns[0][k] = 0x1p300;
+    plate.columns[1][k] = std::ldexp(plate.columns[1][k], -450);
+    plate.columns[2][k] = std::ldexp(plate.columns[2][k], -450);
+  }
+  check(plate, plain_error_limit);
+  plate.columns[3][3] = -0.0;  // the masses are checked before the lengths turn out to be small
+  check(plate, plain_error_limit);
+}
+
+TEST_CASE("the centre is found where light points come first and the masses differ by any power of two") {
+  for (const int exponent : {-100, -200, -240, -500, -900}) {
+    INFO(exponent);
+    PointCloud cloud{"light, then heavy", {}};
+    cloud.add(1.0 / 3, 0.1, -0.7, std::ldexp(0.9, exponent));
+    for (int k = 0; k < 40; ++k) cloud.add(0.6, 0.9, 0.3, 1.0 / (k + 3));
+    const ExactMassSums exact(cloud);
+    const auto sums = mass_sums(cloud.points());
+    const auto sharp = sharp_mass_sums(cloud.points());
+    REQUIRE((sums && sharp));
+    CHECK(sums->error <= plain_error_limit);
+    CHECK(exact.error_of(sums->inertia) <= sums->error);
+    CHECK(exact.error_of(sharp->inertia) <= sharp_bound);
+  }
+}
+
+TEST_CASE("the least moment of a thin body along the axes keeps its digits") {
+  for (const double thickness : {1e-3, 1e-7, 1e-12}) {
+    PointCloud rod = cube_cloud(1000, 0, 14);
+    for (std::size_t i : {1U, 2U})
+      for (double& x : rod.columns[i]) x *= thickness;
+    const ExactMassSums exact(rod);
+    const auto error_of_least = [&](const Tensor& inertia) {
+      return static_cast<double>(WideFloat(abs(exact.inertia[0][0] - inertia[0][0]) / exact.inertia[0][0]));
+    };
+    const auto sums = mass_sums(rod.points());
+    REQUIRE(sums);
+    CHECK(error_of_least(sums->inertia) <= sums->error);
+    if (thickness > 1e-4) continue;
+    Tensor by_trace{};  // I_11 = ½ (tr I) − Σ m x², which cancels
+    by_trace[0][0] = 0.5 * (sums->inertia[0][0] + sums->inertia[1][1] + sums->inertia[2][2]) -
+                     0.5 * (sums->inertia[1][1] + sums->inertia[2][2] - sums->inertia[0][0]);
+    CHECK(error_of_least(by_trace) > plain_error_limit);
+  }
 }
 
 TEST_CASE("points that no body has are named in the reason, and so is what overflows") {
