@@ -142,11 +142,16 @@ Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, cons
   return moments;
 }
 
-Result<void> check_triangles(std::size_t vertices, Triangles triangles, const MeshKernels& kernels) {
+constexpr std::size_t few_triangles = 256;
+
+}  // namespace
+
+Result<void> check_corners(std::size_t vertices, Triangles triangles, const LaneKernels& kernels) {
+  if (triangles.empty()) return {};
   if (vertices == 0 || vertices > 0x80000000U)
     return refuse(fmt::format("the mesh has {} vertices", vertices));
   const auto last = static_cast<std::uint32_t>(vertices - 1);
-  if (kernels.corners(triangles.front().data(), 3 * triangles.size(), last)) return {};
+  if (kernels.mesh.corners(triangles.front().data(), 3 * triangles.size(), last)) return {};
   for (std::size_t n = 0;; ++n) {
     for (const std::uint32_t corner : triangles[n])
       if (corner >= vertices)
@@ -155,14 +160,10 @@ Result<void> check_triangles(std::size_t vertices, Triangles triangles, const Me
   }
 }
 
-constexpr std::size_t few_triangles = 256;
-
-}  // namespace
-
 Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles triangles,
                                  MeshSharpness sharpness, const LaneKernels& kernels) {
   if (triangles.empty()) return refuse("the mesh has no triangles");
-  if (const auto checked = check_triangles(vertices.size(), triangles, kernels.mesh); !checked)
+  if (const auto checked = check_corners(vertices.size(), triangles, kernels); !checked)
     return tl::unexpected(checked.error());
   const auto packed = std::make_unique_for_overwrite<PackedVertex[]>(vertices.size());
   std::array<Axis, 3> axes;

@@ -21,6 +21,12 @@ struct MeshMoments {
   std::size_t flat = 0;  // triangles in a plane with the point that the tetrahedra share, to 2^-99
 };
 
+/// Is every corner a vertex, and are there between 1 and 2^31 vertices? The reason names the first triangle
+/// of which one is not, from 1. Cost: 0.2 ns a triangle.
+[[nodiscard]] Result<void> check_corners(std::size_t vertices,
+                                         std::span<const std::array<std::uint32_t, 3>> triangles,
+                                         const LaneKernels& kernels = lane_kernels());
+
 /// `if_needed`: where rounded terms would cost the second moments digits, and for small meshes.
 enum class MeshSharpness { if_needed, always };
 
