@@ -40,8 +40,9 @@ struct MeshMass {
 
 /// Welds, checks and sums up (`kernels/mesh_sums.h`: formula, source and error). Where the volume is
 /// negative, all triangles are turned. Fails where a corner is no vertex, a coordinate is not finite, the
-/// surface is open, the volume cannot be told from 0, or something overflows. Cost: 36 ns a triangle, of
-/// which the sums are 5.5.
+/// surface is open, the volume cannot be told from 0, or something overflows. Cost: 37 ns a triangle up
+/// to 3e4 triangles, of which the sums are 5.5; 43 ns at 1e5 and 100 ns from 5e5 on, where its tables leave
+/// the caches.
 [[nodiscard]] Result<MeshMass> mesh_mass(const Mesh& mesh);
 
 /// The homogeneous body of that mass as six particles (`equimomental_body`), along the axes of the mesh.
