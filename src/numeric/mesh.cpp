@@ -47,17 +47,18 @@ std::size_t count_degenerate(const Mesh& mesh) {
 
 Result<MeshMass> mesh_mass(const Mesh& mesh) {
   if (mesh.triangles.empty()) return refuse("the mesh has no triangles");
-  const Mesh surface = welded(mesh);
-  if (surface.triangles.empty()) return refuse("the mesh has no triangles");
-  if (const auto closed = check_closed(surface); !closed) return tl::unexpected(closed.error());
-  const auto moments = mesh_moments(surface.vertices, surface.triangles);
+  const Result<Mesh> surface = welded(mesh);
+  if (!surface) return tl::unexpected(surface.error());
+  if (surface->triangles.empty()) return refuse("the mesh has no triangles");
+  if (const auto closed = check_closed(*surface); !closed) return tl::unexpected(closed.error());
+  const auto moments = mesh_moments(surface->vertices, surface->triangles);
   if (!moments) return tl::unexpected(moments.error());
 
   MeshMass mass;
   mass.turned = moments->volume.high < 0;
   mass.volume = std::abs(moments->volume.high);
-  mass.degenerate = mesh.triangles.size() - surface.triangles.size();
-  if (moments->flat > 0) mass.degenerate += count_degenerate(surface);
+  mass.degenerate = mesh.triangles.size() - surface->triangles.size();
+  if (moments->flat > 0) mass.degenerate += count_degenerate(*surface);
   for (std::size_t i = 0; i < 3; ++i) {
     mass.centre[i] = moments->centre[i].high;
     for (std::size_t j = 0; j < 3; ++j) mass.second_moments[i][j] = moments->second_moments[i][j].high;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "base/splitmix.h"
+#include "numeric/kernels/mesh_sums.h"
 #include "numeric/mesh.h"
 
 namespace rigor {
@@ -103,6 +105,16 @@ struct Edge {
 
 std::string text_of(const Position& p) { return fmt::format("({}, {}, {})", p[0], p[1], p[2]); }
 
+/// Equal places are found by comparison, which a NaN never passes.
+Result<void> check_finite(const std::vector<Position>& vertices) {
+  for (std::size_t n = 0; n < vertices.size(); ++n)
+    for (const double x : vertices[n])
+      if (!std::isfinite(x))
+        return tl::unexpected(
+            Error{fmt::format("vertex {} is at {}: not finite", n + 1, text_of(vertices[n]))});
+  return {};
+}
+
 /// In the order of the coordinates of their ends.
 std::vector<Edge> sorted_edges(const Mesh& mesh) {
   std::vector<Edge> edges;
@@ -153,7 +165,10 @@ Result<void> check_edges(const Mesh& mesh) {
 
 }  // namespace
 
-Mesh welded(const Mesh& mesh) {
+Result<Mesh> welded(const Mesh& mesh) {
+  if (const auto corners = check_corners(mesh.vertices.size(), mesh.triangles); !corners)
+    return tl::unexpected(corners.error());
+  if (const auto finite = check_finite(mesh.vertices); !finite) return tl::unexpected(finite.error());
   VertexTable table(mesh.vertices);
   std::vector<std::uint32_t> first(mesh.vertices.size());
   for (std::uint32_t vertex = 0; vertex < first.size(); ++vertex) first[vertex] = table.first_at(vertex);
@@ -179,6 +194,7 @@ Mesh welded(const Mesh& mesh) {
 }
 
 Result<void> check_closed(const Mesh& mesh) {
+  if (auto corners = check_corners(mesh.vertices.size(), mesh.triangles); !corners) return corners;
   HalfEdges edges = half_edges(mesh);
   for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
     const std::size_t from = edges.first[vertex];

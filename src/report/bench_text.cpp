@@ -46,13 +46,9 @@ Plot panel(const TrialResult& trial) {
             .x = {.label = "ns an evaluation", .logarithmic = true},
             .y = {.label = "worst relative error", .logarithmic = true},
             .series = {}};
-  constexpr std::array marks{Mark::circle, Mark::square, Mark::triangle, Mark::diamond, Mark::cross};
   for (std::size_t form = 0; form < trial.forms.size(); ++form) {
-    PlotSeries series{.name = form_letter(form),
-                      .points = {},
-                      .mark = marks[form % marks.size()],
-                      .stroke = Stroke::none,
-                      .colour = -1};
+    PlotSeries series{
+        .name = form_letter(form), .points = {}, .mark = mark_at(form), .stroke = Stroke::none, .colour = -1};
     for (std::size_t k = 0; k < arithmetic_count; ++k)
       series.points.push_back(
           {at(trial, form, k).nanoseconds, failing_error(at(trial, form, k)), short_names[k]});

@@ -2,6 +2,7 @@
 #include "report/plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -26,6 +27,12 @@ std::string to_svg(std::span<const Plot> plots) {
 }
 
 std::string to_svg(const Plot& plot) { return to_svg(std::span<const Plot>(&plot, 1)); }
+
+Mark mark_at(std::size_t position) {
+  constexpr std::array marks{Mark::circle, Mark::square, Mark::triangle, Mark::diamond,      Mark::cross,
+                             Mark::plus,   Mark::ring,   Mark::star,     Mark::triangle_down};
+  return marks[position % marks.size()];
+}
 
 PlotSeries pareto_front(std::string name, std::span<const PlotSeries> series) {
   std::vector<PlotPoint> points;

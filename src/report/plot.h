@@ -3,6 +3,7 @@
 // dashes and marks. The same plot gives the same bytes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -10,7 +11,18 @@
 
 namespace rigor {
 
-enum class Mark : std::uint8_t { none, circle, square, triangle, diamond, cross };
+enum class Mark : std::uint8_t {
+  none,
+  circle,
+  square,
+  triangle,
+  diamond,
+  cross,
+  plus,
+  ring,
+  star,
+  triangle_down
+};
 enum class Stroke : std::uint8_t { none, solid, dashed, dotted };
 
 /// Infinity lies on the upper edge (a point at x = ∞ on the right one), 0 on a logarithmic axis on the lower
@@ -42,6 +54,10 @@ struct Plot {
   PlotAxis y;
   std::vector<PlotSeries> series;
 };
+
+/// Of the series at this position where each has one: nine in turn, so that 45 series with the colours of
+/// their positions, five in turn, all differ.
+[[nodiscard]] Mark mark_at(std::size_t position);
 
 /// One below the other in one picture.
 [[nodiscard]] std::string to_svg(std::span<const Plot> plots);

@@ -277,9 +277,11 @@ void draw_mark(Svg& svg, Mark mark, SvgPoint centre, std::string_view colour) {
     case Mark::square:
       svg.rectangle({x - size * 0.9, y - size * 0.9}, size * 1.8, size * 1.8, colour, edge);
       return;
-    case Mark::triangle: {
+    case Mark::triangle:
+    case Mark::triangle_down: {
+      const double up = mark == Mark::triangle ? -size : size;
       const std::array<SvgPoint, 3> corners{
-          {{x, y - size * 1.2}, {x + size * 1.1, y + size * 0.8}, {x - size * 1.1, y + size * 0.8}}};
+          {{x, y + up * 1.2}, {x + size * 1.1, y - up * 0.8}, {x - size * 1.1, y - up * 0.8}}};
       svg.polygon(corners, colour, edge);
       return;
     }
@@ -289,9 +291,20 @@ void draw_mark(Svg& svg, Mark mark, SvgPoint centre, std::string_view colour) {
       svg.polygon(corners, colour, edge);
       return;
     }
+    case Mark::ring:
+      svg.circle(centre, size, "none", {colour, 2});
+      return;
     case Mark::cross:
-      svg.line({x - size, y - size}, {x + size, y + size}, {colour, 2});
-      svg.line({x - size, y + size}, {x + size, y - size}, {colour, 2});
+    case Mark::plus:
+    case Mark::star:
+      if (mark != Mark::plus) {
+        svg.line({x - size, y - size}, {x + size, y + size}, {colour, 2});
+        svg.line({x - size, y + size}, {x + size, y - size}, {colour, 2});
+      }
+      if (mark != Mark::cross) {
+        svg.line({x - size * 1.3, y}, {x + size * 1.3, y}, {colour, 2});
+        svg.line({x, y - size * 1.3}, {x, y + size * 1.3}, {colour, 2});
+      }
       return;
   }
 }

@@ -96,10 +96,9 @@ std::string table_markdown(std::span<const KernelRow> rows, const std::string& t
 }
 
 Plot table_plot(std::span<const KernelRow> rows, const std::string& table) {
-  constexpr std::array marks{Mark::circle, Mark::square, Mark::triangle, Mark::diamond, Mark::cross};
   Plot plot{table, {"ns", true}, {"relative error", true}, {}};
   for (const std::string& name : distinct(rows, table, &KernelRow::name)) {
-    PlotSeries series{name, {}, marks[plot.series.size() % marks.size()], Stroke::none};
+    PlotSeries series{name, {}, mark_at(plot.series.size()), Stroke::none};
     for (const KernelRow& row : rows)
       if (row.table == table && row.name == name) series.points.push_back({row.nanoseconds, row.error});
     plot.series.push_back(std::move(series));

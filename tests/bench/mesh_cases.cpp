@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -20,12 +21,14 @@ struct MeshMethod {
   std::function<PlainMeshSums(const Mesh&)> sums;
 };
 
-PlainMeshSums rounded(const MeshMoments& moments) {
+/// A failure has no volume.
+PlainMeshSums rounded(const Result<MeshMoments>& moments) {
   PlainMeshSums sums;
-  sums.volume = moments.volume.high;
+  if (!moments) return sums;
+  sums.volume = moments->volume.high;
   for (std::size_t i = 0; i < 3; ++i) {
-    sums.centre[i] = moments.centre[i].high;
-    for (std::size_t j = 0; j < 3; ++j) sums.second[i][j] = moments.second_moments[i][j].high;
+    sums.centre[i] = moments->centre[i].high;
+    for (std::size_t j = 0; j < 3; ++j) sums.second[i][j] = moments->second_moments[i][j].high;
   }
   return sums;
 }
@@ -33,7 +36,7 @@ PlainMeshSums rounded(const MeshMoments& moments) {
 std::vector<MeshMethod> mesh_methods() {
   const auto kernel = [](const LaneKernels& lanes, MeshSharpness sharpness) {
     return [&lanes, sharpness](const Mesh& mesh) {
-      return rounded(*mesh_moments(mesh.vertices, mesh.triangles, sharpness, lanes));
+      return rounded(mesh_moments(mesh.vertices, mesh.triangles, sharpness, lanes));
     };
   };
   std::vector<MeshMethod> methods{{"tetrahedra from the origin", origin_mesh_sums},
@@ -49,14 +52,22 @@ std::vector<MeshMethod> mesh_methods() {
   return methods;
 }
 
-/// Failures and negative second moments count as infinite.
-double tensor_error(const MeshReference& exact, const PlainMeshSums& sums) {
+/// Nothing is infinite or not a number, the volume has its sign, and the second moments are positive.
+bool is_possible(const MeshReference& exact, const PlainMeshSums& sums) {
+  if (!std::isfinite(sums.volume) || !(exact.volume * sums.volume > 0)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(sums.second[i][i] > 0)) return std::numeric_limits<double>::infinity();
+    if (!std::isfinite(sums.centre[i]) || !(sums.second[i][i] > 0)) return false;
     for (std::size_t j = 0; j < 3; ++j)
-      if (!std::isfinite(sums.second[i][j])) return std::numeric_limits<double>::infinity();
+      if (!std::isfinite(sums.second[i][j])) return false;
   }
-  return plain_error(exact, sums).tensor * 0x1p-53;
+  return true;
+}
+
+/// In units of 2^-53; infinite for what is not possible.
+MeshError error_of(const MeshReference& exact, const PlainMeshSums& sums) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return is_possible(exact, sums) ? plain_error(exact, sums)
+                                  : MeshError{infinity, infinity, infinity, infinity};
 }
 
 }  // namespace
@@ -74,8 +85,12 @@ std::vector<KernelRow> mesh_rows() {
       volatile double kept = 0;
       row.nanoseconds = least_nanoseconds([&] { kept = method.sums(first).volume; }) /
                         static_cast<double>(first.triangles.size());
+      MeshError worst;
       for (std::size_t n = 0; n < exact.size(); ++n)
-        row.error = std::max(row.error, tensor_error(exact[n], method.sums(family.meshes[n])));
+        worst.widen(error_of(exact[n], method.sums(family.meshes[n])));
+      row.error = std::max({worst.volume, worst.centre, worst.tensor}) * 0x1p-53;
+      row.remark = fmt::format("volume {:.1e}, centre {:.1e}, second moments {:.1e}", worst.volume * 0x1p-53,
+                               worst.centre * 0x1p-53, worst.tensor * 0x1p-53);
       rows.push_back(row);
     }
   }

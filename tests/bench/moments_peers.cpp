@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "ginac_moments.h"
@@ -169,6 +170,9 @@ MomentSolver kernel(const LaneKernels& lanes, bool axes) {
   return solver;
 }
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr SolvedMoments not_solved{{nan, nan, nan}, {nan, nan, nan}, {}};
+
 MomentSolver kernel_one_by_one(bool axes) {
   return one_by_one<InertiaTensor>(
       axes ? "axes" : "moments", "kernel, single", [](const InertiaTensor& tensor) { return tensor; },
@@ -177,12 +181,14 @@ MomentSolver kernel_one_by_one(bool axes) {
           out.moments = from.values();
           out.gaps = {from.gap(1, 0), from.gap(2, 1), from.gap(2, 0)};
         };
+        out = not_solved;
         if (axes) {
           const auto solved = principal_axes(in);
+          if (!solved) return;
           take_moments(solved->principal);
           out.axes = solved->axes;
-        } else {
-          take_moments(*principal_moments(in));
+        } else if (const auto solved = principal_moments(in)) {
+          take_moments(*solved);
         }
       });
 }

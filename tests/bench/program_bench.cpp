@@ -8,7 +8,6 @@
 #include <ginac/ginac.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "bench_clock.h"
 #include "expr/build.h"
 #include "hand_written.h"
 #include "numeric/evaluate.h"
@@ -36,12 +36,6 @@ constexpr std::size_t samples = 2048;
 constexpr int rounds = 60;
 constexpr double most_times_hand_written = 2.0;
 constexpr double least_times_ginac = 1000.0;
-
-[[nodiscard]] double nanoseconds(const std::function<void()>& run) {
-  const auto before = std::chrono::steady_clock::now();
-  run();
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - before).count();
-}
 
 /// The page that all forms are written on, and numbers for it.
 struct Bench {
@@ -106,13 +100,17 @@ struct Times {
   const BoundColumns<double> columns(engine, program, bench.data);
   std::vector<double> ours(samples * program.outputs());
   std::vector<double> theirs(samples * program.outputs());
+  const auto run_program = [&] {
+    engine.run_once();
+    engine.run(samples, ours.data(), samples);
+  };
+  const auto run_hand = [&] { hand_written(theirs.data()); };
+  const std::size_t program_repeats = repeats_of(run_program);
+  const std::size_t hand_repeats = repeats_of(run_hand);
   Times least{1e300, 1e300};
   for (int round = 0; round < rounds; ++round) {
-    least.program = std::min(least.program, nanoseconds([&] {
-                               engine.run_once();
-                               engine.run(samples, ours.data(), samples);
-                             }));
-    least.hand = std::min(least.hand, nanoseconds([&] { hand_written(theirs.data()); }));
+    least.program = std::min(least.program, nanoseconds_of(run_program, program_repeats));
+    least.hand = std::min(least.hand, nanoseconds_of(run_hand, hand_repeats));
   }
   for (std::size_t i = 0; i < ours.size(); ++i) {
     if (std::abs(ours[i] - theirs[i]) > 1e-9 * std::abs(theirs[i]) + 1e-9)
@@ -199,15 +197,12 @@ void in_a_loop() {
   std::array<double, 3> state{0.6, 0.7, 0.9};
   std::array<double, 3> rates{};
   constexpr int calls = 100'000;
-  double least = 1e300;
-  for (int round = 0; round < 10; ++round) {
-    least = std::min(least, nanoseconds([&] {
-                       for (int i = 0; i < calls; ++i) {
-                         runner(state.data(), rates.data());
-                         state[0] += 1e-9 * rates[0];
-                       }
-                     }));
-  }
+  const double least = least_nanoseconds([&] {
+    for (int i = 0; i < calls; ++i) {
+      runner(state.data(), rates.data());
+      state[0] += 1e-9 * rates[0];
+    }
+  });
   fmt::print("\nEuler's equations, one call at a time: {:.1f} ns\n", least / calls);
 }
 
@@ -220,7 +215,7 @@ void in_a_loop() {
     for (int round = 0; round < 3; ++round) {
       GiNaC::FUNCP_CUBA compiled = nullptr;
       GiNaC::lst results{value};
-      least = std::min(least, nanoseconds([&] { GiNaC::compile_ex(results, arguments, compiled); }));
+      least = std::min(least, nanoseconds_of([&] { GiNaC::compile_ex(results, arguments, compiled); }, 1));
     }
   } catch (const std::runtime_error& error) {
     fmt::print("compile_ex: {} (Debian package ginac-tools)\n", error.what());
@@ -236,13 +231,9 @@ void in_a_loop() {
     single.set_each(one.a.symbol, i, {0.5 + i});
     single.set_each(one.b.symbol, i, {2.0 - i * i});
   }
-  double compile = 1e300;
-  double first = 1e300;
   double value = 0.0;
-  for (int round = 0; round < 200; ++round) {
-    compile = std::min(compile, nanoseconds([&] { static_cast<void>(one.compile(term)); }));
-    first = std::min(first, nanoseconds([&] { value = evaluate(one.compile(term), single)[0]; }));
-  }
+  const double compile = least_nanoseconds([&] { static_cast<void>(one.compile(term)); });
+  const double first = least_nanoseconds([&] { value = evaluate(one.compile(term), single)[0]; });
   std::vector<GiNaC::symbol> names;
   for (const char* name : {"a1", "a2", "a3", "b1", "b2", "b3"}) names.emplace_back(name);
   GiNaC::ex square = 0;
@@ -256,13 +247,9 @@ void in_a_loop() {
     at[names[i]] = 0.5 + static_cast<double>(i);
     at[names[3 + i]] = 2.0 - static_cast<double>(i * i);
   }
-  double evalf = 1e300;
   double theirs = 0.0;
-  for (int round = 0; round < 200; ++round) {
-    evalf = std::min(evalf, nanoseconds([&] {
-                       theirs = GiNaC::ex_to<GiNaC::numeric>(square.subs(at).evalf()).to_double();
-                     }));
-  }
+  const double evalf =
+      least_nanoseconds([&] { theirs = GiNaC::ex_to<GiNaC::numeric>(square.subs(at).evalf()).to_double(); });
   const double compile_ex = compile_ex_time(square, names);
   const Times batch = measure(
       one, term, [&](double* out) { cross_square(one.columns(one.a), one.columns(one.b), samples, out); });

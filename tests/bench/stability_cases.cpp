@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "bench_clock.h"
 #include "numeric/kernels/mass_sums.h"
@@ -59,7 +60,11 @@ std::array<double, 3> kernel_frequencies(const NearlySymmetricTop& top) {
   for (std::size_t i = 0; i < 3; ++i) points.position[i] = top.positions[i].data();
   points.mass = top.masses.data();
   points.count = top.masses.size();
-  return squared_stability_frequencies(*principal_moments(sharp_mass_sums(points)->inertia), 1);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto sums = sharp_mass_sums(points);
+  if (!sums) return {nan, nan, nan};
+  const auto moments = principal_moments(sums->inertia);
+  return moments ? squared_stability_frequencies(*moments, 1) : std::array{nan, nan, nan};
 }
 
 template <class Compute>

@@ -11,11 +11,10 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-#include <chrono>
 #include <cmath>
-#include <functional>
 #include <limits>
 
+#include "bench_clock.h"
 #include "numeric/kernels/free_motion_reference.h"
 #include "numeric/kernels/torque_free.h"
 #include "numeric/kernels/torque_free_attitude.h"
@@ -24,7 +23,7 @@ namespace rigor {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using Clock = std::chrono::steady_clock;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct FreeCase {
   std::string family;
@@ -61,7 +60,7 @@ double error_of(const Position& found, const ReferenceMotion& reference) {
   Digits70 square = 0;
   Digits70 size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!std::isfinite(found[i])) return std::numeric_limits<double>::infinity();
+    if (!std::isfinite(found[i])) return infinity;
     square += (reference.spin[i] - found[i]) * (reference.spin[i] - found[i]);
     size += reference.spin[i] * reference.spin[i];
   }
@@ -70,6 +69,8 @@ double error_of(const Position& found, const ReferenceMotion& reference) {
 
 double error_of(const AttitudeQuaternion& found, const ReferenceMotion& reference) {
   Digits70 along = 0;
+  for (const double part : found)
+    if (!std::isfinite(part)) return infinity;
   for (std::size_t i = 0; i < 4; ++i) along += reference.turn[i] * found[i];
   Digits70 square = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -78,18 +79,6 @@ double error_of(const AttitudeQuaternion& found, const ReferenceMotion& referenc
     square += error * error;
   }
   return static_cast<double>(sqrt(square));
-}
-
-/// Least time of one call over runs of `repeats`, for 50 ms.
-double nanoseconds(const std::function<void()>& run, int repeats) {
-  double best = std::numeric_limits<double>::infinity();
-  const auto start = Clock::now();
-  do {
-    const auto begin = Clock::now();
-    for (int k = 0; k < repeats; ++k) run();
-    best = std::min(best, std::chrono::duration<double, std::nano>(Clock::now() - begin).count() / repeats);
-  } while (Clock::now() - start < std::chrono::milliseconds(50));
-  return best;
 }
 
 /// What a compiler may not foresee.
@@ -128,6 +117,48 @@ struct EulerEquations {
   }
 };
 
+/// ω and the quaternion q, dq/dt = ½ q ω.
+using TurningState = std::array<double, 7>;
+
+struct TurningEquations {
+  EulerEquations spin;
+  void operator()(const TurningState& state, TurningState& rate, double time) const {
+    const Position w{state[0], state[1], state[2]};
+    Position spin_rate{};
+    spin(w, spin_rate, time);
+    const double* const q = state.data() + 3;
+    double scalar = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      rate[i] = spin_rate[i];
+      scalar -= q[1 + i] * w[i];
+      rate[4 + i] = .5 * (q[0] * w[i] + q[1 + j] * w[k] - q[1 + k] * w[j]);
+    }
+    rate[3] = .5 * scalar;
+  }
+};
+
+/// Of length 1.
+AttitudeQuaternion attitude_of(const TurningState& state) {
+  AttitudeQuaternion turn{};
+  double square = 0;
+  for (std::size_t i = 0; i < 4; ++i) square += state[3 + i] * state[3 + i];
+  for (std::size_t i = 0; i < 4; ++i) turn[i] = state[3 + i] / std::sqrt(square);
+  return turn;
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A failure is not a number.
+Position spin_of(const Result<TorqueFree>& motion, double time) {
+  return motion ? motion->spin(time) : Position{nan, nan, nan};
+}
+
+AttitudeQuaternion attitude_of(const Result<TorqueFreeAttitude>& motion, double time) {
+  return motion ? motion->at(time) : AttitudeQuaternion{nan, nan, nan, nan};
+}
+
 class TorqueFreeRows {
  public:
   std::vector<KernelRow> run() {
@@ -135,9 +166,10 @@ class TorqueFreeRows {
       body_ = body;
       reference_ = reference_of(body);
       add_closed_form();
-      add_peer("Boost.Math jacobi_elliptic", 100, [&] { return textbook(body_); });
+      add_peer(spin_, "Boost.Math jacobi_elliptic", [&] { return textbook(body_); });
       if (!body.long_run) add_integrators();
       if (!body.long_run) add_attitude();
+      if (!body.long_run) add_attitude_integrators();
     }
     return std::move(rows_);
   }
@@ -148,67 +180,74 @@ class TorqueFreeRows {
     rows_.push_back({table, name, body_.family, time, error, remark});
   }
 
-  void add_peer(const std::string& name, int repeats, const std::function<Position()>& compute,
+  /// What throws takes forever and is all wrong.
+  template <class Compute>
+  void add_peer(const std::string& table, const std::string& name, const Compute& compute,
                 const std::string& remark = "set-up included") {
-    double error = std::numeric_limits<double>::infinity();
-    Position found{};
     try {
-      found = compute();
-      error = error_of(found, reference_);
+      auto found = compute();
+      const double error = error_of(found, reference_);
+      const double time = least_nanoseconds([&] {
+        keep(body_.spin);
+        found = compute();
+        keep(found);
+      });
+      add(table, name, time, error, remark);
     } catch (const std::exception&) {
-      return add(spin_, name, 0, error, "throws");
+      add(table, name, infinity, infinity, "throws");
     }
-    const double time = nanoseconds(
-        [&] {
-          keep(body_.spin);
-          found = compute();
-          keep(found);
-        },
-        repeats);
-    add(spin_, name, time, error, remark);
+  }
+
+  /// Times of 2,048 results; the error is that of the first.
+  template <class Found, class Compute>
+  void add_many(const std::string& table, const Compute& compute) {
+    std::vector<Found> found(many);
+    const double time = least_nanoseconds([&] {
+      compute(found);
+      keep(found);
+    });
+    add(table, "closed form, 2,048 times at once", time / many, error_of(found[0], reference_),
+        "set up before");
   }
 
   void add_closed_form() {
-    add_peer("closed form, set-up and one time", 1000,
-             [&] { return TorqueFree::make(body_.moments, body_.spin)->spin(body_.time); });
+    add_peer(spin_, "closed form, set-up and one time",
+             [&] { return spin_of(TorqueFree::make(body_.moments, body_.spin), body_.time); });
     const auto motion = TorqueFree::make(body_.moments, body_.spin);
     add_peer(
-        "closed form, one time", 1000, [&] { return motion->spin(body_.time); }, "set up before");
-    std::vector<double> times(2048);
-    for (std::size_t k = 0; k < times.size(); ++k)
-      times[k] = body_.time * (1 - static_cast<double>(k) / 2048);
-    std::vector<Position> spins(times.size());
-    const double time = nanoseconds(
-                            [&] {
-                              motion->spins(times, spins);
-                              keep(spins);
-                            },
-                            1) /
-                        2048;
-    add(spin_, "closed form, 2,048 times at once", time, error_of(spins[0], reference_), "set up before");
+        spin_, "closed form, one time", [&] { return spin_of(motion, body_.time); }, "set up before");
+    if (!motion) return add(spin_, "closed form, 2,048 times at once", infinity, infinity, "fails");
+    std::vector<double> times(many);
+    for (std::size_t k = 0; k < many; ++k) times[k] = body_.time * (1 - static_cast<double>(k) / many);
+    add_many<Position>(spin_, [&](std::vector<Position>& found) { motion->spins(times, found); });
+  }
+
+  /// odeint's steppers with control of the error, at tolerances of 1e-8 to 1e-14.
+  template <class State, class Integrate>
+  void add_controlled(const std::string& table, const Integrate& integrate) {
+    for (int digits = 8; digits <= 14; ++digits) {
+      const double tolerance = std::pow(10, -digits);
+      const std::string suffix = " 1e-" + std::to_string(digits);
+      add_peer(table, "odeint Bulirsch–Stoer" + suffix,
+               [&] { return integrate(odeint::bulirsch_stoer<State>(tolerance, tolerance)); });
+      add_peer(table, "odeint DOPRI5" + suffix, [&] {
+        return integrate(odeint::make_controlled<odeint::runge_kutta_dopri5<State>>(tolerance, tolerance));
+      });
+      add_peer(table, "odeint RKF78" + suffix, [&] {
+        return integrate(
+            odeint::make_controlled<odeint::runge_kutta_fehlberg78<State>>(tolerance, tolerance));
+      });
+    }
   }
 
   void add_integrators() {
     const EulerEquations equations(body_.moments);
-    const auto integrate = [&](auto stepper) {
+    add_controlled<Position>(spin_, [&](auto stepper) {
       Position w = body_.spin;
       odeint::integrate_adaptive(stepper, equations, w, 0., body_.time, .1);
       return w;
-    };
-    for (int digits = 8; digits <= 14; ++digits) {
-      const double tolerance = std::pow(10, -digits);
-      const std::string suffix = " 1e-" + std::to_string(digits);
-      add_peer("odeint Bulirsch–Stoer" + suffix, 1,
-               [&] { return integrate(odeint::bulirsch_stoer<Position>(tolerance, tolerance)); });
-      add_peer("odeint DOPRI5" + suffix, 1, [&] {
-        return integrate(odeint::make_controlled<odeint::runge_kutta_dopri5<Position>>(tolerance, tolerance));
-      });
-      add_peer("odeint RKF78" + suffix, 1, [&] {
-        return integrate(
-            odeint::make_controlled<odeint::runge_kutta_fehlberg78<Position>>(tolerance, tolerance));
-      });
-    }
-    add_peer("odeint RK4, h = 0.01", 1, [&] {
+    });
+    add_peer(spin_, "odeint RK4, h = 0.01", [&] {
       Position w = body_.spin;
       const auto steps = static_cast<std::size_t>(std::lround(body_.time / .01));
       odeint::runge_kutta4<Position> stepper;
@@ -218,39 +257,30 @@ class TorqueFreeRows {
     });
   }
 
-  void add_attitude() {
-    const auto attitude = TorqueFreeAttitude::make(body_.moments, body_.spin);
-    const std::string table = "torque-free attitude";
-    AttitudeQuaternion found = attitude->at(body_.time);
-    const double error = error_of(found, reference_);
-    const double both = nanoseconds(
-        [&] {
-          keep(body_.spin);
-          found = TorqueFreeAttitude::make(body_.moments, body_.spin)->at(body_.time);
-          keep(found);
-        },
-        300);
-    add(table, "closed form, set-up and one time", both, error, "set-up included");
-    const double one = nanoseconds(
-        [&] {
-          found = attitude->at(body_.time);
-          keep(found);
-        },
-        300);
-    add(table, "closed form, one time", one, error, "set up before");
-    const std::vector<double> times(2048, body_.time);
-    std::vector<AttitudeQuaternion> turns(times.size());
-    const double many = nanoseconds(
-                            [&] {
-                              attitude->at(times, turns);
-                              keep(turns);
-                            },
-                            1) /
-                        2048;
-    add(table, "closed form, 2,048 times at once", many, error_of(turns[0], reference_), "set up before");
+  void add_attitude_integrators() {
+    const TurningEquations equations{EulerEquations(body_.moments)};
+    add_controlled<TurningState>(attitude_, [&](auto stepper) {
+      TurningState state{body_.spin[0], body_.spin[1], body_.spin[2], 1, 0, 0, 0};
+      odeint::integrate_adaptive(stepper, equations, state, 0., body_.time, .1);
+      return attitude_of(state);
+    });
   }
 
+  void add_attitude() {
+    add_peer(attitude_, "closed form, set-up and one time",
+             [&] { return attitude_of(TorqueFreeAttitude::make(body_.moments, body_.spin), body_.time); });
+    const auto motion = TorqueFreeAttitude::make(body_.moments, body_.spin);
+    add_peer(
+        attitude_, "closed form, one time", [&] { return attitude_of(motion, body_.time); }, "set up before");
+    if (!motion) return add(attitude_, "closed form, 2,048 times at once", infinity, infinity, "fails");
+    const std::vector<double> times(many, body_.time);
+    add_many<AttitudeQuaternion>(attitude_,
+                                 [&](std::vector<AttitudeQuaternion>& found) { motion->at(times, found); });
+  }
+
+  static constexpr std::size_t many = 2048;
   const std::string spin_ = "torque-free spin";
+  const std::string attitude_ = "torque-free attitude";
   FreeCase body_;
   ReferenceMotion reference_;
   std::vector<KernelRow> rows_;

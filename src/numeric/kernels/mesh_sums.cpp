@@ -8,9 +8,11 @@
 #include <limits>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "numeric/kernels/double_double.h"
 #include "numeric/kernels/mesh_totals.h"
+#include "numeric/mesh.h"
 
 namespace rigor {
 namespace {
@@ -109,12 +111,16 @@ Scaled scaled_moments(const MeshTotals& totals) {
   return moments;
 }
 
+/// Does the body fill 1/32 of its vertices' box, which has between 1 and 8 in the scaled axes? Then vertices
+/// that are no corners cost no digits.
+bool fills_box(const MeshTotals& totals) { return std::abs(totals.volume[0]) >= 6 * 8 / 32.; }
+
 /// Do rounded terms keep the digits of every ∫x_i² dV? Where coordinates were rounded, too, the body must
 /// fill a good part of the box, which has between 1 and 8 in the scaled axes: then it has not much surface to
 /// move.
 bool keeps_digits(const MeshTotals& totals, bool exact, const Scaled& moments) {
   const double six_volumes = std::abs(totals.volume[0]);
-  if (!exact && !(six_volumes >= 6 * 8 / 32.)) return false;
+  if (!exact && !fills_box(totals)) return false;
   for (std::size_t i = 0; i < 3; ++i)
     if (!(totals.size[i] <= 4 * 20 * six_volumes * moments.second[i][i].high)) return false;
   return true;
@@ -142,11 +148,40 @@ Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, cons
   return moments;
 }
 
-Result<void> check_triangles(std::size_t vertices, Triangles triangles, const MeshKernels& kernels) {
+constexpr std::size_t few_triangles = 256;
+
+/// The vertices that are corners, in their order, and the triangles of them.
+Mesh without_unused(std::span<const Position> vertices, Triangles triangles) {
+  std::vector<std::uint32_t> place(vertices.size());
+  for (const auto& triangle : triangles)
+    for (const std::uint32_t corner : triangle) place[corner] = 1;
+  Mesh used;
+  for (std::size_t n = 0; n < vertices.size(); ++n) {
+    if (place[n] == 0) continue;
+    place[n] = static_cast<std::uint32_t>(used.vertices.size());
+    used.vertices.push_back(vertices[n]);
+  }
+  used.triangles.assign(triangles.begin(), triangles.end());
+  for (auto& triangle : used.triangles)
+    for (std::uint32_t& corner : triangle) corner = place[corner];
+  return used;
+}
+
+bool are_all_used(std::size_t vertices, Triangles triangles) {
+  std::vector<std::uint8_t> used(vertices);
+  for (const auto& triangle : triangles)
+    for (const std::uint32_t corner : triangle) used[corner] = 1;
+  return std::find(used.begin(), used.end(), 0) == used.end();
+}
+
+}  // namespace
+
+Result<void> check_corners(std::size_t vertices, Triangles triangles, const LaneKernels& kernels) {
+  if (triangles.empty()) return {};
   if (vertices == 0 || vertices > 0x80000000U)
     return refuse(fmt::format("the mesh has {} vertices", vertices));
   const auto last = static_cast<std::uint32_t>(vertices - 1);
-  if (kernels.corners(triangles.front().data(), 3 * triangles.size(), last)) return {};
+  if (kernels.mesh.corners(triangles.front().data(), 3 * triangles.size(), last)) return {};
   for (std::size_t n = 0;; ++n) {
     for (const std::uint32_t corner : triangles[n])
       if (corner >= vertices)
@@ -155,14 +190,10 @@ Result<void> check_triangles(std::size_t vertices, Triangles triangles, const Me
   }
 }
 
-constexpr std::size_t few_triangles = 256;
-
-}  // namespace
-
 Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles triangles,
                                  MeshSharpness sharpness, const LaneKernels& kernels) {
   if (triangles.empty()) return refuse("the mesh has no triangles");
-  if (const auto checked = check_triangles(vertices.size(), triangles, kernels.mesh); !checked)
+  if (const auto checked = check_corners(vertices.size(), triangles, kernels); !checked)
     return tl::unexpected(checked.error());
   const auto packed = std::make_unique_for_overwrite<PackedVertex[]>(vertices.size());
   std::array<Axis, 3> axes;
@@ -178,6 +209,10 @@ Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles t
   bool is_sharp = sharpness == MeshSharpness::always || triangles.size() < few_triangles;
   const PackedMesh state = sum(is_sharp);
   if (!state.finite) return refuse("a coordinate of the mesh is not finite");
+  if (!fills_box(totals) && !are_all_used(vertices.size(), triangles)) {
+    const Mesh used = without_unused(vertices, triangles);
+    return mesh_moments(used.vertices, used.triangles, sharpness, kernels);
+  }
   Scaled moments = scaled_moments(totals);
   if (!is_sharp && !keeps_digits(totals, state.exact, moments)) {
     is_sharp = true;
@@ -194,7 +229,10 @@ Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles t
   if (std::abs(totals.volume[0]) <= rounding) return refuse("the mesh encloses no volume");
   for (std::size_t i = 0; i < 3; ++i)
     if (!(moments.second[i][i].high > 0))
-      return refuse("the surface passes through itself: its second moments are not positive");
+      return refuse(
+          "the second moments are not positive: the surface passes through itself, or one of several is "
+          "turned "
+          "inside out");
   Result<MeshMoments> result = in_metres(totals, moments, axes);
   if (result) result->sharp = is_sharp;
   return result;

@@ -21,11 +21,17 @@ struct MeshMoments {
   std::size_t flat = 0;  // triangles in a plane with the point that the tetrahedra share, to 2^-99
 };
 
+/// Is every corner a vertex, and are there between 1 and 2^31 vertices? The reason names the first triangle
+/// of which one is not, from 1.
+[[nodiscard]] Result<void> check_corners(std::size_t vertices,
+                                         std::span<const std::array<std::uint32_t, 3>> triangles,
+                                         const LaneKernels& kernels = lane_kernels());
+
 /// `if_needed`: where rounded terms would cost the second moments digits, and for small meshes.
 enum class MeshSharpness { if_needed, always };
 
-/// Of a closed surface; each vertex is a corner of a triangle (others cost digits). Signed tetrahedra from a
-/// point c from which x − c is exact: each coordinate of c is 0 or within a factor of two of all x (P. H.
+/// Of a closed surface; vertices that are no corners do not count, but must be finite. Signed tetrahedra from
+/// a point c from which x − c is exact: each coordinate of c is 0 or within a factor of two of all x (P. H.
 /// Sterbenz, Floating-point computation, 1974), or a short number if that will do for all x. Where it does
 /// not, the differences are rounded if the body fills 1/32 of its box. The axes are scaled by powers of two.
 /// With D = det(a, b, c) in double-double and s = a + b + c,
@@ -34,11 +40,13 @@ enum class MeshSharpness { if_needed, always };
 /// Source: F. Tonon, J. Math. Stat. 1 (2005) 8. Cost: 5.5 ns a triangle with AVX-512, where the plain sum
 /// about the origin takes 6.8; 18 ns in double-double, which is done where there are few triangles or Σ |D|
 /// (a_i² + …) is more than 4 times what the second moment leaves of it: for hollow and for crooked thin
-/// bodies. Error for the coordinates as they are, at distances up to 1e12 and thicknesses down to 1e-8,
-/// measured by mesh_sums_test: volume 0.9 u; centre 1 u of each coordinate or of √(ii); second moment ij 1.2
-/// u √(ii jj). Sharp: 2^-97 of that times the volume of the mesh's box over V. Fails where a corner is no
-/// vertex, a coordinate is not finite, the volume cannot be told from 0 (the bound is proved in mesh_sums.cpp
-/// and below 1e-24 of the box's volume for 1e4 triangles), a moment is negative, or something overflows.
+/// bodies; 1 ns more where the body fills less than 1/32 of its vertices' box, to look for unused ones. Error
+/// for the coordinates as they are, at distances up to 1e12 and thicknesses down to 1e-8, measured by
+/// mesh_sums_test: volume 0.9 u; centre 1 u of each coordinate or of √(ii); second moment ij 3 u √(ii
+/// jj): 1.2 u on most, 1.7 u on small ellipsoids of unlike axes. Sharp: 2^-97 of that times the volume of the
+/// mesh's box over V. Fails where a corner is no vertex, a coordinate is not finite, the volume cannot be
+/// told from 0 (the bound is proved in mesh_sums.cpp and below 1e-24 of the box's volume for 1e4 triangles),
+/// a moment is not positive (a surface through itself, or one of several inside out), or something overflows.
 [[nodiscard]] Result<MeshMoments> mesh_moments(std::span<const Position> vertices,
                                                std::span<const std::array<std::uint32_t, 3>> triangles,
                                                MeshSharpness sharpness = MeshSharpness::if_needed,

@@ -2,6 +2,8 @@
 #include "numeric/mesh.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "catch.h"
@@ -153,8 +155,34 @@ TEST_CASE("vertices at the same place are one, and those that no triangle has ar
   }
   soup.vertices[0][0] = -0.0;
   soup.vertices.push_back({1e15, 0, 0});
-  CHECK(welded(soup).vertices.size() == 8);
+  REQUIRE(welded(soup));
+  CHECK(welded(soup)->vertices.size() == 8);
   CHECK(mesh_mass(soup)->volume == Approx(8).epsilon(64 * u));
+}
+
+TEST_CASE("corners that are no vertices are refused before anything is read at them") {
+  for (const std::uint32_t corner : {4U, 5U, 0x7fffffffU, 0x80000000U, 4'000'000'000U, 0xffffffffU}) {
+    Mesh mesh = tetrahedron_mesh();
+    mesh.triangles[2][1] = corner;
+    const std::string refused =
+        "triangle 3 has the vertex " + std::to_string(std::uint64_t{corner} + 1) + " of 4";
+    CHECK(reason(mesh) == refused);
+    REQUIRE_FALSE(welded(mesh));
+    CHECK(welded(mesh).error().reason == refused);
+    REQUIRE_FALSE(check_closed(mesh));
+    CHECK(check_closed(mesh).error().reason == refused);
+  }
+  CHECK(reason({{}, {{0, 1, 2}}}) == "the mesh has 0 vertices");
+}
+
+// Equal places are looked for along chains, which would grow by one for each NaN: 18 s for these.
+TEST_CASE("vertices that are not finite are refused by their number, however many there are") {
+  Mesh mesh = tetrahedron_mesh();
+  mesh.vertices.resize(200'000, {1, std::nan(""), 2});
+  CHECK(reason(mesh) == "vertex 5 is at (1, nan, 2): not finite");
+  mesh = tetrahedron_mesh();
+  mesh.vertices[3][2] = -std::numeric_limits<double>::infinity();
+  CHECK(reason(mesh) == "vertex 4 is at (0, 0, -inf): not finite");
 }
 
 TEST_CASE("a mesh needs a mass") {

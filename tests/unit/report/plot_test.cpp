@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "catch.h"
 #include "report/plot_ellipsoid.h"
@@ -72,6 +73,24 @@ TEST_CASE("a plot without points, or of extreme ones, is still a picture", "[plo
     CHECK(svg.find("nan") == std::string::npos);
     CHECK(svg.find("inf") == std::string::npos);
   }
+}
+
+TEST_CASE("forty-five series differ in their mark or in their colour", "[plot]") {
+  std::set<std::string> pictures;
+  for (int position = 0; position < 45; ++position) {
+    Plot plot = points_of({{1, 1}}, false);
+    plot.series[0].mark = mark_at(static_cast<std::size_t>(position));
+    plot.series[0].colour = position;
+    pictures.insert(to_svg(plot));
+  }
+  CHECK(pictures.size() == 45);
+}
+
+TEST_CASE("a time that is infinite lies on the right edge of a logarithmic axis", "[plot]") {
+  const std::string svg = to_svg(points_of({{1, 1}, {10, 2}, {infinity, infinity}}, true));
+  CHECK(count(svg, "<circle") == 4);
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(svg.find("inf") == std::string::npos);
 }
 
 TEST_CASE("the front holds the points that no other beats", "[plot]") {

@@ -9,6 +9,7 @@
 #include "catch.h"
 #include "numeric/kernels/mesh_families.h"
 #include "numeric/meshes.h"
+#include "numeric/uniform.h"
 
 namespace rigor {
 namespace {
@@ -124,6 +125,41 @@ TEST_CASE("moments of meshes have the same bits with every instruction set") {
   }
 }
 
+/// About the origin, with axes from 1e-7 to 1e-2.
+Mesh small_ellipsoid(SplitMix& bits) {
+  Mesh mesh = fine_sphere(512);
+  Position axes{};
+  for (double& axis : axes) axis = std::pow(10, -2 - 5 * uniform(bits));
+  for (Position& vertex : mesh.vertices)
+    for (std::size_t i = 0; i < 3; ++i) vertex[i] *= axes[i];
+  return mesh;
+}
+
+TEST_CASE("second moments of small crooked ellipsoids and of slivers far away are right to 3 u") {
+  SplitMix bits(1);
+  double worst = 0;
+  const auto check = [&](const Mesh& mesh) {
+    const auto moments = moments_of(mesh);
+    REQUIRE(moments);
+    const MeshError error = error_of(mesh_reference(mesh), *moments, false);
+    CHECK(error.entry <= 3);
+    worst = std::max(worst, error.entry);
+  };
+  for (int n = 0; n < 100; ++n) check(small_ellipsoid(bits));
+  CHECK(worst > 1);  // so that 3 says something
+  for (int n = 0; n < 100; ++n) {
+    const Mesh sliver =
+        box_mesh({1e-8 * (1 + uniform(bits)), 1e3 * uniform(bits), 1e-3 + uniform(bits)},
+                 {2e-8 * uniform_sign(bits), 3e9 * uniform_sign(bits), 3e9 * uniform_sign(bits)});
+    check(sliver);
+    Mesh two = sliver;  // 24 triangles
+    for (const Position& vertex : sliver.vertices)
+      two.vertices.push_back({vertex[0] + 4e-8, vertex[1], vertex[2]});
+    for (const auto& [a, b, c] : sliver.triangles) two.triangles.push_back({a + 8, b + 8, c + 8});
+    check(two);
+  }
+}
+
 TEST_CASE("a box and a corner tetrahedron have their moments to the last bit or two") {
   const auto box = moments_of(box_mesh({1, 2, 4}, {1e8, -3, 0}));
   REQUIRE(box);
@@ -185,12 +221,39 @@ TEST_CASE("what encloses no volume is told from what encloses little, by the dou
   CHECK(moments->flat > 0);
 }
 
-TEST_CASE("a surface through itself that encloses more outside than inside is refused") {
+TEST_CASE("surfaces that enclose more inside out than the right way round are refused") {
   Mesh mesh = box_mesh({1, 1, 1}, {0, 0, 0});
   const Mesh other = box_mesh({1, 1, 0.75}, {9, 0, 0});
   for (const auto& [a, b, c] : other.triangles) mesh.triangles.push_back({a + 8, c + 8, b + 8});
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  CHECK(refusal(mesh) == "the surface passes through itself: its second moments are not positive");
+  const std::string refused =
+      "the second moments are not positive: the surface passes through itself, or one of several is turned "
+      "inside out";
+  CHECK(refusal(mesh) == refused);
+  Mesh apart = fine_sphere(512);  // unit spheres, one inside out
+  const auto count = static_cast<std::uint32_t>(apart.vertices.size());
+  const Mesh turned = shifted(fine_sphere(128), 5);
+  for (const auto& [a, b, c] : turned.triangles) apart.triangles.push_back({a + count, c + count, b + count});
+  apart.vertices.insert(apart.vertices.end(), turned.vertices.begin(), turned.vertices.end());
+  CHECK(refusal(apart) == refused);
+}
+
+TEST_CASE("a vertex that is no corner changes nothing, wherever it is") {
+  for (const std::size_t triangles : {8U, 2048U}) {
+    const Mesh sphere = fine_sphere(triangles);
+    const auto without = moments_of(sphere);
+    REQUIRE(without);
+    for (const double far : {1e4, 1e8, 1e300}) {
+      Mesh mesh = sphere;
+      mesh.vertices.insert(mesh.vertices.begin() + 3, {far, -far, far});
+      for (auto& triangle : mesh.triangles)
+        for (std::uint32_t& corner : triangle) corner += corner < 3 ? 0 : 1;
+      const auto with = moments_of(mesh);
+      REQUIRE(with);
+      CHECK(std::memcmp(&*with, &*without, offsetof(MeshMoments, sharp)) == 0);
+      CHECK(with->sharp == without->sharp);
+    }
+  }
 }
 
 TEST_CASE("meshes of the greatest and least sizes are summed, or refused where a result is no double") {
