@@ -145,7 +145,8 @@ RIGOR_INLINE DoubleDouble<double> half_turns_of(DoubleDouble<double> x, DoubleDo
     s = swap;
   }
   const double slope = s.high / c.high;
-  const double j = nearest_integer(slope * (16 + 5.56 * (1 - slope)));  // 64/π atan, within 0.1
+  // 64/π atan, within 0.1; of what is not a number the table's first, and the result is none either.
+  const double j = slope <= 1 ? nearest_integer(slope * (16 + 5.56 * (1 - slope))) : 0;
   const double* at = sixty_fourths[(int)j];
   // z = tan of what is left = (s cⱼ − c sⱼ) / (c cⱼ + s sⱼ)
   const DoubleDouble<double> near = exact_product(s.high, at[0]);
@@ -176,13 +177,16 @@ RIGOR_INLINE DoubleDouble<double> half_turns_of(DoubleDouble<double> x, DoubleDo
   return y.high < 0 ? -turn : turn;
 }
 
-/// ln x for 1 ≤ x < 2^1000. Error 1e-21: one step of Newton's on 5 digits, in two parts.
+/// ln x for 1 ≤ x < 2^990, and that of 2^990 beyond. Error 1e-21: one step of Newton's on 5 digits, in two
+/// parts.
 /// Method: e⁻ʸ from Taylor's series at a 64th of what is left of y, squared six times.
 RIGOR_INLINE DoubleDouble<double> logarithm(DoubleDouble<double> x) {
   const DoubleDouble<double> ln_2{0.6931471805599453, 2.3190468138462996e-17};
-  double y = 0;
-  double scale = power_below(x.high);
-  for (double left = scale; left > 1; left *= 0.5) y += ln_2.high;
+  if (x.high >= 0x1p990) x = {0x1p990, 0};
+  const double scale = power_below(x.high);
+  std::int64_t bits;
+  __builtin_memcpy(&bits, &scale, sizeof bits);
+  double y = (double)((bits >> 52) - 1023) * ln_2.high;
   const double g = (x.high / scale - 1) / (x.high / scale + 1);
   y += 2 * g * (1 + g * g * (1 / 3. + g * g * (1 / 5. + g * g * (1 / 7.))));
   const double n = nearest_integer(y / ln_2.high);

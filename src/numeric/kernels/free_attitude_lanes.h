@@ -226,7 +226,7 @@ RIGOR_INLINE void set_free_attitude(const double* moments, const double* spin, F
     square = square + part * part;
     out.moment[i] = frame.moment[i];
   }
-  set_eta(frame, m, third_modulus(frame), out);
+  set_eta(frame, m, third_modulus(frame, m), out);
   Double2 rate = square_root(square) * inverse_pi *
                  (m.b.high == 0 ? Double2{1, 0} / Double2{frame.moment[1], 0} : mean_rate(frame, m));
   if (out.spin.kind == FreeSpinKind::hyperbolic && m.b.high != 0) {

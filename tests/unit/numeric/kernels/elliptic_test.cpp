@@ -68,6 +68,14 @@ TEST_CASE("angles and logarithms in two parts have 21 digits") {
   }
   CHECK(baseline::logarithm(TwoParts{1, 0}).high == 0);
   CHECK(abs(value_of(baseline::logarithm(TwoParts{0x1p900, 0})) - log(Digits50(0x1p900))) < 1e-20);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double beyond : {0x1p990, 0x1p1000, 0x1.8p1023, infinity}) {
+    const Digits50 found = value_of(baseline::logarithm(TwoParts{beyond, 0}));
+    CHECK(abs(found - log(Digits50(0x1p990))) < 1e-20);
+  }
+  CHECK(std::isnan(baseline::half_turns_of({0, 0}, {0, 0}).high));
+  CHECK(std::isnan(baseline::half_turns_of({std::nan(""), 0}, {1, 0}).high));
+  CHECK(std::isnan(baseline::half_turns_of({1, 0}, {std::nan(""), 0}).high));
 }
 
 TEST_CASE("quarter periods from the complementary modulus have 30 digits, where 1 − k² has none left") {
