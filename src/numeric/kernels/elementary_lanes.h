@@ -10,7 +10,11 @@ namespace rigor::RIGOR_INSTRUCTION_SET {
 inline constexpr double pi_high = 3.141592653589793;
 inline constexpr double pi_low = 1.2246467991473532e-16;
 
-/// The nearest integer; any of two. Exact.
+/// The phases of periodic functions that have a value, in half turns: 2^47 turns. Beyond they are not a
+/// number.
+inline constexpr double most_half_turns = 0x1p48;
+
+/// The nearest integer of |x| < 2^51; any of two. Beyond, x.
 template <class T>
 RIGOR_INLINE T nearest_integer(T x) {
   constexpr double shift = 6755399441055744;  // 3/2 · 2^52: beyond it no fraction is left
@@ -61,10 +65,12 @@ RIGOR_INLINE SineCosine<T> small_sine_cosine(DoubleDouble<T> x) {
   return {x.high + (z * x.high * p + x.low * w), w + (((1 - w) - half) + (z * z * q - x.high * x.low))};
 }
 
-/// sin πy, cos πy. Relative error 2 u each, also next to their zeros, as far as y's two parts go.
+/// sin πy, cos πy for |y| < 2^48, else not a number. Relative error 2 u each, also next to their zeros, as
+/// far as y's two parts go.
 template <class T>
 RIGOR_INLINE SineCosine<T> sine_cosine_of_half_turns(DoubleDouble<T> y) {
-  const T quarters = nearest_integer(y.high * 2);
+  const T quarters =
+      select(absolute(y.high) < most_half_turns, nearest_integer(y.high * 2), all<T>(__builtin_nan("")));
   const DoubleDouble<T> rest = normalised(y.high - quarters * 0.5, y.low);
   const DoubleDouble<T> x = rest * DoubleDouble<T>{all<T>(pi_high), all<T>(pi_low)};
   const SineCosine<T> small = small_sine_cosine(x);

@@ -148,6 +148,37 @@ TEST_CASE("after 1e8 periods, and before, the spin is as good as after one", "[t
   }
 }
 
+TEST_CASE("beyond 2^47 turns there is no number, and before the spin is right", "[torque free]") {
+  for (const FreeBody& body : {FreeBody{{1, 2, 2.5}, {.6, .7, .9}}, FreeBody{{1, 2, 3}, {1e-3, .9, 1e-3}},
+                               FreeBody{{1, 5, 9}, {3, 1, 1.01}}}) {
+    const Digits70 period = period_of(body.moments, body.spin);
+    const auto motion = TorqueFree::make(body.moments, body.spin);
+    for (const double count : {0x1p44, -0x1p46, 0x1.fp46}) {
+      const double time = static_cast<double>(period) * count;
+      const Digits70 rest = Digits70(time) - period * floor(Digits70(time) / period);
+      INFO(count);
+      CHECK(worst_component(motion->spin(time), moved(body.moments, at_rest_of(body.spin), rest)) < bound);
+    }
+    for (const double count : {0x1.01p47, -0x1p48, 0x1p51, 1e17, 1e25, 1e300}) {
+      const Position spin = motion->spin(static_cast<double>(period) * count);
+      for (const double each : spin) CHECK(std::isnan(each));
+    }
+  }
+}
+
+TEST_CASE("needles are right until there is no number", "[torque free]") {
+  for (const double thin : {1e-8, 1e-20, 1e-38, 1e-59}) {
+    for (const Position& moments : {Position{thin, 1, 1.5}, Position{thin, 1.5 * thin, 1.5}}) {
+      INFO(thin << ' ' << moments[1]);
+      const FreeBody body{moments, {.3, .4, .5}};
+      const double turn = 2 * (moments[1] == 1 ? std::sqrt(thin) : thin);
+      CHECK(worst_error(body, {0, .1 * turn, -turn}) < bound);
+      const Position later = TorqueFree::make(body.moments, body.spin)->spin(turn * 1e16);
+      for (const double each : later) CHECK(std::isnan(each));
+    }
+  }
+}
+
 TEST_CASE("units do not matter, at 1e±300 neither", "[torque free]") {
   const Position plain = TorqueFree::make({1, 2, 2.5}, {.6, .7, .9})->spin(10);
   for (const int power : {-1000, -600, 600, 1000}) {
