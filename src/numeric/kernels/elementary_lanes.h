@@ -9,6 +9,10 @@ namespace rigor::RIGOR_INSTRUCTION_SET {
 
 inline constexpr double pi_high = 3.141592653589793;
 inline constexpr double pi_low = 1.2246467991473532e-16;
+inline constexpr DoubleDouble<double> inverse_pi{0.3183098861837907, -1.9678676675182486e-17};
+
+/// 3/2 · 2^52: a sum with it is an integer, in the low bits.
+inline constexpr double integer_shift = 6755399441055744;
 
 /// The phases of periodic functions that have a value, in half turns: 2^47 turns. Beyond they are not a
 /// number.
@@ -17,13 +21,12 @@ inline constexpr double most_half_turns = 0x1p48;
 /// The nearest integer of |x| < 2^51; any of two. Beyond, x.
 template <class T>
 RIGOR_INLINE T nearest_integer(T x) {
-  constexpr double shift = 6755399441055744;  // 3/2 · 2^52: beyond it no fraction is left
-  const T r = (x + shift) - shift;
-  return select(absolute(x) < shift / 3, r, x);
+  const T r = (x + integer_shift) - integer_shift;
+  return select(absolute(x) < integer_shift / 3, r, x);
 }
 
 RIGOR_INLINE double power_of_two(double n) {
-  const double shifted = n + (6755399441055744. + 1023);
+  const double shifted = n + (integer_shift + 1023);
   std::int64_t bits;
   __builtin_memcpy(&bits, &shifted, sizeof bits);
   bits = (std::int64_t)((std::uint64_t)bits << 52);
@@ -32,7 +35,7 @@ RIGOR_INLINE double power_of_two(double n) {
   return power;
 }
 /// 2ⁿ for integers −1022 ≤ n ≤ 1023.
-RIGOR_INLINE Lanes power_of_two(Lanes n) { return (Lanes)((LaneMask)(n + (6755399441055744. + 1023)) << 52); }
+RIGOR_INLINE Lanes power_of_two(Lanes n) { return (Lanes)((LaneMask)(n + (integer_shift + 1023)) << 52); }
 
 template <class T>
 struct SineCosine {
@@ -176,7 +179,6 @@ RIGOR_INLINE DoubleDouble<double> half_turns_of(DoubleDouble<double> x, DoubleDo
   p = 1 / 7. - w * p;
   p = 1 / 5. - w * p;
   p = 1 / 3. - w * p;
-  const DoubleDouble<double> inverse_pi{0.3183098861837907, -1.9678676675182486e-17};
   DoubleDouble<double> turn = (z + -z.high * w * p) * inverse_pi + j / 64;
   if (steep) turn = -turn + 0.5;
   if (x.high < 0) turn = -turn + 1.;

@@ -124,7 +124,7 @@ RIGOR_INLINE Moduli moduli_of(const StandardFrame& frame) {
 RIGOR_INLINE Double2 third_modulus(const StandardFrame& frame, const Moduli& m) {
   return square_root(frame.gap[2] * frame.p3) * (frame.scale3 / frame.scale1) * (1 / m.unit);
 }
-/// √(d₁d₂J₃) ω₃ = Δ of the time 0, times √(J₁d₂ω₁² + J₂d₁ω₂²)/√P₃ where that is not 1.
+/// a dn u = √(d₁d₂J₃) ω₃ at the time 0, in the same unit.
 RIGOR_INLINE Double2 first_delta(const StandardFrame& frame, const Moduli& m) {
   return square_root(frame.gap[0] * frame.gap[1] * frame.moment[2]) * (frame.spin[2] / frame.scale1) *
          (1 / m.unit);
@@ -148,7 +148,6 @@ RIGOR_INLINE void set_circular(const StandardFrame& frame, const Moduli& m, Doub
                                FreeSpin& out) {
   const auto& [j1, j2, j3] = frame.moment;
   const auto& [w1, w2, w3] = frame.spin;
-  const Double2 inverse_pi{0.3183098861837907, -1.9678676675182486e-17};
   const double c = third_modulus(frame, m).high;
   out.kind = FreeSpinKind::circular;
   out.nome = circular_nome(m.a.high, m.b.high, c * c);
