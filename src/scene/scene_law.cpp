@@ -93,7 +93,8 @@ void SceneEvaluation::move() {
     return found;
   };
   if (values_.along_principal_axes()) {
-    if (const auto& sharp = body_.moments()) {
+    const auto& sharp = body_.moments();
+    if (sharp && high_parts_suffice(*sharp, request)) {
       const Position moments = {(*sharp)[0].high, (*sharp)[1].high, (*sharp)[2].high};
       result_.motion = ledger_.compute(motion_node, "in closed form: the equations are a free rigid body's",
                                        [&] { return free_motion(rates, moments, request); });

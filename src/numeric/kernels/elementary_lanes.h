@@ -9,17 +9,24 @@ namespace rigor::RIGOR_INSTRUCTION_SET {
 
 inline constexpr double pi_high = 3.141592653589793;
 inline constexpr double pi_low = 1.2246467991473532e-16;
+inline constexpr DoubleDouble<double> inverse_pi{0.3183098861837907, -1.9678676675182486e-17};
 
-/// The nearest integer; any of two. Exact.
+/// 3/2 · 2^52: a sum with it is an integer, in the low bits.
+inline constexpr double integer_shift = 6755399441055744;
+
+/// The phases of periodic functions that have a value, in half turns: 2^47 turns. Beyond they are not a
+/// number.
+inline constexpr double most_half_turns = 0x1p48;
+
+/// The nearest integer of |x| < 2^51; any of two. Beyond, x.
 template <class T>
 RIGOR_INLINE T nearest_integer(T x) {
-  constexpr double shift = 6755399441055744;  // 3/2 · 2^52: beyond it no fraction is left
-  const T r = (x + shift) - shift;
-  return select(absolute(x) < shift / 3, r, x);
+  const T r = (x + integer_shift) - integer_shift;
+  return select(absolute(x) < integer_shift / 3, r, x);
 }
 
 RIGOR_INLINE double power_of_two(double n) {
-  const double shifted = n + (6755399441055744. + 1023);
+  const double shifted = n + (integer_shift + 1023);
   std::int64_t bits;
   __builtin_memcpy(&bits, &shifted, sizeof bits);
   bits = (std::int64_t)((std::uint64_t)bits << 52);
@@ -28,7 +35,7 @@ RIGOR_INLINE double power_of_two(double n) {
   return power;
 }
 /// 2ⁿ for integers −1022 ≤ n ≤ 1023.
-RIGOR_INLINE Lanes power_of_two(Lanes n) { return (Lanes)((LaneMask)(n + (6755399441055744. + 1023)) << 52); }
+RIGOR_INLINE Lanes power_of_two(Lanes n) { return (Lanes)((LaneMask)(n + (integer_shift + 1023)) << 52); }
 
 template <class T>
 struct SineCosine {
@@ -61,10 +68,12 @@ RIGOR_INLINE SineCosine<T> small_sine_cosine(DoubleDouble<T> x) {
   return {x.high + (z * x.high * p + x.low * w), w + (((1 - w) - half) + (z * z * q - x.high * x.low))};
 }
 
-/// sin πy, cos πy. Relative error 2 u each, also next to their zeros, as far as y's two parts go.
+/// sin πy, cos πy for |y| < 2^48, else not a number. Relative error 2 u each, also next to their zeros, as
+/// far as y's two parts go.
 template <class T>
 RIGOR_INLINE SineCosine<T> sine_cosine_of_half_turns(DoubleDouble<T> y) {
-  const T quarters = nearest_integer(y.high * 2);
+  const T quarters =
+      select(absolute(y.high) < most_half_turns, nearest_integer(y.high * 2), all<T>(__builtin_nan("")));
   const DoubleDouble<T> rest = normalised(y.high - quarters * 0.5, y.low);
   const DoubleDouble<T> x = rest * DoubleDouble<T>{all<T>(pi_high), all<T>(pi_low)};
   const SineCosine<T> small = small_sine_cosine(x);
@@ -145,7 +154,8 @@ RIGOR_INLINE DoubleDouble<double> half_turns_of(DoubleDouble<double> x, DoubleDo
     s = swap;
   }
   const double slope = s.high / c.high;
-  const double j = nearest_integer(slope * (16 + 5.56 * (1 - slope)));  // 64/π atan, within 0.1
+  // 64/π atan, within 0.1; of what is not a number the table's first, and the result is none either.
+  const double j = slope <= 1 ? nearest_integer(slope * (16 + 5.56 * (1 - slope))) : 0;
   const double* at = sixty_fourths[(int)j];
   // z = tan of what is left = (s cⱼ − c sⱼ) / (c cⱼ + s sⱼ)
   const DoubleDouble<double> near = exact_product(s.high, at[0]);
@@ -169,20 +179,22 @@ RIGOR_INLINE DoubleDouble<double> half_turns_of(DoubleDouble<double> x, DoubleDo
   p = 1 / 7. - w * p;
   p = 1 / 5. - w * p;
   p = 1 / 3. - w * p;
-  const DoubleDouble<double> inverse_pi{0.3183098861837907, -1.9678676675182486e-17};
   DoubleDouble<double> turn = (z + -z.high * w * p) * inverse_pi + j / 64;
   if (steep) turn = -turn + 0.5;
   if (x.high < 0) turn = -turn + 1.;
   return y.high < 0 ? -turn : turn;
 }
 
-/// ln x for 1 ≤ x < 2^1000. Error 1e-21: one step of Newton's on 5 digits, in two parts.
+/// ln x for 1 ≤ x < 2^990, and that of 2^990 beyond. Error 1e-21: one step of Newton's on 5 digits, in two
+/// parts.
 /// Method: e⁻ʸ from Taylor's series at a 64th of what is left of y, squared six times.
 RIGOR_INLINE DoubleDouble<double> logarithm(DoubleDouble<double> x) {
   const DoubleDouble<double> ln_2{0.6931471805599453, 2.3190468138462996e-17};
-  double y = 0;
-  double scale = power_below(x.high);
-  for (double left = scale; left > 1; left *= 0.5) y += ln_2.high;
+  if (x.high >= 0x1p990) x = {0x1p990, 0};
+  const double scale = power_below(x.high);
+  std::int64_t bits;
+  __builtin_memcpy(&bits, &scale, sizeof bits);
+  double y = (double)((bits >> 52) - 1023) * ln_2.high;
   const double g = (x.high / scale - 1) / (x.high / scale + 1);
   y += 2 * g * (1 + g * g * (1 / 3. + g * g * (1 / 5. + g * g * (1 / 7.))));
   const double n = nearest_integer(y / ln_2.high);

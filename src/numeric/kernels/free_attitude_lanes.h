@@ -206,7 +206,6 @@ RIGOR_INLINE void set_eta(const StandardFrame& frame, const Moduli& m, Double2 t
 RIGOR_INLINE void set_free_attitude(const double* moments, const double* spin, FreeAttitude& out) {
   StandardFrame frame;
   set_free_spin(moments, spin, out.spin, frame);
-  const Double2 inverse_pi{0.3183098861837907, -1.9678676675182486e-17};
   if (out.spin.kind == FreeSpinKind::steady) {
     if (out.spin.scale == 0) return;
     Double2 square{};
@@ -226,7 +225,7 @@ RIGOR_INLINE void set_free_attitude(const double* moments, const double* spin, F
     square = square + part * part;
     out.moment[i] = frame.moment[i];
   }
-  set_eta(frame, m, third_modulus(frame), out);
+  set_eta(frame, m, third_modulus(frame, m), out);
   Double2 rate = square_root(square) * inverse_pi *
                  (m.b.high == 0 ? Double2{1, 0} / Double2{frame.moment[1], 0} : mean_rate(frame, m));
   if (out.spin.kind == FreeSpinKind::hyperbolic && m.b.high != 0) {

@@ -29,7 +29,7 @@ struct FreeSpin {
 
   double nome = 0;           // q or q'
   double root_nome = 0;      // √q'
-  double amplitude[3] = {};  // rad/s, with the signs
+  double amplitude[3] = {};  // rad/s, over `scale` in a FreeAttitude, with the signs
   double theta3[4] = {};     // θ₃ = t₀ + t₂ G² + G (t₁ + t₃ G²) at G = 2 q cos 2v; θ₄ at −G
   double theta2[4] = {};     // θ₂ / (2 q^¼ cos v), likewise; θ₁ / (2 q^¼ sin v) at −G
 };

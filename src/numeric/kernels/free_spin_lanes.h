@@ -62,7 +62,8 @@ template <class T>
 RIGOR_INLINE HyperbolicPhase<T> hyperbolic_phase(const FreeSpin& spin, T t) {
   HyperbolicPhase<T> phase;
   const DoubleDouble<T> v = phase_at(spin.start, spin.rate, t);
-  const T n = nearest_integer(v.high * spin.inverse_half_period);
+  const T halves = v.high * spin.inverse_half_period;
+  const T n = select(absolute(halves) < most_half_turns, nearest_integer(halves), all<T>(__builtin_nan("")));
   const DoubleDouble<T> whole = exact_product(n, all<T>(spin.half_period[0]));
   const DoubleDouble<T> left = exact_difference(v.high, whole.high);
   const DoubleDouble<T> rest =

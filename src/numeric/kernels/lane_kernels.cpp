@@ -28,6 +28,7 @@ const LaneKernels kernels = {
         [](const double* moments, const double* spin, FreeSpin& into) {
           StandardFrame frame;
           set_free_spin(moments, spin, into, frame);
+          apply_scale(into);
         },
     .free_spin_at = [](const FreeSpin& spin, double time, double* into) { free_spin_at(spin, time, into); },
     .free_spins_at = [](const FreeSpin& spin, const double* times, std::size_t count,

@@ -24,6 +24,13 @@ const char* fault_of(const Position& moments, const Position& spin) {
   return nullptr;
 }
 
+/// So near that e-foldings from there leave the range of doubles: by less than 2^-800.
+bool is_lost_at_middle_axis(const FreeSpin& spin) {
+  if (spin.kind != FreeSpinKind::hyperbolic) return false;
+  const auto size = [&](int i) { return std::abs(spin.spin[spin.axis[i]]); };
+  return std::max(size(0), size(2)) * 0x1p800 < size(1);
+}
+
 }  // namespace
 
 Result<TorqueFree> TorqueFree::make(const Position& moments, const Position& spin) {
@@ -32,6 +39,8 @@ Result<TorqueFree> TorqueFree::make(const Position& moments, const Position& spi
   lane_kernels().set_free_spin(moments.data(), spin.data(), motion->spin_);
   if (!is_finite(motion->spin_.amplitude))
     motion = tl::unexpected(Error{"the spin grows beyond all doubles"});
+  else if (is_lost_at_middle_axis(motion->spin_))
+    motion = tl::unexpected(Error{"the spin is too near to the middle axis"});
   return motion;
 }
 

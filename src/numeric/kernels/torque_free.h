@@ -14,9 +14,8 @@
 //
 // Cost on a machine with AVX-512: 0.3 us for set-up and one time, 1.3 us where k' < 1/2; 28 to 42 ns a time
 // after that, 5 to 8 ns each of many (tests/bench/torque_free_cases.cpp).
-// Error, for the doubles as given: 16 u of every component on its own, 7 u measured, at every time up to 1e8
-// periods, forwards and backwards, on the separatrix and next to it (torque_free_test.cpp, 50 digits); it
-// grows as 1e-28 times the number of turns, and by u a period next to the middle axis by less than 1e-290.
+// Error, for the doubles as given: 16 u of every component on its own, 7 u measured, at every time within 2^47
+// turns, forwards and backwards, on the separatrix and next to it (torque_free_test.cpp, 50 digits).
 // The same bits on every machine.
 #pragma once
 
@@ -31,11 +30,12 @@ namespace rigor {
 class TorqueFree {
  public:
   /// `spin`: at the time 0. An error for what is not finite, for moments that are not positive or too unlike,
-  /// and where the spin would leave the range of doubles. A zero moment is refused, since nothing then
-  /// determines the spin about its axis.
+  /// where the spin would leave the range of doubles, and where its other components are both below 2^-800 of
+  /// the one along the middle axis, from which it is e-foldings away that no double holds. A zero moment is
+  /// refused, since nothing then determines the spin about its axis.
   [[nodiscard]] static Result<TorqueFree> make(const Position& moments, const Position& spin);
 
-  /// `time` in s, of any sign. Not a number if it is not, and beyond 2^900 turns.
+  /// `time` in s, of any sign. Not a number if it is not, and beyond 2^47 turns.
   [[nodiscard]] Position spin(double time) const;
 
   /// The same bits for each of many times; as many spins as times.

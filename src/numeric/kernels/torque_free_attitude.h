@@ -34,7 +34,7 @@ class TorqueFreeAttitude {
   /// As `TorqueFree::make`.
   [[nodiscard]] static Result<TorqueFreeAttitude> make(const Position& moments, const Position& spin);
 
-  /// `time` in s, of any sign. Not a number if it is not, and beyond 2^900 turns.
+  /// `time` in s, of any sign. Not a number if it is not, and beyond 2^47 turns.
   [[nodiscard]] AttitudeQuaternion at(double time) const;
 
   /// The same bits for each of many times; as many attitudes as times.

@@ -23,13 +23,16 @@ struct StandardFrame {
   Double2 p1;           // over scale1²
   Double2 p3;           // over scale3²
   Double2 d;            // over scale²
-  double scale = 0;     // powers of two, so that no square underflows
+  double scale = 0;     // powers of two, so that no square underflows that has a gap
   double scale1 = 0;
   double scale3 = 0;
   double direction = 0;  // of u: +1 where J₃ is greatest
 };
 
-RIGOR_INLINE Double2 product(double a, Double2 b, double c) { return (b * a) * exact_product(c, c); }
+/// a b c², 0 where b is, however large c.
+RIGOR_INLINE Double2 product(double a, Double2 b, double c) {
+  return b.high == 0 ? Double2{} : (b * a) * exact_product(c, c);
+}
 
 RIGOR_INLINE double power_below_largest(double a, double b) {
   return greater(power_below(greater(absolute(a), absolute(b))), 0x1p-1022);
@@ -70,7 +73,7 @@ RIGOR_INLINE bool standard_frame(const double* moments, const double* spin, Free
                          to_low.high != 0 && spin[low] != 0 && spin[middle] != 0};
   if (!(moves[0] || moves[1] || moves[2])) return false;
 
-  frame.scale = power_below_largest(spin[high], spin[low]);
+  frame.scale = power_below_largest(to_high.high == 0 ? 0 : spin[high], to_low.high == 0 ? 0 : spin[low]);
   frame.d = separatrix_distance(moments[high], to_high, spin[high] / frame.scale, moments[low], to_low,
                                 spin[low] / frame.scale);
   const bool about_high = frame.d.high >= 0;
@@ -95,7 +98,7 @@ RIGOR_INLINE bool standard_frame(const double* moments, const double* spin, Free
   }
   const auto& [j1, j2, j3] = frame.moment;
   const auto& [w1, w2, w3] = frame.spin;
-  frame.scale1 = power_below_largest(w2, w3);
+  frame.scale1 = power_below_largest(frame.gap[2].high == 0 ? 0 : w2, w3);
   frame.scale3 = power_below_largest(w1, w2);
   const double inverse1 = 1 / frame.scale1;
   const double inverse3 = 1 / frame.scale3;
@@ -104,18 +107,27 @@ RIGOR_INLINE bool standard_frame(const double* moments, const double* spin, Free
   return true;
 }
 
-/// a and b in units of (J₁J₂J₃)^-½.
+/// a and b in units of `unit` `scale1` (J₁J₂J₃)^-½, a power of two with which 1 ≤ a < 2: however slowly a top
+/// precesses, no product of theirs underflows.
 struct Moduli {
   Double2 a;
   Double2 b;
+  double unit = 0;
 };
 RIGOR_INLINE Moduli moduli_of(const StandardFrame& frame) {
-  return {square_root(frame.gap[0] * frame.p1) * frame.scale1,
-          square_root(frame.gap[1] * frame.d) * frame.scale};
+  const Double2 a = square_root(frame.gap[0] * frame.p1);
+  const double unit = power_below(a.high);
+  const double inverse = 1 / unit;
+  return {a * inverse, square_root(frame.gap[1] * frame.d) * (frame.scale / frame.scale1) * inverse, unit};
 }
 /// c in the same unit.
-RIGOR_INLINE Double2 third_modulus(const StandardFrame& frame) {
-  return square_root(frame.gap[2] * frame.p3) * frame.scale3;
+RIGOR_INLINE Double2 third_modulus(const StandardFrame& frame, const Moduli& m) {
+  return square_root(frame.gap[2] * frame.p3) * (frame.scale3 / frame.scale1) * (1 / m.unit);
+}
+/// a dn u = √(d₁d₂J₃) ω₃ at the time 0, in the same unit.
+RIGOR_INLINE Double2 first_delta(const StandardFrame& frame, const Moduli& m) {
+  return square_root(frame.gap[0] * frame.gap[1] * frame.moment[2]) * (frame.spin[2] / frame.scale1) *
+         (1 / m.unit);
 }
 
 RIGOR_INLINE void set_two(double* into, Double2 from) {
@@ -136,13 +148,12 @@ RIGOR_INLINE void set_circular(const StandardFrame& frame, const Moduli& m, Doub
                                FreeSpin& out) {
   const auto& [j1, j2, j3] = frame.moment;
   const auto& [w1, w2, w3] = frame.spin;
-  const Double2 inverse_pi{0.3183098861837907, -1.9678676675182486e-17};
-  const double c = frame.gap[2].high * frame.p3.high * frame.scale3 * frame.scale3;
+  const double c = third_modulus(frame, m).high;
   out.kind = FreeSpinKind::circular;
-  out.nome = circular_nome(m.a.high, m.b.high, c);
-  const Double2 delta = square_root(frame.gap[0] * frame.gap[1] * j3) * w3;
-  const Descent descent = descend(m.a, m.b, delta);
-  set_two(out.rate, quotient(descent.mean, root_product) * inverse_pi * frame.direction);
+  out.nome = circular_nome(m.a.high, m.b.high, c * c);
+  const Descent descent = descend(m.a, m.b, first_delta(frame, m));
+  const Double2 rate = quotient(descent.mean, root_product) * inverse_pi * frame.direction;
+  set_two(out.rate, rate * m.unit * frame.scale1);
   // tan φ at the time 0, both parts times √(J₁ d₂).
   const Double2 x = frame.gap[1] * j1;
   const Double2 y = square_root(frame.gap[0] * j2 * x) * descent.tangent;
@@ -153,7 +164,7 @@ RIGOR_INLINE void set_hyperbolic(const StandardFrame& frame, const Moduli& m, Do
                                  FreeSpin& out) {
   const auto& [j1, j2, j3] = frame.moment;
   const auto& [w1, w2, w3] = frame.spin;
-  const Double2 c = third_modulus(frame);
+  const Double2 c = third_modulus(frame, m);
   const double ac = (m.a.high + c.high) * m.a.high;
   const double root_l = m.b.high / (root(2 * ac) * (1 + root(c.high / m.a.high)));
   const double l2 = root_l * root_l;
@@ -166,12 +177,11 @@ RIGOR_INLINE void set_hyperbolic(const StandardFrame& frame, const Moduli& m, Do
   const Double2 y = square_root(frame.gap[0] * j2) * (absolute(w2) / frame.scale3);
   const Double2 r = square_root(frame.p3);
   const bool near = m.b.high == 0 || y.high * y.high * m.b.high <= x.high * x.high * m.a.high;
-  const Double2 delta =
-      near ? quotient(square_root(frame.gap[0] * frame.gap[1] * j3) * w3 * r, x) : quotient(m.a * r, y);
+  const Double2 delta = near ? quotient(first_delta(frame, m) * r, x) : quotient(m.a * r, y);
   const Descent descent = descend(m.a, c, delta);
   const Double2 sine = (near ? quotient(y, x) : quotient(x * m.a, y * m.b)) * descent.sine;
-  Double2 start = logarithm(sine + square_root(sine * sine + 1.));
-  set_two(out.rate, quotient(descent.mean, root_product) * frame.direction);
+  Double2 start = logarithm(sine.high < 0x1p400 ? sine + square_root(sine * sine + 1.) : sine * 2.);
+  set_two(out.rate, quotient(descent.mean, root_product) * frame.direction * m.unit * frame.scale1);
   if (m.b.high != 0) {
     const Double2 half = quotient(descent.mean * Double2{pi_high, pi_low}, mean_of(m.a, m.b));
     set_two(out.half_period, half);
@@ -181,7 +191,7 @@ RIGOR_INLINE void set_hyperbolic(const StandardFrame& frame, const Moduli& m, Do
   set_two(out.start, w2 < 0 ? -start : start);
 }
 
-/// The amplitudes of ω, with the constants of the theta functions.
+/// The amplitudes of ω over `scale`, with the constants of the theta functions.
 RIGOR_INLINE void set_amplitudes(const StandardFrame& frame, FreeSpin& out) {
   const auto& [j1, j2, j3] = frame.moment;
   theta_coefficients(out.nome, out.theta3, out.theta2);
@@ -194,7 +204,7 @@ RIGOR_INLINE void set_amplitudes(const StandardFrame& frame, FreeSpin& out) {
   out.amplitude[0] = size1 * (circular ? theta3.minus / theta2 : theta2 / theta3.minus);
   out.amplitude[1] = size2 * (theta3.plus / (circular ? theta2 : theta3.minus));
   out.amplitude[2] = size3 * ((circular ? theta3.minus : theta2) / theta3.plus);
-  for (int i = 0; i < 3; ++i) out.amplitude[i] *= out.sign[i] * out.scale;
+  for (int i = 0; i < 3; ++i) out.amplitude[i] *= out.sign[i];
 }
 
 /// The largest of three, as a power of two; at least 2^-1000, and 0 for zeros.
@@ -203,7 +213,13 @@ RIGOR_INLINE double size_of(const double* v) {
   return largest > 0x1p-1000 || largest == 0 ? power_below(largest) : 0x1p-1000;
 }
 
-/// Moments and spin are finite, moments positive and within 2^200 of each other.
+/// Amplitudes in rad/s.
+RIGOR_INLINE void apply_scale(FreeSpin& out) {
+  for (double& amplitude : out.amplitude) amplitude *= out.scale;
+}
+
+/// Moments and spin are finite, moments positive and within 2^200 of each other. Leaves the amplitudes over
+/// `scale`.
 RIGOR_INLINE void set_free_spin(const double* moments, const double* spin, FreeSpin& out,
                                 StandardFrame& frame) {
   for (int i = 0; i < 3; ++i) out.spin[i] = spin[i];

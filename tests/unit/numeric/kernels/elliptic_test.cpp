@@ -26,10 +26,10 @@ double error_of(const Digits50& found, const Digits50& expected) {
   return static_cast<double>(abs(found - expected) / abs(expected));
 }
 
-TEST_CASE("sine and cosine of half turns are right next to their zeros, and after 1e15 turns") {
+TEST_CASE("sine and cosine of half turns are right next to their zeros, and after 2^47 turns") {
   const Digits50 pi = boost::math::constants::pi<Digits50>();
   for (const double high :
-       {0.1, -0.25, 0.25, 0.4999999, 0.5, -0.5, 0.75, 1., 1.3, -1.7, 12345.678, 1e15 + .5}) {
+       {0.1, -0.25, 0.25, 0.4999999, 0.5, -0.5, 0.75, 1., 1.3, -1.7, 12345.678, 1e14 + .5, 0x1p48 - .25}) {
     for (const double low : {0., 1e-17, -3e-17}) {
       INFO(high << " + " << low);
       const auto found = baseline::sine_cosine_of_half_turns(TwoParts{high, low});
@@ -39,6 +39,8 @@ TEST_CASE("sine and cosine of half turns are right next to their zeros, and afte
       if (2 * y != floor(2 * y) || y == floor(y)) CHECK(error_of(found.cosine, cos(rest)) < 2 * unit);
     }
   }
+  for (const double beyond : {0x1p48, -0x1p51, 0x1p51 + .5, 0x1p52, 1e300})
+    CHECK(std::isnan(baseline::sine_cosine_of_half_turns(TwoParts{beyond, .1}).sine));
   CHECK(baseline::sine_cosine_of_half_turns(TwoParts{1, 0}).sine == 0);
   CHECK(baseline::sine_cosine_of_half_turns(TwoParts{0.5, 0}).cosine == 0);
 }
@@ -68,6 +70,14 @@ TEST_CASE("angles and logarithms in two parts have 21 digits") {
   }
   CHECK(baseline::logarithm(TwoParts{1, 0}).high == 0);
   CHECK(abs(value_of(baseline::logarithm(TwoParts{0x1p900, 0})) - log(Digits50(0x1p900))) < 1e-20);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double beyond : {0x1p990, 0x1p1000, 0x1.8p1023, infinity}) {
+    const Digits50 found = value_of(baseline::logarithm(TwoParts{beyond, 0}));
+    CHECK(abs(found - log(Digits50(0x1p990))) < 1e-20);
+  }
+  CHECK(std::isnan(baseline::half_turns_of({0, 0}, {0, 0}).high));
+  CHECK(std::isnan(baseline::half_turns_of({std::nan(""), 0}, {1, 0}).high));
+  CHECK(std::isnan(baseline::half_turns_of({1, 0}, {std::nan(""), 0}).high));
 }
 
 TEST_CASE("quarter periods from the complementary modulus have 30 digits, where 1 − k² has none left") {

@@ -33,7 +33,7 @@ double worst_turn(const Position& moments, const Position& spin, const std::vect
   for (const double time : times) {
     const ReferenceMotion reference = moved(moments, at_rest_of(spin), time, true);
     const double error = distance(attitude->at(time), reference.turn);
-    if (!(error <= worst)) worst = error;
+    worst = std::max(worst, std::isfinite(error) ? error : std::numeric_limits<double>::infinity());
   }
   return worst;
 }
@@ -107,6 +107,26 @@ TEST_CASE("after 1e8 periods the attitude is as good as after one", "[torque fre
       INFO(count);
       CHECK(distance(attitude->at(time), product(whole, rest.turn)) < bound);
     }
+  }
+}
+
+TEST_CASE("the attitude is right in every unit of time", "[torque free]") {
+  for (const Position& spin : {Position{.6, .7, .9}, Position{1, .3, .2}, Position{1e-3, 1, 1e-4}}) {
+    const AttitudeQuaternion plain = TorqueFreeAttitude::make({1, 2, 2.5}, spin)->at(10);
+    for (const int power : {-1000, -900, -540, 510, 900, 1000}) {
+      const double scale = std::ldexp(1, power);
+      const Position faster{spin[0] * scale, spin[1] * scale, spin[2] * scale};
+      INFO(power);
+      CHECK(TorqueFreeAttitude::make({1, 2, 2.5}, faster)->at(10 / scale) == plain);
+    }
+  }
+}
+
+TEST_CASE("beyond 2^47 turns there is no attitude", "[torque free]") {
+  for (const Position& moments : {Position{1, 2, 2.5}, Position{1, 1, 1}, Position{1, 1, 2}}) {
+    const auto attitude = TorqueFreeAttitude::make(moments, {.06, .9, .07});
+    for (const double time : {2e15, -1e18, 1e25, 1e300})
+      for (const double each : attitude->at(time)) CHECK(std::isnan(each));
   }
 }
 
