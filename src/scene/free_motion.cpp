@@ -22,7 +22,7 @@ bool is_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
 }
 
-/// Of the law with Euler's equations of a free body with the moments.
+/// Of the law with that of a free body with the moments.
 class Comparison {
  public:
   Comparison(const SpinRates& rates, const Position& moments, const MotionRequest& request)
@@ -44,14 +44,14 @@ class Comparison {
 
   [[nodiscard]] bool agrees(const Vector3& spin) const {
     const Vector3 found = rates_(spin);
+    const Position free = free_spin_rates(moments_, spin);
     const double square = spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2];
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
       const std::size_t k = (i + 2) % 3;
-      const double free = (moments_[j] - moments_[k]) / moments_[i] * spin[j] * spin[k];
       const double scale = (moments_[j] + moments_[k]) / moments_[i] * square;
       const double most = std::min(most_difference * scale, most_over_time_);
-      if (!std::isfinite(scale) || !(std::abs(found[i] - free) <= most)) return false;
+      if (!std::isfinite(scale) || !(std::abs(found[i] - free[i]) <= most)) return false;
     }
     return true;
   }

@@ -33,6 +33,16 @@ bool is_lost_at_middle_axis(const FreeSpin& spin) {
 
 }  // namespace
 
+Position free_spin_rates(const Position& moments, const Position& spin) {
+  Position rates{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    rates[i] = (moments[j] - moments[k]) / moments[i] * spin[j] * spin[k];
+  }
+  return rates;
+}
+
 Result<TorqueFree> TorqueFree::make(const Position& moments, const Position& spin) {
   if (const char* fault = fault_of(moments, spin)) return tl::unexpected(Error{fault});
   Result<TorqueFree> motion(tl::in_place);

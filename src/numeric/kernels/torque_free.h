@@ -27,6 +27,9 @@
 
 namespace rigor {
 
+/// dω/dt of the equations above, as they are written. Error: 4 u (I_j + I_k)/I_i |ω_j ω_k|.
+[[nodiscard]] Position free_spin_rates(const Position& moments, const Position& spin);
+
 class TorqueFree {
  public:
   /// `spin`: at the time 0. An error for what is not finite, for moments that are not positive or too unlike,
