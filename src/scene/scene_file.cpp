@@ -257,6 +257,28 @@ const TomlValue* table_of(TomlReader& reader, std::string_view key) {
   return table != nullptr && is_table(*table, key, reader.diagnostics()) ? table : nullptr;
 }
 
+/// A hertz counts periods, and a spin is an angle by the time: `1 Hz` can be meant as 1 rad/s and as 2π
+/// rad/s.
+bool counts_periods(const TomlValue& spin, Diagnostics& diagnostics) {
+  bool any = false;
+  for (const TomlValue& each : spin.items) {
+    if (!each.text.ends_with("Hz")) continue;
+    any = true;
+    report(diagnostics, DiagnosticKind::wrong_unit, each.span,
+           fmt::format("`{}` counts turns or radians: a spin needs an angle", each.text),
+           {"write `60 rpm` for one turn a second, or `1 rad/s`"});
+  }
+  return any;
+}
+
+std::optional<Vector3> read_spin(TomlReader& reader) {
+  const TomlValue* written = reader.find("spin");
+  if (written == nullptr || counts_periods(*written, reader.diagnostics())) return std::nullopt;
+  const auto spin = reader.quantities("spin", rate_dimension(), 3);
+  if (!spin) return std::nullopt;
+  return Vector3{(*spin)[0], (*spin)[1], (*spin)[2]};
+}
+
 void read_top(TomlReader& reader, SceneFile& scene) {
   Diagnostics& diagnostics = reader.diagnostics();
   scene.title = reader.text("title").value_or(std::filesystem::path(scene.path).stem().string());
@@ -266,9 +288,7 @@ void read_top(TomlReader& reader, SceneFile& scene) {
   (void)reader.require("body");
   scene.body = placed_text(reader, "body", "");
   scene.axes = read_axes(reader);
-  if (const auto spin = reader.quantities("spin", rate_dimension(), 3)) {
-    scene.spin = Vector3{(*spin)[0], (*spin)[1], (*spin)[2]};
-  }
+  scene.spin = read_spin(reader);
   if (const TomlValue* turn = reader.find("orientation"))
     scene.orientation = read_orientation(*turn, diagnostics);
   scene.symbols = read_symbols(table_of(reader, "symbols"), diagnostics);

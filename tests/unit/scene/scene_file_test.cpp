@@ -75,6 +75,8 @@ TEST_CASE("a spin is read with its unit", "[scene file]") {
   CHECK((*read.scene->spin)[2] == 3);
   CHECK(ReadScene(head + "spin = [\"1 kg\", 0, 0]\n" + ask).messages() ==
         "3: wrong-unit: `1 kg` is a mass (M), but `spin` must be a rate (T^{-1})\n");
+  CHECK(ReadScene(head + "spin = [0, \"2 kHz\", 0]\n" + ask).messages() ==
+        "3: wrong-unit: `2 kHz` counts turns or radians: a spin needs an angle\n");
   CHECK(ReadScene(head + "spin = [1, 0]\n" + ask).messages() ==
         "3: bad-toml: `spin` has 2 values, but must have 3\n");
   CHECK(ReadScene(head + "spin = [nan, 0, 0]\n" + ask).messages() ==
