@@ -133,7 +133,8 @@ class Judging {
     if (!claim_.nearly || judgement_.verdict != Verdict::proved) return;
     Prepared exact = prepare(tree_, names_, claim_.equation);
     if (exact.too_large) return;
-    NearlyQuestion nearly{.exact = std::move(exact.question), .names = names_of(exact), .small = {}};
+    NearlyQuestion nearly{.exact = {}, .names = names_of(exact), .small = {}};
+    nearly.exact = std::move(exact.question);
     for (const SmallQuantity& small : names_.small()) nearly.small.push_back(small.quantity);
     judgement_.nearly_question = std::move(nearly);
   }
