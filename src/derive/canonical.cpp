@@ -321,6 +321,21 @@ std::string canonical_text(const SymbolTable& symbols, const IndexPolynomial& po
   return Canonical(symbols).polynomial(polynomial, {}, 0);
 }
 
+std::string text_of_terms(const SymbolTable& symbols, const IndexPolynomial& polynomial) {
+  Canonical canonical(symbols);
+  std::vector<std::string> texts;
+  for (const IndexMonomial& term : polynomial.terms) {
+    IndexMonomial joined = term;
+    join_powers(canonical, joined);
+    const Text text = canonical.monomial(joined, {}, 0);
+    texts.push_back((term.coefficient * SmallRational(text.sign == 0 ? 1 : text.sign)).text() + '*' + text.text);
+  }
+  std::sort(texts.begin(), texts.end());
+  std::string all;
+  for (const std::string& text : texts) all += text + '+';
+  return all;
+}
+
 IndexPolynomial collected(ExprTree& tree, const IndexPolynomial& polynomial) {
   Canonical canonical(tree.symbols);
   std::map<std::string, std::size_t> known;

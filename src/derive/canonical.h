@@ -14,6 +14,10 @@ namespace rigor {
 /// cannot all be different).
 [[nodiscard]] std::string canonical_text(const SymbolTable& symbols, const IndexPolynomial& polynomial);
 
+/// The same without adding up equal terms: texts are equal where each term of one polynomial is a term of the
+/// other.
+[[nodiscard]] std::string text_of_terms(const SymbolTable& symbols, const IndexPolynomial& polynomial);
+
 inline constexpr std::size_t most_renamings = 720;
 
 /// Equal terms added up, those that vanish by a symmetry dropped, powers of equal factors joined, √x √x = x,
