@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
+#include "algebra/engine_version.h"
 #include "base/version.h"
 #include "catch.h"
 
@@ -100,12 +101,20 @@ TEST_CASE("what is wrong with a command line is said in one line") {
 
 TEST_CASE("help and version are no errors") {
   CHECK(parse({"--version"}).code == ExitCode::ok);
-  CHECK(parse({"--version"}).text == "rigor " + std::string(version) + "\n");
+  CHECK(parse({"--version"}).text == "rigor " + std::string(version) + "\nwith " + engine_version() + "\n");
   const CommandLine help = parse({"check", "--help"});
   CHECK(help.code == ExitCode::ok);
   for (const char* part :
        {"--json", "--sidecar FILE", "--strict", "--color", "--debug", "Example:", "  66  "})
     CHECK(help.text.find(part) != std::string::npos);
+}
+
+TEST_CASE("help of a command is what the command itself says") {
+  CHECK(parse({"help", "check"}).text == parse({"check", "--help"}).text);
+  CHECK(parse({"help"}).text == parse({"--help"}).text);
+  CHECK(parse({"help", "help"}).text == parse({"help", "--help"}).text);
+  CHECK(usage_error({"help", "chekc"}) == "rigor: COMMAND: `chekc` is no command; did you mean `check`?");
+  CHECK(usage_error({"help", "check", "eval"}) == "rigor: the following argument was not expected: eval");
 }
 
 }  // namespace
