@@ -35,6 +35,8 @@ Grammar::Grammar() {
   add_eval(*this);
   add_bench(*this);
   add_scene(*this);
+  add_cases(*this);
+  add_case(*this);
   add_help(*this);
   add_manual(*this);
   add_completion(*this);

@@ -117,5 +117,22 @@ TEST_CASE("help of a command is what the command itself says") {
   CHECK(usage_error({"help", "check", "eval"}) == "rigor: the following argument was not expected: eval");
 }
 
+TEST_CASE("cases are of one file, and one case has a name") {
+  const CommandLine line = parse({"cases", "a.md", "--into", "r.json", "--name", "n", "--sidecar", "s",
+                                  "--strict", "--ctest", "l.cmake"});
+  REQUIRE(line.cases);
+  CHECK(line.cases->file == "a.md");
+  CHECK(line.cases->results == "r.json");
+  CHECK(line.cases->name == "n");
+  CHECK(line.cases->sidecar == "s");
+  CHECK(line.cases->strict);
+  CHECK(line.cases->ctest == "l.cmake");
+  const CommandLine one = parse({"case", "r.json", "n (1) step 1"});
+  REQUIRE(one.one_case);
+  CHECK(one.one_case->name == "n (1) step 1");
+  CHECK(usage_error({"cases", "a.md"}) == "rigor: --into is required");
+  CHECK(usage_error({"case", "r.json"}) == "rigor: NAME is required");
+}
+
 }  // namespace
 }  // namespace rigor
