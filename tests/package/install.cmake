@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs into a folder, moves that, and looks for paths of this machine in what CMake will read.
+include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+run(0 ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/first)
+file(RENAME ${WORK}/first ${WORK}/moved)
+
+file(GLOB_RECURSE files ${PREFIX}/*.cmake ${PREFIX}/*.h ${PREFIX}/share/*)
+list(LENGTH files count)
+if(count LESS 8)
+  message(FATAL_ERROR "too few files: ${files}")
+endif()
+foreach(file IN LISTS files)
+  file(STRINGS ${file} lines)
+  foreach(path IN ITEMS ${WORK} ${BUILD} ${SOURCE})
+    string(FIND "${lines}" "${path}" at)
+    if(NOT at EQUAL -1)
+      message(FATAL_ERROR "${file} has the path ${path}")
+    endif()
+  endforeach()
+endforeach()
+run(0 ${PREFIX}/bin/rigor --version)
+expect("rigor ")
