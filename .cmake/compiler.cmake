@@ -5,10 +5,13 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# The floors go into a program and into a shared library, which shows nothing but its own interface.
+# The floors go into a program and into a shared library, which shows nothing but its own interface. The
+# sanitizers compare types by address, and would take a hidden one for another than GiNaC's own.
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-set(CMAKE_CXX_VISIBILITY_PRESET hidden)
-set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+if(NOT RIGOR_SANITIZE)
+  set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+  set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+endif()
 
 if(NOT DEFINED CMAKE_COMPILE_WARNING_AS_ERROR)
   set(CMAKE_COMPILE_WARNING_AS_ERROR ON)
@@ -33,7 +36,6 @@ if(RIGOR_SANITIZE)
     add_compile_options(-Wno-maybe-uninitialized) # not reliable in instrumented code, as GCC's manual says
   endif()
   add_library(rigor_sanitizers OBJECT ${CMAKE_CURRENT_LIST_DIR}/sanitizers.cpp)
-  set_target_properties(rigor_sanitizers PROPERTIES CXX_VISIBILITY_PRESET default) # the run-time library asks for them
   target_link_libraries(rigor_program INTERFACE rigor_sanitizers $<TARGET_OBJECTS:rigor_sanitizers>)
 endif()
 
