@@ -34,6 +34,7 @@ rigor_floor(check ON elaborate algebra)
 rigor_floor(derive ON algebra)
 rigor_floor(scene ON elaborate numeric PRIVATE rigor::tomlplusplus Boost::boost)
 rigor_floor(report ON check derive scene PRIVATE nlohmann_json::nlohmann_json)
+rigor_floor(api ON report)
 rigor_floor(app ON report PRIVATE nlohmann_json::nlohmann_json CLI11::CLI11)
 
 set(RIGOR_ONLY_ginac algebra)

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "app/grammar.h"
@@ -14,9 +13,8 @@ namespace rigor {
 CommandLine parse_command_line(int argc, const char* const* argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   Grammar grammar;
-  const std::vector<std::string> names = grammar.names();
-  if (!first.empty() && first[0] != '-' && std::find(names.begin(), names.end(), first) == names.end()) {
-    const std::string meant = suggest(first, names).value_or("check");
+  if (!first.empty() && first[0] != '-' && !grammar.has(first)) {
+    const std::string meant = suggest(first, grammar.names()).value_or("check");
     return usage_error(fmt::format("`{}` is no command; did you mean `{}`?", first, meant), meant);
   }
   try {

@@ -61,6 +61,22 @@ struct SceneCommand {
   ColorWhen color = ColorWhen::automatic;
 };
 
+/// `rigor cases`: what became of each step, for test runners.
+struct CasesCommand {
+  std::string file;
+  std::string results;                   // to be written
+  std::optional<std::string> name = {};  // what the name of each case begins with
+  std::optional<std::string> sidecar = {};
+  bool strict = false;
+  std::optional<std::string> ctest = {};  // a listing to be written
+};
+
+/// `rigor case`: one of them.
+struct CaseCommand {
+  std::string results;
+  std::string name;
+};
+
 /// Either a command, or a text to print and the code to end with: `--help`, `--version`, or what is wrong.
 struct CommandLine {
   std::optional<CheckCommand> check = {};
@@ -68,6 +84,8 @@ struct CommandLine {
   std::optional<EvalCommand> eval = {};
   std::optional<BenchCommand> bench = {};
   std::optional<SceneCommand> scene = {};
+  std::optional<CasesCommand> cases = {};
+  std::optional<CaseCommand> one_case = {};
   std::string text = {};
   ExitCode code = ExitCode::ok;
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "algebra/engine_version.h"
 #include "base/version.h"
 
 namespace rigor {
@@ -25,7 +26,8 @@ std::string footer(const std::vector<std::string>& examples) {
 }  // namespace
 
 Grammar::Grammar() {
-  app_.set_version_flag("--version", fmt::format("rigor {}", version), "Print the version and exit");
+  app_.set_version_flag("--version", fmt::format("rigor {}\nwith {}", version, engine_version()),
+                        "Print the version and exit");
   app_.require_subcommand(1);
   app_.footer(footer({"check notes/rigid-bodies.md --sidecar notes/physics.rigor"}));
   add_check(*this);
@@ -33,13 +35,18 @@ Grammar::Grammar() {
   add_eval(*this);
   add_bench(*this);
   add_scene(*this);
+  add_cases(*this);
+  add_case(*this);
+  add_help(*this);
+  add_manual(*this);
+  add_completion(*this);
 }
 
 CLI::App& Grammar::command(const char* name, const char* what, const std::vector<std::string>& examples,
                            std::function<CommandLine()> line) {
   CLI::App* words = app_.add_subcommand(name, what);
   words->footer(footer(examples));
-  commands_.push_back({words, std::move(line)});
+  commands_.push_back({words, examples, std::move(line)});
   return *words;
 }
 
@@ -60,6 +67,11 @@ std::vector<std::string> Grammar::names() const {
   std::vector<std::string> names;
   for (const Command& command : commands_) names.push_back(command.words->get_name());
   return names;
+}
+
+bool Grammar::has(const std::string& name) const {
+  const std::vector<std::string> all = names();
+  return std::find(all.begin(), all.end(), name) != all.end();
 }
 
 void add_sidecar(CLI::App& to, std::optional<std::string>& sidecar) {
@@ -83,11 +95,12 @@ void add_color(CLI::App& to, ColorWhen& color) {
 }
 
 CLI::Validator one_of(std::string what, std::vector<std::string> names) {
+  std::string joined = fmt::format("{}", fmt::join(names, std::string(1, choice_separator)));
   const auto complain = [what = std::move(what), names = std::move(names)](const std::string& word) {
     if (std::find(names.begin(), names.end(), word) != names.end()) return std::string();
     return fmt::format("unknown {} `{}`; known: {}", what, word, fmt::join(names, ", "));
   };
-  return CLI::Validator(complain, "");
+  return CLI::Validator(complain, "", std::move(joined));
 }
 
 CommandLine usage_error(std::string reason, std::string_view command) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/words.h"
 
 namespace rigor {
 
@@ -32,10 +33,14 @@ class Grammar {
   /// What was read, as a value.
   [[nodiscard]] CommandLine line() const;
   [[nodiscard]] std::vector<std::string> names() const;
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// All of it, for the manual page and the completion. Changes nothing.
+  [[nodiscard]] ProgramWords words();
 
  private:
   struct Command {
     CLI::App* words;
+    std::vector<std::string> examples;
     std::function<CommandLine()> line;
   };
   CLI::App app_{"rigor checks the equations in physics notes.", "rigor"};
@@ -47,12 +52,18 @@ void add_replay(Grammar& grammar);
 void add_eval(Grammar& grammar);
 void add_bench(Grammar& grammar);
 void add_scene(Grammar& grammar);
+void add_cases(Grammar& grammar);
+void add_case(Grammar& grammar);
+void add_help(Grammar& grammar);
+void add_manual(Grammar& grammar);
+void add_completion(Grammar& grammar);
 
 // What several commands have in common.
 
 void add_sidecar(CLI::App& to, std::optional<std::string>& sidecar);
 void add_color(CLI::App& to, ColorWhen& color);
-/// Only these words; anything else is `unknown WHAT`.
+/// Only these words; anything else is `unknown WHAT`. They are the validator's name, between separators.
+inline constexpr char choice_separator = '|';
 [[nodiscard]] CLI::Validator one_of(std::string what, std::vector<std::string> names);
 [[nodiscard]] CommandLine usage_error(std::string reason, std::string_view command);
 

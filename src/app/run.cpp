@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 
+#include "app/cases.h"
 #include "app/command_line.h"
 #include "app/forms.h"
 #include "app/progress.h"
@@ -79,6 +80,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     if (line.eval) return written(evaluate_forms(*line.eval, out, err), out, err);
     if (line.scene) return written(compute_scenes(*line.scene, out, err), out, err);
     if (line.bench) return written(bench_forms(*line.bench, out, err), out, err);
+    if (line.cases) return written(write_cases(*line.cases, out, err), out, err);
+    if (line.one_case) return written(tell_case(*line.one_case, out, err), out, err);
     (line.code == ExitCode::ok ? out : err) << line.text;
     return number_of(line.code);
   });

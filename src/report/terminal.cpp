@@ -129,6 +129,19 @@ std::string print_repairs(const Step& step, bool color) {
   return text;
 }
 
+/// One line a symbol, below the diagnostics.
+std::string print_dimensions(const FileReport& file) {
+  std::size_t width = 0;
+  for (const SymbolDimension& entry : file.dimensions)
+    width = std::max(width, cells(printable(entry.symbol)));
+  std::string text = "\ndimensions:\n";
+  for (const SymbolDimension& entry : file.dimensions)
+    text += "  " + padded(printable(entry.symbol), width) + "  " + entry.dimension.value_or("free") + "\n";
+  return text;
+}
+
+}  // namespace
+
 std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
                               const TerminalOptions& options) {
   const RenderOptions render_options{options.color, options.width > margin ? options.width - margin : 0};
@@ -145,19 +158,6 @@ std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
   }
   return text;
 }
-
-/// One line a symbol, below the diagnostics.
-std::string print_dimensions(const FileReport& file) {
-  std::size_t width = 0;
-  for (const SymbolDimension& entry : file.dimensions)
-    width = std::max(width, cells(printable(entry.symbol)));
-  std::string text = "\ndimensions:\n";
-  for (const SymbolDimension& entry : file.dimensions)
-    text += "  " + padded(printable(entry.symbol), width) + "  " + entry.dimension.value_or("free") + "\n";
-  return text;
-}
-
-}  // namespace
 
 std::string print_report(const Report& report, const SourceMap& sources, const TerminalOptions& options) {
   std::string text;

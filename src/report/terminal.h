@@ -31,6 +31,11 @@ struct TerminalOptions {
 [[nodiscard]] std::string print_report(const Report& report, const SourceMap& sources,
                                        const TerminalOptions& options = {});
 
+/// The part of it about what is wrong in one file: each diagnostic, with sample and repairs. Empty if there
+/// is nothing to say; else it begins with an empty line.
+[[nodiscard]] std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
+                                            const TerminalOptions& options = {});
+
 /// The last line, without its line break. How many refutations were expected, and how many errors and
 /// warnings there are, is said only where there are any.
 [[nodiscard]] std::string print_summary(const Report& report);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
+#include "algebra/engine_version.h"
 #include "base/version.h"
 #include "catch.h"
 
@@ -100,12 +101,37 @@ TEST_CASE("what is wrong with a command line is said in one line") {
 
 TEST_CASE("help and version are no errors") {
   CHECK(parse({"--version"}).code == ExitCode::ok);
-  CHECK(parse({"--version"}).text == "rigor " + std::string(version) + "\n");
+  CHECK(parse({"--version"}).text == "rigor " + std::string(version) + "\nwith " + engine_version() + "\n");
   const CommandLine help = parse({"check", "--help"});
   CHECK(help.code == ExitCode::ok);
   for (const char* part :
        {"--json", "--sidecar FILE", "--strict", "--color", "--debug", "Example:", "  66  "})
     CHECK(help.text.find(part) != std::string::npos);
+}
+
+TEST_CASE("help of a command is what the command itself says") {
+  CHECK(parse({"help", "check"}).text == parse({"check", "--help"}).text);
+  CHECK(parse({"help"}).text == parse({"--help"}).text);
+  CHECK(parse({"help", "help"}).text == parse({"help", "--help"}).text);
+  CHECK(usage_error({"help", "chekc"}) == "rigor: COMMAND: `chekc` is no command; did you mean `check`?");
+  CHECK(usage_error({"help", "check", "eval"}) == "rigor: the following argument was not expected: eval");
+}
+
+TEST_CASE("cases are of one file, and one case has a name") {
+  const CommandLine line = parse({"cases", "a.md", "--into", "r.json", "--name", "n", "--sidecar", "s",
+                                  "--strict", "--ctest", "l.cmake"});
+  REQUIRE(line.cases);
+  CHECK(line.cases->file == "a.md");
+  CHECK(line.cases->results == "r.json");
+  CHECK(line.cases->name == "n");
+  CHECK(line.cases->sidecar == "s");
+  CHECK(line.cases->strict);
+  CHECK(line.cases->ctest == "l.cmake");
+  const CommandLine one = parse({"case", "r.json", "n (1) step 1"});
+  REQUIRE(one.one_case);
+  CHECK(one.one_case->name == "n (1) step 1");
+  CHECK(usage_error({"cases", "a.md"}) == "rigor: --into is required");
+  CHECK(usage_error({"case", "r.json"}) == "rigor: NAME is required");
 }
 
 }  // namespace

@@ -54,6 +54,14 @@ TEST_CASE("a line's text has no line break of either sort, and no other line has
   CHECK(sources.line_start(file, 4) == 14);
 }
 
+TEST_CASE("the ids of a map count from 0") {
+  SourceMap sources;
+  CHECK(sources.size() == 0);
+  CHECK(sources.add("a.md", "") == 0);
+  CHECK(sources.add("b.md", "") == 1);
+  CHECK(sources.size() == 2);
+}
+
 TEST_CASE("a file beyond the map is empty") {
   const SourceMap sources;
   CHECK(sources.path(7) == "(no file)");
