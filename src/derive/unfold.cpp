@@ -13,7 +13,8 @@ namespace rigor {
 namespace {
 
 /// A copy in which each node went through `change`. Recursion: as deep as the tree.
-ExprId rebuilt(ExprTree& tree, ExprId root, const std::function<void(ExprNode&, std::vector<Slot>&)>& change) {
+ExprId rebuilt(ExprTree& tree, ExprId root,
+               const std::function<void(ExprNode&, std::vector<Slot>&)>& change) {
   ExprNode node = tree[root];
   const std::vector<ExprId> before(tree.children(root).begin(), tree.children(root).end());
   std::vector<ExprId> after;

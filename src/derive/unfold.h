@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// The expression with the definition put in for its symbol everywhere; the same id where it does not occur, or
-/// only as a whole although it is defined by its components. The square of √x is written x.
+/// The expression with the definition put in for its symbol everywhere; the same id where it does not occur,
+/// or only as a whole although it is defined by its components. The square of √x is written x.
 [[nodiscard]] ExprId unfolded(ExprTree& tree, ExprId root, const Definition& definition);
 
 /// The expression with its free letters replaced.
