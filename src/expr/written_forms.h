@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "expr/notation.h"
+#include "expr/question_names.h"
 #include "expr/statement.h"
 
 namespace rigor {
@@ -28,7 +29,9 @@ struct WrittenStep {
   bool defines = false;                   // the left form is a name for the right one
   std::optional<Outcome> outcome = {};    // nothing: it was not asked, or its answer does not count
   std::optional<Question> question = {};  // its `tree` is not set
-  std::optional<Sample> sample = {};      // refuted: where the sides differ
+  QuestionNames names = {};               // of the question's definitions and assumptions
+  std::optional<NearlyQuestion> nearly_question = {};  // `nearly`: the step before anything was left out
+  std::optional<Sample> sample = {};                   // refuted: where the sides differ
 };
 
 /// a = b = c, as it stands in the notes. All forms share their free letters.
