@@ -45,10 +45,10 @@ class Descending {
     while (!stopped_ && (unfold() || write_out())) {
     }
     if (!stopped_ && multiply_out()) {
-      while (!stopped_ && contract()) {
-      }
+      do {
+        if (!rules_.small.empty()) leave_out_second_order();
+      } while (!stopped_ && contract());
       collect();
-      if (!rules_.small.empty()) leave_out_second_order();
     }
     if (!has_polynomials_ || stopped_) polynomials_.clear();
     return {std::move(lines_), std::move(polynomials_)};
@@ -80,10 +80,17 @@ class Descending {
   bool unfold() {
     for (const NamedRule& rule : rules_.definitions) {
       std::vector<ExprId> changed = parts();
-      for (ExprId& part : changed) part = unfolded(tree_, part, rule.definition);
+      for (ExprId& part : changed) part = unfolded_part(part, rule.definition);
       if (changed != parts() && push(std::move(changed), rule.name, rule.name, false)) return true;
     }
     return false;
+  }
+
+  /// Along axes, what is unfolded is written along them at once: there zeros go.
+  ExprId unfolded_part(ExprId part, const Definition& definition) {
+    const ExprId changed = unfolded(tree_, part, definition);
+    if (changed == part || rules_.notation != DescentNotation::axes || tree_[changed].rank > 0) return changed;
+    return along_axes(tree_, changed, {}, {}).value_or(changed);
   }
 
   bool write_out() {
@@ -156,7 +163,8 @@ class Descending {
 
   bool push_polynomials(std::string down, std::string up) {
     std::vector<ExprId> written;
-    for (const IndexPolynomial& polynomial : polynomials_) {
+    for (IndexPolynomial& polynomial : polynomials_) {
+      join_powers(tree_, polynomial);
       const bool direct = rules_.notation == DescentNotation::direct;
       const auto expr = direct ? folded(tree_, polynomial, rules_.open) : expression_of(tree_, polynomial);
       if (!expr) return false;  // between two lines that can be written
@@ -211,9 +219,6 @@ class Descending {
     const SymbolTable& symbols = tree_.symbols;
     const std::string product = name_of_double_product();
     const std::string axes = "components along the axes 1, 2, 3";
-    if (apply("powers joined", "powers split",
-              [&](IndexPolynomial& each) { return join_powers(tree_, each); }))
-      return true;
     const bool along = rules_.notation == DescentNotation::axes;
     if (along && apply(axes, axes, [](IndexPolynomial& each) { return write_out_sums(each); })) return true;
     if (apply("δ contracted", "δ put in", [](IndexPolynomial& each) { return contract_deltas(each); }))
@@ -231,7 +236,8 @@ class Descending {
           }))
         return true;
     }
-    return apply(product, product, [](IndexPolynomial& each) { return contract_epsilons(each); });
+    if (apply(product, product, [](IndexPolynomial& each) { return contract_epsilons(each); })) return true;
+    return apply("sin² + cos² = 1", "sin² + cos² = 1", [](IndexPolynomial& each) { return replace_cosines(each); });
   }
 
   /// What is ε–δ in components, in direct notation.
@@ -269,7 +275,6 @@ class Descending {
     if (!any) return;
     polynomials_ = std::move(kept);
     if (push_polynomials("first order", "first order")) lines_.back().left_out = std::move(left_out);
-    collect();
   }
 
   ExprTree& tree_;

@@ -6,7 +6,7 @@
 
 #include "derive/line.h"
 #include "derive/nodes.h"
-#include "expr/differentiate.h"
+#include "derive/unfold.h"
 
 namespace rigor {
 namespace {
@@ -130,7 +130,7 @@ class Explaining {
           slots.push_back({0, free_letter(rules.letters)});
           rules.free.push_back(slots.back().variable);
         }
-        auto chain = chain_by(rules, component_of(tree_, left, slots), component_of(tree_, right, slots));
+        auto chain = chain_by(rules, component_within(tree_, left, slots), component_within(tree_, right, slots));
         if (chain) chain->letters.assign(rules.free.end() - rank, rules.free.end());
         return chain;
       }
