@@ -53,6 +53,15 @@ struct BenchCommand {
   std::string folder;  // for the pictures and the table; empty: the table goes to the output
 };
 
+/// `rigor report`: at least one of the outputs; a sidecar only with exactly one file.
+struct ReportCommand {
+  std::vector<std::string> files;
+  std::optional<std::string> html;   // where to; `-`: the output
+  std::optional<std::string> latex;  // the same
+  std::optional<std::string> sidecar;
+  bool forms = true;  // on the page: evaluate them
+};
+
 /// `rigor scene`: the quantities that a scene asks of a body.
 struct SceneCommand {
   std::vector<std::string> files;
@@ -84,6 +93,7 @@ struct CommandLine {
   std::optional<EvalCommand> eval = {};
   std::optional<BenchCommand> bench = {};
   std::optional<SceneCommand> scene = {};
+  std::optional<ReportCommand> report = {};
   std::optional<CasesCommand> cases = {};
   std::optional<CaseCommand> one_case = {};
   std::string text = {};

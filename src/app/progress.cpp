@@ -19,12 +19,12 @@ constexpr std::string_view erase_line = "\r\x1b[K";
 Progress::Progress(std::ostream& err, bool shown, Clock clock)
     : err_(err), shown_(shown), clock_(std::move(clock)), next_(clock_() + patience) {}
 
-void Progress::update(const std::string& path, std::size_t done, std::size_t all) {
+void Progress::update(const std::string& path, std::size_t done, std::size_t all, std::string_view what) {
   if (!shown_) return;
   const Time now = clock_();
   if (now < next_) return;
   next_ = now + pause;
-  err_ << erase_line << fmt::format("{}: {} of {} displays", shorten(path, 40), done, all) << std::flush;
+  err_ << erase_line << fmt::format("{}: {} of {} {}", shorten(path, 40), done, all, what) << std::flush;
   visible_ = true;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line that says how far the work has come: `notes.md: 12 of 63 displays`. It appears after a second,
-// changes at most ten times a second, and leaves nothing behind.
+// One line that says how far the work has come: `notes.md: 12 of 63 displays` (or `forms`). It appears after
+// a second, changes at most ten times a second, and leaves nothing behind.
 #pragma once
 
 #include <chrono>
 #include <functional>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 namespace rigor {
 
@@ -21,7 +22,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void update(const std::string& path, std::size_t done, std::size_t all);
+  void update(const std::string& path, std::size_t done, std::size_t all, std::string_view what = "displays");
   void clear();
 
  private:

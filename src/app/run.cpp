@@ -9,6 +9,7 @@
 #include "app/forms.h"
 #include "app/progress.h"
 #include "app/replay.h"
+#include "app/report.h"
 #include "app/scene.h"
 #include "app/screen.h"
 #include "base/check.h"
@@ -78,6 +79,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     if (line.check) return check(*line.check, out, err);
     if (line.replay) return written(replay(*line.replay, out, err), out, err);
     if (line.eval) return written(evaluate_forms(*line.eval, out, err), out, err);
+    if (line.report) return written(write_reports(*line.report, out, err), out, err);
     if (line.scene) return written(compute_scenes(*line.scene, out, err), out, err);
     if (line.bench) return written(bench_forms(*line.bench, out, err), out, err);
     if (line.cases) return written(write_cases(*line.cases, out, err), out, err);

@@ -23,10 +23,10 @@ struct Judgement {
   std::vector<std::string> uses;
   std::optional<Counterexample> counterexample;
   Diagnostics diagnostics;
-  Question question = {};             // the last one that was asked
-  QuestionNames names = {};           // of the question's definitions and assumptions
+  Question question = {};                              // the last one that was asked
+  QuestionNames names = {};                            // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
-  std::optional<Sample> sample = {};  // refuted: as the exact side gave it
+  std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
 };
 
 /// What is judged, and where it stands.

@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// `definition I_{ij} (8)` is `Eq. (8)`; without a tag it is the definition of its symbol. What a kind implies
-/// is called by the kind.
+/// `definition I_{ij} (8)` is `Eq. (8)`; without a tag it is the definition of its symbol. What a kind
+/// implies is called by the kind.
 [[nodiscard]] QuestionNames names_of(const Prepared& prepared);
 
 /// Why a symbol is 0 that nothing defines: what it is a derivative of does not change.

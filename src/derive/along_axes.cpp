@@ -155,10 +155,10 @@ class AlongAxes {
     for (std::size_t k = 0; k < before.size(); ++k) {
       const bool whole = tree_[before[k]].rank > 0;  // |a| of a vector stays
       const auto child = whole ? std::optional(at_axes(before[k])) : write(before[k]);
-      const bool vanishes = !child && (node.op == Op::negate || node.op == Op::particle_sum ||
-                                       node.op == Op::root || node.op == Op::absolute ||
-                                       (node.op == Op::divide && k == 0) ||
-                                       (node.op == Op::power && node.exponent > 0));
+      const bool vanishes =
+          !child && (node.op == Op::negate || node.op == Op::particle_sum || node.op == Op::root ||
+                     node.op == Op::absolute || (node.op == Op::divide && k == 0) ||
+                     (node.op == Op::power && node.exponent > 0));
       if (vanishes) return std::nullopt;
       after.push_back(child ? *child : number_node(tree_, 0));
     }

@@ -68,8 +68,8 @@ class Canonical {
 
  private:
   /// Names for what is summed over, by position in `order`: indices and particles count together.
-  static Calling called(const IndexMonomial& term, const Calling& outer, const std::vector<std::size_t>& order,
-                        int depth) {
+  static Calling called(const IndexMonomial& term, const Calling& outer,
+                        const std::vector<std::size_t>& order, int depth) {
     Calling calling = outer;
     for (std::size_t k = 0; k < order.size(); ++k) {
       const std::string name = "d" + std::to_string(depth) + "_" + std::to_string(k);
@@ -230,7 +230,8 @@ class Canonical {
   /// Symmetric tensors; repeated derivatives by space, whose axes come last.
   static void sort_symmetric(const Symbol& symbol, std::vector<std::string>& slots) {
     const std::ptrdiff_t space = symbol.derivation ? symbol.derivation->space : 0;
-    if (space > 1 && static_cast<std::ptrdiff_t>(slots.size()) >= space) std::sort(slots.end() - space, slots.end());
+    if (space > 1 && static_cast<std::ptrdiff_t>(slots.size()) >= space)
+      std::sort(slots.end() - space, slots.end());
     if (symbol.symmetric && slots.size() >= 2 && std::ptrdiff_t(slots.size()) - space >= 2)
       std::sort(slots.begin(), slots.begin() + 2);
   }
@@ -244,7 +245,7 @@ bool is_closed(const IndexMonomial& term, const IndexFactor& factor) {
 }
 
 /// Powers of equal factors that no sum over components reaches are one factor.
-void join_powers(Canonical& canonical, IndexMonomial& term) {
+void join_equal_factors(Canonical& canonical, IndexMonomial& term) {
   std::map<std::string, std::size_t> known;
   std::vector<IndexFactor> factors;
   for (const IndexFactor& factor : term.factors) {
@@ -270,7 +271,8 @@ bool join_square_with_root(Canonical& canonical, IndexMonomial& term) {
   for (IndexFactor& root : term.factors) {
     if (root.kind != Kind::root || root.exponent >= 0 || root.argument->terms.size() != 1) continue;
     const IndexMonomial& square = root.argument->terms[0];
-    if (square.indices.size() != 1 || square.factors.size() != 2 || square.coefficient != SmallRational(1)) continue;
+    if (square.indices.size() != 1 || square.factors.size() != 2 || square.coefficient != SmallRational(1))
+      continue;
     const std::string wanted = canonical.monomial(square, {}, 0).text;
     for (const IndexId index : term.indices) {
       IndexMonomial pair{.indices = {index}};
@@ -306,6 +308,25 @@ bool open_root(ExprTree& tree, IndexMonomial& term, IndexPolynomial& opened) {
   return false;
 }
 
+/// 1/2 of a denominator that is the number 2, and 1 of √1.
+bool take_out_numbers(IndexMonomial& term) {
+  for (std::size_t k = 0; k < term.factors.size(); ++k) {
+    const IndexFactor factor = term.factors[k];
+    if (factor.kind != Kind::root && factor.kind != Kind::sum) continue;
+    const auto& terms = factor.argument->terms;
+    if (terms.size() != 1 || !terms[0].factors.empty() || !terms[0].indices.empty() ||
+        !terms[0].particles.empty())
+      continue;
+    const SmallRational value = terms[0].coefficient;
+    if (factor.kind == Kind::root && value != SmallRational(1)) continue;
+    term.factors.erase(term.factors.begin() + static_cast<std::ptrdiff_t>(k));
+    for (int n = factor.exponent; n < 0; ++n) term.coefficient = term.coefficient / value;
+    for (int n = factor.exponent; n > 0; --n) term.coefficient = term.coefficient * value;
+    return true;
+  }
+  return false;
+}
+
 /// A sum over what does not speak of its index.
 void count_idle_sums(IndexMonomial& term) {
   for (std::size_t k = term.indices.size(); k-- > 0;) {
@@ -326,14 +347,43 @@ std::string text_of_terms(const SymbolTable& symbols, const IndexPolynomial& pol
   std::vector<std::string> texts;
   for (const IndexMonomial& term : polynomial.terms) {
     IndexMonomial joined = term;
-    join_powers(canonical, joined);
+    join_equal_factors(canonical, joined);
     const Text text = canonical.monomial(joined, {}, 0);
-    texts.push_back((term.coefficient * SmallRational(text.sign == 0 ? 1 : text.sign)).text() + '*' + text.text);
+    texts.push_back((term.coefficient * SmallRational(text.sign == 0 ? 1 : text.sign)).text() + '*' +
+                    text.text);
   }
   std::sort(texts.begin(), texts.end());
   std::string all;
   for (const std::string& text : texts) all += text + '+';
   return all;
+}
+
+bool join_powers(ExprTree& tree, IndexPolynomial& polynomial) {
+  Canonical canonical(tree.symbols);
+  bool changed = false;
+  IndexPolynomial result;
+  std::vector<IndexMonomial> open(polynomial.terms.rbegin(), polynomial.terms.rend());
+  while (!open.empty()) {
+    IndexMonomial term = std::move(open.back());
+    open.pop_back();
+    const std::size_t before = term.factors.size();
+    join_equal_factors(canonical, term);
+    while (join_square_with_root(canonical, term)) {
+    }
+    while (take_out_numbers(term)) {
+    }
+    changed = changed || term.factors.size() != before;
+    IndexPolynomial opened;
+    if (!open_root(tree, term, opened)) {
+      result.terms.push_back(std::move(term));
+      continue;
+    }
+    changed = true;
+    open.insert(open.end(), opened.terms.rbegin(), opened.terms.rend());
+    if (open.size() + result.terms.size() > most_monomials) return false;
+  }
+  if (changed) polynomial = std::move(result);
+  return changed;
 }
 
 IndexPolynomial collected(ExprTree& tree, const IndexPolynomial& polynomial) {
@@ -345,8 +395,8 @@ IndexPolynomial collected(ExprTree& tree, const IndexPolynomial& polynomial) {
     IndexMonomial term = std::move(open.back());
     open.pop_back();
     count_idle_sums(term);
-    join_powers(canonical, term);
-    while (join_square_with_root(canonical, term)) {
+    join_equal_factors(canonical, term);
+    while (join_square_with_root(canonical, term) || take_out_numbers(term)) {
     }
     IndexPolynomial opened;
     if (open_root(tree, term, opened)) {

@@ -20,6 +20,10 @@ namespace rigor {
 
 inline constexpr std::size_t most_renamings = 720;
 
+/// Powers of equal factors joined, √x √x = x, a_i a_i / |a|² = 1, numbers taken out of roots and
+/// denominators. False where nothing changed.
+bool join_powers(ExprTree& tree, IndexPolynomial& polynomial);
+
 /// Equal terms added up, those that vanish by a symmetry dropped, powers of equal factors joined, √x √x = x,
 /// a_i a_i / |a|² = 1. The first of equal terms stays as it was written.
 [[nodiscard]] IndexPolynomial collected(ExprTree& tree, const IndexPolynomial& polynomial);

@@ -78,7 +78,8 @@ std::vector<IndexMonomial> product_of_epsilons(const IndexMonomial& term, std::s
     erase_factor(product, other);
     erase_factor(product, at);
     std::vector<IndexFactor> deltas;
-    for (std::size_t i = common ? 1 : 0; i < 3; ++i) deltas.push_back(delta(a.slots[i], b.slots[orders[k][i]]));
+    for (std::size_t i = common ? 1 : 0; i < 3; ++i)
+      deltas.push_back(delta(a.slots[i], b.slots[orders[k][i]]));
     product.factors.insert(product.factors.begin() + static_cast<std::ptrdiff_t>(at), deltas.begin(),
                            deltas.end());
     if (common) erase_index(product, a.slots[0].variable);
@@ -100,8 +101,8 @@ bool contract_one(IndexMonomial& term) {
     const IndexFactor factor = term.factors[at];
     const auto& slots = factor.slots;
     if (factor.kind == Kind::epsilon) {
-      const bool equal = same_slot(slots[0], slots[1]) || same_slot(slots[1], slots[2]) ||
-                         same_slot(slots[0], slots[2]);
+      const bool equal =
+          same_slot(slots[0], slots[1]) || same_slot(slots[1], slots[2]) || same_slot(slots[0], slots[2]);
       const bool numbers = slots[0].axis != 0 && slots[1].axis != 0 && slots[2].axis != 0;
       if (!equal && !numbers) continue;
       term.coefficient = term.coefficient * SmallRational(equal ? 0 : sign_of_axes(slots));
@@ -253,6 +254,36 @@ bool contract_rotations(const SymbolTable& symbols, IndexPolynomial& polynomial)
 
 bool contract_unit_vectors(const SymbolTable& symbols, IndexPolynomial& polynomial) {
   return contract_pairs(polynomial, [&](SymbolId symbol) { return symbols[symbol].unit; });
+}
+
+bool replace_cosines(IndexPolynomial& polynomial) {
+  bool changed = false;
+  IndexPolynomial result;
+  std::vector<IndexMonomial> open(polynomial.terms.rbegin(), polynomial.terms.rend());
+  while (!open.empty()) {
+    IndexMonomial term = std::move(open.back());
+    open.pop_back();
+    const auto cosine = std::find_if(term.factors.begin(), term.factors.end(), [](const IndexFactor& factor) {
+      return factor.kind == Kind::function && factor.function == Function::cos && factor.exponent >= 2;
+    });
+    if (cosine == term.factors.end()) {
+      result.terms.push_back(std::move(term));
+      continue;
+    }
+    changed = true;
+    IndexFactor sine = *cosine;
+    sine.function = Function::sin;
+    sine.exponent = 2;
+    cosine->exponent -= 2;
+    if (cosine->exponent == 0) term.factors.erase(cosine);
+    open.push_back(term);
+    open.back().factors.push_back(sine);
+    open.back().coefficient = open.back().coefficient * SmallRational(-1);
+    open.push_back(std::move(term));
+    if (open.size() + result.terms.size() > most_monomials) return false;
+  }
+  if (changed) polynomial = std::move(result);
+  return changed;
 }
 
 }  // namespace rigor

@@ -7,6 +7,8 @@
 #include "derive/along_axes.h"
 #include "derive/canonical.h"
 #include "derive/contraction.h"
+#include "derive/first_order.h"
+#include "derive/fold.h"
 #include "derive/in_components.h"
 #include "derive/line.h"
 #include "derive/unfold.h"
@@ -39,16 +41,14 @@ class Descending {
 
   Descent descend(ExprId side) {
     push({side}, "", "", false);
-    if (rules_.axes) write_cases();
-    while (!stopped_ && (unfold() || (rules_.axes ? write_along_axes() : write_components()))) {
+    if (rules_.notation == DescentNotation::axes) write_cases();
+    while (!stopped_ && (unfold() || write_out())) {
     }
     if (!stopped_ && multiply_out()) {
-      while (!stopped_ && contract()) {
-      }
-      apply("like terms collected", "terms split", [&](IndexPolynomial& polynomial) {
-        polynomial = collected(tree_, polynomial);
-        return true;
-      });
+      do {
+        if (!rules_.small.empty()) leave_out_second_order();
+      } while (!stopped_ && contract());
+      collect();
     }
     if (!has_polynomials_ || stopped_) polynomials_.clear();
     return {std::move(lines_), std::move(polynomials_)};
@@ -67,7 +67,7 @@ class Descending {
       stopped_ = true;
       return false;
     }
-    describe(tree_, line);
+    describe(tree_, line, rules_.open);
     if (!lines_.empty() && line.shape == lines_.back().shape && line.terms == lines_.back().terms &&
         line.parts.size() == lines_.back().parts.size()) {
       lines_.back().flat = lines_.back().flat || flat;
@@ -80,8 +80,27 @@ class Descending {
   bool unfold() {
     for (const NamedRule& rule : rules_.definitions) {
       std::vector<ExprId> changed = parts();
-      for (ExprId& part : changed) part = unfolded(tree_, part, rule.definition);
+      for (ExprId& part : changed) part = unfolded_part(part, rule.definition);
       if (changed != parts() && push(std::move(changed), rule.name, rule.name, false)) return true;
+    }
+    return false;
+  }
+
+  /// Along axes, what is unfolded is written along them at once: there zeros go.
+  ExprId unfolded_part(ExprId part, const Definition& definition) {
+    const ExprId changed = unfolded(tree_, part, definition);
+    if (changed == part || rules_.notation != DescentNotation::axes || tree_[changed].rank > 0) return changed;
+    return along_axes(tree_, changed, {}, {}).value_or(changed);
+  }
+
+  bool write_out() {
+    switch (rules_.notation) {
+      case DescentNotation::direct:
+        return false;
+      case DescentNotation::components:
+        return write_components();
+      case DescentNotation::axes:
+        return write_along_axes();
     }
     return false;
   }
@@ -130,8 +149,10 @@ class Descending {
 
   bool multiply_out() {
     polynomials_.clear();
+    std::vector<Slot> slots;
+    for (const IndexId letter : rules_.open) slots.push_back({0, letter});
     for (const ExprId part : parts()) {
-      auto polynomial = polynomial_of(tree_, part);
+      auto polynomial = polynomial_of(tree_, part, slots);
       if (!polynomial) return false;
       polynomials_.push_back(*std::move(polynomial));
     }
@@ -142,18 +163,46 @@ class Descending {
 
   bool push_polynomials(std::string down, std::string up) {
     std::vector<ExprId> written;
-    for (const IndexPolynomial& polynomial : polynomials_) written.push_back(expression_of(tree_, polynomial));
+    for (IndexPolynomial& polynomial : polynomials_) {
+      join_powers(tree_, polynomial);
+      const bool direct = rules_.notation == DescentNotation::direct;
+      const auto expr = direct ? folded(tree_, polynomial, rules_.open) : expression_of(tree_, polynomial);
+      if (!expr) return false;  // between two lines that can be written
+      written.push_back(*expr);
+    }
     return push(std::move(written), std::move(down), std::move(up), true);
   }
 
-  /// A rule on all parts; true if a part changed.
+  /// A rule on all parts, and on what is opaque in them; true if anything changed.
   template <class Rule>
   bool apply(const std::string& down, const std::string& up, const Rule& rule) {
     if (!has_polynomials_ || stopped_) return false;
     bool changed = false;
-    for (IndexPolynomial& polynomial : polynomials_) changed = rule(polynomial) || changed;
+    for (IndexPolynomial& polynomial : polynomials_) changed = apply_within(polynomial, rule) || changed;
     if (changed) push_polynomials(down, up);
     return changed;
+  }
+
+  template <class Rule>
+  bool apply_within(IndexPolynomial& polynomial, const Rule& rule) {
+    bool changed = false;
+    for (IndexMonomial& term : polynomial.terms) {
+      for (IndexFactor& factor : term.factors) {
+        if (factor.argument == nullptr) continue;
+        IndexPolynomial argument = *factor.argument;
+        if (!apply_within(argument, rule)) continue;
+        factor.argument = std::make_shared<const IndexPolynomial>(std::move(argument));
+        changed = true;
+      }
+    }
+    return rule(polynomial) || changed;
+  }
+
+  void collect() {
+    apply("like terms collected", "terms split", [&](IndexPolynomial& polynomial) {
+      polynomial = collected(tree_, polynomial);
+      return true;
+    });
   }
 
   /// Terms that vanish or cancel are not worth contracting.
@@ -167,20 +216,19 @@ class Descending {
   }
 
   bool contract() {
-    if (rules_.axes && apply("components along the axes 1, 2, 3", "components along the axes 1, 2, 3",
-                             [](IndexPolynomial& polynomial) { return write_out_sums(polynomial); }))
-      return true;
-    if (apply("δ contracted", "δ put in", [](IndexPolynomial& polynomial) { return contract_deltas(polynomial); }))
+    const SymbolTable& symbols = tree_.symbols;
+    const std::string product = name_of_double_product();
+    const std::string axes = "components along the axes 1, 2, 3";
+    const bool along = rules_.notation == DescentNotation::axes;
+    if (along && apply(axes, axes, [](IndexPolynomial& each) { return write_out_sums(each); })) return true;
+    if (apply("δ contracted", "δ put in", [](IndexPolynomial& each) { return contract_deltas(each); }))
       return true;
     if (shorten()) return true;
-    const SymbolTable& symbols = tree_.symbols;
-    if (apply("a rotation is orthogonal", "a rotation is orthogonal", [&](IndexPolynomial& polynomial) {
-          return contract_rotations(symbols, polynomial);
-        }))
+    if (apply("a rotation is orthogonal", "a rotation is orthogonal",
+              [&](IndexPolynomial& each) { return contract_rotations(symbols, each); }))
       return true;
-    if (apply("length of a unit vector", "length of a unit vector", [&](IndexPolynomial& polynomial) {
-          return contract_unit_vectors(symbols, polynomial);
-        }))
+    if (apply("length of a unit vector", "length of a unit vector",
+              [&](IndexPolynomial& each) { return contract_unit_vectors(symbols, each); }))
       return true;
     for (const NamedReplacement& each : rules_.replacements) {
       if (apply(each.name, each.name, [&](IndexPolynomial& polynomial) {
@@ -188,7 +236,45 @@ class Descending {
           }))
         return true;
     }
-    return apply("ε–δ", "ε–δ", [](IndexPolynomial& polynomial) { return contract_epsilons(polynomial); });
+    if (apply(product, product, [](IndexPolynomial& each) { return contract_epsilons(each); })) return true;
+    return apply("sin² + cos² = 1", "sin² + cos² = 1", [](IndexPolynomial& each) { return replace_cosines(each); });
+  }
+
+  /// What is ε–δ in components, in direct notation.
+  std::string name_of_double_product() const {
+    if (rules_.notation != DescentNotation::direct) return "ε–δ";
+    for (const ExprId part : parts()) {
+      if (crosses_a_cross(part)) return "A×(B×C) = B(A·C) − C(A·B)";
+    }
+    return "(A×B)·(C×D) = (A·C)(B·D) − (A·D)(B·C)";
+  }
+
+  bool crosses_a_cross(ExprId root) const {
+    std::vector<ExprId> open{root};
+    while (!open.empty()) {
+      const ExprId id = open.back();
+      open.pop_back();
+      for (const ExprId child : tree_.children(id)) {
+        if (tree_[id].op == Op::cross && tree_[child].op == Op::cross) return true;
+        open.push_back(child);
+      }
+    }
+    return false;
+  }
+
+  void leave_out_second_order() {
+    std::vector<IndexPolynomial> kept = polynomials_;
+    std::vector<ExprId> left_out;
+    bool any = false;
+    for (IndexPolynomial& polynomial : kept) {
+      const auto rest = without_second_order(tree_, rules_.small, polynomial);
+      if (!rest) return;
+      any = any || !tree_.is_zero_literal(*rest);
+      left_out.push_back(*rest);
+    }
+    if (!any) return;
+    polynomials_ = std::move(kept);
+    if (push_polynomials("first order", "first order")) lines_.back().left_out = std::move(left_out);
   }
 
   ExprTree& tree_;

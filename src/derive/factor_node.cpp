@@ -59,8 +59,9 @@ ExprId factor_node(ExprTree& tree, const IndexFactor& factor) {
     case Kind::sum:
       return power_node(tree, expression_of(tree, *factor.argument), exponent);
     case Kind::function:
-      return power_node(
-          tree, node_of(tree, Op::function, expression_of(tree, *factor.argument), factor.function), exponent);
+      return power_node(tree,
+                        node_of(tree, Op::function, expression_of(tree, *factor.argument), factor.function),
+                        exponent);
     case Kind::table:
       return power_node(tree, table_node(tree, factor), exponent);
   }

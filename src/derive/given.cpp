@@ -5,6 +5,9 @@
 #include <cstdlib>
 #include <map>
 
+#include "derive/canonical.h"
+#include "derive/contraction.h"
+
 namespace rigor {
 namespace {
 
@@ -42,8 +45,7 @@ class Matching {
     const IndexFactor& wanted = replacement_.pattern.factors[next];
     for (std::size_t k = 0; k < term_.factors.size(); ++k) {
       if (++trials_ > most_trials) return false;
-      const bool used =
-          std::find(binding.factors.begin(), binding.factors.end(), k) != binding.factors.end();
+      const bool used = std::find(binding.factors.begin(), binding.factors.end(), k) != binding.factors.end();
       if (used || !same_head(wanted, term_.factors[k])) continue;
       for (const bool swapped : {false, true}) {
         if (swapped && !can_swap(wanted)) break;
@@ -59,7 +61,8 @@ class Matching {
   }
 
   static bool same_head(const IndexFactor& wanted, const IndexFactor& found) {
-    const bool known = wanted.kind == Kind::component || wanted.kind == Kind::delta || wanted.kind == Kind::epsilon;
+    const bool known =
+        wanted.kind == Kind::component || wanted.kind == Kind::delta || wanted.kind == Kind::epsilon;
     if (!known || wanted.kind != found.kind || wanted.slots.size() != found.slots.size()) return false;
     if (wanted.kind == Kind::component && wanted.symbol != found.symbol) return false;
     return wanted.exponent > 0 ? found.exponent >= wanted.exponent : found.exponent <= wanted.exponent;
@@ -104,7 +107,8 @@ class Matching {
   bool sums_fit(const Binding& binding) const {
     for (const IndexId index : replacement_.pattern.indices) {
       const Slot& slot = binding.indices.at(index);
-      if (slot.axis != 0 || !is_among(term_.indices, slot.variable) || stands_elsewhere(slot.variable, binding))
+      if (slot.axis != 0 || !is_among(term_.indices, slot.variable) ||
+          stands_elsewhere(slot.variable, binding))
         return false;
     }
     for (const ParticleId particle : replacement_.pattern.particles) {
@@ -120,11 +124,11 @@ class Matching {
   bool stands_elsewhere(Variable variable, const Binding& binding) const {
     for (std::size_t k = 0; k < term_.factors.size(); ++k) {
       const auto place = std::find(binding.factors.begin(), binding.factors.end(), k);
-      const bool whole = place != binding.factors.end() &&
-                         term_.factors[k].exponent ==
-                             replacement_.pattern
-                                 .factors[static_cast<std::size_t>(place - binding.factors.begin())]
-                                 .exponent;
+      const bool whole =
+          place != binding.factors.end() &&
+          term_.factors[k].exponent ==
+              replacement_.pattern.factors[static_cast<std::size_t>(place - binding.factors.begin())]
+                  .exponent;
       if (!whole && speaks_of(term_.factors[k], variable)) return true;
     }
     return false;
@@ -161,9 +165,56 @@ IndexPolynomial put_in(ExprTree& tree, const Replacement& replacement, const Bin
   return by;
 }
 
+/// into − from, as one sum.
+void gather(IndexPolynomial& into, const IndexPolynomial& from) {
+  for (IndexMonomial term : from.terms) {
+    term.coefficient = term.coefficient * SmallRational(-1);
+    into.terms.push_back(std::move(term));
+  }
+}
+
+/// How often a component is differentiated, by the time first.
+int rank_of(const SymbolTable& symbols, const IndexFactor& factor) {
+  if (factor.kind != Kind::component || factor.exponent != 1) return -1;
+  const auto& derivation = symbols[factor.symbol].derivation;
+  return derivation ? 100 * derivation->time + derivation->space : 0;
+}
+
+/// c·x + rest = 0 as x = −rest/c, with x the component that is differentiated most and c free of sums.
+bool solve_for_leading(const SymbolTable& symbols, IndexPolynomial& zero, IndexPolynomial& right) {
+  std::size_t best_term = 0;
+  std::size_t best_factor = 0;
+  int best = -1;
+  for (std::size_t t = 0; t < zero.terms.size(); ++t) {
+    const IndexMonomial& term = zero.terms[t];
+    if (!term.indices.empty() || !term.particles.empty()) continue;
+    for (std::size_t f = 0; f < term.factors.size(); ++f) {
+      if (rank_of(symbols, term.factors[f]) <= best) continue;
+      best = rank_of(symbols, term.factors[f]);
+      best_term = t;
+      best_factor = f;
+    }
+  }
+  if (best < 0) return false;
+  IndexMonomial pivot = zero.terms[best_term];
+  zero.terms.erase(zero.terms.begin() + static_cast<std::ptrdiff_t>(best_term));
+  IndexMonomial inverse = pivot;
+  inverse.coefficient = SmallRational(-1) / pivot.coefficient;
+  inverse.factors.erase(inverse.factors.begin() + static_cast<std::ptrdiff_t>(best_factor));
+  for (IndexFactor& factor : inverse.factors) {
+    if (factor.kind == Kind::delta || factor.kind == Kind::epsilon) return false;
+    factor.exponent = -factor.exponent;
+  }
+  const auto rest = product_of(zero, {{inverse}});
+  if (!rest) return false;
+  right = *rest;
+  zero.terms = {IndexMonomial{.factors = {pivot.factors[best_factor]}}};
+  return true;
+}
+
 }  // namespace
 
-std::optional<Replacement> replacement_of(ExprTree& tree, const Equation& equation) {
+std::optional<Replacement> replacement_of(ExprTree& tree, const Equation& equation, Orientation orientation) {
   if (equation.relation != Relation::equal) return std::nullopt;
   Replacement result;
   result.indices = equation.indices;
@@ -176,15 +227,35 @@ std::optional<Replacement> replacement_of(ExprTree& tree, const Equation& equati
   auto left = polynomial_of(tree, equation.left, slots);
   auto right = polynomial_of(tree, equation.right, slots);
   if (!left || !right) return std::nullopt;
+  contract_deltas(*left);
+  contract_deltas(*right);
+  if (orientation == Orientation::leading) {
+    gather(*left, *right);
+    *left = collected(tree, *left);
+    if (!solve_for_leading(tree.symbols, *left, *right)) return std::nullopt;
+  }
   if (left->terms.size() != 1 && right->terms.size() == 1) std::swap(left, right);
   if (left->terms.empty()) std::swap(left, right);
   if (left->terms.empty() || left->terms[0].factors.empty()) return std::nullopt;
   result.pattern = left->terms[0];
+  left->terms.erase(left->terms.begin());
   result.by = *right;
-  for (std::size_t k = 1; k < left->terms.size(); ++k) {
-    IndexMonomial other = left->terms[k];
-    other.coefficient = other.coefficient * SmallRational(-1);
-    result.by.terms.push_back(std::move(other));
+  gather(result.by, *left);
+  return result;
+}
+
+Replacement replacement_of_unit(ExprTree& tree, SymbolId unit) {
+  Replacement result;
+  IndexFactor component{.symbol = unit, .slots = {{.axis = 3}}, .exponent = 2};
+  if (tree.symbols[unit].per_particle) {
+    component.particle = tree.add_particle("");
+    result.particles = {component.particle};
+  }
+  result.pattern.factors = {component};
+  result.by.terms.push_back({});
+  for (const std::uint8_t axis : {std::uint8_t{1}, std::uint8_t{2}}) {
+    component.slots = {{.axis = axis}};
+    result.by.terms.push_back({.coefficient = -1, .factors = {component}});
   }
   return result;
 }
@@ -202,7 +273,8 @@ bool replace_given(ExprTree& tree, const Replacement& replacement, IndexPolynomi
       result.terms.push_back(term);
       continue;
     }
-    const auto product = product_of({{rest_of(term, replacement, *binding)}}, put_in(tree, replacement, *binding));
+    const auto product =
+        product_of({{rest_of(term, replacement, *binding)}}, put_in(tree, replacement, *binding));
     if (!product || ++uses > most_uses) return false;
     changed = true;
     open.insert(open.end(), product->terms.rbegin(), product->terms.rend());

@@ -59,7 +59,8 @@ inline constexpr std::size_t most_factors = 40;
                                                            std::span<const Slot> slots = {});
 
 /// Back to an expression of rank 0: coefficients first, common factors of what is under one particle sum in
-/// front of it. Letters are the variables' own (`with_letters` in derive/letter_choice.h chooses better ones).
+/// front of it. Letters are the variables' own (`with_letters` in derive/letter_choice.h chooses better
+/// ones).
 [[nodiscard]] ExprId expression_of(ExprTree& tree, const IndexPolynomial& polynomial);
 
 /// The product. Nothing where it is too large.

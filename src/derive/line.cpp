@@ -19,12 +19,15 @@ std::vector<ExprId> tuples_of(ExprTree& tree, const std::vector<ExprId>& entries
 
 }  // namespace
 
-void describe(ExprTree& tree, Line& line) {
+void describe(ExprTree& tree, Line& line, const std::vector<IndexId>& open) {
+  std::vector<Slot> slots;
+  for (const IndexId letter : open) slots.push_back({0, letter});
   line.shape.clear();
   line.terms.clear();
   for (const ExprId part : line.parts) {
     line.shape += shape_of(tree, part) + ';';
-    const auto polynomial = polynomial_of(tree, part);
+    const bool fits = tree[part].rank == slots.size();
+    const auto polynomial = fits ? polynomial_of(tree, part, slots) : std::nullopt;
     if (!polynomial) {
       line.terms.clear();
       return;

@@ -6,8 +6,8 @@
 
 namespace rigor {
 
-/// Fills `shape` and `terms`.
-void describe(ExprTree& tree, Line& line);
+/// Fills `shape` and `terms`. `open`: letters for the axes of a line in direct notation.
+void describe(ExprTree& tree, Line& line, const std::vector<IndexId>& open);
 
 /// Do two lines say the same but for letters and order?
 [[nodiscard]] bool meets(const Line& a, const Line& b);

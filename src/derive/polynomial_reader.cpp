@@ -135,7 +135,8 @@ class PolynomialReader {
 
   IndexPolynomial sum(ExprId id, const std::vector<Slot>& slots) {
     IndexPolynomial total;
-    for (std::size_t k = 0; k < tree_[id].count; ++k) total = plus(std::move(total), read(child(id, k), slots));
+    for (std::size_t k = 0; k < tree_[id].count; ++k)
+      total = plus(std::move(total), read(child(id, k), slots));
     return total;
   }
 
@@ -211,7 +212,8 @@ class PolynomialReader {
         break;
     }
     if (!is_plain(id))
-      return single({.kind = IndexFactor::Kind::sum, .exponent = -exponent, .argument = shared(read(id, {}))});
+      return single(
+          {.kind = IndexFactor::Kind::sum, .exponent = -exponent, .argument = shared(read(id, {}))});
     result = read(id, {});
     result.terms[0].factors[0].exponent *= -exponent;
     return result;

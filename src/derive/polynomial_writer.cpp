@@ -49,9 +49,8 @@ class PolynomialWriter {
   /// The factors, with those that speak of a particle under its sum.
   ExprId product(SmallRational coefficient, std::vector<IndexFactor> factors,
                  std::vector<ParticleId> particles) {
-    std::stable_sort(factors.begin(), factors.end(), [](const IndexFactor& a, const IndexFactor& b) {
-      return place_of(a) < place_of(b);
-    });
+    std::stable_sort(factors.begin(), factors.end(),
+                     [](const IndexFactor& a, const IndexFactor& b) { return place_of(a) < place_of(b); });
     if (particles.empty()) return quotient(coefficient, factors, {});
     const ParticleId particle = particles.front();
     particles.erase(particles.begin());
@@ -111,7 +110,8 @@ class PolynomialWriter {
     }
     std::vector<IndexFactor> inside;
     std::vector<IndexFactor> outside;
-    for (const IndexFactor& factor : shared) (speaks_of(factor, particle) ? inside : outside).push_back(factor);
+    for (const IndexFactor& factor : shared)
+      (speaks_of(factor, particle) ? inside : outside).push_back(factor);
     const ExprId body = quotient(1, inside, {sum_node(tree_, terms)});
     return quotient(size, outside, {particle_sum_node(tree_, particle, body)});
   }
@@ -154,7 +154,9 @@ class PolynomialWriter {
 
   /// The size of the coefficients, if they differ in sign only.
   static SmallRational take_size(std::vector<IndexMonomial>& group) {
-    const auto size_of = [](SmallRational value) { return value.over() < 0 ? value * SmallRational(-1) : value; };
+    const auto size_of = [](SmallRational value) {
+      return value.over() < 0 ? value * SmallRational(-1) : value;
+    };
     const SmallRational size = size_of(group[0].coefficient);
     for (const IndexMonomial& term : group) {
       if (size_of(term.coefficient) != size) return 1;

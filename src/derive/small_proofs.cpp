@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/small_proofs.h"
 
-#include <numeric>
+#include <utility>
 
 namespace rigor {
 namespace {
@@ -12,35 +12,35 @@ constexpr Limits brief{.expanded_terms = 30'000,
                        .fewest_assumptions = false,
                        .simplest_sample = false};
 
-std::vector<std::size_t> all_of(std::size_t count) {
-  std::vector<std::size_t> positions(count);
-  std::iota(positions.begin(), positions.end(), std::size_t{0});
-  return positions;
-}
-
 }  // namespace
 
-Decision SmallProofs::decide_with(ExprId left, ExprId right, const std::vector<std::size_t>& definitions,
-                                  const std::vector<std::size_t>& assumptions) {
-  Question question{.tree = &tree_, .claim = question_.claim};
+Decision SmallProofs::decide_from(ExprId left, ExprId right, std::vector<Definition> definitions,
+                                  std::vector<Equation> assumptions) {
+  Question question{.tree = &tree_,
+                    .claim = question_.claim,
+                    .definitions = std::move(definitions),
+                    .assumptions = std::move(assumptions),
+                    .zeroed = question_.zeroed};
   question.claim.left = left;
   question.claim.right = right;
-  question.claim.relation = Relation::equal;
-  for (const std::size_t k : definitions) question.definitions.push_back(question_.definitions[k]);
-  for (const std::size_t k : assumptions) question.assumptions.push_back(question_.assumptions[k]);
-  question.zeroed = question_.zeroed;
   return decide(question, brief);
 }
 
-bool SmallProofs::equal(ExprId left, ExprId right) {
+bool SmallProofs::equal(ExprId left, ExprId right, const std::vector<IndexId>& free) {
   const auto [entry, fresh] = known_.try_emplace({left, right}, false);
   if (!fresh) return entry->second;
-  const auto proved = [&](const std::vector<std::size_t>& definitions,
-                          const std::vector<std::size_t>& assumptions) {
-    return decide_with(left, right, definitions, assumptions).outcome == Outcome::proved;
+  const auto proved = [&](bool definitions, bool assumptions) {
+    Question question{.tree = &tree_, .claim = question_.claim};
+    question.claim.left = left;
+    question.claim.right = right;
+    question.claim.indices = free;
+    if (definitions) question.definitions = question_.definitions;
+    if (assumptions) question.assumptions = question_.assumptions;
+    if (definitions) question.zeroed = question_.zeroed;
+    return decide(question, brief).outcome == Outcome::proved;
   };
-  entry->second = proved({}, {}) || proved(all_of(question_.definitions.size()), {}) ||
-                  proved(all_of(question_.definitions.size()), all_of(question_.assumptions.size()));
+  entry->second = proved(false, false) || (!question_.definitions.empty() && proved(true, false)) ||
+                  (!question_.assumptions.empty() && proved(true, true));
   return entry->second;
 }
 

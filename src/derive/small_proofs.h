@@ -16,11 +16,11 @@ class SmallProofs {
   /// `question` is kept by reference; its `tree` is not read.
   SmallProofs(const ExprTree& tree, const Question& question) : tree_(tree), question_(question) {}
 
-  /// Is it proved, with no more definitions and assumptions than these positions?
-  [[nodiscard]] Decision decide_with(ExprId left, ExprId right, const std::vector<std::size_t>& definitions,
-                                     const std::vector<std::size_t>& assumptions);
-  /// Without definitions and assumptions, or with all of them. Known pairs are not asked again.
-  [[nodiscard]] bool equal(ExprId left, ExprId right);
+  /// The question's claim, or another one with its free letters, from these definitions and assumptions.
+  [[nodiscard]] Decision decide_from(ExprId left, ExprId right, std::vector<Definition> definitions,
+                                     std::vector<Equation> assumptions);
+  /// From nothing, or from the question's definitions and assumptions. Known pairs are not asked again.
+  [[nodiscard]] bool equal(ExprId left, ExprId right, const std::vector<IndexId>& free);
 
  private:
   const ExprTree& tree_;

@@ -143,15 +143,24 @@ LatexPrinter::Piece LatexPrinter::power(ExprId id) {
   return {at_least(Level::base, base).text + exponent_text(exponent), Level::factor};
 }
 
+bool LatexPrinter::has_letter_e() const {
+  for (std::size_t k = 0; k < tree_.symbols.size(); ++k) {
+    const Symbol& symbol = tree_.symbols[static_cast<SymbolId>(k)];
+    if (symbol.rank == 0 && symbol.name == "e") return true;
+  }
+  return false;
+}
+
 /// Arguments stand in brackets, but for a lone letter.
 LatexPrinter::Piece LatexPrinter::function(ExprId id, int exponent) {
   const ExprNode& node = tree_[id];
   const ExprId argument = child(id);
   const std::string raised = exponent == 1 ? "" : exponent_text(exponent);
-  if (node.function == Function::exp && exponent == 1) {
-    const ExprId sign_off = tree_[argument].op == Op::negate ? child(argument) : argument;
-    if (tree_[sign_off].op != Op::number) return {"e^{" + text(argument) + "}", Level::factor};
-  }
+  const std::string inside_braces = text(argument);
+  // `e^{2}` is a power of a letter e.
+  const bool digits = inside_braces.find_first_not_of("-0123456789") == std::string::npos;
+  if (node.function == Function::exp && exponent == 1 && !digits && !has_letter_e())
+    return {"e^{" + inside_braces + "}", Level::factor};
   std::string result = sign_of(node.function) + raised;
   const Piece inside = piece(argument);
   if (is_plain_letter(argument) && inside.level == Level::base) {

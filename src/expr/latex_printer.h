@@ -43,6 +43,7 @@ class LatexPrinter {
   Piece quotient(ExprId id);
   Piece power(ExprId id);
   Piece function(ExprId id, int exponent);
+  bool has_letter_e() const;
   Piece bars(ExprId id);
   Piece component(ExprId id);
   Piece entries(ExprId id);

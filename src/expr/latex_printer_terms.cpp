@@ -97,7 +97,8 @@ void LatexPrinter::join(std::string& text, const Operand& before, const Operand&
 /// `f(x + y)` can be the value of a function, and `d x` a differential.
 bool LatexPrinter::reads_as_argument(ExprId before, ExprId next, const Piece& next_piece) const {
   if (!is_plain_letter(before)) return false;
-  const ExprId named = tree_[before].op == Op::length ? child(before) : before;
+  ExprId named = before;
+  while (tree_[named].op != Op::symbol) named = child(named);
   const Symbol& symbol = tree_.symbols[tree_[named].symbol];
   const LatexName name = name_of(base_of(tree_.symbols, tree_[named].symbol));
   if (name.letter == "d" && !symbol.declared && !next_piece.bracketed) return true;
@@ -127,8 +128,10 @@ bool LatexPrinter::reads_as_argument(ExprId before, ExprId next, const Piece& ne
   return coordinate;
 }
 
-/// One letter with its scripts, no face.
+/// One letter with its scripts, no face: `a`, `A_i`, `S_{ii}`.
 bool LatexPrinter::is_plain_letter(ExprId id) const {
+  while (tree_[id].op == Op::index_sum || (tree_[id].op == Op::power && tree_[id].exponent == 1))
+    id = child(id);
   if (tree_[id].op == Op::length) return length_is_plain(child(id));
   return tree_[id].op == Op::symbol && tree_[id].rank == 0 &&
          !tree_.symbols[tree_[id].symbol].unit_of_measure;

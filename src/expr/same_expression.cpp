@@ -19,7 +19,7 @@ class Comparison {
     const View left = view(a_, x);
     const View right = view(b_, y);
     if (left.op != right.op || left.rank != right.rank) return false;
-    if (left.op == Op::index_sum) return same_index_sums(x, y);
+    if (left.op == Op::index_sum) return same_index_sums(left.id, right.id);
     if (left.op == Op::particle_sum) return same_particle_sums(left.id, right.id);
     return same_heads(left, right) && same_slots(left.slots, right.slots) && same_children(left, right);
   }
@@ -34,7 +34,14 @@ class Comparison {
     std::vector<ExprId> children;
   };
 
+  /// The base of a first power.
+  static ExprId bare(const ExprTree& tree, ExprId id) {
+    while (tree[id].op == Op::power && tree[id].exponent == 1) id = tree.children(id)[0];
+    return id;
+  }
+
   static void add_factors(const ExprTree& tree, ExprId id, std::vector<ExprId>& factors) {
+    id = bare(tree, id);
     if (tree[id].op != Op::multiply) {
       factors.push_back(id);
       return;
@@ -43,7 +50,7 @@ class Comparison {
   }
 
   static View view(const ExprTree& tree, ExprId id) {
-    while (tree[id].op == Op::power && tree[id].exponent == 1) id = tree.children(id)[0];
+    id = bare(tree, id);
     View view{id, tree[id].op, tree[id].rank, tree.slots(id), {}};
     const auto children = tree.children(id);
     if (view.op == Op::component && tree[children[0]].op == Op::symbol && tree[children[0]].slot_count == 0) {
@@ -111,7 +118,8 @@ class Comparison {
   /// The sums around one body, in the order in which their indices occur in it.
   static std::vector<IndexId> indices_of(const ExprTree& tree, ExprId& body) {
     std::vector<IndexId> bound;
-    for (; tree[body].op == Op::index_sum; body = tree.children(body)[0]) bound.push_back(tree[body].index);
+    for (; tree[body].op == Op::index_sum; body = bare(tree, tree.children(body)[0]))
+      bound.push_back(tree[body].index);
     std::vector<IndexId> ordered;
     std::vector<ExprId> open{body};
     while (!open.empty()) {

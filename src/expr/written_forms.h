@@ -31,7 +31,7 @@ struct WrittenStep {
   std::optional<Question> question = {};  // its `tree` is not set
   QuestionNames names = {};               // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // `nearly`: the step before anything was left out
-  std::optional<Sample> sample = {};      // refuted: where the sides differ
+  std::optional<Sample> sample = {};                   // refuted: where the sides differ
 };
 
 /// a = b = c, as it stands in the notes. All forms share their free letters.

@@ -247,7 +247,7 @@ class MathmlWriter {
 std::string to_mathml(const Box& box, MathStyle style) {
   MathmlWriter writer;
   writer.write(box);
-  return fmt::format("<math xmlns=\"http://www.w3.org/1998/Math/MathML\"{}>{}</math>",
+  return fmt::format("<math{}>{}</math>",
                      style == MathStyle::display ? " display=\"block\"" : "", writer.take());
 }
 

@@ -41,16 +41,21 @@ std::string print_name(const Counterexample& sample, const Counterexample::Value
   return printable(value.symbol) + (rank == 1 ? fmt::format("_{}", own) : fmt::format("_{{{}}}", own));
 }
 
-/// Some values of one particle (0: of no particle), joined by commas.
-std::string print_list(const Counterexample& sample, std::span<const Counterexample::Value> values,
-                       std::uint32_t particle) {
-  std::string list;
+/// Some values of one particle (0: of no particle).
+void append_equations(const Counterexample& sample, std::span<const Counterexample::Value> values,
+                      std::uint32_t particle, std::vector<std::string>& equations) {
   for (const Counterexample::Value& value : values) {
     if (value.particle != particle || value.beyond) continue;
-    list += list.empty() ? "" : ", ";
-    list += fmt::format("{} = {}", print_name(sample, value), print_components(value.components, value.rank));
+    equations.push_back(
+        fmt::format("{} = {}", print_name(sample, value), print_components(value.components, value.rank)));
   }
-  return list;
+}
+
+std::string print_list(const Counterexample& sample, std::span<const Counterexample::Value> values,
+                       std::uint32_t particle) {
+  std::vector<std::string> equations;
+  append_equations(sample, values, particle, equations);
+  return fmt::format("{}", fmt::join(equations, ", "));
 }
 
 /// The sample's values, and then what follows from them.
@@ -62,18 +67,30 @@ std::string print_values(const Counterexample& sample, std::uint32_t particle) {
 }
 
 std::string print_sides(const Counterexample& sample) {
-  std::string text;
-  for (const Counterexample::Axis& axis : sample.component) {
-    text += text.empty() ? "component " : ", ";
-    text += axis.index.empty() ? fmt::format("{}", axis.value)
-                               : fmt::format("{} = {}", printable(axis.index), axis.value);
-  }
+  std::string text = sample_component(sample);
   if (!text.empty()) text += ": ";
   if (sample.squared_distance) return text + fmt::format("|left - right|^2 is {}", sample.left);
   return text + fmt::format("left {}, right {}", sample.left, sample.right);
 }
 
 }  // namespace
+
+std::vector<std::string> sample_equations(const Counterexample& sample, std::uint32_t particle) {
+  std::vector<std::string> equations;
+  append_equations(sample, sample.values, particle, equations);
+  append_equations(sample, sample.follows, particle, equations);
+  return equations;
+}
+
+std::string sample_component(const Counterexample& sample) {
+  std::string text;
+  for (const Counterexample::Axis& axis : sample.component) {
+    text += text.empty() ? "component " : ", ";
+    text += axis.index.empty() ? fmt::format("{}", axis.value)
+                               : fmt::format("{} = {}", printable(axis.index), axis.value);
+  }
+  return text;
+}
 
 std::string print_sample(const Counterexample& sample, bool color) {
   const std::string head = paint("sample:", Paint::strong, color);

@@ -14,7 +14,9 @@
 // that only derivatives of assumptions speak of are left out; the JSON has them.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "check/report.h"
 
@@ -22,5 +24,12 @@ namespace rigor {
 
 /// Ends with a line break. A tensor is printed row by row: `((1, 0, 0), (0, 1, 0), (0, 0, 1))`.
 [[nodiscard]] std::string print_sample(const Counterexample& sample, bool color = false);
+
+/// The values of one particle (0: of no particle) as equations in LaTeX: `\mathbf{A} = (1, 0, 0)`; first
+/// those of the sample, then what follows from them.
+[[nodiscard]] std::vector<std::string> sample_equations(const Counterexample& sample, std::uint32_t particle);
+
+/// `component i = 3`; empty where the sides are scalars.
+[[nodiscard]] std::string sample_component(const Counterexample& sample);
 
 }  // namespace rigor

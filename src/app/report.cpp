@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report.h"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <filesystem>
+#include <fstream>
+
+#include "app/progress.h"
+#include "app/screen.h"
+#include "base/utf8.h"
+#include "check/check.h"
+#include "report/document.h"
+#include "report/page.h"
+#include "source/render.h"
+
+namespace rigor {
+namespace {
+
+/// All that the documents are made of.
+struct Reported {
+  SourceMap sources;
+  Report report;
+  std::deque<FormsReading> readings;  // of the files, where forms are evaluated
+  std::vector<EvaluatedNotes> evaluated;
+};
+
+void check_all(const ReportCommand& command, Reported& reported, Progress& progress) {
+  for (const std::string& path : command.files) {
+    const CheckOptions options{
+        .sidecar = command.sidecar,
+        .progress = [&](std::size_t done, std::size_t all) { progress.update(path, done, all); },
+        .repairs = Repairs::of_all};
+    reported.report.files.push_back(check_file(reported.sources, path, options));
+    const Counts& counts = reported.report.files.back().counts;
+    for (std::size_t i = 0; i < verdict_count; ++i) reported.report.counts[i] += counts[i];
+  }
+}
+
+/// Claims only: what is assumed is not computed.
+void evaluate_all(const ReportCommand& command, Reported& reported, Progress& progress) {
+  for (const std::string& path : command.files) {
+    EvaluatedNotes notes{.path = path, .chains = {}};
+    FormRequest request;
+    request.sidecar = command.sidecar;
+    const FormsReading& reading = reported.readings.emplace_back(read_forms(reported.sources, path, request));
+    TrialOptions trials;
+    trials.samples = 256;
+    trials.operations = 200'000;
+    std::size_t done = 0;
+    for (const WrittenFormChain& chain : reading.forms.chains) {
+      progress.update(path, done++, reading.forms.chains.size(), "chains in floating point");
+      if (chain.assumed || chain.forms.size() < 2) continue;
+      ChainResult result = measure_chain(reading.forms, chain, {}, trials);
+      if (result.forms.size() > 1) notes.chains.push_back({&chain, std::move(result)});
+    }
+    reported.evaluated.push_back(std::move(notes));
+  }
+}
+
+/// A path as it may stand in a link.
+std::string percent_encoded(const std::string& path) {
+  std::string encoded;
+  for (const char each : path) {
+    const bool plain = (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') ||
+                       (each >= '0' && each <= '9') ||
+                       std::string_view("-._~/").find(each) != std::string_view::npos;
+    encoded += plain ? std::string(1, each) : fmt::format("%{:02X}", static_cast<unsigned char>(each));
+  }
+  return encoded;
+}
+
+/// From the folder of the page to the notes; empty where no relative path leads there.
+std::string link_from(const std::string& page, const std::string& notes) {
+  std::error_code error;
+  const std::filesystem::path folder =
+      std::filesystem::absolute(page, error).parent_path().lexically_normal();
+  if (error) return {};
+  const std::filesystem::path target = std::filesystem::absolute(notes, error).lexically_normal();
+  return error ? std::string() : percent_encoded(target.lexically_relative(folder).string());
+}
+
+/// False, with a message, where the text cannot be written.
+bool write_to(const std::string& path, const std::string& text, std::ostream& out, std::ostream& err) {
+  if (path == "-") {
+    out << text;
+    return true;
+  }
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (file.flush()) return true;
+  err << fmt::format("rigor: {}: cannot be written\n", printable(path));
+  return false;
+}
+
+std::vector<PageNotes> page_notes(Reported& reported, const std::string& page) {
+  std::vector<PageNotes> notes;
+  for (std::size_t k = 0; k < reported.report.files.size(); ++k) {
+    const FileReport& file = reported.report.files[k];
+    notes.push_back({.shown = show_notes(reported.sources, file),
+                     .link = page == "-" ? std::string() : link_from(page, file.path),
+                     .evaluated = k < reported.evaluated.size() ? reported.evaluated[k] : EvaluatedNotes{}});
+  }
+  return notes;
+}
+
+}  // namespace
+
+ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ostream& err) {
+  Reported reported;
+  {
+    Progress progress(err, screen_of(err).is_terminal);
+    check_all(command, reported, progress);
+    if (command.html && command.forms) evaluate_all(command, reported, progress);
+  }
+  bool unreadable = false;
+  for (const FileReport& file : reported.report.files) {
+    if (!file.unreadable) continue;
+    unreadable = true;
+    for (const Diagnostic& each : file.diagnostics) err << render(each, reported.sources);
+  }
+  if (unreadable) return ExitCode::no_input;
+  if (command.html) {
+    std::vector<PageNotes> notes = page_notes(reported, *command.html);
+    if (!write_to(*command.html, html_page(notes, reported.sources), out, err)) return ExitCode::no_input;
+  }
+  if (command.latex) {
+    std::vector<ShownNotes> notes;
+    for (const FileReport& file : reported.report.files) notes.push_back(show_notes(reported.sources, file));
+    if (!write_to(*command.latex, latex_document(notes, reported.sources), out, err))
+      return ExitCode::no_input;
+  }
+  return exit_code(reported.report, false);
+}
+
+}  // namespace rigor

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/version.h"
+#include "latex/layout_reader.h"
+#include "latex/typeset.h"
+#include "report/notes_math.h"
+#include "report/sample.h"
+
+namespace rigor {
+namespace {
+
+constexpr double line_width = 33;  // in em, for mathematics beside a mark
+
+constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{textcomp}
+\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
+\usepackage{amsmath,amssymb,graphicx,color}
+\usepackage[margin=22mm]{geometry}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{0pt}
+\raggedbottom
+\hbadness=10000 \vbadness=10000
+\emergencystretch=3em
+\definecolor{proved}{rgb}{0.08,0.36,0.20}
+\definecolor{refuted}{rgb}{0.65,0.11,0.09}
+\definecolor{named}{rgb}{0.20,0.33,0.56}
+\definecolor{open}{rgb}{0.47,0.29,0.00}
+\definecolor{quiet}{rgb}{0.33,0.35,0.38}
+\newsavebox{\rigorbox}
+\newlength{\rigorroom}
+% mathematics, made smaller where it is wider than \rigorroom
+\newcommand{\rigorfit}[1]{\sbox{\rigorbox}{$#1$}%
+  \ifdim\wd\rigorbox>\rigorroom\resizebox{0.995\rigorroom}{!}{\usebox{\rigorbox}}\else\usebox{\rigorbox}\fi}
+% indent, mathematics, tag, mark
+\newcommand{\rigorline}[4]{\par\setlength{\rigorroom}{\dimexpr\linewidth-10.5em-#1\relax}%
+  \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\hbox to 10.5em{\hfil #3\quad\hbox to 6.6em{#4\hfil}}}\vspace{4pt}}
+\newcommand{\rigormark}[3]{{\footnotesize\color{#1}\hbox to 1.1em{$#2$\hfil}#3}}
+\newcommand{\rigorplain}[2]{\par\setlength{\rigorroom}{\dimexpr\linewidth-#1\relax}%
+  \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill}\vspace{4pt}}
+\newcommand{\rigorinline}[1]{\setlength{\rigorroom}{\linewidth}\rigorfit{#1}}
+\newenvironment{rigornote}{\par\begingroup\footnotesize\color{quiet}\leftskip=2em\rightskip=0pt plus 1fil\advance\linewidth-2em\relax\parskip=1.5pt}{\par\endgroup\vspace{4pt}}
+\newcommand{\rigorhead}[2]{\par\vspace{14pt}{\raggedright #1\bfseries #2\par}\nobreak\vspace{6pt}}
+\begin{document}
+)tex";
+
+std::string mark_of(const Step& step) {
+  struct Look {
+    std::string_view colour, sign;
+  };
+  const Look look = [&]() -> Look {
+    switch (step.verdict) {
+      case Verdict::proved:
+        return {"proved", "\\checkmark"};
+      case Verdict::refuted:
+        return {"refuted", "\\times"};
+      case Verdict::definition:
+        return {"named", ":="};
+      case Verdict::given:
+        return {"quiet", "\\diamond"};
+      case Verdict::undecided:
+        return {"open", "?"};
+      case Verdict::not_understood:
+        return {"open", "\\oslash"};
+      case Verdict::skipped:
+        break;
+    }
+    return {"quiet", "-"};
+  }();
+  std::string words(name_of(step.verdict));
+  std::replace(words.begin(), words.end(), '-', ' ');
+  if (step.expected_refuted) words += step.verdict == Verdict::refuted ? ", expected" : " (!)";
+  return fmt::format("\\rigormark{{{}}}{{{}}}{{{}}}", look.colour, look.sign, words);
+}
+
+class NotesWriter {
+ public:
+  NotesWriter(ShownNotes& notes, SourceMap& sources)
+      : notes_(notes), sources_(sources), math_(sources, notes.macros) {}
+
+  std::string write() {
+    out_ +=
+        fmt::format("\\rigorhead{{\\small\\ttfamily\\mdseries}}{{{}}}\n", typeset_words(notes_.report->path));
+    for (const ShownItem& item : notes_.items) {
+      if (const auto* heading = std::get_if<ShownHeading>(&item)) add(*heading);
+      if (const auto* equation = std::get_if<ShownEquation>(&item)) add(*equation);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void add(const ShownHeading& heading) {
+    const std::string_view size = heading.level <= 1   ? "\\Large"
+                                  : heading.level == 2 ? "\\large"
+                                                       : "\\normalsize";
+    out_ += fmt::format("\\rigorhead{{{}}}{{{}}}\n", size, line(math_.line_of(heading.title)));
+  }
+
+  static std::string line(const Box& box) {
+    if (box.kind == BoxKind::words) return typeset_words(box.text);
+    if (box.kind != BoxKind::row) return "\\rigorinline{" + to_typeset(box) + "}";
+    std::string all;
+    for (const Box& part : box.parts)
+      all +=
+          part.kind == BoxKind::words ? typeset_words(part.text) : "\\rigorinline{" + to_typeset(part) + "}";
+    return all;
+  }
+
+  void add(const ShownEquation& equation) {
+    if (equation.steps.empty()) return whole(equation);
+    out_ += "\\par\\vspace{5pt}\n";
+    const Step* before = nullptr;
+    for (const Step* each : equation.steps) {
+      const bool goes_on = before != nullptr && before->right == each->left && before->tag == each->tag;
+      step(*each, goes_on);
+      before = each;
+    }
+  }
+
+  /// A display without a step.
+  void whole(const ShownEquation& equation) {
+    if (!equation.shown) {
+      out_ += fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n",
+                          typeset_source(equation.source));
+      return;
+    }
+    for (const Box& each : broken_lines(equation.shown->box, line_width + 8))
+      out_ += fmt::format("\\rigorplain{{0em}}{{{}}}\n", to_typeset(each));
+  }
+
+  void step(const Step& step, bool goes_on) {
+    const auto left = math_.box_of(step.left);
+    const auto right = math_.box_of(step.relation + " " + step.right);
+    if (!left || !right) {
+      out_ +=
+          fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n", typeset_source(step.source));
+      out_ += fmt::format("\\rigorline{{0em}}{{}}{{{}}}{{{}}}\n", typeset_words(step.tag), mark_of(step));
+      return notes_of(step);
+    }
+    std::vector<Box> lines;
+    std::size_t first_indented = 0;
+    if (!goes_on && typeset_width(*left) + typeset_width(*right) <= line_width) {
+      Box both;
+      append(both, *left);
+      append(both, *right);
+      lines.push_back(std::move(both));
+      first_indented = 1;
+    } else {
+      if (!goes_on) lines = broken_lines(*left, line_width);
+      first_indented = lines.empty() ? 0 : 1;
+      for (Box& each : broken_lines(*right, line_width - 2)) lines.push_back(std::move(each));
+    }
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      const bool last = k + 1 == lines.size();
+      out_ += fmt::format("\\rigorline{{{}em}}{{{}}}{{{}}}{{{}}}\n", k < first_indented ? 0 : 2,
+                          to_typeset(lines[k]), last ? typeset_words(tag_of(step)) : "",
+                          last ? mark_of(step) : "");
+    }
+    notes_of(step);
+  }
+
+  static std::string tag_of(const Step& step) {
+    return step.tag.empty() || step.tag.starts_with('(') ? step.tag : "(" + step.tag + ")";
+  }
+
+  static void append(Box& row, const Box& more) {
+    if (more.kind != BoxKind::row) {
+      row.parts.push_back(more);
+      return;
+    }
+    row.parts.insert(row.parts.end(), more.parts.begin(), more.parts.end());
+  }
+
+  std::string inline_math(const std::string& latex) {
+    const auto box = math_.box_of(latex);
+    return box ? "\\rigorinline{" + to_typeset(*box) + "}" : "\\texttt{" + typeset_words(latex) + "}";
+  }
+
+  /// Below a step, in small print: the sample, what is true, what was used, what is reported.
+  void notes_of(const Step& step) {
+    std::string text;
+    const auto add_line = [&](const std::string& head, const std::string& what) {
+      text += fmt::format("\\textit{{{}}}\\enspace {}\\par\n", head, what);
+    };
+    if (step.counterexample) sample(*step.counterexample, add_line);
+    for (const Repair& repair : step.repairs)
+      add_line(&repair == step.repairs.data() ? "true is" : "or",
+               inline_math(repair.statement) + " --- " + typeset_words(repair.change));
+    for (const std::string& condition : step.conditions) add_line("holds if", inline_math(condition));
+    if (!step.uses.empty()) {
+      std::string uses;
+      for (const std::string& each : step.uses) uses += (uses.empty() ? "" : ", ") + use(each);
+      add_line("uses", uses);
+    }
+    for (const Diagnostic& each : step.diagnostics) {
+      const std::uint32_t at = sources_.line_column(each.span.file, each.span.begin).line;
+      add_line(fmt::format("line {}", at),
+               typeset_words(std::string(name_of(each.severity())) + ": " + each.message));
+      for (const std::string& help : each.help) add_line("help", typeset_words(help));
+    }
+    if (!text.empty()) out_ += "\\begin{rigornote}\n" + text + "\\end{rigornote}\n";
+  }
+
+  template <class AddLine>
+  void sample(const Counterexample& example, const AddLine& add_line) {
+    const auto values = [&](std::uint32_t particle) {
+      std::string list;
+      for (const std::string& each : sample_equations(example, particle))
+        list += (list.empty() ? "" : ",\\quad ") + inline_math(each);
+      return list;
+    };
+    if (const std::string common = values(0); !common.empty()) add_line("sample", common);
+    for (std::uint32_t particle = 1; particle <= example.particles; ++particle) {
+      if (const std::string own = values(particle); !own.empty())
+        add_line(fmt::format("particle {}", particle), own);
+    }
+    std::string where = sample_component(example);
+    if (!where.empty()) where = " (" + where + ")";
+    const std::string sides = example.squared_distance
+                                  ? "the squared distance of the sides is " + example.left
+                                  : "left is " + example.left + ", right is " + example.right;
+    add_line("there", typeset_words(sides + where));
+  }
+
+  std::string use(const std::string& text) {
+    const Use used = use_of(text);
+    std::string all = typeset_words(used.word);
+    if (!used.latex.empty()) all += " " + inline_math(used.latex);
+    if (!used.place.empty()) all += " " + typeset_words(used.place);
+    return all;
+  }
+
+  ShownNotes& notes_;
+  SourceMap& sources_;
+  NotesMath math_;
+  std::string out_;
+};
+
+std::string summary(const std::vector<ShownNotes>& notes) {
+  Counts counts{};
+  std::size_t steps = 0;
+  std::size_t attention = 0;
+  for (const ShownNotes& each : notes) {
+    for (const Step& step : each.report->steps) {
+      ++counts.at(static_cast<std::size_t>(step.verdict));
+      ++steps;
+      if (needs_attention(step)) ++attention;
+    }
+  }
+  std::string text = fmt::format("{} steps", steps);
+  for (std::size_t k = 0; k < verdict_count; ++k) {
+    if (counts[k] == 0) continue;
+    std::string words(name_of(static_cast<Verdict>(k)));
+    std::replace(words.begin(), words.end(), '-', ' ');
+    text += fmt::format("{} {} {}", text.find(':') == std::string::npos ? ":" : ",", counts[k], words);
+  }
+  return text +
+         (attention == 0 ? ". Nothing needs attention." : fmt::format(". {} need attention.", attention));
+}
+
+}  // namespace
+
+std::string latex_document(std::vector<ShownNotes>& notes, SourceMap& sources) {
+  std::string text = fmt::format("% Made by rigor {}\n{}", version, preamble);
+  text += "{\\raggedright\\LARGE\\bfseries Equations and their verdicts\\par}\\vspace{6pt}\n";
+  text += fmt::format("{{\\raggedright {}\\par The prose of the notes is not reproduced.\\par}}\n",
+                      summary(notes));
+  for (ShownNotes& each : notes) text += NotesWriter(each, sources).write();
+  return text + "\\end{document}\n";
+}
+
+}  // namespace rigor
