@@ -4,6 +4,7 @@
 cmake_policy(VERSION 3.16...3.25)
 
 set(rigor_stale OFF)
+set(rigor_listed OFF)
 if(NOT EXISTS "${rigor_listing}" OR "${rigor_settings}" IS_NEWER_THAN "${rigor_listing}")
   set(rigor_stale ON)
 else()
@@ -19,6 +20,7 @@ if(rigor_stale)
     WORKING_DIRECTORY "${rigor_folder}" ${rigor_limit}
     RESULT_VARIABLE rigor_result OUTPUT_QUIET ERROR_QUIET)
   if(rigor_result STREQUAL "0")
+    set(rigor_listed ON)
     include("${rigor_listing}")
   else()
     file(REMOVE "${rigor_listing}") # the test below fails, and says why

@@ -47,7 +47,8 @@ std::string cmake_argument(const std::string& text) {
 std::string ctest_listing(const std::vector<TestCase>& cases, const FileReport& file,
                           const SourceMap& sources) {
   std::string text =
-      fmt::format("if({})\n  set(rigor_stale ON)\n  return()\nendif()\n", stale_condition(file, sources));
+      fmt::format("if(NOT rigor_listed AND ({}))\n  set(rigor_stale ON)\n  return()\nendif()\n",
+                  stale_condition(file, sources));
   for (const TestCase& each : cases) {
     const std::string name = cmake_argument(each.name);
     text += fmt::format("add_test({0} \"${{rigor_program}}\" case \"${{rigor_results}}\" {0})\n", name);

@@ -2,7 +2,6 @@
 # For the scripts of this folder: WORK, BUILD and SOURCE are set.
 cmake_minimum_required(VERSION 3.25)
 set(PREFIX ${WORK}/moved) # where it is installed
-file(GLOB package_folder ${PREFIX}/lib*/cmake/rigor ${PREFIX}/lib/*/cmake/rigor)
 
 # Runs a command, keeps what it prints in `output`, and demands that its exit code matches `code`.
 function(run code)

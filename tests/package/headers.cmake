@@ -10,7 +10,7 @@ endif()
 foreach(header IN LISTS headers)
   get_filename_component(name ${header} NAME)
   file(WRITE ${WORK}/header.cpp "#include <rigor/${name}>\nint main() {}\n")
-  foreach(standard IN ITEMS 17 20)
+  foreach(standard IN ITEMS 17 20 23)
     run(0 ${CXX} -std=c++${standard} -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
       -I${PREFIX}/include ${WORK}/header.cpp)
   endforeach()

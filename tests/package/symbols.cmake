@@ -2,7 +2,7 @@
 # Every name that librigor shows is one of ours, and one that its headers declare.
 include(${CMAKE_CURRENT_LIST_DIR}/common.cmake)
 find_program(NM nm REQUIRED)
-file(GLOB_RECURSE library ${PREFIX}/lib/librigor.so)
+file(GLOB library ${PREFIX}/lib*/librigor.so ${PREFIX}/lib/*/librigor.so)
 run(0 ${NM} -D --defined-only --demangle ${library})
 string(REGEX REPLACE "[][;]" " " output "${output}")
 string(REGEX MATCHALL "[^\n]+" lines "${output}")
