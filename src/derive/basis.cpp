@@ -129,9 +129,28 @@ std::optional<Basis> with_known(const ExprTree& tree, const Question& question, 
   return basis;
 }
 
+Question widened(const ExprTree& tree, Question question, std::span<const KnownEquation> known) {
+  std::vector<NamedRule> own;
+  for (const Definition& definition : question.definitions) own.push_back({definition, ""});
+  std::vector<ExprId> sides{question.claim.left, question.claim.right};
+  for (const Equation& assumption : question.assumptions) {
+    sides.push_back(assumption.left);
+    sides.push_back(assumption.right);
+  }
+  std::set<SymbolId> spoken_of = reached_from(tree, sides, own);
+  for (const NamedRule& rule : own) spoken_of.insert(rule.definition.symbol);
+  for (auto each = known.rbegin(); each != known.rend(); ++each) {
+    for (const Definition& definition : each->definitions) {
+      if (spoken_of.insert(definition.symbol).second) question.definitions.push_back(definition);
+    }
+  }
+  return question;
+}
+
 DescentRules rules_of(ExprTree& tree, const Question& question, const Basis& basis, Orientation orientation) {
   DescentRules rules;
   rules.definitions = basis.definitions;
+  rules.frames = turning_frames(tree, question);
   const auto add = [&](const Equation& equation, const std::string& name) {
     if (auto replacement = replacement_of(tree, equation, orientation))
       rules.replacements.push_back({*std::move(replacement), name});

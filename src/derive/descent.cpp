@@ -41,7 +41,11 @@ class Descending {
 
   Descent descend(ExprId side) {
     push({side}, "", "", false);
-    if (rules_.notation == DescentNotation::axes) write_cases();
+    if (rules_.notation == DescentNotation::axes) {
+      while (!stopped_ && tree_[parts()[0]].rank > 0 && unfold()) {
+      }
+      if (!stopped_) write_cases();
+    }
     while (!stopped_ && (unfold() || write_out())) {
     }
     if (!stopped_ && multiply_out()) {
@@ -78,6 +82,12 @@ class Descending {
   }
 
   bool unfold() {
+    for (const TurningFrame& frame : rules_.frames) {
+      std::vector<ExprId> changed = parts();
+      for (ExprId& part : changed) part = transported(tree_, part, frame);
+      if (changed != parts() && push(std::move(changed), "transport theorem", "transport theorem", false))
+        return true;
+    }
     for (const NamedRule& rule : rules_.definitions) {
       std::vector<ExprId> changed = parts();
       for (ExprId& part : changed) part = unfolded_part(part, rule.definition);

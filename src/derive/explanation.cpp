@@ -27,7 +27,8 @@ struct GluedChain {
       if (step.rule == "terms split" || step.rule == "δ put in" || step.rule == "powers split") total += 1;
     }
     const bool says_nothing =
-        steps.size() == 1 && (steps[0].rule.starts_with("A×") || steps[0].rule.starts_with("(A×"));
+        steps.size() == 1 && (steps[0].rule.starts_with("A×") || steps[0].rule.starts_with("(A×") ||
+                              steps[0].rule == "transport theorem");
     return total + (says_nothing ? 100 : 0);
   }
 };
@@ -60,6 +61,7 @@ class Explaining {
     const auto needed = needed_of(proofs_, question_, whole);
     if (!needed) return gap("the exact side does not prove it");
     std::vector<Basis> bases{*needed};
+    question_ = widened(tree_, std::move(question_), known);
     const bool from_nothing = needed->definitions.empty() && needed->assumptions.empty();
     for (const bool latest : {true, false}) {
       if (from_nothing || known.empty()) break;
@@ -247,7 +249,8 @@ std::vector<KnownEquation> known_before(const WrittenForms& forms, std::size_t c
                         .right = *right,
                         .indices = earlier.indices,
                         .particles = earlier.particles},
-                       "Eq. " + earlier.tag});
+                       "Eq. " + earlier.tag,
+                       earlier.definitions});
     }
   }
   return known;
