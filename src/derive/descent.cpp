@@ -2,7 +2,7 @@
 #include "derive/descent.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "derive/along_axes.h"
 #include "derive/canonical.h"
@@ -12,6 +12,7 @@
 #include "derive/in_components.h"
 #include "derive/line.h"
 #include "derive/unfold.h"
+#include "expr/print_latex.h"
 
 namespace rigor {
 namespace {
@@ -41,7 +42,11 @@ class Descending {
 
   Descent descend(ExprId side) {
     push({side}, "", "", false);
-    if (rules_.notation == DescentNotation::axes) write_cases();
+    if (rules_.notation == DescentNotation::axes) {
+      while (!stopped_ && tree_[parts()[0]].rank > 0 && unfold()) {
+      }
+      if (!stopped_) write_cases();
+    }
     while (!stopped_ && (unfold() || write_out())) {
     }
     if (!stopped_ && multiply_out()) {
@@ -78,6 +83,12 @@ class Descending {
   }
 
   bool unfold() {
+    for (const TurningFrame& frame : rules_.frames) {
+      std::vector<ExprId> changed = parts();
+      for (ExprId& part : changed) part = transported(tree_, part, frame);
+      if (changed != parts() && push(std::move(changed), "transport theorem", "transport theorem", false))
+        return true;
+    }
     for (const NamedRule& rule : rules_.definitions) {
       std::vector<ExprId> changed = parts();
       for (ExprId& part : changed) part = unfolded_part(part, rule.definition);
@@ -167,10 +178,21 @@ class Descending {
       join_powers(tree_, polynomial);
       const bool direct = rules_.notation == DescentNotation::direct;
       const auto expr = direct ? folded(tree_, polynomial, rules_.open) : expression_of(tree_, polynomial);
-      if (!expr) return false;  // between two lines that can be written
+      if (!expr) {  // between two lines that can be written
+        add_pending(down, up);
+        return false;
+      }
       written.push_back(*expr);
     }
+    add_pending(down, up);
+    down = std::exchange(pending_down_, {});
+    up = std::exchange(pending_up_, {});
     return push(std::move(written), std::move(down), std::move(up), true);
+  }
+
+  void add_pending(const std::string& down, const std::string& up) {
+    if (!pending_down_.ends_with(down)) pending_down_ += (pending_down_.empty() ? "" : ", ") + down;
+    if (!pending_up_.ends_with(up)) pending_up_.insert(0, up + (pending_up_.empty() ? "" : ", "));
   }
 
   /// A rule on all parts, and on what is opaque in them; true if anything changed.
@@ -236,7 +258,13 @@ class Descending {
           }))
         return true;
     }
-    if (apply(product, product, [](IndexPolynomial& each) { return contract_epsilons(each); })) return true;
+    const bool direct = rules_.notation == DescentNotation::direct;
+    if (apply(product, product, [&](IndexPolynomial& each) {
+          if (!contract_epsilons(each)) return false;
+          if (direct) contract_deltas(each);  // no δ is written there
+          return true;
+        }))
+      return true;
     return apply("sin² + cos² = 1", "sin² + cos² = 1", [](IndexPolynomial& each) { return replace_cosines(each); });
   }
 
@@ -274,13 +302,18 @@ class Descending {
     }
     if (!any) return;
     polynomials_ = std::move(kept);
-    if (push_polynomials("first order", "first order")) lines_.back().left_out = std::move(left_out);
+    std::string rule = "first order in ";
+    for (const ExprId small : rules_.small)
+      rule += (small == rules_.small[0] ? "" : ", ") + print_latex(tree_, small);
+    if (push_polynomials(rule, rule)) lines_.back().left_out = std::move(left_out);
   }
 
   ExprTree& tree_;
   const DescentRules& rules_;
   std::vector<Line> lines_;
   std::vector<IndexPolynomial> polynomials_;
+  std::string pending_down_;  // rules since the last line
+  std::string pending_up_;
   bool has_polynomials_ = false;
   bool stopped_ = false;
 };

@@ -60,6 +60,7 @@ class Explaining {
     const auto needed = needed_of(proofs_, question_, whole);
     if (!needed) return gap("the exact side does not prove it");
     std::vector<Basis> bases{*needed};
+    question_ = widened(tree_, std::move(question_), known);
     const bool from_nothing = needed->definitions.empty() && needed->assumptions.empty();
     for (const bool latest : {true, false}) {
       if (from_nothing || known.empty()) break;
@@ -247,7 +248,8 @@ std::vector<KnownEquation> known_before(const WrittenForms& forms, std::size_t c
                         .right = *right,
                         .indices = earlier.indices,
                         .particles = earlier.particles},
-                       "Eq. " + earlier.tag});
+                       "Eq. " + earlier.tag,
+                       earlier.definitions});
     }
   }
   return known;
