@@ -33,6 +33,7 @@ Grammar::Grammar() {
   add_eval(*this);
   add_bench(*this);
   add_scene(*this);
+  add_explain(*this);
   add_report(*this);
 }
 
