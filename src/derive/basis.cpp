@@ -28,6 +28,23 @@ bool is_proved(SmallProofs& proofs, const Question& question, const Basis& basis
              .outcome == Outcome::proved;
 }
 
+/// Takes out of a part of the list what is not needed, the last first; large parts at once. `list` is one of
+/// the basis's own.
+template <class Entry>
+void drop_needless(SmallProofs& proofs, const Question& question, Basis& basis, std::vector<Entry>& list,
+                   std::size_t from, std::size_t to) {
+  if (from == to) return;
+  const auto begin = list.begin() + static_cast<std::ptrdiff_t>(from);
+  const std::vector<Entry> part(begin, list.begin() + static_cast<std::ptrdiff_t>(to));
+  list.erase(begin, list.begin() + static_cast<std::ptrdiff_t>(to));
+  if (is_proved(proofs, question, basis)) return;
+  list.insert(list.begin() + static_cast<std::ptrdiff_t>(from), part.begin(), part.end());
+  if (to - from == 1) return;
+  const std::size_t middle = from + (to - from) / 2;
+  drop_needless(proofs, question, basis, list, middle, to);
+  drop_needless(proofs, question, basis, list, from, middle);
+}
+
 /// What an equation says of the symbol alone on its left: for all its components.
 std::optional<Definition> as_definition(const ExprTree& tree, const Equation& equation) {
   const ExprNode& left = tree[equation.left];
@@ -76,16 +93,8 @@ std::optional<Basis> needed_of(SmallProofs& proofs, const Question& question, Ba
   Basis nothing;
   if (is_proved(proofs, question, nothing)) return nothing;
   if (!is_proved(proofs, question, basis)) return std::nullopt;
-  const auto drop = [&](auto& list) {
-    for (std::size_t k = list.size(); k-- > 0;) {
-      const auto dropped = list[k];
-      list.erase(list.begin() + static_cast<std::ptrdiff_t>(k));
-      if (!is_proved(proofs, question, basis))
-        list.insert(list.begin() + static_cast<std::ptrdiff_t>(k), dropped);
-    }
-  };
-  drop(basis.assumptions);
-  drop(basis.definitions);
+  drop_needless(proofs, question, basis, basis.assumptions, 0, basis.assumptions.size());
+  drop_needless(proofs, question, basis, basis.definitions, 0, basis.definitions.size());
   return basis;
 }
 
@@ -129,9 +138,28 @@ std::optional<Basis> with_known(const ExprTree& tree, const Question& question, 
   return basis;
 }
 
+Question widened(const ExprTree& tree, Question question, std::span<const KnownEquation> known) {
+  std::vector<NamedRule> own;
+  for (const Definition& definition : question.definitions) own.push_back({definition, ""});
+  std::vector<ExprId> sides{question.claim.left, question.claim.right};
+  for (const Equation& assumption : question.assumptions) {
+    sides.push_back(assumption.left);
+    sides.push_back(assumption.right);
+  }
+  std::set<SymbolId> spoken_of = reached_from(tree, sides, own);
+  for (const NamedRule& rule : own) spoken_of.insert(rule.definition.symbol);
+  for (auto each = known.rbegin(); each != known.rend(); ++each) {
+    for (const Definition& definition : each->definitions) {
+      if (spoken_of.insert(definition.symbol).second) question.definitions.push_back(definition);
+    }
+  }
+  return question;
+}
+
 DescentRules rules_of(ExprTree& tree, const Question& question, const Basis& basis, Orientation orientation) {
   DescentRules rules;
   rules.definitions = basis.definitions;
+  rules.frames = turning_frames(tree, question);
   const auto add = [&](const Equation& equation, const std::string& name) {
     if (auto replacement = replacement_of(tree, equation, orientation))
       rules.replacements.push_back({*std::move(replacement), name});

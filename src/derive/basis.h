@@ -13,10 +13,11 @@
 
 namespace rigor {
 
-/// An equation, as it is called.
+/// An equation, as it is called, with the definitions that it rests on.
 struct KnownEquation {
   Equation equation;
   std::string name;
+  std::vector<Definition> definitions = {};
 };
 
 struct Basis {
@@ -34,6 +35,10 @@ struct Basis {
 /// `latest`: of several, the last one. Nothing where no known equation speaks of the claim.
 [[nodiscard]] std::optional<Basis> with_known(const ExprTree& tree, const Question& question, Basis basis,
                                               std::span<const KnownEquation> known, bool latest);
+
+/// The question with the definitions behind known equations, of symbols that it does not speak of. The latest
+/// one counts.
+[[nodiscard]] Question widened(const ExprTree& tree, Question question, std::span<const KnownEquation> known);
 
 /// The rules of a descent.
 [[nodiscard]] DescentRules rules_of(ExprTree& tree, const Question& question, const Basis& basis,

@@ -256,4 +256,34 @@ bool contract_unit_vectors(const SymbolTable& symbols, IndexPolynomial& polynomi
   return contract_pairs(polynomial, [&](SymbolId symbol) { return symbols[symbol].unit; });
 }
 
+bool replace_cosines(IndexPolynomial& polynomial) {
+  bool changed = false;
+  IndexPolynomial result;
+  std::vector<IndexMonomial> open(polynomial.terms.rbegin(), polynomial.terms.rend());
+  while (!open.empty()) {
+    IndexMonomial term = std::move(open.back());
+    open.pop_back();
+    const auto cosine = std::find_if(term.factors.begin(), term.factors.end(), [](const IndexFactor& factor) {
+      return factor.kind == Kind::function && factor.function == Function::cos && factor.exponent >= 2;
+    });
+    if (cosine == term.factors.end()) {
+      result.terms.push_back(std::move(term));
+      continue;
+    }
+    changed = true;
+    IndexFactor sine = *cosine;
+    sine.function = Function::sin;
+    sine.exponent = 2;
+    cosine->exponent -= 2;
+    if (cosine->exponent == 0) term.factors.erase(cosine);
+    open.push_back(term);
+    open.back().factors.push_back(sine);
+    open.back().coefficient = open.back().coefficient * SmallRational(-1);
+    open.push_back(std::move(term));
+    if (open.size() + result.terms.size() > most_monomials) return false;
+  }
+  if (changed) polynomial = std::move(result);
+  return changed;
+}
+
 }  // namespace rigor

@@ -21,4 +21,7 @@ bool write_out_sums(IndexPolynomial& polynomial);
 bool contract_rotations(const SymbolTable& symbols, IndexPolynomial& polynomial);
 bool contract_unit_vectors(const SymbolTable& symbols, IndexPolynomial& polynomial);
 
+/// cos² → 1 − sin². False where nothing changed.
+bool replace_cosines(IndexPolynomial& polynomial);
+
 }  // namespace rigor

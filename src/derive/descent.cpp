@@ -2,7 +2,7 @@
 #include "derive/descent.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "derive/along_axes.h"
 #include "derive/canonical.h"
@@ -12,6 +12,7 @@
 #include "derive/in_components.h"
 #include "derive/line.h"
 #include "derive/unfold.h"
+#include "expr/print_latex.h"
 
 namespace rigor {
 namespace {
@@ -41,14 +42,18 @@ class Descending {
 
   Descent descend(ExprId side) {
     push({side}, "", "", false);
-    if (rules_.notation == DescentNotation::axes) write_cases();
+    if (rules_.notation == DescentNotation::axes) {
+      while (!stopped_ && tree_[parts()[0]].rank > 0 && unfold()) {
+      }
+      if (!stopped_) write_cases();
+    }
     while (!stopped_ && (unfold() || write_out())) {
     }
     if (!stopped_ && multiply_out()) {
-      while (!stopped_ && contract()) {
-      }
+      do {
+        if (!rules_.small.empty()) leave_out_second_order();
+      } while (!stopped_ && contract());
       collect();
-      if (!rules_.small.empty()) leave_out_second_order();
     }
     if (!has_polynomials_ || stopped_) polynomials_.clear();
     return {std::move(lines_), std::move(polynomials_)};
@@ -78,12 +83,25 @@ class Descending {
   }
 
   bool unfold() {
+    for (const TurningFrame& frame : rules_.frames) {
+      std::vector<ExprId> changed = parts();
+      for (ExprId& part : changed) part = transported(tree_, part, frame);
+      if (changed != parts() && push(std::move(changed), "transport theorem", "transport theorem", false))
+        return true;
+    }
     for (const NamedRule& rule : rules_.definitions) {
       std::vector<ExprId> changed = parts();
-      for (ExprId& part : changed) part = unfolded(tree_, part, rule.definition);
+      for (ExprId& part : changed) part = unfolded_part(part, rule.definition);
       if (changed != parts() && push(std::move(changed), rule.name, rule.name, false)) return true;
     }
     return false;
+  }
+
+  /// Along axes, what is unfolded is written along them at once: there zeros go.
+  ExprId unfolded_part(ExprId part, const Definition& definition) {
+    const ExprId changed = unfolded(tree_, part, definition);
+    if (changed == part || rules_.notation != DescentNotation::axes || tree_[changed].rank > 0) return changed;
+    return along_axes(tree_, changed, {}, {}).value_or(changed);
   }
 
   bool write_out() {
@@ -156,13 +174,25 @@ class Descending {
 
   bool push_polynomials(std::string down, std::string up) {
     std::vector<ExprId> written;
-    for (const IndexPolynomial& polynomial : polynomials_) {
+    for (IndexPolynomial& polynomial : polynomials_) {
+      join_powers(tree_, polynomial);
       const bool direct = rules_.notation == DescentNotation::direct;
       const auto expr = direct ? folded(tree_, polynomial, rules_.open) : expression_of(tree_, polynomial);
-      if (!expr) return false;  // between two lines that can be written
+      if (!expr) {  // between two lines that can be written
+        add_pending(down, up);
+        return false;
+      }
       written.push_back(*expr);
     }
+    add_pending(down, up);
+    down = std::exchange(pending_down_, {});
+    up = std::exchange(pending_up_, {});
     return push(std::move(written), std::move(down), std::move(up), true);
+  }
+
+  void add_pending(const std::string& down, const std::string& up) {
+    if (!pending_down_.ends_with(down)) pending_down_ += (pending_down_.empty() ? "" : ", ") + down;
+    if (!pending_up_.ends_with(up)) pending_up_.insert(0, up + (pending_up_.empty() ? "" : ", "));
   }
 
   /// A rule on all parts, and on what is opaque in them; true if anything changed.
@@ -211,9 +241,6 @@ class Descending {
     const SymbolTable& symbols = tree_.symbols;
     const std::string product = name_of_double_product();
     const std::string axes = "components along the axes 1, 2, 3";
-    if (apply("powers joined", "powers split",
-              [&](IndexPolynomial& each) { return join_powers(tree_, each); }))
-      return true;
     const bool along = rules_.notation == DescentNotation::axes;
     if (along && apply(axes, axes, [](IndexPolynomial& each) { return write_out_sums(each); })) return true;
     if (apply("δ contracted", "δ put in", [](IndexPolynomial& each) { return contract_deltas(each); }))
@@ -231,7 +258,14 @@ class Descending {
           }))
         return true;
     }
-    return apply(product, product, [](IndexPolynomial& each) { return contract_epsilons(each); });
+    const bool direct = rules_.notation == DescentNotation::direct;
+    if (apply(product, product, [&](IndexPolynomial& each) {
+          if (!contract_epsilons(each)) return false;
+          if (direct) contract_deltas(each);  // no δ is written there
+          return true;
+        }))
+      return true;
+    return apply("sin² + cos² = 1", "sin² + cos² = 1", [](IndexPolynomial& each) { return replace_cosines(each); });
   }
 
   /// What is ε–δ in components, in direct notation.
@@ -268,14 +302,18 @@ class Descending {
     }
     if (!any) return;
     polynomials_ = std::move(kept);
-    if (push_polynomials("first order", "first order")) lines_.back().left_out = std::move(left_out);
-    collect();
+    std::string rule = "first order in ";
+    for (const ExprId small : rules_.small)
+      rule += (small == rules_.small[0] ? "" : ", ") + print_latex(tree_, small);
+    if (push_polynomials(rule, rule)) lines_.back().left_out = std::move(left_out);
   }
 
   ExprTree& tree_;
   const DescentRules& rules_;
   std::vector<Line> lines_;
   std::vector<IndexPolynomial> polynomials_;
+  std::string pending_down_;  // rules since the last line
+  std::string pending_up_;
   bool has_polynomials_ = false;
   bool stopped_ = false;
 };

@@ -10,6 +10,7 @@
 #include "derive/given.h"
 #include "derive/index_polynomial.h"
 #include "derive/letter_choice.h"
+#include "derive/transport.h"
 #include "expr/statement.h"
 
 namespace rigor {
@@ -35,6 +36,7 @@ enum class DescentNotation : std::uint8_t {
 struct DescentRules {
   std::vector<NamedRule> definitions = {};
   std::vector<NamedReplacement> replacements = {};
+  std::vector<TurningFrame> frames = {};
   LetterChoice letters = {};
   std::vector<IndexId> free = {};  // letters
   std::vector<IndexId> open = {};  // in direct notation: letters for the axes of a side, to compare it by

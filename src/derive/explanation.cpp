@@ -6,7 +6,7 @@
 
 #include "derive/line.h"
 #include "derive/nodes.h"
-#include "expr/differentiate.h"
+#include "derive/unfold.h"
 
 namespace rigor {
 namespace {
@@ -60,6 +60,7 @@ class Explaining {
     const auto needed = needed_of(proofs_, question_, whole);
     if (!needed) return gap("the exact side does not prove it");
     std::vector<Basis> bases{*needed};
+    question_ = widened(tree_, std::move(question_), known);
     const bool from_nothing = needed->definitions.empty() && needed->assumptions.empty();
     for (const bool latest : {true, false}) {
       if (from_nothing || known.empty()) break;
@@ -130,7 +131,7 @@ class Explaining {
           slots.push_back({0, free_letter(rules.letters)});
           rules.free.push_back(slots.back().variable);
         }
-        auto chain = chain_by(rules, component_of(tree_, left, slots), component_of(tree_, right, slots));
+        auto chain = chain_by(rules, component_within(tree_, left, slots), component_within(tree_, right, slots));
         if (chain) chain->letters.assign(rules.free.end() - rank, rules.free.end());
         return chain;
       }
@@ -247,7 +248,8 @@ std::vector<KnownEquation> known_before(const WrittenForms& forms, std::size_t c
                         .right = *right,
                         .indices = earlier.indices,
                         .particles = earlier.particles},
-                       "Eq. " + earlier.tag});
+                       "Eq. " + earlier.tag,
+                       earlier.definitions});
     }
   }
   return known;

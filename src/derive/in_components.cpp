@@ -111,7 +111,20 @@ class Components {
     return index_sum_node(tree_, j.variable, index_sum_node(tree_, k.variable, body));
   }
 
+  [[nodiscard]] bool is_identity(ExprId id) const {
+    for (std::size_t row = 0; row < 3; ++row) {
+      if (tree_[child(id, row)].op != Op::tuple) return false;
+      for (std::size_t column = 0; column < 3; ++column) {
+        const ExprId entry = child(child(id, row), column);
+        const bool fits = tree_[entry].op == Op::number && tree_.digits(entry) == (row == column ? "1" : "0");
+        if (!fits) return false;
+      }
+    }
+    return true;
+  }
+
   ExprId tuple(ExprId id, std::vector<Slot> slots) {
+    if (slots.size() == 2 && is_identity(id)) return tree_.add({.op = Op::delta}, {}, slots);
     if (slots[0].axis == 0) return component_of(tree_, id, slots);
     const ExprId entry = child(id, slots[0].axis - 1u);
     slots.erase(slots.begin());

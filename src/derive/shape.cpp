@@ -40,12 +40,19 @@ class Shape {
   /// Sums in sums and products in products are one.
   void collect(ExprId id, Op op, std::vector<std::string>& parts) {
     for (const ExprId child : tree_.children(id)) {
-      const bool joins = (op == Op::add || op == Op::multiply) && tree_[child].op == op;
-      if (joins) {
-        collect(child, op, parts);
-      } else {
-        parts.push_back(write(child));
+      ExprId inner = child;
+      std::vector<IndexId> opened;
+      while (op == Op::multiply && tree_[inner].op == Op::index_sum) {  // sums in a product stand in front of it
+        if (summed_.insert(tree_[inner].index).second) opened.push_back(tree_[inner].index);
+        inner = tree_.children(inner)[0];
       }
+      const bool joins = (op == Op::add || op == Op::multiply) && tree_[inner].op == op;
+      if (joins) {
+        collect(inner, op, parts);
+      } else {
+        parts.push_back(write(inner));
+      }
+      for (const IndexId index : opened) summed_.erase(index);
     }
   }
 

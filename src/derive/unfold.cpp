@@ -44,6 +44,30 @@ ExprId without_squared_roots(ExprTree& tree, ExprId root) {
 
 }  // namespace
 
+ExprId component_within(ExprTree& tree, ExprId id, const std::vector<Slot>& slots) {
+  if (slots.empty() || tree[id].rank == 0) return id;
+  ExprNode node = tree[id];
+  std::vector<ExprId> children(tree.children(id).begin(), tree.children(id).end());
+  switch (node.op) {
+    case Op::add:
+    case Op::negate:
+    case Op::index_sum:
+    case Op::particle_sum:
+    case Op::divide:
+    case Op::multiply:
+      break;
+    default:
+      return component_of(tree, id, slots);
+  }
+  for (const ExprId child : children) {
+    const auto rank = static_cast<std::size_t>(tree[child].rank);
+    if (rank != 0 && rank != slots.size()) return component_of(tree, id, slots);  // a dyad
+  }
+  for (ExprId& child : children) child = component_within(tree, child, slots);
+  node.rank = 0;
+  return tree.add(node, children);
+}
+
 ExprId with_slots(ExprTree& tree, ExprId root, const std::vector<IndexId>& variables,
                   const std::vector<Slot>& by) {
   if (variables.empty()) return root;
@@ -72,7 +96,7 @@ ExprId unfolded(ExprTree& tree, ExprId root, const Definition& definition) {
     ExprId body = with_letters(tree, definition.body, {});  // sums of its own
     if (node.particle != no_particle) body = with_particle(tree, body, definition.particle, node.particle);
     if (!definition.indices.empty()) return with_slots(tree, body, definition.indices, slots);
-    return slots.empty() ? body : component_of(tree, body, slots);
+    return component_within(tree, body, slots);
   });
   return result == root ? root : without_squared_roots(tree, result);
 }
