@@ -86,6 +86,17 @@ struct CaseCommand {
   std::string name;
 };
 
+enum class MathFormat : std::uint8_t { text, latex, mathml };
+
+/// `rigor explain`: the derivation between the forms of chains.
+struct ExplainCommand {
+  std::string file;  // or a statement
+  std::optional<std::string> sidecar;
+  std::vector<std::string> places;  // tags, headings, labels or line numbers; empty: all chains
+  MathFormat format = MathFormat::text;
+  ColorWhen color = ColorWhen::automatic;
+};
+
 /// Either a command, or a text to print and the code to end with: `--help`, `--version`, or what is wrong.
 struct CommandLine {
   std::optional<CheckCommand> check = {};
@@ -93,6 +104,7 @@ struct CommandLine {
   std::optional<EvalCommand> eval = {};
   std::optional<BenchCommand> bench = {};
   std::optional<SceneCommand> scene = {};
+  std::optional<ExplainCommand> explain = {};
   std::optional<ReportCommand> report = {};
   std::optional<CasesCommand> cases = {};
   std::optional<CaseCommand> one_case = {};

@@ -178,6 +178,7 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
   for (std::size_t k = 0; k < chain.reading.sides.size(); ++k) {
     WrittenForm form{
         .expr = {}, .source = folded(sources_.text(written.sides[k].span)), .span = written.sides[k].span};
+    form.expanded = text_of(written.sides[k].tokens);
     if (const auto& typed = chain.reading.sides[k].typed) {
       form.expr = typed->id;
       expressions.push_back(typed->id);
@@ -201,6 +202,7 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
     if (k < chain.steps.size()) {
       step.outcome = outcome_of(chain.steps[k]);
       step.defines = chain.steps[k].verdict == Verdict::definition;
+      step.given = chain.steps[k].verdict == Verdict::given;
       step.expected_refuted = chain.steps[k].expected_refuted;
     }
     if (step.question) define_zeros(tree, *step.question, step.names);

@@ -18,6 +18,7 @@ namespace rigor {
 struct WrittenForm {
   std::optional<ExprId> expr;  // nothing: it could not be read
   std::string source;          // LaTeX as written, blanks folded
+  std::string expanded = {};   // the same without macros of the notes
   Span span = {};
 };
 
@@ -27,6 +28,7 @@ struct WrittenStep {
   bool nearly = false;                    // to first order only
   bool expected_refuted = false;          // a directive says that it is false
   bool defines = false;                   // the left form is a name for the right one
+  bool given = false;                     // what the notes take for granted
   std::optional<Outcome> outcome = {};    // nothing: it was not asked, or its answer does not count
   std::optional<Question> question = {};  // its `tree` is not set
   QuestionNames names = {};               // of the question's definitions and assumptions

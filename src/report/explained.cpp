@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/explained.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "expr/print_latex.h"
+#include "expr/same_expression.h"
+
+namespace rigor {
+namespace {
+
+/// The lines of one chain as they come.
+class Lines {
+ public:
+  Lines(WrittenForms& forms, std::size_t chain)
+      : forms_(forms), chain_(forms.chains[chain]), notation_(notation_at(forms, chain_)) {}
+
+  /// Goes on from an expression: in the block at hand if it ends with it.
+  void start_at(ExprId from, std::string rule, const WrittenForm* form) {
+    const bool goes_on = last_ && rule.empty() && same_expression(forms_.tree, *last_, forms_.tree, from);
+    if (goes_on) return;
+    blocks_.push_back({print(from), std::move(rule), {}});
+    last_ = from;
+    if (form == nullptr || !applies_an_operator(form->expanded)) return;
+    blocks_.back().head = form->expanded;
+    blocks_.back().lines.push_back({"=", print(from), "derivatives taken"});
+  }
+
+  void add(std::string relation, ExprId expr, std::string rule) {
+    blocks_.back().lines.push_back({std::move(relation), print(expr), std::move(rule)});
+    last_ = expr;
+  }
+  void add_words(std::string words) {
+    if (blocks_.empty()) blocks_.emplace_back();
+    blocks_.back().lines.push_back({"", "", std::move(words)});
+    last_.reset();
+  }
+  void end_block() { last_.reset(); }
+  [[nodiscard]] std::string print(ExprId expr) const { return print_latex(forms_.tree, expr, notation_); }
+  [[nodiscard]] std::vector<ExplainedBlock> take() { return std::move(blocks_); }
+
+ private:
+  /// d/dt or ∂ before a bracket: it has been carried out in what the tree holds.
+  static bool applies_an_operator(const std::string& latex) {
+    for (const std::string_view sign :
+         {"\\frac{d}{dt}", "\\frac{d^2}{dt^2}", "\\frac{\\mathrm{d}}{\\mathrm{d}t}"}) {
+      auto at = latex.find(sign);
+      if (at == std::string::npos) continue;
+      at = latex.find_first_not_of(' ', at + sign.size());
+      if (at != std::string::npos && (latex[at] == '(' || latex.compare(at, 5, "\\left") == 0)) return true;
+    }
+    return false;
+  }
+
+  WrittenForms& forms_;
+  const WrittenFormChain& chain_;
+  Notation notation_;
+  std::vector<ExplainedBlock> blocks_;
+  std::optional<ExprId> last_;
+};
+
+std::string names_of(const ExprTree& tree, const std::vector<IndexId>& letters) {
+  std::string names;
+  for (const IndexId letter : letters) names += (names.empty() ? "" : ", ") + tree.name(letter);
+  return names;
+}
+
+ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step, Lines& lines) {
+  const WrittenForm left = forms.chains[chain].forms[step];
+  const WrittenForm right = forms.chains[chain].forms[step + 1];
+  const WrittenStep written = forms.chains[chain].steps[step];
+  if (!left.expr || !right.expr) {
+    lines.add_words("not understood: `rigor check` says why");
+    return ExplainedAs::open;
+  }
+  const std::string relation = written.nearly ? "\\approx" : "=";
+  if (written.defines || written.given) {
+    lines.start_at(*left.expr, "", nullptr);
+    lines.add(relation, *right.expr, written.defines ? "definition" : "given");
+    return ExplainedAs::known;
+  }
+  if (written.outcome == Outcome::refuted) {
+    lines.start_at(*left.expr, "", &left);
+    lines.add("\\ne", *right.expr, written.expected_refuted ? "refuted, as expected" : "refuted");
+    lines.end_block();
+    return written.expected_refuted ? ExplainedAs::expected_refuted : ExplainedAs::refuted;
+  }
+  const Explanation explanation = explain_step(forms, chain, step);
+  const bool components = !explanation.letters.empty();
+  const std::string rule = components ? "component " + names_of(forms.tree, explanation.letters) : "";
+  lines.start_at(explanation.steps.empty() ? *left.expr : explanation.start, rule,
+                 components ? nullptr : &left);
+  for (const SmallStep& small : explanation.steps)
+    lines.add(small.nearly ? "\\approx" : "=", small.expr, small.rule);
+  if (explanation.gap) {
+    lines.add("\\overset{?}{=}", *right.expr, "not reached: " + *explanation.gap);
+    lines.end_block();
+    return ExplainedAs::open;
+  }
+  if (components) lines.end_block();
+  return explanation.by_cases ? ExplainedAs::by_cases : ExplainedAs::small;
+}
+
+}  // namespace
+
+ExplainedChain explain_chain(WrittenForms& forms, std::size_t chain, const SourceMap& sources) {
+  const WrittenFormChain& written = forms.chains[chain];
+  ExplainedChain explained;
+  const LineColumn place = sources.line_column(written.span.file, written.span.begin);
+  explained.place = fmt::format("{}:{}", sources.path(written.span.file), place.line);
+  if (!written.tag.empty()) explained.place += " " + written.tag;
+  if (written.image > 0) explained.place += fmt::format(", cyclic image {}", written.image);
+  Lines lines(forms, chain);
+  for (std::size_t step = 0; step < forms.chains[chain].steps.size(); ++step) {
+    const bool assumed = forms.chains[chain].assumed;
+    if (assumed) forms.chains[chain].steps[step].given = true;
+    explained.steps.push_back(explain_one(forms, chain, step, lines));
+  }
+  explained.blocks = lines.take();
+  return explained;
+}
+
+ExplainedTally tally(const std::vector<ExplainedChain>& chains) {
+  ExplainedTally tally;
+  for (const ExplainedChain& chain : chains) {
+    const std::size_t before = tally.steps;
+    for (const ExplainedAs step : chain.steps) {
+      if (step == ExplainedAs::known || step == ExplainedAs::expected_refuted) continue;
+      ++tally.steps;
+      if (step == ExplainedAs::refuted) ++tally.refuted;
+      if (step == ExplainedAs::by_cases) ++tally.by_cases;
+      if (step == ExplainedAs::small || step == ExplainedAs::by_cases) ++tally.explained;
+    }
+    if (tally.steps > before) ++tally.chains;
+  }
+  return tally;
+}
+
+std::string tally_text(const ExplainedTally& tally) {
+  std::string text = fmt::format("explained {} of {} step{} in {} chain{}", tally.explained, tally.steps,
+                                 tally.steps == 1 ? "" : "s", tally.chains, tally.chains == 1 ? "" : "s");
+  if (tally.by_cases > 0) text += fmt::format(", {} component by component", tally.by_cases);
+  if (tally.refuted > 0) text += fmt::format("; {} refuted", tally.refuted);
+  return text;
+}
+
+std::vector<RulePart> rule_parts(const std::string& rule) {
+  std::vector<RulePart> parts;
+  const auto is_math = [&](const std::string& word) {
+    if (word.find_first_of("\\_^{}") != std::string::npos) return true;
+    const bool letter = word.size() == 1 && std::isalpha(static_cast<unsigned char>(word[0])) != 0;
+    if (letter && word != "a") return true;
+    const bool sign = word == "=" || word == "+" || word == "-" ||
+                      word.find_first_not_of("0123456789.") == std::string::npos;
+    return sign && !parts.empty() && parts.back().is_math;
+  };
+  for (std::size_t at = 0; at < rule.size();) {
+    const std::size_t end = std::min(rule.find(' ', at), rule.size());
+    const std::string word = rule.substr(at, end - at);
+    const bool math = !word.empty() && is_math(word);
+    if (parts.empty() || parts.back().is_math != math) {
+      if (!parts.empty() && !parts.back().is_math) parts.back().text += ' ';
+      parts.push_back({math, (parts.empty() || math ? "" : " ") + word});
+    } else {
+      parts.back().text += ' ' + word;
+    }
+    at = end + 1;
+  }
+  return parts;
+}
+
+}  // namespace rigor
