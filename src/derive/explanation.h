@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "expr/statement.h"
+#include "expr/question_names.h"
 
 namespace rigor {
 
@@ -22,13 +22,6 @@ struct Explanation {
   ExprId start{};
   std::vector<SmallStep> steps;         // the last one is the other side, unless there is a gap
   std::optional<std::string> gap = {};  // why the other side was not reached
-};
-
-/// How the definitions and assumptions of a question are called: `Eq. (8)`, `the centre of mass`; one for
-/// each.
-struct QuestionNames {
-  std::vector<std::string> definitions;
-  std::vector<std::string> assumptions;
 };
 
 /// The question's claim is an equation; its `tree` is not read. `tree` gets the expressions between.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "expr/question_names.h"
 #include "expr/statement.h"
 
 namespace rigor {
@@ -27,6 +28,8 @@ struct WrittenStep {
   bool defines = false;                   // the left form is a name for the right one
   std::optional<Outcome> outcome = {};    // nothing: it was not asked, or its answer does not count
   std::optional<Question> question = {};  // its `tree` is not set
+  QuestionNames names = {};               // of the question's definitions and assumptions
+  std::optional<NearlyQuestion> nearly_question = {};  // `nearly`: the step before anything was left out
   std::optional<Sample> sample = {};      // refuted: where the sides differ
 };
 
