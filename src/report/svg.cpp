@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "base/utf8.h"
+#include "base/xml.h"
 
 namespace rigor {
 namespace {
@@ -48,35 +48,12 @@ std::string svg_number(double value) {
   return text == "-0.00" ? "0.00" : text;
 }
 
-std::string svg_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char each : printable(text)) {
-    switch (each) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += each;
-    }
-  }
-  return escaped;
-}
-
 Svg::Svg(double width, double height, std::string_view title) {
   head_ = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "role=\"img\" font-family=\"'DejaVu Sans', 'Helvetica Neue', Arial, "
       "sans-serif\">\n<title>{2}</title>\n",
-      svg_number(width), svg_number(height), svg_escaped(title));
+      svg_number(width), svg_number(height), xml_escaped(title));
   body_ = fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", svg_number(width),
                       svg_number(height));
 }

@@ -46,7 +46,7 @@ class Svg {
   void circle(SvgPoint centre, double radius, std::string_view fill, const SvgStroke& stroke);
   void rectangle(SvgPoint corner, double width, double height, std::string_view fill,
                  const SvgStroke& stroke);
-  /// `markup` is what `svg_label` or `svg_escaped` made.
+  /// `markup` is what `svg_label` or `xml_escaped` made.
   void text(SvgPoint at, std::string_view markup, const SvgText& style);
   /// What follows is cut off outside the rectangle, until `end_clip`.
   void begin_clip(SvgPoint corner, double width, double height);
@@ -63,8 +63,5 @@ class Svg {
 
 /// `12.50`: two digits, never `-0.00`.
 [[nodiscard]] std::string svg_number(double value);
-
-/// Text as it may stand between tags and in attributes; what XML cannot hold becomes `?`.
-[[nodiscard]] std::string svg_escaped(std::string_view text);
 
 }  // namespace rigor

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/utf8.h"
+#include "base/xml.h"
 #include "report/svg.h"
 
 namespace rigor {
@@ -209,7 +210,7 @@ std::string markup(const std::vector<std::pair<Style, std::string>>& pieces) {
     if (style.level != 0) all += " font-size=\"75%\"";
     if (style.bold) all += " font-weight=\"bold\"";
     if (style.italic) all += " font-style=\"italic\"";
-    all += '>' + svg_escaped(text) + "</tspan>";
+    all += '>' + xml_escaped(text) + "</tspan>";
     level = style.level;
   }
   // An empty piece moves nothing in some viewers; a zero-width blank does.
@@ -222,7 +223,7 @@ std::string markup(const std::vector<std::pair<Style, std::string>>& pieces) {
 std::string svg_label(std::string_view text) {
   std::string all;
   split_at_dollars(
-      text, [&](std::string_view plain) { all += svg_escaped(plain); },
+      text, [&](std::string_view plain) { all += xml_escaped(plain); },
       [&](std::string_view formula) { all += markup(LabelReader(formula).read()); });
   return all;
 }
