@@ -271,7 +271,7 @@ std::optional<ExprId> rational_form(ExprTree& tree, ExprId id, RationalForm form
   }
 }
 
-std::optional<ExprId> collected(ExprTree& tree, ExprId id, std::span<const ExprId> by) {
+std::optional<ExprId> collected_by(ExprTree& tree, ExprId id, std::span<const ExprId> by) {
   if (tree[id].rank > 0) return std::nullopt;
   try {
     RationalWriter writer(tree);

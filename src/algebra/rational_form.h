@@ -25,7 +25,7 @@ enum class RationalForm : std::uint8_t {
 
 /// The expression of rank 0 as a polynomial in some of its indeterminates (given as expressions), with
 /// factored coefficients; the denominator, if it has one, may not have them. Nothing where that is not so.
-[[nodiscard]] std::optional<ExprId> collected(ExprTree& tree, ExprId id, std::span<const ExprId> by);
+[[nodiscard]] std::optional<ExprId> collected_by(ExprTree& tree, ExprId id, std::span<const ExprId> by);
 
 /// The expression of rank 0 without what is of second or higher order in some of its indeterminates together.
 /// Nothing where it is not defined at 0, or where one of them also stands in another indeterminate.

@@ -33,6 +33,7 @@ Grammar::Grammar() {
   add_eval(*this);
   add_bench(*this);
   add_scene(*this);
+  add_derive(*this);
 }
 
 CLI::App& Grammar::command(const char* name, const char* what, const std::vector<std::string>& examples,

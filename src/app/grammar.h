@@ -47,6 +47,7 @@ void add_replay(Grammar& grammar);
 void add_eval(Grammar& grammar);
 void add_bench(Grammar& grammar);
 void add_scene(Grammar& grammar);
+void add_derive(Grammar& grammar);
 
 // What several commands have in common.
 

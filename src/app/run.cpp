@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "app/command_line.h"
+#include "app/derive.h"
 #include "app/forms.h"
 #include "app/progress.h"
 #include "app/replay.h"
@@ -78,6 +79,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     if (line.replay) return written(replay(*line.replay, out, err), out, err);
     if (line.eval) return written(evaluate_forms(*line.eval, out, err), out, err);
     if (line.scene) return written(compute_scenes(*line.scene, out, err), out, err);
+    if (line.derive) return written(derive_holes(*line.derive, out, err), out, err);
     if (line.bench) return written(bench_forms(*line.bench, out, err), out, err);
     (line.code == ExitCode::ok ? out : err) << line.text;
     return number_of(line.code);

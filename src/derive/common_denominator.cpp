@@ -94,7 +94,8 @@ void append(ExprTree& tree, const DescentRules& rules, const Denominator& denomi
   Line line{.parts = {}, .down = "common denominator", .up = "divided out", .flat = true};
   for (const IndexPolynomial& each : numerators) {
     const ExprId quotient = quotient_node(tree, expression_of(tree, each), product_node(tree, under));
-    line.parts.push_back(with_letters(tree, each.terms.empty() ? number_node(tree, 0) : quotient, rules.letters));
+    line.parts.push_back(
+        with_letters(tree, each.terms.empty() ? number_node(tree, 0) : quotient, rules.letters));
   }
   describe(tree, line);
   for (const IndexPolynomial& each : numerators) line.terms += '/' + canonical_text(tree.symbols, each);
@@ -117,7 +118,8 @@ void append_common_denominator(ExprTree& tree, const DescentRules& rules, Descen
       if (!over) return;
       numerators[side].push_back(*std::move(over));
     }
-    if (canonical_text(tree.symbols, numerators[0][k]) != canonical_text(tree.symbols, numerators[1][k])) return;
+    if (canonical_text(tree.symbols, numerators[0][k]) != canonical_text(tree.symbols, numerators[1][k]))
+      return;
   }
   append(tree, rules, denominator, numerators[0], left);
   append(tree, rules, denominator, numerators[0], right);

@@ -78,7 +78,8 @@ std::vector<IndexMonomial> product_of_epsilons(const IndexMonomial& term, std::s
     erase_factor(product, other);
     erase_factor(product, at);
     std::vector<IndexFactor> deltas;
-    for (std::size_t i = common ? 1 : 0; i < 3; ++i) deltas.push_back(delta(a.slots[i], b.slots[orders[k][i]]));
+    for (std::size_t i = common ? 1 : 0; i < 3; ++i)
+      deltas.push_back(delta(a.slots[i], b.slots[orders[k][i]]));
     product.factors.insert(product.factors.begin() + static_cast<std::ptrdiff_t>(at), deltas.begin(),
                            deltas.end());
     if (common) erase_index(product, a.slots[0].variable);
@@ -100,8 +101,8 @@ bool contract_one(IndexMonomial& term) {
     const IndexFactor factor = term.factors[at];
     const auto& slots = factor.slots;
     if (factor.kind == Kind::epsilon) {
-      const bool equal = same_slot(slots[0], slots[1]) || same_slot(slots[1], slots[2]) ||
-                         same_slot(slots[0], slots[2]);
+      const bool equal =
+          same_slot(slots[0], slots[1]) || same_slot(slots[1], slots[2]) || same_slot(slots[0], slots[2]);
       const bool numbers = slots[0].axis != 0 && slots[1].axis != 0 && slots[2].axis != 0;
       if (!equal && !numbers) continue;
       term.coefficient = term.coefficient * SmallRational(equal ? 0 : sign_of_axes(slots));
