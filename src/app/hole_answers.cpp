@@ -121,12 +121,12 @@ class Answering {
         hole.answer.freedom =
             fmt::format(proposals.any_vector ? "`{}` with any vector \\mathbf{{w}} can be added"
                                              : "any multiple of `{}` can be added",
-                        print(*proposals.may_be_added));
+                        print(hole, *proposals.may_be_added));
       }
       if (wanted_.form == AnswerForm::collected) add_forms_of_notes(hole, reading, other);
-      for (const ExprId value : proposals.values) add(hole, print(value), false, other);
+      for (const ExprId value : proposals.values) add(hole, print(hole, value), false, other);
       const bool plain = wanted_.form == AnswerForm::contracted && !reading.nearly;
-      if (proposals.necessary && plain) add(hole, print(*proposals.necessary), true, other);
+      if (proposals.necessary && plain) add(hole, print(hole, *proposals.necessary), true, other);
     }
   }
 
@@ -161,7 +161,10 @@ class Answering {
     hole.candidates.push_back({std::move(latex), necessary});
   }
 
-  std::string print(ExprId id) const { return print_latex(result_.reading.forms.tree, id); }
+  std::string print(const OpenHole& hole, ExprId id) const {
+    const WrittenForms& forms = result_.reading.forms;
+    return print_latex(forms.tree, id, notation_at(forms, forms.chains[hole.written->chain]));
+  }
 
   const std::string& source_of(std::size_t chain, std::size_t side) const {
     return result_.reading.forms.chains[chain].forms[side].source;

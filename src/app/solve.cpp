@@ -114,7 +114,7 @@ class StatementSolver {
   }
 
   void try_value(ExprId value) {
-    const std::string latex = print_latex(reading_.forms.tree, value);
+    const std::string latex = print_latex(reading_.forms.tree, value, reading_.forms.notation);
     std::vector<PlacedText> replacements;
     for (const Span place : places_)
       replacements.push_back({place, placed(latex, place_of(result_.sources, place, false))});

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "check/demand.h"
+#include "check/notation_of_notes.h"
 #include "check/question.h"
 #include "check/question_names.h"
 #include "source/suggest.h"
@@ -167,6 +168,10 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
                          .assumed = chain.assumed,
                          .image = chain.parsed.image};
   for (const Heading* heading : sections_) forms.headings.push_back(heading->title);
+  if (!names.frames().empty()) {
+    const Frame& frame = names.frames().back();
+    forms.frame = FrameNames{frame.rotation, frame.rotating, frame.fixed};
+  }
   std::vector<ExprId> expressions;
   std::vector<FreeIndex> free;
   std::vector<FreeParticle> particles;
@@ -247,6 +252,10 @@ void FormRecorder::ask(std::size_t event, ExprTree& tree, Names& names) {
   std::vector<ExprId> expressions;
   for (const AskedForm& form : forms_.asked) expressions.push_back(form.expr);
   forms_.definitions = question_about(tree, names, expressions).definitions;
+}
+
+void FormRecorder::see(const ExprTree& tree, Names& names) {
+  forms_.notation = notation_of_notes(notes_, names, tree);
 }
 
 FormsReading FormRecorder::finish(ExprTree&& tree) && {

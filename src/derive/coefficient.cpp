@@ -23,10 +23,11 @@ bool is_same(const Slot& a, const Slot& b) {
 
 /// What the hole is multiplied with.
 struct Company {
-  std::vector<Slot> letters;                          // of the hole
-  std::vector<std::pair<Slot, IndexFactor>> vectors;  // each with the letter that it shares with the hole
+  std::vector<Slot> letters = {};  // of the hole
+  std::vector<std::pair<Slot, IndexFactor>> vectors =
+      {};  // each with the letter that it shares with the hole
   SmallRational coefficient = 1;
-  std::vector<IndexFactor> scalars;
+  std::vector<IndexFactor> scalars = {};
 };
 
 std::optional<Company> company_of(const IndexMonomial& monomial, SymbolId hole) {
