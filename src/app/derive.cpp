@@ -158,10 +158,10 @@ class Deriving {
       HoleNotes next = notes;
       AnswerForm form = AnswerForm::contracted;
       if (!command_.derivative.empty()) {
-        const bool time = command_.derivative == "t";
-        next.statement = fmt::format(time ? R"(\frac{{d}}{{dt}}\left({1}\right) = \square)"
-                                          : R"(\frac{{\partial}}{{\partial {0}}}\left({1}\right) = \square)",
-                                     command_.derivative, *hole.latex);
+        const std::string& by = command_.derivative;
+        const std::string sign =
+            by == "t" ? R"(\frac{d}{dt})" : fmt::format(R"(\frac{{\partial}}{{\partial {}}})", by);
+        next.statement = fmt::format(R"({}\left({}\right) = \square)", sign, *hole.latex);
       } else {
         form = AnswerForm::first_order;
         next.by = command_.first_order;

@@ -118,10 +118,10 @@ class Answering {
       if (hole.obstacle.empty()) hole.obstacle = proposals.obstacle;
       hole.answer.impossible = hole.answer.impossible || proposals.impossible;
       if (proposals.may_be_added) {
-        hole.answer.freedom =
-            fmt::format(proposals.any_vector ? "`{}` with any vector \\mathbf{{w}} can be added"
-                                             : "any multiple of `{}` can be added",
-                        print(hole, *proposals.may_be_added));
+        const std::string part = print(hole, *proposals.may_be_added);
+        hole.answer.freedom = proposals.any_vector
+                                  ? fmt::format(R"(`{}` with any vector `\mathbf{{w}}` can be added)", part)
+                                  : fmt::format("any multiple of `{}` can be added", part);
       }
       if (wanted_.form == AnswerForm::collected) add_forms_of_notes(hole, reading, other);
       for (const ExprId value : proposals.values) add(hole, print(hole, value), false, other);

@@ -14,7 +14,7 @@ namespace rigor {
 /// Which notes, and what of them.
 struct HoleNotes {
   std::string path = {};                      // empty: a statement without notes
-  std::string text;                           // of the notes, as it is in the file
+  std::string text = {};                      // of the notes, as it is in the file
   std::optional<std::string> statement = {};  // only its holes are answered
   std::optional<std::string> at = {};         // where the statement stands: a tag or a heading
   std::optional<std::string> sidecar = {};
