@@ -50,21 +50,22 @@ class RationalWriter {
   ExprId factored(const Quotient& quotient) {
     if (quotient.numerator.is_zero()) return polynomial(0);
     if (is_number(quotient.denominator)) return factors((quotient.numerator / quotient.denominator).expand());
-    const Factored above = factors_of_polynomial(quotient.numerator);
+    Factored above = factors_of_polynomial(quotient.numerator);
     const Factored below = factors_of_polynomial(quotient.denominator);
     const GiNaC::numeric number =
         above.number / below.number;  // in lowest terms: whole numbers above and below
+    const bool negative = number.is_negative() && !take_sign(above);
     const ExprId top = joined({GiNaC::abs(number).numer(), above.factors});
     const bool whole = number.denom().is_equal(1);
     const ExprId bottom = joined({number.denom(), below.factors});
     const bool divides = !whole || !below.factors.empty();
     const ExprId result = divides ? atoms_.make(Op::divide, {top, bottom}) : top;
-    return number.is_negative() ? atoms_.make(Op::negate, {result}) : result;
+    return negative ? atoms_.make(Op::negate, {result}) : result;
   }
 
   ExprId factors(const GiNaC::ex& value) {
     Factored parts = factors_of_polynomial(value);
-    const bool negative = parts.number.is_negative();
+    const bool negative = parts.number.is_negative() && !take_sign(parts);
     parts.number = GiNaC::abs(parts.number);
     const ExprId result = joined(parts);
     return negative ? atoms_.make(Op::negate, {result}) : result;
@@ -92,6 +93,20 @@ class RationalWriter {
       id = tree.add({.op = Op::tuple, .rank = static_cast<std::uint8_t>(axes)}, entries);
     }
     return id;
+  }
+
+  /// −(a − b) is b − a: a factor takes the sign if it is a difference.
+  static bool take_sign(Factored& parts) {
+    for (Factor& factor : parts.factors) {
+      const bool difference = factor.exponent % 2 != 0 && std::any_of(factor.base.begin(), factor.base.end(),
+                                                                      [](const RationalTerm& term) {
+                                                                        return term.coefficient.is_negative();
+                                                                      });
+      if (!difference) continue;
+      for (RationalTerm& term : factor.base) term.coefficient = -term.coefficient;
+      return true;
+    }
+    return false;
   }
 
   Factored factors_of_polynomial(const GiNaC::ex& expanded) {
@@ -327,7 +342,11 @@ std::optional<ExprId> to_first_order(ExprTree& tree, ExprId id, std::span<const 
     const GiNaC::ex changed = (whole.numerator / whole.denominator).subs(scaled);
     const GiNaC::ex at_zero = changed.subs(scale == 0);
     const GiNaC::ex slope = changed.diff(scale).subs(scale == 0);
-    return writer.expanded(writer.quotient_of(at_zero + slope), 0);
+    const Quotient constant = writer.quotient_of(at_zero);
+    const Quotient linear = writer.quotient_of(slope);
+    if (constant.numerator.is_zero()) return writer.expanded(linear, 0);
+    if (linear.numerator.is_zero()) return writer.expanded(constant, 0);
+    return atoms.make(Op::add, {writer.expanded(constant, 0), writer.expanded(linear, 0)});
   } catch (const std::exception&) {
     return std::nullopt;
   }

@@ -2,6 +2,7 @@
 #include "algebra/rational_terms.h"
 
 #include <algorithm>
+#include <compare>
 #include <utility>
 
 #include "algebra/exact_number.h"
@@ -102,9 +103,39 @@ std::vector<RationalTerm> RationalAtoms::terms_of_polynomial(const GiNaC::ex& ex
     for (std::size_t k = 0; k < atoms_.size(); ++k) term.exponents[k] = each.degree(atoms_[k].symbol);
     terms.push_back(std::move(term));
   }
-  std::sort(terms.begin(), terms.end(),
-            [](const auto& a, const auto& b) { return a.exponents > b.exponents; });
+  const std::vector<std::size_t> positions = order();
+  std::sort(terms.begin(), terms.end(), [&](const RationalTerm& a, const RationalTerm& b) {
+    for (const std::size_t k : positions) {
+      if (a.exponents[k] != b.exponents[k]) return a.exponents[k] > b.exponents[k];
+    }
+    return false;
+  });
   return terms;
+}
+
+/// As they were met, but components of one symbol side by side, by their axes.
+std::vector<std::size_t> RationalAtoms::order() const {
+  struct Place {
+    std::size_t group;
+    std::vector<int> axes;
+    std::size_t position;
+    auto operator<=>(const Place&) const = default;
+  };
+  std::map<SymbolId, std::size_t> groups;
+  std::vector<Place> places;
+  for (std::size_t k = 0; k < atoms_.size(); ++k) {
+    Place place{k, {}, k};
+    const ExprNode& node = tree_[atoms_[k].id];
+    if (node.op == Op::symbol && node.slot_count > 0) {
+      place.group = groups.emplace(node.symbol, k).first->second;
+      for (const Slot& slot : tree_.slots(atoms_[k].id)) place.axes.push_back(slot.axis);
+    }
+    places.push_back(std::move(place));
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<std::size_t> positions;
+  for (const Place& place : places) positions.push_back(place.position);
+  return positions;
 }
 
 ExprId RationalAtoms::make(Op op, std::vector<ExprId> children, int exponent) {
@@ -140,8 +171,8 @@ ExprId RationalAtoms::monomial(const RationalTerm& term) {
   std::vector<ExprId> factors;
   std::vector<ExprId> ranked;
   const GiNaC::numeric size = GiNaC::abs(term.coefficient);
-  for (std::size_t k = 0; k < term.exponents.size(); ++k) {
-    if (term.exponents[k] == 0) continue;
+  for (const std::size_t k : order()) {
+    if (k >= term.exponents.size() || term.exponents[k] == 0) continue;
     const ExprId id = atoms_[k].id;
     if (tree_[id].rank > 0) {
       ranked.push_back(id);
@@ -159,6 +190,12 @@ ExprId RationalAtoms::expression_of(const std::vector<RationalTerm>& terms) {
   if (terms.empty()) return tree_.add_number({}, "0");
   std::vector<ExprId> addends;
   for (const RationalTerm& term : terms) addends.push_back(monomial(term));
+  const auto positive = std::find_if(terms.begin(), terms.end(),
+                                     [](const RationalTerm& term) { return term.coefficient.is_positive(); });
+  if (positive != terms.end()) {  // b - a, not -a + b
+    const auto first = addends.begin() + (positive - terms.begin());
+    std::rotate(addends.begin(), first, first + 1);
+  }
   return addends.size() == 1 ? addends[0] : make(Op::add, addends);
 }
 

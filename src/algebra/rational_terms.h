@@ -36,15 +36,18 @@ class RationalAtoms {
   [[nodiscard]] ExprId expression_at(std::size_t position) const { return atoms_[position].id; }
   [[nodiscard]] std::size_t count() const { return atoms_.size(); }
 
-  /// The terms of an expanded polynomial, the highest power of the first indeterminate first.
+  /// The terms of an expanded polynomial, the highest powers first, indeterminates in `order`.
   [[nodiscard]] std::vector<RationalTerm> terms_of_polynomial(const GiNaC::ex& expanded) const;
-  /// Back to a tree; no terms are 0.
+  /// Back to a tree, a positive term in front; no terms are 0.
   [[nodiscard]] ExprId expression_of(const std::vector<RationalTerm>& terms);
   [[nodiscard]] ExprId monomial(const RationalTerm& term);
   [[nodiscard]] ExprId number(const GiNaC::numeric& value);  // rational
   [[nodiscard]] ExprId make(Op op, std::vector<ExprId> children, int exponent = 0);
   [[nodiscard]] ExprId product(std::vector<ExprId> factors);
   [[nodiscard]] ExprTree& tree() { return tree_; }
+
+  /// The positions in the order in which terms and their factors are written.
+  [[nodiscard]] std::vector<std::size_t> order() const;
 
  private:
   struct Atom {

@@ -52,6 +52,7 @@ class Deriving {
     }
     const std::string path = command_.is_statement ? command_.in.value_or("") : command_.what;
     if (const ExitCode code = load(path, notes); code != ExitCode::ok) return code;
+    if (!command_.first_order.empty()) notes.text.insert(0, small_directive(notes.path));
     if (!command_.solve_for.empty()) return solve(notes);
     HoleAnswers answers = answer_holes(notes, form_named(command_));
     ExitCode code = print_errors(answers);
@@ -150,7 +151,8 @@ class Deriving {
   /// The answer goes into a further statement, which has a hole again.
   ExitCode transform(const HoleNotes& notes, const HoleAnswers& answers, ExitCode code) {
     for (const HoleAnswer& hole : answers.holes) {
-      if (!hole.latex) {
+      const std::optional<std::string> given = hole.other ? hole.other : hole.latex;
+      if (!given) {
         for (const Diagnostic& trouble : hole.troubles) print(trouble, answers.sources);
         code = worse(code, hole.impossible ? ExitCode::wrong : ExitCode::open);
         continue;
@@ -161,12 +163,11 @@ class Deriving {
         const std::string& by = command_.derivative;
         const std::string sign =
             by == "t" ? R"(\frac{d}{dt})" : fmt::format(R"(\frac{{\partial}}{{\partial {}}})", by);
-        next.statement = fmt::format(R"({}\left({}\right) = \square)", sign, *hole.latex);
+        next.statement = fmt::format(R"({}\left({}\right) = \square)", sign, *given);
       } else {
         form = AnswerForm::first_order;
         next.by = command_.first_order;
-        next.statement = fmt::format(R"({} \approx \square)", *hole.latex);
-        next.text.insert(0, small_directive(notes.path));
+        next.statement = fmt::format(R"({} \approx \square)", *given);
       }
       const HoleAnswers derived = answer_holes(next, form);
       code = worse(code, print_errors(derived));
@@ -175,10 +176,13 @@ class Deriving {
     return code;
   }
 
+  /// Without notes, nothing else says that the symbols are numbers.
   std::string small_directive(const std::string& path) const {
-    const bool latex = format_of(path) == Format::latex;
-    return fmt::format("{} rigor: small {} {}\n", latex ? "%" : "<!--", fmt::join(command_.first_order, ", "),
-                       latex ? "" : "-->");
+    const std::string symbols = fmt::format("{}", fmt::join(command_.first_order, ", "));
+    const bool alone = path.empty();
+    if (format_of(path) == Format::latex)
+      return fmt::format("{}% rigor: small {}\n", alone ? "% rigor: scalar " + symbols + "\n" : "", symbols);
+    return fmt::format("<!-- rigor:\n{}small {}\n-->\n", alone ? "scalar " + symbols + "\n" : "", symbols);
   }
 
   ExitCode solve(const HoleNotes& notes) {

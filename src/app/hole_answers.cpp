@@ -16,18 +16,12 @@ namespace {
 
 constexpr int most_rounds = 10;
 
-/// One answer that is tried.
-struct Candidate {
-  std::string latex;
-  bool necessary = false;  // if this does not fit, nothing does
-};
-
 /// A hole on the way to its answer.
 struct OpenHole {
   const WrittenHole* written = nullptr;
   HoleAnswer answer = {};
   HolePlace place = {};
-  std::vector<Candidate> candidates = {};
+  std::vector<std::string> candidates = {};
   std::size_t tried = 0;
   std::string obstacle = {};
   std::optional<std::string> would_be = {};  // refuted, though anything that fits equals it
@@ -96,6 +90,8 @@ class Answering {
         trouble("it comes out of a macro, so that nothing can be put in its place",
                 {"write the square itself"});
     }
+    if (written.alone && written.troubles.empty())
+      hole.answer.other = source_of(written.chain, written.partner);
     hole.place = place_of(result_.sources, written.span, written.alone);
     if (hole.answer.troubles.empty()) propose_for(hole);
     open_.push_back(std::move(hole));
@@ -124,9 +120,8 @@ class Answering {
                                   : fmt::format("any multiple of `{}` can be added", part);
       }
       if (wanted_.form == AnswerForm::collected) add_forms_of_notes(hole, reading, other);
-      for (const ExprId value : proposals.values) add(hole, print(hole, value), false, other);
-      const bool plain = wanted_.form == AnswerForm::contracted && !reading.nearly;
-      if (proposals.necessary && plain) add(hole, print(hole, *proposals.necessary), true, other);
+      for (const ExprId value : proposals.values) add(hole, print(hole, value), other);
+      if (proposals.refuted_necessary && !reading.nearly) hole.would_be = print(hole, *proposals.necessary);
     }
   }
 
@@ -145,20 +140,17 @@ class Answering {
         const bool fits =
             !symbols.empty() && std::all_of(symbols.begin(), symbols.end(),
                                             [&](SymbolId symbol) { return known.contains(symbol); });
-        if (fits) add(hole, form.source, false, other);
+        if (fits) add(hole, form.source, other);
       }
     }
   }
 
   /// What stands on the other side already says nothing.
-  void add(OpenHole& hole, std::string latex, bool necessary, const std::string& other) const {
+  static void add(OpenHole& hole, std::string latex, const std::string& other) {
     if (hole.written->alone && bare(latex) == other) return;
-    for (Candidate& known : hole.candidates) {
-      if (known.latex != latex) continue;
-      known.necessary = known.necessary || necessary;
-      return;
-    }
-    hole.candidates.push_back({std::move(latex), necessary});
+    const bool known =
+        std::find(hole.candidates.begin(), hole.candidates.end(), latex) != hole.candidates.end();
+    if (!known) hole.candidates.push_back(std::move(latex));
   }
 
   std::string print(const OpenHole& hole, ExprId id) const {
@@ -179,7 +171,7 @@ class Answering {
     std::vector<PlacedText> replacements;
     for (const OpenHole& hole : open_) {
       if (hole.settled || hole.is_trying())
-        replacements.push_back({hole.answer.span, placed(hole.candidates[hole.tried].latex, hole.place)});
+        replacements.push_back({hole.answer.span, placed(hole.candidates[hole.tried], hole.place)});
     }
     FormRequest request{.at = notes_.at, .sidecar = notes_.sidecar, .statement = notes_.statement};
     std::string text = notes_.text;
@@ -197,28 +189,21 @@ class Answering {
     hole.settled = false;
     const WrittenHole& written = *hole.written;
     bool proved = written.chain < again.forms.chains.size();
-    bool refuted = false;
     if (proved) {
       const std::vector<WrittenStep>& steps = again.forms.chains[written.chain].steps;
       for (std::size_t k = written.side == 0 ? 0 : written.side - 1; k < steps.size() && k <= written.side;
            ++k) {
         proved = proved && steps[k].outcome == Outcome::proved;
-        refuted = refuted || steps[k].outcome == Outcome::refuted;
       }
     }
-    const Candidate& candidate = hole.candidates[hole.tried];
-    if (proved) {
-      hole.settled = true;
-      return;
-    }
-    if (refuted && candidate.necessary) hole.would_be = candidate.latex;
-    ++hole.tried;
+    hole.settled = proved;
+    if (!proved) ++hole.tried;
   }
 
   HoleAnswer close(OpenHole& hole) const {
     HoleAnswer answer = std::move(hole.answer);
     if (hole.settled) {
-      answer.latex = hole.candidates[hole.tried].latex;
+      answer.latex = hole.candidates[hole.tried];
       answer.text = placed(*answer.latex, hole.place);
       answer.impossible = false;
       return answer;

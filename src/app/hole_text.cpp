@@ -83,9 +83,17 @@ std::string placed(const std::string& latex, const HolePlace& place) {
 }
 
 std::string bare(const std::string& latex) {
+  static constexpr std::string_view upright[] = {"\\text{", "\\mathrm{", "\\rm "};
   std::string text;
   for (std::size_t k = 0; k < latex.size(); ++k) {
     const char c = latex[k];
+    const std::string_view rest = std::string_view(latex).substr(k);
+    const auto face = std::find_if(std::begin(upright), std::end(upright),
+                                   [&](std::string_view each) { return rest.starts_with(each); });
+    if (face != std::end(upright)) {
+      k += face->size() - 1;
+      continue;
+    }
     if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '{' || c == '}') continue;
     if (c == '\\' && k + 1 < latex.size() &&
         (latex[k + 1] == ',' || latex[k + 1] == ';' || latex[k + 1] == '!')) {

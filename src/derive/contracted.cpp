@@ -69,6 +69,13 @@ std::optional<ExprId> contracted(ExprTree& tree, ExprId id) {
   return whole ? std::optional(with_good_letters(tree, *whole)) : std::nullopt;
 }
 
+std::optional<ExprId> in_indices(ExprTree& tree, ExprId id) {
+  auto polynomial = polynomial_of(tree, id);
+  if (!polynomial) return std::nullopt;
+  contract(tree, *polynomial);
+  return with_good_letters(tree, expression_of(tree, *polynomial));
+}
+
 ExprId as_scalar(ExprTree& tree, const IndexPolynomial& polynomial) {
   const auto direct = folded(tree, polynomial);
   return with_good_letters(tree, direct ? *direct : expression_of(tree, polynomial));

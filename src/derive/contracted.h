@@ -15,6 +15,9 @@ void contract(ExprTree& tree, IndexPolynomial& polynomial);
 /// notation for δ. Nothing where it is too large, or where direct notation has no sign for it.
 [[nodiscard]] std::optional<ExprId> contracted(ExprTree& tree, ExprId id);
 
+/// The same for an expression of rank 0, left in index notation: (A×B)_i → ε_ijk A_j B_k.
+[[nodiscard]] std::optional<ExprId> in_indices(ExprTree& tree, ExprId id);
+
 /// Back to an expression of rank 0 with good letters: folded if that can be done.
 [[nodiscard]] ExprId as_scalar(ExprTree& tree, const IndexPolynomial& polynomial);
 

@@ -40,6 +40,7 @@ class Proposing {
                                 : "the equation does not depend on it";
       return std::move(proposals_);
     }
+    try_numbers();
     find_freedom();
     compare_coefficients();
     const Isolation isolation = isolated(tree_, problem_.claim, problem_.hole);
@@ -47,6 +48,9 @@ class Proposing {
       proposals_.obstacle = isolation.obstacle;
     } else {
       proposals_.necessary = isolation.value;
+      Equation with_it = problem_.claim;
+      with_it.right = side_with(*isolation.value);
+      proposals_.refuted_necessary = outcome_of(with_it) == Outcome::refuted;
       add_forms_of(*isolation.value);
     }
     return std::move(proposals_);
@@ -96,6 +100,18 @@ class Proposing {
       for (const ExprId child : tree_.children(id)) pending.push_back(child);
     }
     return found;
+  }
+
+  /// 0 and 1, which forms may hide: sin² x + cos² x.
+  void try_numbers() {
+    const ExprNode node = tree_[problem_.node];
+    if (wanted_.form != AnswerForm::contracted || node.rank > 0) return;
+    for (const char* digits : {"0", "1"}) {
+      const ExprId number = tree_.add_number(node.span, digits);
+      Equation with_it = problem_.claim;
+      with_it.right = side_with(number);
+      if (outcome_of(with_it) == Outcome::proved) proposals_.values.push_back(number);
+    }
   }
 
   /// A vector that is multiplied with others is seldom the only one.
@@ -183,14 +199,27 @@ std::optional<ExprId> tuple_of_components(ExprTree& tree, ExprId id, std::vector
   return tree.add({.op = Op::tuple, .rank = static_cast<std::uint8_t>(tree[entries[0]].rank + 1)}, entries);
 }
 
+/// Folded, the parts of a quotient each by itself.
+std::optional<ExprId> contracted_parts(ExprTree& tree, ExprId id) {
+  if (tree[id].op != Op::divide) return contracted(tree, id);
+  const std::array parts{tree.children(id)[0], tree.children(id)[1]};
+  const auto above = contracted(tree, parts[0]);
+  const auto below = contracted(tree, parts[1]);
+  if (!above || !below) return std::nullopt;
+  const std::array folded{*above, *below};
+  return tree.add({.op = Op::divide, .rank = tree[*above].rank}, folded);
+}
+
 /// Folded; reduced to lowest terms where that is shorter.
 void add_contracted(ExprTree& tree, ExprId id, std::vector<ExprId>& values) {
-  const auto direct = contracted(tree, id);
+  const auto direct = contracted_parts(tree, id);
   const auto reduced = rational_form(tree, direct.value_or(id), RationalForm::expanded);
   const bool shorter = direct && reduced && tree[*reduced].weight < tree[*direct].weight;
   if (shorter) values.push_back(*reduced);
   if (direct) values.push_back(*direct);
   if (reduced && !shorter) values.push_back(*reduced);
+  if (const auto indexed = tree[id].rank == 0 ? in_indices(tree, id) : std::nullopt)
+    values.push_back(*indexed);
   values.push_back(id);
 }
 

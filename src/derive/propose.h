@@ -37,6 +37,7 @@ struct HoleProblem {
 struct Proposals {
   std::vector<ExprId> values = {};
   std::optional<ExprId> necessary = {};     // if anything fits, it equals this
+  bool refuted_necessary = false;           // with it the claim is refuted, so that nothing fits
   std::string obstacle = {};                // why there are none
   std::optional<ExprId> may_be_added = {};  // any multiple of it can be added to an answer: there are many
   bool any_vector = false;                  // in `may_be_added` stands a symbol for any vector
