@@ -20,7 +20,7 @@ enum class RationalForm : std::uint8_t {
 };
 
 /// The expression, of any rank, in this form; of rank above 0 only `expanded`, a sum of vectors with rational
-/// functions before them. Nothing where it is too large (300 terms, powers up to 64) or divides by zero.
+/// functions before them. Nothing where it is too large (300 terms, powers up to 16) or divides by zero.
 [[nodiscard]] std::optional<ExprId> rational_form(ExprTree& tree, ExprId id, RationalForm form);
 
 /// The expression of rank 0 as a polynomial in some of its indeterminates (given as expressions), with

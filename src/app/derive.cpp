@@ -142,6 +142,14 @@ class Deriving {
       if (hole.latex) replacements.push_back({hole.span, hole.text});
     }
     if (replacements.empty()) return ExitCode::ok;
+    for (const Diagnostic& diagnostic :
+         answers.reading.report.diagnostics) {  // a `?` may stand for such a byte
+      if (diagnostic.kind != DiagnosticKind::invalid_utf8 && diagnostic.kind != DiagnosticKind::nul_byte)
+        continue;
+      err_ << fmt::format("rigor: {}: nothing is written into a file that is not UTF-8\n",
+                          printable(notes.path));
+      return ExitCode::wrong;
+    }
     const auto written = replace_file(notes.path, with_replacements(notes.text, std::move(replacements)));
     if (written) return ExitCode::ok;
     err_ << fmt::format("rigor: {}: cannot be written: {}\n", printable(notes.path), written.error().reason);

@@ -13,6 +13,8 @@ namespace {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
 /// A sum at its outermost level, or a sign before everything.
 bool is_sum(const std::string& latex) {
   int depth = 0;
@@ -59,6 +61,7 @@ HolePlace place_of(const SourceMap& sources, Span span, bool alone) {
                            is_letter(last.text.back()) && span.begin > 0 && is_letter(text[span.begin - 1]) &&
                            !blank;
     place.is_argument = takes_argument(last);
+    place.beside_digit = last.kind == TokenKind::digit;
     if (last.kind == TokenKind::end_group ||
         last.kind == TokenKind::digit) {  // the second argument of a fraction
       for (std::size_t k = 0; k < tokens.size(); ++k) {
@@ -68,6 +71,9 @@ HolePlace place_of(const SourceMap& sources, Span span, bool alone) {
       }
     }
   }
+  const std::size_t behind = text.find_first_not_of(" \t", span.end);
+  const bool digit = behind != std::string_view::npos && is_digit(text[behind]);
+  place.beside_digit = place.beside_digit || digit;
   place.before_letter = span.end < text.size() && is_letter(text[span.end]);
   return place;
 }
@@ -75,8 +81,8 @@ HolePlace place_of(const SourceMap& sources, Span span, bool alone) {
 std::string placed(const std::string& latex, const HolePlace& place) {
   std::string text = latex;
   if (place.is_argument) return "{" + text + "}";
-  const bool starts_with_digit = !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) != 0;
-  if (!place.alone && (has_sign_outside(text) || starts_with_digit)) text = "\\left(" + text + "\\right)";
+  const bool melts = place.beside_digit && !text.empty() && (is_digit(text[0]) || is_digit(text.back()));
+  if (!place.alone && (has_sign_outside(text) || melts)) text = "\\left(" + text + "\\right)";
   if (place.behind_control && !text.empty() && is_letter(text[0])) text.insert(0, " ");
   if (place.before_letter && !text.empty() && is_letter(text.back())) text += ' ';
   return text;

@@ -13,6 +13,7 @@ struct HolePlace {
   bool alone = false;           // on its side
   bool is_argument = false;     // of `^`, `_`, `\frac`…: one group
   bool behind_control = false;  // `\times\square`: a letter would go on with the name
+  bool beside_digit = false;    // `2\square`: digits would melt
   bool before_letter = false;   // `\square x`, which is one name with `\omega` for the square
 };
 

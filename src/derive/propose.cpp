@@ -96,7 +96,9 @@ class Proposing {
       const ExprId id = pending.back();
       pending.pop_back();
       const ExprNode& node = tree_[id];
-      if (node.op == Op::symbol && node.rank == 1 && known.insert(node.symbol).second) found.push_back(id);
+      const bool one = node.particle == no_particle;  // a particle's vector belongs under its sum
+      if (node.op == Op::symbol && node.rank == 1 && one && known.insert(node.symbol).second)
+        found.push_back(id);
       for (const ExprId child : tree_.children(id)) pending.push_back(child);
     }
     return found;

@@ -108,6 +108,19 @@ TEST_CASE("a hole in a sum, a product or a denominator is solved for") {
   CHECK(answer(R"(A_i (B_jC_j) = \square\, C_j)") == "A_i B_j\n");
 }
 
+TEST_CASE("a hole beside a sum over particles is answered") {
+  CHECK(
+      answer(
+          R"(\sum_\alpha m_\alpha\square\,\mathbf r_\alpha\cdot\mathbf r_\alpha = \sum_\alpha m_\alpha r_\alpha^2)") ==
+      "1\n");
+  CHECK(
+      answer(R"(\sum_\alpha m_\alpha(\boldsymbol\omega\times\mathbf r_\alpha)^2 = \square\,\omega_i\omega_j)")
+          .find("\\delta_{ij}") != std::string::npos);
+  const Derived vector = derived(
+      {R"(\sum_\alpha m_\alpha\mathbf r_\alpha\times(\boldsymbol\omega\times\mathbf r_\alpha) = \square)"});
+  CHECK(vector.code == 0);
+}
+
 TEST_CASE("what is not linear in the hole says so") {
   const Derived power = derived({R"(\square^2 = a^2)"});
   CHECK(power.code == 2);
@@ -187,6 +200,13 @@ TEST_CASE("a hole without an answer keeps its characters") {
   const std::string text = "$$\\mathbf{A}\\times\\square = \\mathbf{C}$$\n";
   const HoleFile notes(text);
   CHECK(derived({notes.path(), "--write"}).code == 2);
+  CHECK(notes.text() == text);
+}
+
+TEST_CASE("nothing is written into a file that is not UTF-8") {
+  const std::string text = "$$(a+b)^2 = \\square$$\n\n$$a = \xFF$$\n";
+  const HoleFile notes(text);
+  CHECK(derived({notes.path(), "--write"}).code == 1);
   CHECK(notes.text() == text);
 }
 

@@ -23,7 +23,10 @@ TEST_CASE("a sum gets brackets unless it stands alone") {
   CHECK(put("2\\,\\square", "\\frac{a + b}{c}") == "2\\,\\frac{a + b}{c}");
 }
 
-TEST_CASE("digits do not melt") { CHECK(put("2\\square", "3") == "2\\left(3\\right)"); }
+TEST_CASE("digits do not melt") {
+  CHECK(put("2\\square", "3") == "2\\left(3\\right)");
+  CHECK(put("m\\square\\,x", "1") == "m1\\,x");
+}
 
 TEST_CASE("letters do not go on with the name of a control") {
   CHECK(put("a\\cdot\\square", "b") == "a\\cdot b");
