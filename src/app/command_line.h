@@ -97,6 +97,23 @@ struct ExplainCommand {
   ColorWhen color = ColorWhen::automatic;
 };
 
+/// `rigor derive`: the holes of notes, or of one statement.
+struct DeriveCommand {
+  std::string what;                 // a file, or a statement
+  bool is_statement = false;        // what the words say; a file of this name goes first
+  std::optional<std::string> in;    // a statement's notes
+  std::vector<std::string> places;  // tags or headings
+  std::optional<std::string> sidecar;
+  bool write = false;
+  std::string form = "contracted";
+  std::vector<std::string> in_terms_of;  // symbols
+  std::vector<std::string> first_order;  // symbols
+  std::string derivative;                // by what; empty: none
+  std::string solve_for;                 // empty: nothing
+  MathFormat format = MathFormat::latex;
+  ColorWhen color = ColorWhen::automatic;
+};
+
 /// Either a command, or a text to print and the code to end with: `--help`, `--version`, or what is wrong.
 struct CommandLine {
   std::optional<CheckCommand> check = {};
@@ -104,6 +121,7 @@ struct CommandLine {
   std::optional<EvalCommand> eval = {};
   std::optional<BenchCommand> bench = {};
   std::optional<SceneCommand> scene = {};
+  std::optional<DeriveCommand> derive = {};
   std::optional<ExplainCommand> explain = {};
   std::optional<ReportCommand> report = {};
   std::optional<CasesCommand> cases = {};

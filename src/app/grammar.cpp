@@ -35,6 +35,7 @@ Grammar::Grammar() {
   add_eval(*this);
   add_bench(*this);
   add_scene(*this);
+  add_derive(*this);
   add_explain(*this);
   add_report(*this);
   add_cases(*this);

@@ -52,6 +52,7 @@ void add_replay(Grammar& grammar);
 void add_eval(Grammar& grammar);
 void add_bench(Grammar& grammar);
 void add_scene(Grammar& grammar);
+void add_derive(Grammar& grammar);
 void add_explain(Grammar& grammar);
 void add_report(Grammar& grammar);
 void add_cases(Grammar& grammar);

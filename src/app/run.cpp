@@ -6,6 +6,7 @@
 
 #include "app/cases.h"
 #include "app/command_line.h"
+#include "app/derive.h"
 #include "app/explain.h"
 #include "app/forms.h"
 #include "app/progress.h"
@@ -82,6 +83,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     if (line.eval) return written(evaluate_forms(*line.eval, out, err), out, err);
     if (line.report) return written(write_reports(*line.report, out, err), out, err);
     if (line.scene) return written(compute_scenes(*line.scene, out, err), out, err);
+    if (line.derive) return written(derive_holes(*line.derive, out, err), out, err);
     if (line.explain) return written(explain_chains(*line.explain, out, err), out, err);
     if (line.bench) return written(bench_forms(*line.bench, out, err), out, err);
     if (line.cases) return written(write_cases(*line.cases, out, err), out, err);

@@ -25,6 +25,7 @@ FileReport unreadable(SourceMap& sources, const std::string& path, const std::st
 /// The named sidecar, or the one beside the notes if there is one.
 std::optional<std::string> sidecar_path(const std::string& notes, const CheckOptions& options) {
   if (options.sidecar) return options.sidecar;
+  if (notes.empty()) return std::nullopt;
   std::filesystem::path beside(notes);
   beside.replace_extension(".rigor");
   std::error_code error;
@@ -69,8 +70,11 @@ FormsReading read_text(SourceMap& sources, const std::string& path, std::string 
     for (const std::string& expression : request->asked)
       asked.push_back(sources.add("what is asked", expression));
   }
-  const Notes notes =
-      read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics, asked);
+  std::optional<AddedStatement> added;
+  if (request != nullptr && request->statement)
+    added = AddedStatement{sources.add("statement", *request->statement), request->at};
+  const Notes notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics,
+                                 asked, added ? &*added : nullptr);
   FormsReading reading = walk(sources, notes, report, options, request);
   if (report.steps.empty() && report.diagnostics.empty() && (request == nullptr || !request->only)) {
     report.diagnostics.push_back(
@@ -78,6 +82,7 @@ FormsReading read_text(SourceMap& sources, const std::string& path, std::string 
   }
   reading.report = std::move(report);
   reading.asked = std::move(asked);
+  if (added) reading.statement = added->text;
   return reading;
 }
 

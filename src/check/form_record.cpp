@@ -210,6 +210,9 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
     forms.steps.push_back(std::move(step));
   }
   decided_.clear();
+  if (request_.answer_holes && chain.parsed.image == 0)
+    record_holes({notes_.syntax, tree, names, chain.parsed, chain.assumed, chain.first_order}, forms,
+                 forms_.chains.size(), holes_);
   forms_.chains.push_back(std::move(forms));
 }
 
@@ -261,6 +264,7 @@ FormsReading FormRecorder::finish(ExprTree&& tree) && {
   forms_.tree = std::move(tree);
   FormsReading reading;
   reading.forms = std::move(forms_);
+  reading.holes = std::move(holes_);
   reading.chains_passed_over = passed_over_;
   return reading;
 }

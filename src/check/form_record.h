@@ -68,6 +68,7 @@ class FormRecorder {
   std::size_t asked_behind_ = 0;  // event
   std::set<std::string> known_;
   std::vector<std::pair<Span, WrittenStep>> decided_;  // by relation
+  std::vector<WrittenHole> holes_;
   WrittenForms forms_;
 };
 

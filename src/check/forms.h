@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "check/holes.h"
 #include "check/report.h"
 #include "expr/written_forms.h"
 #include "source/source_map.h"
@@ -21,11 +22,15 @@ struct FormRequest {
   /// elaborated, and nothing is decided but whether a name gets a second meaning. Nothing: all chains, each
   /// step decided.
   std::optional<std::vector<std::string>> only = {};
+  std::optional<std::string> statement = {};  // a display more, behind `at`
+  bool answer_holes = false;                  // what `\square` may be is looked for
 };
 
 struct FormsReading {
+  std::vector<WrittenHole> holes = {};
   FileReport report;  // of what was elaborated; without lints and dimensions if `only` was given
   WrittenForms forms = {};
+  std::optional<FileId> statement = {};
   std::vector<FileId> asked = {};      // what was asked, one text each: diagnostics point into them
   std::size_t chains_passed_over = 0;  // that nothing asked for needs
 };

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "check/demand.h"
 #include "latex/parse.h"
 #include "source/suggest.h"
 
@@ -21,13 +22,14 @@ class NotesReader {
     notes_.file = file;
   }
 
-  Notes read(const FileId* sidecar, std::span<const FileId> asked) {
+  Notes read(const FileId* sidecar, std::span<const FileId> asked, const AddedStatement* added) {
     const Document document = read_document(sources_, notes_.file, diagnostics_);
     for (const Item& item : document.items) {
       std::visit([this](const auto& each) { add(each); }, item);
     }
     if (sidecar != nullptr) insert_sidecar(*sidecar);
     for (const FileId each : asked) notes_.asked.push_back(read_asked(each));
+    if (added != nullptr) insert(*added);
     return std::move(notes_);
   }
 
@@ -70,6 +72,15 @@ class NotesReader {
       parsed.unread = true;
     }
     notes_.events.emplace_back(std::move(parsed));
+  }
+
+  void insert(const AddedStatement& added) {
+    const auto place = added.at ? place_named(notes_, *added.at) : std::nullopt;
+    const std::size_t behind = place ? place->behind : notes_.events.size();
+    const Span all{added.text, 0, static_cast<std::uint32_t>(sources_.text(added.text).size())};
+    add(Display{.span = all, .body = all, .environment = {}});
+    const auto where = notes_.events.begin() + static_cast<std::ptrdiff_t>(behind);
+    std::rotate(where, notes_.events.end() - 1, notes_.events.end());
   }
 
   SyntaxId read_asked(FileId text) {
@@ -178,8 +189,8 @@ class NotesReader {
 }  // namespace
 
 Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar, Diagnostics& diagnostics,
-                 std::span<const FileId> asked) {
-  return NotesReader(sources, file, diagnostics).read(sidecar, asked);
+                 std::span<const FileId> asked, const AddedStatement* added) {
+  return NotesReader(sources, file, diagnostics).read(sidecar, asked, added);
 }
 
 Span span_of(const Event& event) {

@@ -3,6 +3,7 @@
 // places.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -41,10 +42,18 @@ struct Notes {
 /// A display of more bytes than this is not read.
 inline constexpr std::uint32_t max_display_bytes = 64 * 1024;
 
+/// A display that is not in the notes: a text of its own, read behind the place of a tag or a heading
+/// (nothing, or a name that the notes do not have: at the end), with the notes' macros.
+struct AddedStatement {
+  FileId text = 0;
+  std::optional<std::string> at = {};
+};
+
 /// `file` is in `sources` and mended. `sidecar`, if given, as well, and so is each expression in `asked`,
 /// which may use the notes' macros.
 [[nodiscard]] Notes read_notes(SourceMap& sources, FileId file, const FileId* sidecar,
-                               Diagnostics& diagnostics, std::span<const FileId> asked = {});
+                               Diagnostics& diagnostics, std::span<const FileId> asked = {},
+                               const AddedStatement* added = nullptr);
 
 [[nodiscard]] Span span_of(const Event& event);
 

@@ -38,6 +38,17 @@ std::optional<Diagnostic> why_not_decided(const WrittenRelation& relation) {
   }
 }
 
+/// Is nothing in the way but what is asked for?
+bool only_asks(const Diagnostics& diagnostics) {
+  bool asks = false;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const Severity severity = diagnostic.severity();
+    if (diagnostic.kind != DiagnosticKind::hole && severity != Severity::warning) return false;
+    asks = asks || diagnostic.kind == DiagnosticKind::hole;
+  }
+  return asks;
+}
+
 }  // namespace
 
 void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& reading,
@@ -64,6 +75,7 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
   } else if (readable) {
     decide_step(parsed, which, reading, context, step);
   }
+  if (only_asks(step.diagnostics)) step.verdict = Verdict::undecided;
   if (readable && parsed.image == 0) {
     const bool directed = context.role == Role::let || context.role == Role::given;
     const bool passing = is_for_now(context);

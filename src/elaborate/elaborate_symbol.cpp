@@ -45,6 +45,7 @@ std::uint8_t hatted_axis(const WrittenSymbol& written, const Sightings& sighting
 }  // namespace
 
 std::optional<Typed> Elaborator::symbol(const WrittenSymbol& written, Span span) {
+  if (written.letter == hole_letter) return hole(written, span);
   if (written.dots > 0) return rate(written, span);
   if (written.letter == "\\nabla") return unsupported(span, "`\\nabla` has nothing to act on here");
   bool handled = false;

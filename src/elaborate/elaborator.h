@@ -42,12 +42,26 @@ struct Typed {
   std::vector<FreeIndex> bound;         // letters summed inside
 };
 
+/// What a hole is taken for: a whole of a rank, or of rank 0 a component with letters and particles.
+struct HoleShape {
+  int rank = 0;
+  std::vector<std::string> letters = {};
+  std::vector<std::string> particles = {};  // at most one
+};
+
+/// A hole that was read: a symbol of its own, which belongs to no name.
+struct Hole {
+  SymbolId symbol{};
+  Span span;
+};
+
 /// How a statement is read where the plain reading is not what is meant.
 struct Reading {
   bool no_sum = false;                  // "(no sum)": no letter is summed but under an explicit sign
   std::set<std::string> unsummed = {};  // nor are these
   bool primes_on_axes = false;          // i' and i are one letter; the prime only says along which axes
   bool dots_on_vectors = false;         // \dot r of the length r is |\dot{\mathbf r}|
+  std::optional<HoleShape> hole = {};   // nothing: a hole is not read
 };
 
 /// Elaborates the sides of one statement (all sides share their free letters). A side with a mistake gives
@@ -84,6 +98,8 @@ class Elaborator {
   [[nodiscard]] const std::vector<SymbolId>& unknown_changes() const { return unknown_changes_; }
   /// Letters that were summed because they stand twice.
   [[nodiscard]] const std::set<std::string>& summed_letters() const { return summed_letters_; }
+  /// In the order in which they were read.
+  [[nodiscard]] const std::vector<Hole>& holes() const { return holes_; }
   [[nodiscard]] bool has_dotted_length() const { return dotted_length_.has_value(); }
   [[nodiscard]] Span dotted_length() const { return *dotted_length_; }
 
@@ -111,6 +127,9 @@ class Elaborator {
                   std::vector<FreeIndex>& free);
   void guess_vector(const WrittenName& name, bool as_length);
   bool is_known(const std::string& base, int rank, bool per_particle) const;
+
+  // elaborate_hole.cpp
+  Maybe hole(const WrittenSymbol& written, Span span);
   [[nodiscard]] std::string letter_key(const WrittenIndex& axis) const;
   [[nodiscard]] bool is_varying_in_body(const WrittenName& name, int rank, Span span, bool& known);
 
@@ -236,6 +255,7 @@ class Elaborator {
   std::vector<FreeIndex> slot_letters_;
   std::vector<std::string> conventions_;
   std::optional<Obstacle> guess_;
+  std::vector<Hole> holes_;
   std::set<std::string> positions_;  // the ways in which the statement writes the position
   bool differentiates_position_ = false;
   std::optional<std::string> region_;  // of an integral

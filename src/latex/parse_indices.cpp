@@ -122,6 +122,10 @@ class IndexReader {
       ++at_;
       return;
     }
+    if (letter == hole_letter) {
+      refuse("what is asked for is no index");
+      return;
+    }
     if (letter.empty()) {
       refuse(is_sign(token, ",") ? "a comma in a subscript can separate indices or be a derivative"
                                  : fmt::format("`{}` in a subscript is not read", text_of({&token, 1})));

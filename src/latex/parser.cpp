@@ -198,6 +198,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
     default:
       break;
   }
+  if (is_asking_mark(cursor.tokens, cursor.at)) return asked(cursor);
   if (is_sign(token, "(") || is_sign(token, "[")) return bracketed(cursor);
   if (is_sign(token, "|")) return bars(cursor);
   if (is_sign(token, ".") && cursor.at + 1 < cursor.tokens.size() &&

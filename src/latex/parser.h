@@ -58,6 +58,7 @@ class Parser {
   SyntaxId switched(Cursor& cursor, Style style, std::size_t at);
   SyntaxId restyle(SyntaxId inner, Style style, Span span);
   SyntaxId number(Cursor& cursor);
+  SyntaxId asked(Cursor& cursor);  // `?`
 
   // parser_controls.cpp
   SyntaxId control(Cursor& cursor);

@@ -48,6 +48,15 @@ SyntaxId Parser::number(Cursor& cursor) {
   return tree_.add_text(SyntaxKind::number, span, std::move(digits));
 }
 
+SyntaxId Parser::asked(Cursor& cursor) {
+  const Span place = cursor.token().span;
+  ++cursor.at;
+  WrittenSymbol symbol;
+  symbol.letter = hole_letter;
+  symbol.letter_span = place;
+  return tree_.add_symbol(place, std::move(symbol));
+}
+
 SyntaxId Parser::letter(Cursor& cursor) {
   const Token token = cursor.token();
   if (starts_change(cursor.tokens, cursor.at)) return changed(cursor);

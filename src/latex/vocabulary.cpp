@@ -222,6 +222,7 @@ bool is_transparent_environment(std::string_view name) {
 std::string letter_of(const Token& token) {
   if (token.kind == TokenKind::control) {
     if (token.text == "varepsilon") return "\\epsilon";
+    if (token.text == "square" || token.text == "Box") return std::string(hole_letter);
     if (token.text == "imath" || token.text == "jmath" || token.text == "ell" || token.text == "hbar" ||
         token.text == "varphi" || token.text == "vartheta" || token.text == "varrho" ||
         token.text == "varsigma" || token.text == "varkappa") {
@@ -241,8 +242,30 @@ std::string letter_of(const Token& token) {
 }
 
 bool is_greek(std::string_view letter) {
-  return letter.size() > 1 && letter.front() == '\\' && letter != "\\ell" && letter != "\\imath" &&
+  return letter.size() > 1 && letter.front() == '\\' && letter != hole_letter && letter != "\\ell" && letter != "\\imath" &&
          letter != "\\jmath" && letter != "\\hbar";
+}
+
+bool is_asking_mark(std::span<const Token> tokens, std::size_t at) {
+  const auto is_mark = [&](std::size_t k) {
+    return k < tokens.size() && tokens[k].kind == TokenKind::other && tokens[k].text == "?";
+  };
+  const auto is_empty = [&](std::size_t k) {
+    return tokens[k].kind == TokenKind::space || tokens[k].kind == TokenKind::align || is_spacing(tokens[k]);
+  };
+  if (!is_mark(at) || is_mark(at + 1) || (at > 0 && is_mark(at - 1))) return false;
+  std::size_t before = at;
+  while (before > 0 && is_empty(before - 1)) --before;
+  if (before == 0) return true;
+  static constexpr std::string_view openings = "+-/([{|";
+  const Token& left = tokens[before - 1];
+  if (factor_joint(left) != Joint::none || relation_kind(left)) return true;
+  if (left.kind == TokenKind::other && openings.find(left.text) != std::string_view::npos) return true;
+  std::size_t behind = at + 1;
+  while (behind < tokens.size() && is_empty(behind)) ++behind;
+  if (behind == tokens.size()) return false;
+  const TokenKind right = tokens[behind].kind;  // a factor goes on behind it
+  return right == TokenKind::letter || right == TokenKind::control || right == TokenKind::subscript;
 }
 
 std::optional<Style> style_of(const Token& token) {
@@ -297,7 +320,7 @@ std::optional<FieldOperator> field_operator(std::string_view word) {
 std::string_view unread_reason(std::string_view control) {
   static const std::unordered_map<std::string_view, std::string_view> table = [] {
     std::unordered_map<std::string_view, std::string_view> reason;
-    for (const char* word : {"fdv", "functionalderivative", "square", "Box"})
+    for (const char* word : {"fdv", "functionalderivative"})
       reason.emplace(word, field_derivative);
     for (const char* word : {"arcsin", "arccos", "arctan", "max", "min", "arg", "sgn", "coth", "lg"})
       reason.emplace(word, transcendental);

@@ -89,6 +89,7 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
 
     {refuted, "refuted", Severity::refuted, "the sides differ on an exact sample"},
     {undecided, "undecided", Severity::undecided, "neither a proof nor a counterexample was found"},
+    {hole, "hole", Severity::undecided, "a square stands for what is to be derived"},
     {zero_equals_zero, "zero-equals-zero", warning,
      "both sides vanish identically, so the step says nothing"},
     {no_sample, "no-sample", error, "no sample satisfies the assumptions"},

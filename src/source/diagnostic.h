@@ -80,6 +80,7 @@ enum class DiagnosticKind : std::uint8_t {
   // verdicts
   refuted,
   undecided,
+  hole,
   zero_equals_zero,
   no_sample,
   unexpected_verdict,
