@@ -4,6 +4,7 @@
 // wrong: beyond the map there is an empty file, and a span is cut at the end of the text.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <string>
@@ -24,6 +25,8 @@ class SourceMap {
  public:
   FileId add(std::string path, std::string text);
 
+  /// How many texts there are; their ids count from 0.
+  [[nodiscard]] std::size_t size() const { return files_.size(); }
   [[nodiscard]] const std::string& path(FileId file) const;
   [[nodiscard]] std::string_view text(FileId file) const;
   [[nodiscard]] std::string_view text(Span span) const;
