@@ -14,13 +14,18 @@ namespace rigor {
 
 enum class ColorWhen : std::uint8_t { automatic, always, never };
 
-/// `rigor check`: at least one file; a sidecar only with exactly one.
+enum class ReportFormat : std::uint8_t { text, json, junit, sarif, github };
+
+/// `rigor check`: at least one file; a sidecar and marks only with exactly one.
 struct CheckCommand {
   std::vector<std::string> files;
   std::optional<std::string> sidecar;
-  bool json = false;
+  ReportFormat format = ReportFormat::text;
   bool strict = false;
   bool dimensions = false;
+  std::size_t jobs = 1;              // 0: as many as there are processors
+  std::optional<std::string> cache;  // a folder
+  std::optional<std::string> marks;  // a file for `rigor.sty`
   ColorWhen color = ColorWhen::automatic;
   std::vector<DebugTopic> debug;
 };

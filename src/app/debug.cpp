@@ -14,6 +14,7 @@ namespace {
 constexpr auto table = std::to_array<DebugTopicInfo>({
     {DebugTopic::time, "time", "milliseconds of each step"},
     {DebugTopic::steps, "steps", "verdict, route and uses of each step"},
+    {DebugTopic::cache, "cache", "how many decisions of each file were remembered"},
 });
 
 std::string line_of(DebugTopic topic, const Step& step) {
@@ -30,6 +31,11 @@ std::span<const DebugTopicInfo> debug_topic_table() { return table; }
 
 std::string print_debug(DebugTopic topic, const FileReport& file, const SourceMap& sources) {
   const std::string_view name = table[static_cast<std::size_t>(topic)].name;
+  if (topic == DebugTopic::cache) {
+    if (!file.cache) return fmt::format("debug cache: {}: there is none\n", printable(file.path));
+    return fmt::format("debug cache: {}: {} of {} decisions were remembered\n", printable(file.path),
+                       file.cache->reused, file.cache->asked);
+  }
   std::string text;
   for (const Step& step : file.steps) {
     const LineColumn place = sources.line_column(step.span.file, step.span.begin);

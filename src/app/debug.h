@@ -12,7 +12,7 @@
 
 namespace rigor {
 
-enum class DebugTopic : std::uint8_t { time, steps };
+enum class DebugTopic : std::uint8_t { time, steps, cache };
 
 struct DebugTopicInfo {
   DebugTopic topic;
@@ -22,7 +22,8 @@ struct DebugTopicInfo {
 
 [[nodiscard]] std::span<const DebugTopicInfo> debug_topic_table();
 
-/// `debug time: notes.md:12:3: 0.42 ms` and so on, a line for each step of the file.
+/// `debug time: notes.md:12:3: 0.42 ms` and so on, a line for each step of the file; of the cache one line
+/// for the file.
 [[nodiscard]] std::string print_debug(DebugTopic topic, const FileReport& file, const SourceMap& sources);
 
 }  // namespace rigor

@@ -21,6 +21,7 @@ std::span<const ExitCodeInfo> exit_code_table() { return table; }
 
 ExitCode exit_code(const Report& report, bool strict) {
   const Tally found = tally(report, strict);
+  if (found.failed) return ExitCode::internal;
   if (found.unreadable) return ExitCode::no_input;
   if (found.wrong) return ExitCode::wrong;
   return found.open ? ExitCode::open : ExitCode::ok;

@@ -30,7 +30,8 @@ struct ExitCodeInfo {
 
 [[nodiscard]] constexpr int number_of(ExitCode code) { return static_cast<int>(code); }
 
-/// An unreadable file comes before something wrong, that before something open. `strict`: warnings are wrong.
+/// An error of our own comes before an unreadable file, that before something wrong, that before something
+/// open. `strict`: warnings are wrong.
 [[nodiscard]] ExitCode exit_code(const Report& report, bool strict);
 /// The same order; a report of which nothing is refuted is confirmed.
 [[nodiscard]] ExitCode exit_code(const ReplayTally& tally);

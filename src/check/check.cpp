@@ -75,6 +75,9 @@ FormsReading read_text(SourceMap& sources, const std::string& path, std::string 
     added = AddedStatement{sources.add("statement", *request->statement), request->at};
   const Notes notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics,
                                  asked, added ? &*added : nullptr);
+  for (const Event& event : notes.events) {
+    if (const auto* display = std::get_if<ParsedDisplay>(&event)) report.displays.push_back(display->span);
+  }
   FormsReading reading = walk(sources, notes, report, options, request);
   if (report.steps.empty() && report.diagnostics.empty() && (request == nullptr || !request->only)) {
     report.diagnostics.push_back(

@@ -11,6 +11,7 @@
 
 namespace rigor {
 
+class DecisionCache;
 class FormRecorder;
 
 /// Of which wrong steps the nearest true statements and missing conditions are looked for.
@@ -22,6 +23,7 @@ struct CheckOptions {
   Repairs repairs = Repairs::of_unexpected;
   FormRecorder* forms = nullptr;      // collects for the floating-point side, and says what is needed
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
+  DecisionCache* cache = nullptr;     // decisions of earlier runs
 };
 
 /// Never throws for anything that is in the notes. A file that cannot be read is reported as such.

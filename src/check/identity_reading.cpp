@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "algebra/decide.h"
+#include "check/decision_cache.h"
 
 namespace rigor {
 namespace {
@@ -67,10 +67,10 @@ std::vector<SymbolId> undeclared(const ExprTree& tree, const std::set<SymbolId>&
 
 std::set<SymbolId> as_set(const std::vector<SymbolId>& symbols) { return {symbols.begin(), symbols.end()}; }
 
-bool holds_without(const Question& question, const std::vector<SymbolId>& symbols) {
+bool holds_without(const Question& question, const std::vector<SymbolId>& symbols, DecisionCache* cache) {
   Question reduced = question;
   reduced.zeroed = symbols;
-  const Decision decision = decide(reduced);
+  const Decision decision = decide(cache, reduced);
   return decision.outcome == Outcome::proved && !decision.vanishes;
 }
 
@@ -87,22 +87,23 @@ std::vector<ExprId> bare_terms(const ExprTree& tree, ExprId id) {
 
 /// `\sigma_x\sigma_y + \sigma_y\sigma_x = 0`, `F_{ij} + F_{ji} = 0`: one term, said twice, is to vanish; or
 /// one symbol is to have a property.
-bool is_condition_on_zero(const Question& question, ExprId side, const Degrees& degrees) {
+bool is_condition_on_zero(const Question& question, ExprId side, const Degrees& degrees,
+                          DecisionCache* cache) {
   if (degrees.size() == 1 && degrees.begin()->second == 1) return true;
   const std::vector<ExprId> terms = bare_terms(*question.tree, side);
   return !terms.empty() && std::all_of(terms.begin(), terms.end(), [&](ExprId term) {
     Question same = question;
     same.claim.left = term;
     same.claim.right = terms.front();
-    return decide(same).outcome == Outcome::proved;
+    return decide(cache, same).outcome == Outcome::proved;
   });
 }
 
 std::vector<SymbolId> law_against_zero(const Question& question, ExprId side,
-                                       const std::vector<SymbolId>& open) {
+                                       const std::vector<SymbolId>& open, DecisionCache* cache) {
   const auto degrees = degrees_of(*question.tree, side);
-  const bool identity =
-      term_count(*question.tree, side) > 1 && degrees && !is_condition_on_zero(question, side, *degrees);
+  const bool identity = term_count(*question.tree, side) > 1 && degrees &&
+                        !is_condition_on_zero(question, side, *degrees, cache);
   return identity ? std::vector<SymbolId>{} : open;
 }
 
@@ -140,7 +141,7 @@ std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
   return primitive;
 }
 
-std::vector<SymbolId> law_symbols(const Question& question, bool restates) {
+std::vector<SymbolId> law_symbols(const Question& question, bool restates, DecisionCache* cache) {
   const ExprTree& tree = *question.tree;
   const std::set<SymbolId> left = as_set(primitive_symbols(question, question.claim.left));
   const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
@@ -150,9 +151,9 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates) {
   if (open.empty()) return {};
   if (question.claim.relation != Relation::equal) return without_bounds(question, open);
   if (tree.is_zero_literal(question.claim.right))
-    return law_against_zero(question, question.claim.left, open);
+    return law_against_zero(question, question.claim.left, open, cache);
   if (tree.is_zero_literal(question.claim.left))
-    return law_against_zero(question, question.claim.right, open);
+    return law_against_zero(question, question.claim.right, open, cache);
 
   std::set<SymbolId> only_left;
   std::set<SymbolId> only_right;
@@ -166,7 +167,7 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates) {
   if (!open_own.empty()) {
     const bool one_sided = only_left.empty() || only_right.empty();
     const bool term_too_many =
-        one_sided && open_own.size() == own.size() && holds_without(question, open_own);
+        one_sided && open_own.size() == own.size() && holds_without(question, open_own, cache);
     return term_too_many ? std::vector<SymbolId>{} : open_own;
   }
   if (all.size() == 1 && !restates && !tree.symbols[*all.begin()].per_particle) {
@@ -174,7 +175,7 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates) {
     const auto right_degrees = degrees_of(tree, question.claim.right);
     const Degrees once{{*all.begin(), 1}};
     if (left_degrees == once && right_degrees == once) return open;
-    if (tree.symbols[*all.begin()].rank == 0 && !holds_without(question, open))
+    if (tree.symbols[*all.begin()].rank == 0 && !holds_without(question, open, cache))
       return open;  // an equation to be solved
   }
   return {};

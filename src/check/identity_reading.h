@@ -20,10 +20,13 @@
 
 namespace rigor {
 
+class DecisionCache;
+
 /// The undeclared symbols for which the equation reads as a law or condition; none if it reads as an
 /// identity. `restates`: the left side is a defined symbol alone, so one common symbol makes no condition of
 /// it.
-[[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, bool restates = false);
+[[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, bool restates = false,
+                                                DecisionCache* cache = nullptr);
 
 /// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in
 /// the end.

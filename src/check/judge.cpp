@@ -9,6 +9,7 @@
 #include "algebra/decide.h"
 #include "check/counterexample.h"
 #include "check/decide_by_record.h"
+#include "check/decision_cache.h"
 #include "check/identity_reading.h"
 #include "check/law_diagnostic.h"
 #include "check/question.h"
@@ -36,8 +37,8 @@ ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
 
 class Judging {
  public:
-  Judging(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits)
-      : tree_(tree), names_(names), claim_(claim), limits_(limits) {}
+  Judging(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits, DecisionCache* cache)
+      : tree_(tree), names_(names), claim_(claim), limits_(limits), cache_(cache) {}
 
   Judgement judge() {
     Decision decision = decide_order(0);
@@ -104,7 +105,7 @@ class Judging {
     Limits limits = limits_;
     limits.simplest_sample = limits.simplest_sample && last;
     Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
-                                            : decide(prepared_.question, limits);
+                                            : decide(cache_, prepared_.question, limits);
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
@@ -194,7 +195,7 @@ class Judging {
     for (int order = 2; order <= highest; ++order) {
       const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
       if (higher.too_large) return;
-      const Decision decision = decide(higher.question, brief);
+      const Decision decision = decide(cache_, higher.question, brief);
       if (decision.outcome == Outcome::proved) continue;
       if (decision.outcome == Outcome::refuted)
         judgement_.route += fmt::format("; the first term left out is of order {}", order);
@@ -225,7 +226,7 @@ class Judging {
       Question question = prepared_.question;
       question.claim.left = side;
       question.claim.right = add_rational(tree_, claim_.relation, value);
-      return decide(question, {.simplest_sample = false}).outcome == Outcome::proved;
+      return decide(cache_, question, {.simplest_sample = false}).outcome == Outcome::proved;
     };
     return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
   }
@@ -307,7 +308,7 @@ class Judging {
           {fmt::format("without a declaration of `{}` it is the component", both->first)});
       return;
     }
-    const std::vector<SymbolId> law = law_symbols(prepared_.question, restates_definition());
+    const std::vector<SymbolId> law = law_symbols(prepared_.question, restates_definition(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
       judgement_.verdict = Verdict::not_understood;
@@ -345,6 +346,7 @@ class Judging {
   Names& names_;
   const Claim& claim_;
   Limits limits_;
+  DecisionCache* cache_;
   Prepared prepared_;
   bool first_order_ = false;
   Judgement judgement_;
@@ -352,17 +354,18 @@ class Judging {
 
 }  // namespace
 
-Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits) {
-  return Judging(tree, names, claim, limits).judge();
+Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits,
+                DecisionCache* cache) {
+  return Judging(tree, names, claim, limits, cache).judge();
 }
 
 std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names, const Sample& known,
-                                            const Limits& limits) {
+                                            const Limits& limits, DecisionCache* cache) {
   if (names.assumptions().empty()) return Sample{};
   const Equation last = names.assumptions().back().equation;
   Question question = prepare(tree, names, last).question;
   question.assumptions.push_back(last);  // also where it speaks of no symbol: 0 = 1
-  return satisfying_sample(question, known, limits);
+  return satisfying_sample(cache, question, known, limits);
 }
 
 }  // namespace rigor

@@ -15,6 +15,7 @@
 
 namespace rigor {
 
+class DecisionCache;
 struct RecordedStep;
 
 struct Judgement {
@@ -44,12 +45,14 @@ struct Claim {
   RecordedStep* recorded = nullptr;     // a sample to be put in instead of a search
 };
 
-[[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits = {});
+/// `cache`: what is asked is asked there first.
+[[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits = {},
+                              DecisionCache* cache = nullptr);
 
 /// A sample that meets the last assumption together with those in scope that bear on it, if one is found;
 /// `known` met earlier ones.
 [[nodiscard]] std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names,
-                                                          const Sample& known = {},
-                                                          const Limits& limits = {});
+                                                          const Sample& known = {}, const Limits& limits = {},
+                                                          DecisionCache* cache = nullptr);
 
 }  // namespace rigor

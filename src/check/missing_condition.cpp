@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "algebra/decide.h"
 #include "check/chain_reading.h"
+#include "check/decision_cache.h"
 #include "check/identity_reading.h"
 #include "check/question.h"
 #include "latex/parse.h"
@@ -154,8 +154,8 @@ class Conditions {
 
 class Search {
  public:
-  Search(ExprTree& tree, Names& names, const WrongStep& wrong)
-      : tree_(tree), names_(names), chain_(wrong.parsed) {
+  Search(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
+      : tree_(tree), names_(names), cache_(cache), chain_(wrong.parsed) {
     for (std::size_t k = 0; k < chain_.sides.size(); ++k)
       chain_.sides[k] = parse_side(chain_.written.sides[k].tokens, chain_.written.sides[k].span, syntax_);
     reading_ = read_chain(syntax_, tree, names, chain_);
@@ -231,8 +231,8 @@ class Search {
 
   bool holds_given(const std::string& latex) {
     if (!assume(latex)) return false;
-    const Judgement judgement = judge(tree_, names_, *claim_, brief);
-    return says_something(judgement) && sample_of_assumptions(tree_, names_, {}, brief).has_value();
+    const Judgement judgement = judge(tree_, names_, *claim_, brief, cache_);
+    return says_something(judgement) && sample_of_assumptions(tree_, names_, {}, brief, cache_).has_value();
   }
 
   bool holds_to_first_order(const std::string& latex) {
@@ -246,14 +246,14 @@ class Search {
     names_.declare_small({.quantity = reading->sides[0].typed->id});
     Claim nearly = *claim_;
     nearly.nearly = true;
-    return says_something(judge(tree_, names_, nearly, brief));
+    return says_something(judge(tree_, names_, nearly, brief, cache_));
   }
 
   /// Where both sides are proportional to what is small, it says nothing.
   bool vanishes_without(SymbolId symbol) {
     Question question = prepare(tree_, names_, claim_->equation).question;
     question.zeroed.push_back(symbol);
-    const Decision decision = decide(question, brief);
+    const Decision decision = decide(cache_, question, brief);
     return decision.outcome != Outcome::proved || decision.vanishes;
   }
 
@@ -263,6 +263,7 @@ class Search {
 
   ExprTree& tree_;
   Names& names_;
+  DecisionCache* cache_;
   ParsedChain chain_;
   SyntaxTree syntax_;
   SourceMap sources_;
@@ -275,11 +276,11 @@ class Search {
 
 }  // namespace
 
-std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& names,
-                                            const WrongStep& wrong) {
+std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& names, const WrongStep& wrong,
+                                            DecisionCache* cache) {
   ExprTree own_tree = tree;
   Names own_names = names;
-  return Search(own_tree, own_names, wrong).run();
+  return Search(own_tree, own_names, wrong, cache).run();
 }
 
 }  // namespace rigor

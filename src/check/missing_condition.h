@@ -11,6 +11,8 @@
 
 namespace rigor {
 
+class DecisionCache;
+
 inline constexpr std::size_t most_conditions = 2;
 
 /// The conditions, in the notes' own symbols, as they can be given: `\sum_\alpha m_\alpha\mathbf{r}_\alpha =
@@ -18,6 +20,7 @@ inline constexpr std::size_t most_conditions = 2;
 /// assumed, and the step is decided again. One that no sample meets together with what is assumed already,
 /// and one under which both sides vanish, say nothing and are left out. It works on copies.
 [[nodiscard]] std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& names,
-                                                          const WrongStep& wrong);
+                                                          const WrongStep& wrong,
+                                                          DecisionCache* cache = nullptr);
 
 }  // namespace rigor

@@ -49,8 +49,13 @@ bool have_same_places(const ExprTree& tree, const Equation& a, const Equation& b
 
 class Search {
  public:
-  Search(ExprTree& tree, Names& names, const WrongStep& wrong)
-      : tree_(tree), names_(names), wrong_(wrong), chain_(wrong.parsed), candidates_(wrong, sides_) {
+  Search(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
+      : tree_(tree),
+        names_(names),
+        cache_(cache),
+        wrong_(wrong),
+        chain_(wrong.parsed),
+        candidates_(wrong, sides_) {
     chain_.sides.clear();
     for (const WrittenSide& side : wrong.parsed.written.sides) {
       sides_.push_back(without_layout(side.tokens));
@@ -259,7 +264,8 @@ class Search {
       if (!is_proved(candidate)) continue;
       if (repairs.empty()) nearest = candidate.distance;
       wrong_coefficient = wrong_coefficient || candidate.slip == Slip::sign || candidate.slip == Slip::factor;
-      repairs.push_back({candidate.side == 0, statement_of(candidate), candidate.change});
+      repairs.push_back({candidate.side == 0, statement_of(candidate), candidate.change,
+                         text_of(candidates_.side(candidate.side)), text_of(candidate.tokens)});
     }
     return repairs;
   }
@@ -275,7 +281,7 @@ class Search {
     Diagnostics mismatches;
     const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
     if (!claim || !mismatches.empty()) return false;
-    const Judgement judgement = judge(tree_, names_, *claim, brief);
+    const Judgement judgement = judge(tree_, names_, *claim, brief, cache_);
     return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
   }
 
@@ -288,6 +294,7 @@ class Search {
 
   ExprTree& tree_;
   Names& names_;
+  DecisionCache* cache_;
   const WrongStep& wrong_;
   SyntaxTree syntax_;
   std::vector<Tokens> sides_;
@@ -301,11 +308,11 @@ class Search {
 
 }  // namespace
 
-std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names,
-                                            const WrongStep& wrong) {
+std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names, const WrongStep& wrong,
+                                            DecisionCache* cache) {
   ExprTree own_tree = tree;
   Names own_names = names;
-  return Search(own_tree, own_names, wrong).run();
+  return Search(own_tree, own_names, wrong, cache).run();
 }
 
 }  // namespace rigor

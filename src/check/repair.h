@@ -11,6 +11,8 @@
 
 namespace rigor {
 
+class DecisionCache;
+
 inline constexpr std::size_t most_repairs = 3;
 
 /// At most three, the nearest first; none where no slip of the pen makes it true. Of a refuted step, or of
@@ -20,6 +22,7 @@ inline constexpr std::size_t most_repairs = 3;
 /// copies. Cost: a few milliseconds for a typical step (tests/bench/repair_bench.cpp); sides of more than 400
 /// tokens are not mended.
 [[nodiscard]] std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names,
-                                                          const WrongStep& wrong);
+                                                          const WrongStep& wrong,
+                                                          DecisionCache* cache = nullptr);
 
 }  // namespace rigor

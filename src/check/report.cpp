@@ -28,6 +28,7 @@ Tally tally(const Report& report, bool strict) {
     }
   };
   for (const FileReport& file : report.files) {
+    total.failed = total.failed || !file.failure.empty();
     total.unreadable = total.unreadable || file.unreadable;
     note(file.diagnostics, false);
     for (const Step& step : file.steps) {

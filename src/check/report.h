@@ -52,9 +52,11 @@ struct ChainPlace {
 
 /// A true statement near a refuted one.
 struct Repair {
-  bool on_left = false;   // which side is changed
-  std::string statement;  // LaTeX of the whole step, in the author's notation
-  std::string change;     // in words
+  bool on_left = false;          // which side is changed
+  std::string statement;         // LaTeX of the whole step, in the author's notation
+  std::string change;            // in words
+  std::string replaced = {};     // the changed side as it was read, blanks folded, macros replaced
+  std::string replacement = {};  // the same side of the statement
 };
 
 /// Diagnostics that are mended by a true statement near by: a refutation, indices or ranks that do not fit.
@@ -92,6 +94,13 @@ struct SymbolDimension {
 
 using Counts = std::array<std::uint32_t, verdict_count>;
 
+/// How often a memory of earlier decisions was asked, and what was the matter with it.
+struct CacheUse {
+  std::uint32_t asked = 0;
+  std::uint32_t reused = 0;
+  std::string trouble = {};  // why it could not be read or written; empty: nothing
+};
+
 struct FileReport {
   std::string path;
   FileId file = 0;
@@ -102,6 +111,9 @@ struct FileReport {
   Diagnostics silenced;                     // warnings that an `allow` keeps out of all others
   std::vector<SymbolDimension> dimensions;  // the time first, others as first met
   Counts counts{};
+  std::vector<Span> displays = {};  // those that were found, delimiters included, in the order of the notes
+  std::string failure = {};         // of rigor itself: then the file was not checked to its end
+  std::optional<CacheUse> cache = {};  // where decisions are remembered
 };
 
 struct Report {
@@ -112,6 +124,7 @@ struct Report {
 
 /// What the whole run amounts to, worst first.
 struct Tally {
+  bool failed = false;  // rigor itself
   bool unreadable = false;
   bool wrong = false;  // refuted (unless expected), proved where a refutation was expected, or malformed
   bool open = false;   // undecided or not understood

@@ -107,9 +107,9 @@ void Session::suggest_repairs(const ParsedChain& parsed, const Context& context,
                           .left = trust(first_step + which - 1, which > 0),
                           .right = trust(first_step + which + 1, which + 1 < count),
                           .near = sides_near(parsed)};
-    step.repairs = nearest_true_statements(tree_, names_, wrong);
+    step.repairs = nearest_true_statements(tree_, names_, wrong, options_.cache);
     step.repair_milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    if (refuted) step.conditions = missing_conditions(tree_, names_, wrong);
+    if (refuted) step.conditions = missing_conditions(tree_, names_, wrong, options_.cache);
   }
 }
 

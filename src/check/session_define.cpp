@@ -273,7 +273,7 @@ bool Session::is_in_doubt() const {
 }
 
 bool Session::find_sample() {
-  auto sample = sample_of_assumptions(tree_, names_, sample_);
+  auto sample = sample_of_assumptions(tree_, names_, sample_, {}, options_.cache);
   if (sample) sample_ = *std::move(sample);
   return sample.has_value();
 }

@@ -53,7 +53,7 @@ Link Session::across(const ParsedChain& parsed, std::size_t left, std::size_t ri
   Diagnostics mismatches;
   const auto claim = reading.claim(parsed, right - 1, *from.typed, *to.typed, false, mismatches);
   if (!claim) return Link::open;
-  switch (judge(tree_, names_, *claim).verdict) {
+  switch (judge(tree_, names_, *claim, {}, options_.cache).verdict) {
     case Verdict::proved:
       return Link::holds;
     case Verdict::refuted:

@@ -97,7 +97,7 @@ bool Session::proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t
   Diagnostics mismatches;
   const auto other = reading.claim(parsed, which, false, mismatches);
   if (!other) return false;
-  Judgement judgement = judge(tree_, names_, *other);
+  Judgement judgement = judge(tree_, names_, *other, {}, options_.cache);
   if (judgement.verdict != Verdict::proved) return false;
   judgement.diagnostics.push_back(
       {DiagnosticKind::dotted_length,
@@ -164,7 +164,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   }
   if (!decides() && !(may_define && may_redefine(*left.typed, *right.typed))) return;
   claim->explains = options_.forms != nullptr;
-  Judgement judgement = judge(tree_, names_, *claim);
+  Judgement judgement = judge(tree_, names_, *claim, {}, options_.cache);
   if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
   if (may_define && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
   const bool open = judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided ||

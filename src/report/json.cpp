@@ -148,6 +148,7 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
     symbol["dimension"] = entry.dimension ? Json(*entry.dimension) : Json(nullptr);
     object["dimensions"].push_back(std::move(symbol));
   }
+  object["failure"] = file.failure.empty() ? Json(nullptr) : Json(file.failure);
   return object;
 }
 

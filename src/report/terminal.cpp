@@ -164,6 +164,8 @@ std::string print_report(const Report& report, const SourceMap& sources, const T
   for (const FileReport& file : report.files) {
     text += print_steps(file, sources, options);
     text += print_diagnostics(file, sources, options);
+    if (!file.failure.empty())
+      text += paint("internal error: ", Paint::bad, options.color) + printable(file.failure) + "\n";
     if (options.dimensions) text += print_dimensions(file);
     text += "\n";
   }

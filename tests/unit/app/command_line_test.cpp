@@ -25,7 +25,7 @@ TEST_CASE("files and nothing else leave every option as it is") {
   REQUIRE(line.check);
   CHECK(line.check->files == std::vector<std::string>{"a.md", "b.tex"});
   CHECK_FALSE(line.check->sidecar);
-  CHECK_FALSE(line.check->json);
+  CHECK(line.check->format == ReportFormat::text);
   CHECK_FALSE(line.check->strict);
   CHECK(line.check->color == ColorWhen::automatic);
   CHECK(line.check->debug.empty());
@@ -37,7 +37,7 @@ TEST_CASE("options are read before and after the files") {
   REQUIRE(line.check);
   CHECK(line.check->files == std::vector<std::string>{"a.md"});
   CHECK(line.check->sidecar == "s.rigor");
-  CHECK(line.check->json);
+  CHECK(line.check->format == ReportFormat::json);
   CHECK(line.check->strict);
   CHECK(line.check->color == ColorWhen::always);
   CHECK(line.check->debug == std::vector<DebugTopic>{DebugTopic::time, DebugTopic::steps});

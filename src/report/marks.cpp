@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/marks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "base/md5.h"
+#include "base/utf8.h"
+
+namespace rigor {
+namespace {
+
+/// The worst first.
+enum class Mark : std::uint8_t { refuted, open, proved, given };
+constexpr std::array<std::string_view, 4> mark_names{"refuted", "open", "proved", "given"};
+
+Mark mark_of(const Step& step) {
+  const bool malformed = std::any_of(step.diagnostics.begin(), step.diagnostics.end(), [](const auto& each) {
+    return each.severity() == Severity::error && each.kind != DiagnosticKind::unexpected_verdict;
+  });
+  switch (step.verdict) {
+    case Verdict::refuted:
+      return Mark::refuted;
+    case Verdict::proved:
+      return Mark::proved;
+    case Verdict::given:
+    case Verdict::definition:
+      return malformed ? Mark::open : Mark::given;
+    case Verdict::undecided:
+    case Verdict::not_understood:
+    case Verdict::skipped:
+      break;
+  }
+  return Mark::open;
+}
+
+/// One display's line; empty if nothing was to be said of it.
+std::string line_of(Span display, const FileReport& file, const SourceMap& sources) {
+  std::array<std::size_t, mark_names.size()> found{};
+  std::size_t all = 0;
+  for (const Step& step : file.steps) {
+    const bool inside =
+        step.span.file == display.file && step.span.begin >= display.begin && step.span.begin < display.end;
+    if (!inside) continue;
+    ++found[static_cast<std::size_t>(mark_of(step))];
+    ++all;
+  }
+  if (all == 0) return "";
+  const std::size_t worst = static_cast<std::size_t>(
+      std::find_if(found.begin(), found.end(), [](std::size_t count) { return count > 0; }) - found.begin());
+  const LineColumn begin = sources.line_column(display.file, display.begin);
+  const LineColumn end = sources.line_column(display.file, std::max(display.begin + 1, display.end) - 1);
+  return fmt::format("display {} {} {} {} {}\n", begin.line, end.line, mark_names[worst], found[worst], all);
+}
+
+std::string path_beside(const std::string& path, const std::string& notes) {
+  const std::filesystem::path folder = std::filesystem::path(notes).lexically_normal().parent_path();
+  const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
+  const std::filesystem::path relative = folder.empty() ? normal : normal.lexically_relative(folder);
+  return printable((relative.empty() ? normal : relative).generic_string());
+}
+
+}  // namespace
+
+std::string to_marks(const FileReport& file, const SourceMap& sources) {
+  std::vector<FileId> files{file.file};
+  for (const Span& display : file.displays) {
+    if (std::find(files.begin(), files.end(), display.file) == files.end()) files.push_back(display.file);
+  }
+  std::string text = "rigor-marks 1\n";
+  for (const FileId id : files) {
+    text += fmt::format("file {} {}\n", md5(sources.text(id)), path_beside(sources.path(id), file.path));
+    for (const Span& display : file.displays) {
+      if (display.file == id) text += line_of(display, file, sources);
+    }
+  }
+  return text;
+}
+
+}  // namespace rigor
