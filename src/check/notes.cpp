@@ -92,7 +92,12 @@ class NotesReader {
     if (!tokens || tokens->empty()) return opaque("nothing is asked for");
     if (const Token* brace = unbalanced_brace(*tokens))
       return opaque(brace->kind == TokenKind::begin_group ? "`{` is not closed" : "`}` closes nothing");
-    return parse_side(*tokens, all, notes_.syntax);
+    // As in a display, sizes of brackets and the like mean nothing.
+    Diagnostics none;
+    const std::vector<WrittenChain> chains = split_display(*tokens, "", none);
+    const bool one_side = chains.size() == 1 && chains[0].sides.size() == 1 && !chains[0].condition;
+    return parse_side(one_side ? TokenView(chains[0].sides[0].tokens) : TokenView(*tokens), all,
+                      notes_.syntax);
   }
 
   std::optional<Directive> read(Span line) {

@@ -185,6 +185,7 @@ LatexPrinter::Piece LatexPrinter::bars(ExprId id) {
 }
 
 LatexPrinter::Piece LatexPrinter::component(ExprId id) {
+  if (tree_.is_zero_literal(child(id))) return {"0"};
   std::string inside;
   for (const Slot& slot : tree_.slots(id)) append_latex(inside, slot_text(slot, is_any_lettered(child(id))));
   const Piece base = piece(child(id));

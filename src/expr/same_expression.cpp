@@ -15,7 +15,7 @@ class Comparison {
   Comparison(const ExprTree& a, const ExprTree& b) : a_(a), b_(b) {}
 
   bool same(ExprId x, ExprId y) {
-    if (a_.is_zero_literal(x) || b_.is_zero_literal(y)) return a_.is_zero_literal(x) && b_.is_zero_literal(y);
+    if (is_zero(a_, x) || is_zero(b_, y)) return is_zero(a_, x) && is_zero(b_, y);
     const View left = view(a_, x);
     const View right = view(b_, y);
     if (left.op != right.op || left.rank != right.rank) return false;
@@ -33,6 +33,12 @@ class Comparison {
     std::span<const Slot> slots;
     std::vector<ExprId> children;
   };
+
+  /// A written 0, or a component of one.
+  static bool is_zero(const ExprTree& tree, ExprId id) {
+    if (tree[id].op == Op::component) id = tree.children(id)[0];
+    return tree.is_zero_literal(id);
+  }
 
   /// The base of a first power.
   static ExprId bare(const ExprTree& tree, ExprId id) {

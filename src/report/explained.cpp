@@ -89,6 +89,13 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
     lines.end_block();
     return written.expected_refuted ? ExplainedAs::expected_refuted : ExplainedAs::refuted;
   }
+  if (written.outcome != Outcome::proved) {
+    lines.start_at(*left.expr, "", &left);
+    lines.add("\\overset{?}{=}", *right.expr,
+              written.outcome ? "not decided by `rigor check`" : "not understood by `rigor check`");
+    lines.end_block();
+    return ExplainedAs::open;
+  }
   const Explanation explanation = explain_step(forms, chain, step);
   const bool components = !explanation.letters.empty();
   const std::string rule = components ? "component " + names_of(forms.tree, explanation.letters) : "";

@@ -72,28 +72,57 @@ void append_block(std::string& text, const ExplainedBlock& block, const Terminal
   }
 }
 
-/// Cut before + and − outside all brackets, where the whole is too wide.
-std::vector<std::string> cut(const std::string& latex) {
+/// Cut before + and − where at most `deepest` round brackets are open, so that the lines fit if they can.
+std::vector<std::string> cut_within(const std::string& latex, int deepest, bool& fits) {
   std::vector<std::string> lines{""};
-  int depth = 0;
+  int braces = 0;  // and environments
+  int brackets = 0;
   std::size_t begin = 0;
+  fits = true;
   const auto put = [&](std::size_t end) {
     const std::string term = latex.substr(begin, end - begin);
-    const bool fits =
+    const bool joins =
         lines.back().empty() || typeset_width(layout_of_latex(lines.back() + term)) <= widest_line;
-    if (!fits) lines.emplace_back();
+    if (!joins) lines.emplace_back();
     lines.back() += term;
+    fits = fits && typeset_width(layout_of_latex(lines.back())) <= widest_line;
     begin = end;
   };
   for (std::size_t at = 0; at < latex.size(); ++at) {
     const char c = latex[at];
-    if (c == '{' || c == '(' || c == '[') ++depth;
-    if (c == '}' || c == ')' || c == ']') --depth;
-    const bool sign = depth == 0 && at > 0 && latex[at - 1] == ' ' && (c == '+' || c == '-') &&
-                      at + 1 < latex.size() && latex[at + 1] == ' ';
-    if (sign) put(at - 1);
+    if (c == '{' || latex.compare(at, 6, "\\begin") == 0) ++braces;
+    if (c == '}' || latex.compare(at, 4, "\\end") == 0) --braces;
+    if (c == '(') ++brackets;
+    if (c == ')') --brackets;
+    const bool sign = (c == '+' || c == '-') && at > 0 && latex[at - 1] == ' ' && at + 1 < latex.size() &&
+                      latex[at + 1] == ' ';
+    if (sign && braces == 0 && brackets <= deepest) put(at - 1);
   }
   put(latex.size());
+  return lines;
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+/// Outside all brackets if that is enough, else inside them; brackets that grow cannot be cut.
+std::vector<std::string> cut(const std::string& latex) {
+  static constexpr int deepest = 3;
+  bool fits = true;
+  std::vector<std::string> lines;
+  for (int depth = 0; depth <= deepest; ++depth) {
+    lines = cut_within(latex, depth, fits);
+    if (fits) break;
+  }
+  if (lines.size() == 1) return lines;
+  for (std::string& line : lines) {
+    for (const char* sign : {"(", ")", "|"}) {
+      replace_all(line, std::string("\\left") + sign, std::string("\\Bigl") + sign);
+      replace_all(line, std::string("\\right") + sign, std::string("\\Bigr") + sign);
+    }
+  }
   return lines;
 }
 

@@ -90,6 +90,13 @@ TEST_CASE("what is asked is read in the notes' own letters, with the definitions
   CHECK(reading.forms.definitions.size() == 2);
 }
 
+TEST_CASE("what is asked may have brackets that grow, as in a display") {
+  const FormsReading reading = read({.asked = {"\\left(\\sum_\\alpha m_\\alpha\\right)g"}, .only = {{}}});
+  REQUIRE(reading.forms.asked.size() == 1);
+  CHECK(dump(reading.forms.tree, reading.forms.asked[0].expr) ==
+        "(multiply (particle-sum \\alpha m{\\alpha}) g)");
+}
+
 TEST_CASE("what nothing asked for needs is neither elaborated nor decided") {
   const FormsReading reading = read({.asked = {"T_{\\text{rot}}"}, .only = {{}}});
   CHECK(reading.chains_passed_over == 3);
