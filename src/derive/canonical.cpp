@@ -219,8 +219,7 @@ class Canonical {
   static int sort_with_sign(std::vector<std::string>& slots) {
     int sign = 1;
     for (const std::size_t k : {0u, 1u, 0u}) {
-      if (slots[k] == slots[k + 1]) return 0;
-      if (slots[k] < slots[k + 1]) continue;
+      if (slots[k] <= slots[k + 1]) continue;
       std::swap(slots[k], slots[k + 1]);
       sign = -sign;
     }
@@ -356,6 +355,13 @@ std::string text_of_terms(const SymbolTable& symbols, const IndexPolynomial& pol
   std::string all;
   for (const std::string& text : texts) all += text + '+';
   return all;
+}
+
+bool drop_antisymmetric(const SymbolTable& symbols, IndexPolynomial& polynomial) {
+  Canonical canonical(symbols);
+  return std::erase_if(polynomial.terms, [&](const IndexMonomial& term) {
+           return canonical.monomial(term, {}, 0).sign == 0;
+         }) > 0;
 }
 
 bool join_powers(ExprTree& tree, IndexPolynomial& polynomial) {

@@ -24,6 +24,10 @@ inline constexpr std::size_t most_renamings = 720;
 /// denominators. False where nothing changed.
 bool join_powers(ExprTree& tree, IndexPolynomial& polynomial);
 
+/// Terms that are their own negative for a symmetry, such as ε_ijk A_j A_k, are dropped. False where there is
+/// none.
+bool drop_antisymmetric(const SymbolTable& symbols, IndexPolynomial& polynomial);
+
 /// Equal terms added up, those that vanish by a symmetry dropped, powers of equal factors joined, √x √x = x,
 /// a_i a_i / |a|² = 1. The first of equal terms stays as it was written.
 [[nodiscard]] IndexPolynomial collected(ExprTree& tree, const IndexPolynomial& polynomial);

@@ -100,7 +100,8 @@ class Descending {
   /// Along axes, what is unfolded is written along them at once: there zeros go.
   ExprId unfolded_part(ExprId part, const Definition& definition) {
     const ExprId changed = unfolded(tree_, part, definition);
-    if (changed == part || rules_.notation != DescentNotation::axes || tree_[changed].rank > 0) return changed;
+    if (changed == part || rules_.notation != DescentNotation::axes || tree_[changed].rank > 0)
+      return changed;
     return along_axes(tree_, changed, {}, {}).value_or(changed);
   }
 
@@ -168,7 +169,13 @@ class Descending {
       polynomials_.push_back(*std::move(polynomial));
     }
     has_polynomials_ = true;
-    push_polynomials("multiplied out", "factored");
+    const bool turned =
+        rules_.notation == DescentNotation::direct && contains(Op::cross) && !contains(Op::add);
+    if (turned) {
+      push_polynomials("a×b = −b×a, a·(b×c) = b·(c×a)", "a×b = −b×a, a·(b×c) = b·(c×a)");
+    } else {
+      push_polynomials("multiplied out", "factored");
+    }
     return true;
   }
 
@@ -188,6 +195,11 @@ class Descending {
     down = std::exchange(pending_down_, {});
     up = std::exchange(pending_up_, {});
     return push(std::move(written), std::move(down), std::move(up), true);
+  }
+
+  [[nodiscard]] bool contains(Op op) const {
+    return std::any_of(parts().begin(), parts().end(),
+                       [&](ExprId part) { return rigor::contains(tree_, part, op); });
   }
 
   void add_pending(const std::string& down, const std::string& up) {
@@ -245,6 +257,10 @@ class Descending {
     if (along && apply(axes, axes, [](IndexPolynomial& each) { return write_out_sums(each); })) return true;
     if (apply("δ contracted", "δ put in", [](IndexPolynomial& each) { return contract_deltas(each); }))
       return true;
+    const std::string vanishing =
+        rules_.notation == DescentNotation::direct ? "a×a = 0" : "ε is antisymmetric";
+    if (apply(vanishing, vanishing, [&](IndexPolynomial& each) { return drop_antisymmetric(symbols, each); }))
+      return true;
     if (shorten()) return true;
     if (apply("a rotation is orthogonal", "a rotation is orthogonal",
               [&](IndexPolynomial& each) { return contract_rotations(symbols, each); }))
@@ -265,7 +281,8 @@ class Descending {
           return true;
         }))
       return true;
-    return apply("sin² + cos² = 1", "sin² + cos² = 1", [](IndexPolynomial& each) { return replace_cosines(each); });
+    return apply("sin² + cos² = 1", "sin² + cos² = 1",
+                 [](IndexPolynomial& each) { return replace_cosines(each); });
   }
 
   /// What is ε–δ in components, in direct notation.

@@ -131,7 +131,8 @@ class Explaining {
           slots.push_back({0, free_letter(rules.letters)});
           rules.free.push_back(slots.back().variable);
         }
-        auto chain = chain_by(rules, component_within(tree_, left, slots), component_within(tree_, right, slots));
+        auto chain =
+            chain_by(rules, component_within(tree_, left, slots), component_within(tree_, right, slots));
         if (chain) chain->letters.assign(rules.free.end() - rank, rules.free.end());
         return chain;
       }
@@ -204,8 +205,21 @@ class Explaining {
     for (std::size_t k = 1; k <= i; ++k)
       add(k == i ? up.lines[j] : down.lines[k], down.lines[k], down.lines[k].down, true);
     for (std::size_t k = j; k-- > 0;) add(up.lines[k], up.lines[k + 1], up.lines[k + 1].up, false);
-    if (chain.steps.empty()) add(up.lines[0], up.lines[0], "other letters, other order", true);
+    if (chain.steps.empty())
+      add(up.lines[0], up.lines[0], name_of_rearrangement(down.lines[0], up.lines[0]), true);
     return chain;
+  }
+
+  /// What makes one of the other where nothing is worked out.
+  std::string name_of_rearrangement(const Line& a, const Line& b) const {
+    const auto has = [&](Op op) {
+      return std::any_of(a.parts.begin(), a.parts.end(),
+                         [&](ExprId part) { return contains(tree_, part, op); });
+    };
+    if (a.shape == b.shape) return has(Op::index_sum) ? "renamed dummies" : "order of terms and factors";
+    if (has(Op::cross)) return "a×b = −b×a, a·(b×c) = b·(c×a)";
+    if (has(Op::epsilon)) return "ε is antisymmetric";
+    return has(Op::index_sum) ? "renamed dummies, order of factors" : "order of terms and factors";
   }
 
   /// A line and what it has left out; `instead`: the line that stands in its place.

@@ -156,9 +156,11 @@ class Folding {
         if (!is_summed(pieces_[a].slots[0])) continue;
         Piece product;
         const std::array child{pieces_[a].expr};
+        const auto is_symbol = [&](std::size_t k) { return tree_[pieces_[k].expr].op == Op::symbol; };
+        const bool swapped = is_symbol(b) && !is_symbol(a);  // a·(b×c), not (b×c)·a
         product.expr = dump(tree_, pieces_[a].expr) == dump(tree_, pieces_[b].expr)
                            ? power_node(tree_, tree_.add({.op = Op::length}, child), 2)
-                           : dot_node(tree_, pieces_[a].expr, pieces_[b].expr);
+                           : dot_node(tree_, pieces_[swapped ? b : a].expr, pieces_[swapped ? a : b].expr);
         replace(a, b, std::move(product));
         return true;
       }
@@ -205,8 +207,12 @@ class Folding {
 
   /// Scalars in front, equal ones as powers, what speaks of a particle under its sum.
   std::optional<ExprId> product(const IndexMonomial& term) {
+    const auto place = [&](const Piece& piece) {
+      if (!piece.slots.empty()) return 2;
+      return tree_[piece.expr].op == Op::symbol ? 0 : 1;
+    };
     std::stable_sort(pieces_.begin(), pieces_.end(),
-                     [](const Piece& a, const Piece& b) { return a.slots.empty() && !b.slots.empty(); });
+                     [&](const Piece& a, const Piece& b) { return place(a) < place(b); });
     join_powers();
     const bool negative = term.coefficient.over() < 0;
     const SmallRational size = negative ? term.coefficient * SmallRational(-1) : term.coefficient;

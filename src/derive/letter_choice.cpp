@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "derive/letter_choice.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
-
-#include "derive/letter_choice.h"
 
 namespace rigor {
 namespace {

@@ -36,6 +36,18 @@ void describe(ExprTree& tree, Line& line, const std::vector<IndexId>& open) {
   }
 }
 
+bool contains(const ExprTree& tree, ExprId root, Op op) {
+  std::vector<ExprId> open{root};
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    if (tree[id].op == op) return true;
+    const auto children = tree.children(id);
+    open.insert(open.end(), children.begin(), children.end());
+  }
+  return false;
+}
+
 bool meets(const Line& a, const Line& b) {
   if (a.parts.size() != b.parts.size() || a.terms.empty() || a.terms != b.terms) return false;
   return a.shape == b.shape || (a.flat && b.flat);

@@ -38,7 +38,8 @@ std::optional<ExprId> angular_velocity(ExprTree& tree, ExprId rate, SymbolId rot
   const auto row = children_of(tree, tree.children(rate)[0]);
   std::array<ExprId, 3> components{};
   for (std::size_t column = 0; column < 2; ++column) {
-    if (row.size() != 3 || tree[row[column]].op != Op::add || tree[row[column]].count != 2) return std::nullopt;
+    if (row.size() != 3 || tree[row[column]].op != Op::add || tree[row[column]].count != 2)
+      return std::nullopt;
     const auto terms = children_of(tree, row[column]);
     const auto first = beside_rotation(tree, terms[0], rotation);
     if (!first || tree[terms[1]].op != Op::negate) return std::nullopt;
