@@ -14,7 +14,8 @@
 namespace rigor {
 namespace {
 
-constexpr double line_width = 33;  // in em, for mathematics beside a mark
+constexpr double line_width = 33;   // in em, for mathematics beside a mark
+constexpr double most_width = 300;  // in em: what is wider is shown as source
 
 constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
@@ -34,13 +35,16 @@ constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article
 \definecolor{open}{rgb}{0.47,0.29,0.00}
 \definecolor{quiet}{rgb}{0.33,0.35,0.38}
 \newsavebox{\rigorbox}
+\newsavebox{\rigorside}
 \newlength{\rigorroom}
 % mathematics, made smaller where it is wider than \rigorroom
 \newcommand{\rigorfit}[1]{\sbox{\rigorbox}{$#1$}%
   \ifdim\wd\rigorbox>\rigorroom\resizebox{0.995\rigorroom}{!}{\usebox{\rigorbox}}\else\usebox{\rigorbox}\fi}
 % indent, mathematics, tag, mark
-\newcommand{\rigorline}[4]{\par\setlength{\rigorroom}{\dimexpr\linewidth-10.5em-#1\relax}%
-  \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\hbox to 10.5em{\hfil #3\quad\hbox to 6.6em{#4\hfil}}}\vspace{4pt}}
+\newcommand{\rigorline}[4]{\par\setlength{\rigorroom}{7em}%
+  \sbox{\rigorside}{\quad\rigorfit{\text{#3}}\quad\hbox to 8.4em{#4\hfil}}%
+  \setlength{\rigorroom}{\dimexpr\linewidth-\wd\rigorside-#1\relax}%
+  \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\usebox{\rigorside}}\vspace{4pt}}
 \newcommand{\rigormark}[3]{{\footnotesize\color{#1}\hbox to 1.1em{$#2$\hfil}#3}}
 \newcommand{\rigorplain}[2]{\par\setlength{\rigorroom}{\dimexpr\linewidth-#1\relax}%
   \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill}\vspace{4pt}}
@@ -116,6 +120,7 @@ class NotesWriter {
     if (equation.steps.empty()) return whole(equation);
     out_ += "\\par\\vspace{5pt}\n";
     const Step* before = nullptr;
+    last_uses_.clear();
     for (const Step* each : equation.steps) {
       const bool goes_on = before != nullptr && before->right == each->left && before->tag == each->tag;
       step(*each, goes_on);
@@ -125,7 +130,7 @@ class NotesWriter {
 
   /// A display without a step.
   void whole(const ShownEquation& equation) {
-    if (!equation.shown) {
+    if (!equation.shown || typeset_width(equation.shown->box) > most_width) {
       out_ += fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n",
                           typeset_source(equation.source));
       return;
@@ -137,7 +142,9 @@ class NotesWriter {
   void step(const Step& step, bool goes_on) {
     const auto left = math_.box_of(step.left);
     const auto right = math_.box_of(step.relation + " " + step.right);
-    if (!left || !right) {
+    const bool is_set =
+        left && right && typeset_width(*left) < most_width && typeset_width(*right) < most_width;
+    if (!is_set) {
       out_ +=
           fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n", typeset_source(step.source));
       out_ += fmt::format("\\rigorline{{0em}}{{}}{{{}}}{{{}}}\n", typeset_words(step.tag), mark_of(step));
@@ -179,7 +186,24 @@ class NotesWriter {
 
   std::string inline_math(const std::string& latex) {
     const auto box = math_.box_of(latex);
-    return box ? "\\rigorinline{" + to_typeset(*box) + "}" : "\\texttt{" + typeset_words(latex) + "}";
+    if (!box || typeset_width(*box) > most_width) return "\\texttt{" + typeset_source(latex) + "}";
+    return "\\rigorinline{" + to_typeset(*box) + "}";
+  }
+
+  /// What stands between back-ticks is set as mathematics, or as source.
+  std::string message(std::string_view text, bool as_math) {
+    std::string all;
+    for (bool code = false; true; code = !code) {
+      const std::size_t tick = text.find('`');
+      const std::string part(text.substr(0, tick));
+      if (!code) {
+        all += typeset_words(part);
+      } else {
+        all += as_math ? inline_math(part) : "\\texttt{" + typeset_source(part) + "}";
+      }
+      if (tick == std::string_view::npos) return all;
+      text.remove_prefix(tick + 1);
+    }
   }
 
   /// Below a step, in small print: the sample, what is true, what was used, what is reported.
@@ -191,9 +215,10 @@ class NotesWriter {
     if (step.counterexample) sample(*step.counterexample, add_line);
     for (const Repair& repair : step.repairs)
       add_line(&repair == step.repairs.data() ? "true is" : "or",
-               inline_math(repair.statement) + " --- " + typeset_words(repair.change));
+               inline_math(repair.statement) + " --- " + message(repair.change, false));
     for (const std::string& condition : step.conditions) add_line("holds if", inline_math(condition));
-    if (!step.uses.empty()) {
+    if (!step.uses.empty() && step.uses != last_uses_) {
+      last_uses_ = step.uses;
       std::string uses;
       for (const std::string& each : step.uses) uses += (uses.empty() ? "" : ", ") + use(each);
       add_line("uses", uses);
@@ -201,8 +226,8 @@ class NotesWriter {
     for (const Diagnostic& each : step.diagnostics) {
       const std::uint32_t at = sources_.line_column(each.span.file, each.span.begin).line;
       add_line(fmt::format("line {}", at),
-               typeset_words(std::string(name_of(each.severity())) + ": " + each.message));
-      for (const std::string& help : each.help) add_line("help", typeset_words(help));
+               std::string(name_of(each.severity())) + ": " + message(each.message, false));
+      for (const std::string& help : each.help) add_line("help", message(help, false));
     }
     if (!text.empty()) out_ += "\\begin{rigornote}\n" + text + "\\end{rigornote}\n";
   }
@@ -232,7 +257,7 @@ class NotesWriter {
     const Use used = use_of(text);
     std::string all = typeset_words(used.word);
     if (!used.latex.empty()) all += " " + inline_math(used.latex);
-    if (!used.place.empty()) all += " " + typeset_words(used.place);
+    if (!used.place.empty()) all += (used.word == "convention" ? ": " : " ") + message(used.place, true);
     return all;
   }
 
@@ -240,6 +265,7 @@ class NotesWriter {
   SourceMap& sources_;
   NotesMath math_;
   std::string out_;
+  std::vector<std::string> last_uses_;  // in this display: said once for steps that follow each other
 };
 
 std::string summary(const std::vector<ShownNotes>& notes) {

@@ -34,11 +34,25 @@ std::string term_html(std::string_view term, std::string_view what) {
   return fmt::format("<div class=\"row\"><dt>{}</dt><dd>{}</dd></div>\n", term, what);
 }
 
+/// What stands between back-ticks is mathematics.
+std::string ticked_math_html(const PageContext& page, std::string_view text) {
+  std::string html;
+  for (bool code = false; true; code = !code) {
+    const std::size_t tick = text.find('`');
+    const std::string part(text.substr(0, tick));
+    html += code ? math_html(page, part, MathStyle::inline_) : xml_escaped(part);
+    if (tick == std::string_view::npos) return html;
+    text.remove_prefix(tick + 1);
+  }
+}
+
 std::string use_html(const PageContext& page, const std::string& text) {
   const Use use = use_of(text);
   std::string html = xml_escaped(use.word);
   if (!use.latex.empty()) html += " " + math_html(page, use.latex, MathStyle::inline_);
-  if (!use.place.empty()) html += (use.word == "convention" ? ": " : " ") + message_html(use.place);
+  if (!use.place.empty())
+    html +=
+        (use.word == "convention" ? ": " + ticked_math_html(page, use.place) : " " + message_html(use.place));
   return html;
 }
 
