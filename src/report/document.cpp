@@ -103,7 +103,8 @@ class NotesWriter {
     const std::string_view size = heading.level <= 1   ? "\\Large"
                                   : heading.level == 2 ? "\\large"
                                                        : "\\normalsize";
-    out_ += fmt::format("\\rigorhead{{{}}}{{{}}}\n", size, line(math_.line_of(heading.title)));
+    out_ += fmt::format("\\rigorhead{{{}}}{{{}}}\n", size,
+                        line(math_.line_of(heading.title, format_of(notes_.report->path))));
   }
 
   static std::string line(const Box& box) {

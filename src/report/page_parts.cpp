@@ -132,7 +132,7 @@ std::string math_html(const PageContext& page, const std::string& latex, MathSty
 }
 
 std::string line_html(const PageContext& page, const std::string& prose) {
-  return words_html(page.math.line_of(prose));
+  return words_html(page.math.line_of(prose, format_of(page.sources.path(page.file))));
 }
 
 std::string message_html(std::string_view message) {

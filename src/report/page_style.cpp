@@ -129,7 +129,9 @@ dl { margin: .3rem 0 0; }
 
 @media (max-width: 40rem) {
   .top { padding: 1.5rem 1rem .5rem; } .page { padding: 0 .75rem 3rem; } .controls { position: static; padding: .6rem 1rem; }
-  .display { padding: .7rem .75rem .5rem; } .step summary, .forms > summary, .details { padding-left: .75rem; padding-right: .75rem; }
+  .display { padding: .5rem .75rem; flex-wrap: wrap; gap: 0; } .display .shown { flex-basis: 100%; }
+  .tag { order: -1; flex: 1 0 100%; text-align: right; font-size: .85rem; line-height: 1; }
+  .step summary, .forms > summary, .details { padding-left: .75rem; padding-right: .75rem; }
   .legend { grid-template-columns: 1fr; gap: .45rem; }
   .step summary { flex-wrap: wrap; gap: .1rem .75rem; position: relative; padding-right: 2.25rem; }
   .step summary::after { position: absolute; right: .75rem; top: .42rem; }
