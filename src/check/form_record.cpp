@@ -6,20 +6,23 @@
 #include <algorithm>
 
 #include "check/demand.h"
+#include "check/notation_of_notes.h"
 #include "check/question.h"
+#include "check/question_names.h"
 #include "source/suggest.h"
 
 namespace rigor {
 namespace {
 
 /// What is taken as 0 is defined as 0, so that nothing has to know more than definitions.
-void define_zeros(ExprTree& tree, Question& question) {
+void define_zeros(ExprTree& tree, Question& question, QuestionNames& names) {
   for (const SymbolId symbol : question.zeroed) {
     const Symbol& zero = tree.symbols[symbol];
     Definition definition{.symbol = symbol};
     if (zero.per_particle) definition.particle = tree.add_particle("p");
     definition.body = zero_of_rank(tree, zero.first_seen, zero.rank);
     question.definitions.push_back(std::move(definition));
+    names.definitions.push_back(name_of_zero(tree, symbol));
   }
   question.zeroed.clear();
 }
@@ -54,7 +57,8 @@ Question question_about(ExprTree& tree, Names& names, std::span<const ExprId> ex
   Equation same;
   same.left = same.right = expressions.front();
   Question question = prepare(tree, names, same, 0, Precision::exact, 0, expressions).question;
-  define_zeros(tree, question);
+  QuestionNames unnamed;
+  define_zeros(tree, question, unnamed);
   define_pi(tree, question, expressions);
   return question;
 }
@@ -149,6 +153,9 @@ void FormRecorder::note(Span relation, Judgement& judgement) {
   step.question = std::move(judgement.question);
   step.question->tree = nullptr;
   step.sample = std::move(judgement.sample);
+  step.names = std::move(judgement.names);
+  step.nearly_question = std::move(judgement.nearly_question);
+  if (step.nearly_question) step.nearly_question->exact.tree = nullptr;
   decided_.emplace_back(relation, std::move(step));
 }
 
@@ -161,6 +168,10 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
                          .assumed = chain.assumed,
                          .image = chain.parsed.image};
   for (const Heading* heading : sections_) forms.headings.push_back(heading->title);
+  if (!names.frames().empty()) {
+    const Frame& frame = names.frames().back();
+    forms.frame = FrameNames{frame.rotation, frame.rotating, frame.fixed};
+  }
   std::vector<ExprId> expressions;
   std::vector<FreeIndex> free;
   std::vector<FreeParticle> particles;
@@ -192,7 +203,8 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
       step.defines = chain.steps[k].verdict == Verdict::definition;
       step.expected_refuted = chain.steps[k].expected_refuted;
     }
-    if (step.question) define_zeros(tree, *step.question);
+    if (step.question) define_zeros(tree, *step.question, step.names);
+    if (auto& nearly = step.nearly_question) define_zeros(tree, nearly->exact, nearly->names);
     forms.steps.push_back(std::move(step));
   }
   decided_.clear();
@@ -237,6 +249,10 @@ void FormRecorder::ask(std::size_t event, ExprTree& tree, Names& names) {
   std::vector<ExprId> expressions;
   for (const AskedForm& form : forms_.asked) expressions.push_back(form.expr);
   forms_.definitions = question_about(tree, names, expressions).definitions;
+}
+
+void FormRecorder::see(const ExprTree& tree, Names& names) {
+  forms_.notation = notation_of_notes(notes_, names, tree);
 }
 
 FormsReading FormRecorder::finish(ExprTree&& tree) && {

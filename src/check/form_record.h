@@ -49,6 +49,8 @@ class FormRecorder {
   void add(ExprTree& tree, Names& names, const Chain& chain);
   /// Behind the event: what is asked for, if this is its place.
   void ask(std::size_t event, ExprTree& tree, Names& names);
+  /// Behind the last event: how the notes write.
+  void see(const ExprTree& tree, Names& names);
   /// When nothing more will be read; the tree is gone.
   [[nodiscard]] FormsReading finish(ExprTree&& tree) &&;
 

@@ -12,6 +12,7 @@
 #include "check/identity_reading.h"
 #include "check/law_diagnostic.h"
 #include "check/question.h"
+#include "check/question_names.h"
 
 namespace rigor {
 namespace {
@@ -69,6 +70,7 @@ class Judging {
         break;
     }
     note_uses(decision);
+    if (claim_.explains) name_what_it_rests_on();
     judgement_.question = std::move(prepared_.question);
     if (judgement_.verdict == Verdict::refuted) judgement_.sample = std::move(decision.sample);
     return std::move(judgement_);
@@ -124,6 +126,17 @@ class Judging {
   void add_use(const std::string& use) {
     if (std::find(judgement_.uses.begin(), judgement_.uses.end(), use) == judgement_.uses.end())
       judgement_.uses.push_back(use);
+  }
+
+  void name_what_it_rests_on() {
+    judgement_.names = names_of(prepared_);
+    if (!claim_.nearly || judgement_.verdict != Verdict::proved) return;
+    Prepared exact = prepare(tree_, names_, claim_.equation);
+    if (exact.too_large) return;
+    NearlyQuestion nearly{.exact = {}, .names = names_of(exact), .small = {}};
+    nearly.exact = std::move(exact.question);
+    for (const SmallQuantity& small : names_.small()) nearly.small.push_back(small.quantity);
+    judgement_.nearly_question = std::move(nearly);
   }
 
   void note_uses(const Decision& decision) {

@@ -11,6 +11,7 @@
 #include "check/report.h"
 #include "elaborate/elaborator.h"
 #include "elaborate/names.h"
+#include "expr/question_names.h"
 
 namespace rigor {
 
@@ -22,8 +23,10 @@ struct Judgement {
   std::vector<std::string> uses;
   std::optional<Counterexample> counterexample;
   Diagnostics diagnostics;
-  Question question = {};             // the last one that was asked
-  std::optional<Sample> sample = {};  // refuted: as the exact side gave it
+  Question question = {};                              // the last one that was asked
+  QuestionNames names = {};                            // of the question's definitions and assumptions
+  std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
+  std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
 };
 
 /// What is judged, and where it stands.
@@ -37,6 +40,7 @@ struct Claim {
   Span right = {};
   const Elaborator* reading = nullptr;  // for its conventions and guesses
   const Obstacle* doubt = nullptr;      // words beside it that may restrict it
+  bool explains = false;                // `names` and `nearly_question` are wanted
   RecordedStep* recorded = nullptr;     // a sample to be put in instead of a search
 };
 

@@ -26,6 +26,7 @@ void Session::run() {
     if (options_.progress) options_.progress(k + 1, notes_.events.size());
   }
   if (options_.forms != nullptr && notes_.events.empty()) options_.forms->ask(0, tree_, names_);
+  if (options_.forms != nullptr) options_.forms->see(tree_, names_);
   if (!decides()) return;
   finish_dimensions();
   report_lints();

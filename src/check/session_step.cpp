@@ -151,6 +151,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
     return;
   }
   if (!decides() && !(may_define && may_redefine(*left.typed, *right.typed))) return;
+  claim->explains = options_.forms != nullptr;
   Judgement judgement = judge(tree_, names_, *claim);
   if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
   if (may_define && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;

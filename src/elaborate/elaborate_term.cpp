@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "elaborate/elaborator.h"
+#include "expr/usual_letters.h"
 
 namespace rigor {
 namespace {
@@ -42,12 +43,7 @@ std::optional<Typed> Elaborator::term(SyntaxId id) {
 
 /// `f(x-ct)`, `V(2r)`: a bracket of plain coordinates behind a letter that is no usual coefficient.
 bool Elaborator::looks_like_argument(const WrittenSymbol& symbol, SyntaxId bracket) const {
-  static const std::set<std::string> coefficients{"a",      "b",       "c",        "d",   "k", "m",
-                                                  "M",      "n",       "N",        "p",   "q", "\\alpha",
-                                                  "\\beta", "\\gamma", "\\lambda", "\\mu"};
-  static const std::set<std::string> coordinates{"t", "x", "y",       "z",     "r",
-                                                 "s", "u", "\\theta", "\\phi", "\\tau"};
-  if (syntax_[bracket].kind != SyntaxKind::group || coefficients.contains(symbol.letter)) return false;
+  if (syntax_[bracket].kind != SyntaxKind::group || is_usual_coefficient(symbol.letter)) return false;
   if (names_.is_declared({symbol.letter, 0, false}) || names_.is_declared({symbol.letter, 1, false}))
     return false;
   bool coordinate = false;
@@ -61,7 +57,7 @@ bool Elaborator::looks_like_argument(const WrittenSymbol& symbol, SyntaxId brack
           std::any_of(inside.lower.begin(), inside.lower.end(),
                       [](const WrittenIndex& index) { return index.form == IndexForm::letter; });
       if (inside.face != Face::plain || labelled || is_kronecker(inside)) return false;
-      coordinate = coordinate || coordinates.contains(inside.letter);
+      coordinate = coordinate || is_usual_coordinate(inside.letter);
     }
     for (const SyntaxChild& child : syntax_.children(id)) pending.push_back(child.id);
   }

@@ -92,6 +92,8 @@ class Names {
   /// The symbol if it exists.
   [[nodiscard]] std::optional<SymbolId> find(const NameKey& key) const;
   [[nodiscard]] bool is_declared(const NameKey& key) const;
+  /// Nothing for symbols that no name of the notes stands for, derivatives among them.
+  [[nodiscard]] const NameKey* key_of(SymbolId symbol) const;
 
   /// Declares kind and properties from here to the end of the section; an earlier symbol of this key is
   /// forgotten, unless no equation has it yet.
@@ -190,7 +192,6 @@ class Names {
     std::size_t directive;
     int depth;
   };
-  [[nodiscard]] const NameKey* key_of(SymbolId symbol) const;
 
   std::map<NameKey, Entry> entries_;
   std::map<SymbolId, NameKey> keys_;

@@ -18,4 +18,10 @@ bool stands_at(const WrittenFormChain& chain, const std::string& place) {
   return std::find(chain.headings.begin(), chain.headings.end(), place) != chain.headings.end();
 }
 
+Notation notation_at(const WrittenForms& forms, const WrittenFormChain& chain) {
+  Notation notation = forms.notation;
+  notation.frame = chain.frame;
+  return notation;
+}
+
 }  // namespace rigor

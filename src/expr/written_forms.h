@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "expr/notation.h"
+#include "expr/question_names.h"
 #include "expr/statement.h"
 
 namespace rigor {
@@ -27,7 +29,9 @@ struct WrittenStep {
   bool defines = false;                   // the left form is a name for the right one
   std::optional<Outcome> outcome = {};    // nothing: it was not asked, or its answer does not count
   std::optional<Question> question = {};  // its `tree` is not set
-  std::optional<Sample> sample = {};      // refuted: where the sides differ
+  QuestionNames names = {};               // of the question's definitions and assumptions
+  std::optional<NearlyQuestion> nearly_question = {};  // `nearly`: the step before anything was left out
+  std::optional<Sample> sample = {};                   // refuted: where the sides differ
 };
 
 /// a = b = c, as it stands in the notes. All forms share their free letters.
@@ -45,6 +49,7 @@ struct WrittenFormChain {
   std::vector<ParticleId> particles = {};    // free
   std::vector<Definition> definitions = {};  // of what the forms speak of, and of what these speak of
   std::vector<Equation> assumptions = {};    // that bear on it
+  std::optional<FrameNames> frame = {};      // in force there
 };
 
 /// Is it the chain with this tag, with or without brackets, or in a section of this heading?
@@ -64,6 +69,10 @@ struct WrittenForms {
   std::vector<AskedForm> asked;         // in the order in which they were asked for
   std::vector<Definition> definitions;  // that those asked for need
   std::map<SymbolId, Dimension> units;  // that the notes declare
+  Notation notation = {};               // of the notes, with no frame
 };
+
+/// How the notes write where the chain stands.
+[[nodiscard]] Notation notation_at(const WrittenForms& forms, const WrittenFormChain& chain);
 
 }  // namespace rigor

@@ -39,6 +39,16 @@ class Statements {
     return *this;
   }
 
+  /// An expression without a relation; nothing, and what is wrong with it, where it cannot be read.
+  std::optional<ExprId> read(const std::string& expression, std::string& complaint) {
+    const std::vector<SyntaxId> sides = sides_of(expression);
+    Diagnostics diagnostics;
+    Elaborator elaborator(syntax_, tree, names, read_letters(syntax_, sides, names), diagnostics);
+    const auto typed = elaborator.expression(sides.at(0));
+    for (const Diagnostic& diagnostic : diagnostics) complaint += diagnostic.message + "; ";
+    return typed ? std::optional(typed->id) : std::nullopt;
+  }
+
   /// Both sides' dumps, `A = B`, after the column and kind of each diagnostic: `3 bold-index: (…) = (…)`. An
   /// expression without a relation gives its own dump, a side with a mistake `?`.
   std::string meaning(const std::string& statement) {

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "derive/descent.h"
+
+#include <algorithm>
+#include <array>
+
+#include "derive/along_axes.h"
+#include "derive/canonical.h"
+#include "derive/contraction.h"
+#include "derive/first_order.h"
+#include "derive/fold.h"
+#include "derive/in_components.h"
+#include "derive/line.h"
+#include "derive/unfold.h"
+
+namespace rigor {
+namespace {
+
+constexpr int most_lines = 40;
+constexpr std::uint32_t most_weight = 20'000;
+
+/// All values of some free letters, the last one fastest.
+std::vector<std::vector<std::uint8_t>> axes_of(std::size_t letters) {
+  std::vector<std::vector<std::uint8_t>> all{{}};
+  for (std::size_t k = 0; k < letters; ++k) {
+    std::vector<std::vector<std::uint8_t>> longer;
+    for (const auto& each : all) {
+      for (std::uint8_t axis = 1; axis <= 3; ++axis) {
+        longer.push_back(each);
+        longer.back().push_back(axis);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+class Descending {
+ public:
+  Descending(ExprTree& tree, const DescentRules& rules) : tree_(tree), rules_(rules) {}
+
+  Descent descend(ExprId side) {
+    push({side}, "", "", false);
+    if (rules_.notation == DescentNotation::axes) write_cases();
+    while (!stopped_ && (unfold() || write_out())) {
+    }
+    if (!stopped_ && multiply_out()) {
+      while (!stopped_ && contract()) {
+      }
+      collect();
+      if (!rules_.small.empty()) leave_out_second_order();
+    }
+    if (!has_polynomials_ || stopped_) polynomials_.clear();
+    return {std::move(lines_), std::move(polynomials_)};
+  }
+
+ private:
+  [[nodiscard]] const std::vector<ExprId>& parts() const { return lines_.back().parts; }
+
+  /// Puts a line behind the others, unless it says the same as the last one.
+  bool push(std::vector<ExprId> parts, std::string down, std::string up, bool flat) {
+    Line line{.parts = {}, .down = std::move(down), .up = std::move(up), .flat = flat};
+    for (const ExprId part : parts) line.parts.push_back(with_letters(tree_, part, rules_.letters));
+    std::uint64_t weight = 0;
+    for (const ExprId part : line.parts) weight += tree_[part].weight;
+    if (lines_.size() >= most_lines || weight > most_weight) {
+      stopped_ = true;
+      return false;
+    }
+    describe(tree_, line, rules_.open);
+    if (!lines_.empty() && line.shape == lines_.back().shape && line.terms == lines_.back().terms &&
+        line.parts.size() == lines_.back().parts.size()) {
+      lines_.back().flat = lines_.back().flat || flat;
+      return false;
+    }
+    lines_.push_back(std::move(line));
+    return true;
+  }
+
+  bool unfold() {
+    for (const NamedRule& rule : rules_.definitions) {
+      std::vector<ExprId> changed = parts();
+      for (ExprId& part : changed) part = unfolded(tree_, part, rule.definition);
+      if (changed != parts() && push(std::move(changed), rule.name, rule.name, false)) return true;
+    }
+    return false;
+  }
+
+  bool write_out() {
+    switch (rules_.notation) {
+      case DescentNotation::direct:
+        return false;
+      case DescentNotation::components:
+        return write_components();
+      case DescentNotation::axes:
+        return write_along_axes();
+    }
+    return false;
+  }
+
+  bool write_components() {
+    WrittenOut what;
+    const ExprId before = parts()[0];
+    const ExprId after = in_components(tree_, before, {}, what);
+    if (after == before || what.empty()) return false;
+    std::string rule;
+    for (const std::string& each : what) rule += (rule.empty() ? "" : ", ") + each;
+    return push({after}, rule, rule, false);
+  }
+
+  void write_cases() {
+    std::vector<ExprId> cases;
+    for (const auto& axes : axes_of(rules_.free.size() + tree_[parts()[0]].rank)) {
+      const auto written = along_axes(tree_, parts()[0], rules_.free, axes);
+      if (!written) {
+        stopped_ = true;
+        return;
+      }
+      cases.push_back(*written);
+    }
+    push_along_axes(std::move(cases));
+  }
+
+  bool push_along_axes(std::vector<ExprId> written) {
+    const std::string rule = rules_.free.empty() ? "components along the axes 1, 2, 3"
+                                                 : "component by component along the axes 1, 2, 3";
+    return push(std::move(written), rule, rule, false);
+  }
+
+  bool write_along_axes() {
+    std::vector<ExprId> written;
+    for (const ExprId part : parts()) {
+      const auto each = along_axes(tree_, part, {}, {});
+      if (!each) {
+        stopped_ = true;
+        return false;
+      }
+      written.push_back(*each);
+    }
+    return written != parts() && push_along_axes(std::move(written));
+  }
+
+  bool multiply_out() {
+    polynomials_.clear();
+    std::vector<Slot> slots;
+    for (const IndexId letter : rules_.open) slots.push_back({0, letter});
+    for (const ExprId part : parts()) {
+      auto polynomial = polynomial_of(tree_, part, slots);
+      if (!polynomial) return false;
+      polynomials_.push_back(*std::move(polynomial));
+    }
+    has_polynomials_ = true;
+    push_polynomials("multiplied out", "factored");
+    return true;
+  }
+
+  bool push_polynomials(std::string down, std::string up) {
+    std::vector<ExprId> written;
+    for (const IndexPolynomial& polynomial : polynomials_) {
+      const bool direct = rules_.notation == DescentNotation::direct;
+      const auto expr = direct ? folded(tree_, polynomial, rules_.open) : expression_of(tree_, polynomial);
+      if (!expr) return false;  // between two lines that can be written
+      written.push_back(*expr);
+    }
+    return push(std::move(written), std::move(down), std::move(up), true);
+  }
+
+  /// A rule on all parts, and on what is opaque in them; true if anything changed.
+  template <class Rule>
+  bool apply(const std::string& down, const std::string& up, const Rule& rule) {
+    if (!has_polynomials_ || stopped_) return false;
+    bool changed = false;
+    for (IndexPolynomial& polynomial : polynomials_) changed = apply_within(polynomial, rule) || changed;
+    if (changed) push_polynomials(down, up);
+    return changed;
+  }
+
+  template <class Rule>
+  bool apply_within(IndexPolynomial& polynomial, const Rule& rule) {
+    bool changed = false;
+    for (IndexMonomial& term : polynomial.terms) {
+      for (IndexFactor& factor : term.factors) {
+        if (factor.argument == nullptr) continue;
+        IndexPolynomial argument = *factor.argument;
+        if (!apply_within(argument, rule)) continue;
+        factor.argument = std::make_shared<const IndexPolynomial>(std::move(argument));
+        changed = true;
+      }
+    }
+    return rule(polynomial) || changed;
+  }
+
+  void collect() {
+    apply("like terms collected", "terms split", [&](IndexPolynomial& polynomial) {
+      polynomial = collected(tree_, polynomial);
+      return true;
+    });
+  }
+
+  /// Terms that vanish or cancel are not worth contracting.
+  bool shorten() {
+    return apply("like terms collected", "terms split", [&](IndexPolynomial& polynomial) {
+      IndexPolynomial shorter = collected(tree_, polynomial);
+      if (shorter.terms.size() >= polynomial.terms.size()) return false;
+      polynomial = std::move(shorter);
+      return true;
+    });
+  }
+
+  bool contract() {
+    const SymbolTable& symbols = tree_.symbols;
+    const std::string product = name_of_double_product();
+    const std::string axes = "components along the axes 1, 2, 3";
+    if (apply("powers joined", "powers split",
+              [&](IndexPolynomial& each) { return join_powers(tree_, each); }))
+      return true;
+    const bool along = rules_.notation == DescentNotation::axes;
+    if (along && apply(axes, axes, [](IndexPolynomial& each) { return write_out_sums(each); })) return true;
+    if (apply("δ contracted", "δ put in", [](IndexPolynomial& each) { return contract_deltas(each); }))
+      return true;
+    if (shorten()) return true;
+    if (apply("a rotation is orthogonal", "a rotation is orthogonal",
+              [&](IndexPolynomial& each) { return contract_rotations(symbols, each); }))
+      return true;
+    if (apply("length of a unit vector", "length of a unit vector",
+              [&](IndexPolynomial& each) { return contract_unit_vectors(symbols, each); }))
+      return true;
+    for (const NamedReplacement& each : rules_.replacements) {
+      if (apply(each.name, each.name, [&](IndexPolynomial& polynomial) {
+            return replace_given(tree_, each.replacement, polynomial);
+          }))
+        return true;
+    }
+    return apply(product, product, [](IndexPolynomial& each) { return contract_epsilons(each); });
+  }
+
+  /// What is ε–δ in components, in direct notation.
+  std::string name_of_double_product() const {
+    if (rules_.notation != DescentNotation::direct) return "ε–δ";
+    for (const ExprId part : parts()) {
+      if (crosses_a_cross(part)) return "A×(B×C) = B(A·C) − C(A·B)";
+    }
+    return "(A×B)·(C×D) = (A·C)(B·D) − (A·D)(B·C)";
+  }
+
+  bool crosses_a_cross(ExprId root) const {
+    std::vector<ExprId> open{root};
+    while (!open.empty()) {
+      const ExprId id = open.back();
+      open.pop_back();
+      for (const ExprId child : tree_.children(id)) {
+        if (tree_[id].op == Op::cross && tree_[child].op == Op::cross) return true;
+        open.push_back(child);
+      }
+    }
+    return false;
+  }
+
+  void leave_out_second_order() {
+    std::vector<IndexPolynomial> kept = polynomials_;
+    std::vector<ExprId> left_out;
+    bool any = false;
+    for (IndexPolynomial& polynomial : kept) {
+      const auto rest = without_second_order(tree_, rules_.small, polynomial);
+      if (!rest) return;
+      any = any || !tree_.is_zero_literal(*rest);
+      left_out.push_back(*rest);
+    }
+    if (!any) return;
+    polynomials_ = std::move(kept);
+    if (push_polynomials("first order", "first order")) lines_.back().left_out = std::move(left_out);
+    collect();
+  }
+
+  ExprTree& tree_;
+  const DescentRules& rules_;
+  std::vector<Line> lines_;
+  std::vector<IndexPolynomial> polynomials_;
+  bool has_polynomials_ = false;
+  bool stopped_ = false;
+};
+
+}  // namespace
+
+Descent descend(ExprTree& tree, ExprId side, const DescentRules& rules) {
+  return Descending(tree, rules).descend(side);
+}
+
+}  // namespace rigor
