@@ -15,6 +15,7 @@ namespace rigor {
 namespace {
 
 constexpr double line_width = 33;   // in em, for mathematics beside a mark
+constexpr double small_width = 34;  // in em of the small print, for mathematics beside a rule
 constexpr double most_width = 300;  // in em: what is wider is shown as source
 
 constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article}
@@ -48,6 +49,9 @@ constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article
 \newcommand{\rigormark}[3]{{\footnotesize\color{#1}\hbox to 1.1em{$#2$\hfil}#3}}
 \newcommand{\rigorplain}[2]{\par\setlength{\rigorroom}{\dimexpr\linewidth-#1\relax}%
   \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill}\vspace{4pt}}
+% indent, mathematics, the rule in words
+\newcommand{\rigorsmall}[3]{\par{\leftskip=0pt\rightskip=0pt\setlength{\rigorroom}{0.64\textwidth}%
+  \hbox to\textwidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\parbox{0.24\textwidth}{\raggedright #3}}}\vspace{2pt}}
 \newcommand{\rigorinline}[1]{\setlength{\rigorroom}{\linewidth}\rigorfit{#1}}
 \newenvironment{rigornote}{\par\begingroup\footnotesize\color{quiet}\leftskip=2em\rightskip=0pt plus 1fil\advance\linewidth-2em\relax\parskip=1.5pt}{\par\endgroup\vspace{4pt}}
 \newcommand{\rigorhead}[2]{\par\vspace{14pt}{\raggedright #1\bfseries #2\par}\nobreak\vspace{6pt}}
@@ -218,6 +222,8 @@ class NotesWriter {
       add_line(&repair == step.repairs.data() ? "true is" : "or",
                inline_math(repair.statement) + " --- " + message(repair.change, false));
     for (const std::string& condition : step.conditions) add_line("holds if", inline_math(condition));
+    if (const WorkedStep* found = worked_step_at(notes_.derivations, sources_, step.span))
+      text += derivation(*found);
     if (!step.uses.empty() && step.uses != last_uses_) {
       last_uses_ = step.uses;
       std::string uses;
@@ -231,6 +237,24 @@ class NotesWriter {
       for (const std::string& help : each.help) add_line("help", message(help, false));
     }
     if (!text.empty()) out_ += "\\begin{rigornote}\n" + text + "\\end{rigornote}\n";
+  }
+
+  /// One line a rule: mathematics at the left, the rule in words at the right.
+  std::string derivation(const WorkedStep& derivation) {
+    std::string text;
+    const auto add_line = [&](std::string_view indent, const std::string& latex, const std::string& rule) {
+      const auto box = math_.box_of(latex);
+      if (!box || typeset_width(*box) > most_width) return;
+      std::vector<Box> lines = broken_lines(*box, small_width);
+      for (const Box& line : lines) {
+        text += fmt::format("\\rigorsmall{{{}}}{{{}}}{{{}}}\n", indent, to_typeset(line),
+                            &line == &lines.back() ? typeset_words(rule) : "");
+      }
+    };
+    add_line("2em", derivation.start, "");
+    for (const WorkedLine& line : derivation.lines)
+      add_line("3em", line.relation + " " + line.latex, line.rule);
+    return text;
   }
 
   template <class AddLine>

@@ -50,7 +50,7 @@ class FileWriter {
   FileWriter(PageNotes& notes, SourceMap& sources, std::size_t number)
       : notes_(notes),
         math_(sources, notes.shown.macros),
-        page_{sources, math_, notes.link, notes.shown.report->file},
+        page_{sources, math_, notes.link, notes.shown.report->file, notes.shown.derivations},
         number_(number) {}
 
   /// `below`: how many levels of heading stand above those of the notes; 2 with the path as the first of
@@ -250,7 +250,8 @@ std::string html_page(std::vector<PageNotes>& notes, SourceMap& sources) {
   const Totals totals = totals_of(notes);
   const std::string title = take_title(notes);
   NotesMath title_math(sources, notes.front().shown.macros);
-  const PageContext page{sources, title_math, notes.front().link, notes.front().shown.report->file};
+  const PageContext page{sources, title_math, notes.front().link, notes.front().shown.report->file,
+                         notes.front().shown.derivations};
   std::string body;
   std::string contents;
   std::string paths;

@@ -109,6 +109,17 @@ std::string chain_html(const Step& step) {
   return term_html("in the chain", words);
 }
 
+std::string derivation_html(const PageContext& page, const Step& step) {
+  const WorkedStep* derivation = worked_step_at(page.derivations, page.sources, step.span);
+  if (derivation == nullptr) return {};
+  std::string lines = "<li>" + math_html(page, derivation->start, MathStyle::inline_) + "</li>";
+  for (const WorkedLine& line : derivation->lines)
+    lines += fmt::format("<li><span class=\"math\">{}</span> <span class=\"rule\">{}</span></li>",
+                         math_html(page, line.relation + " " + line.latex, MathStyle::inline_),
+                         message_html(line.rule));
+  return term_html("in small steps", "<ol class=\"small\">" + lines + "</ol>");
+}
+
 std::string kinds_of(const Step& step) {
   std::string kinds(name_of(step.verdict));
   if (needs_attention(step)) kinds += " attention";
@@ -183,7 +194,7 @@ std::string step_html(const PageContext& page, const Step& step, StepLine line) 
   if (step.counterexample) rows += sample_html(page, *step.counterexample);
   rows += chain_html(step) + repairs_html(page, step);
   if (!step.route.empty()) rows += term_html("route", xml_escaped(step.route));
-  rows += uses_html(page, step);
+  rows += derivation_html(page, step) + uses_html(page, step);
   std::string diagnostics;
   for (const Diagnostic& diagnostic : step.diagnostics) diagnostics += diagnostic_html(page, diagnostic);
   if (!diagnostics.empty()) rows += term_html("report", diagnostics);

@@ -121,6 +121,11 @@ dl { margin: .3rem 0 0; }
 .row ul { margin: 0; padding: 0; list-style: none; }
 .row p { margin: 0 0 .2rem; }
 .values { display: flex; flex-wrap: wrap; gap: .1rem 1.75rem; }
+.row ol.small { margin: 0; padding: 0; list-style: none; }
+.small li { display: flex; flex-wrap: wrap; align-items: baseline; gap: 0 1.5rem; padding: .15rem 0; }
+.small li + li { padding-left: 1.25rem; }
+.small .math { overflow-x: auto; overflow-y: hidden; max-width: 100%; padding: .1rem 0; }
+.rule { color: var(--soft); font-size: .85rem; margin-left: auto; text-align: right; }
 .particle { color: var(--soft); }
 .plot { margin: .8rem 0 0; background: #fff; border-radius: 6px; padding: .5rem; overflow-x: auto; }
 .plot svg { display: block; max-width: 100%; height: auto; min-width: 26rem; margin: 0 auto; }
