@@ -46,12 +46,12 @@ constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article
   \sbox{\rigorside}{\quad\rigorfit{\text{#3}}\quad\hbox to 8.4em{#4\hfil}}%
   \setlength{\rigorroom}{\dimexpr\linewidth-\wd\rigorside-#1\relax}%
   \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\usebox{\rigorside}}\vspace{4pt}}
-\newcommand{\rigormark}[3]{{\footnotesize\color{#1}\hbox to 1.1em{$#2$\hfil}#3}}
+\newcommand{\rigormark}[3]{{\footnotesize\color{#1}\hbox to 1.4em{$#2$\hfil}#3}}
 \newcommand{\rigorplain}[2]{\par\setlength{\rigorroom}{\dimexpr\linewidth-#1\relax}%
   \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill}\vspace{4pt}}
 % indent, mathematics, the rule in words
 \newcommand{\rigorsmall}[3]{\par{\leftskip=0pt\rightskip=0pt\setlength{\rigorroom}{0.64\textwidth}%
-  \hbox to\textwidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\parbox{0.24\textwidth}{\raggedright #3}}}\vspace{2pt}}
+  \hbox to\textwidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\parbox{0.24\textwidth}{\raggedright\linewidth=0.24\textwidth #3}}}\vspace{2pt}}
 \newcommand{\rigorinline}[1]{\setlength{\rigorroom}{\linewidth}\rigorfit{#1}}
 \newenvironment{rigornote}{\par\begingroup\footnotesize\color{quiet}\leftskip=2em\rightskip=0pt plus 1fil\advance\linewidth-2em\relax\parskip=1.5pt}{\par\endgroup\vspace{4pt}}
 \newcommand{\rigorhead}[2]{\par\vspace{14pt}{\raggedright #1\bfseries #2\par}\nobreak\vspace{6pt}}
@@ -248,12 +248,12 @@ class NotesWriter {
       std::vector<Box> lines = broken_lines(*box, small_width);
       for (const Box& line : lines) {
         text += fmt::format("\\rigorsmall{{{}}}{{{}}}{{{}}}\n", indent, to_typeset(line),
-                            &line == &lines.back() ? typeset_words(rule) : "");
+                            &line == &lines.back() ? rule : "");
       }
     };
     add_line("2em", derivation.start, "");
     for (const WorkedLine& line : derivation.lines)
-      add_line("3em", line.relation + " " + line.latex, line.rule);
+      add_line("3em", line.relation + " " + line.latex, this->line(math_.rule_of(line.rule)));
     return text;
   }
 

@@ -16,6 +16,18 @@ std::optional<Box> NotesMath::box_of(const std::string& latex) {
   return tokens ? std::optional(layout_of(*tokens)) : std::nullopt;
 }
 
+Box NotesMath::rule_of(const std::string& rule) {
+  const std::size_t mark = rule.find_first_of("\\_^");
+  if (mark == std::string::npos) return words_box(rule);
+  const std::size_t blank = rule.rfind(' ', mark);
+  const std::size_t begin = blank == std::string::npos ? 0 : blank + 1;
+  const auto box = box_of(rule.substr(begin));
+  if (!box) return words_box(rule);
+  Box line;
+  line.parts = {words_box(rule.substr(0, begin)), *box};
+  return line;
+}
+
 Box NotesMath::line_of(const std::string& prose, Format format) {
   if (format == Format::latex) {
     Diagnostics unheard;

@@ -25,6 +25,9 @@ class NotesMath {
   /// the words are taken as they are.
   [[nodiscard]] Box line_of(const std::string& prose, Format format);
 
+  /// A rule such as `definition of \mathbf{v}_\alpha`: from the first word that is LaTeX on, mathematics.
+  [[nodiscard]] Box rule_of(const std::string& rule);
+
  private:
   [[nodiscard]] std::vector<Token> lexed(const std::string& text);
 

@@ -116,7 +116,7 @@ std::string derivation_html(const PageContext& page, const Step& step) {
   for (const WorkedLine& line : derivation->lines)
     lines += fmt::format("<li><span class=\"math\">{}</span> <span class=\"rule\">{}</span></li>",
                          math_html(page, line.relation + " " + line.latex, MathStyle::inline_),
-                         message_html(line.rule));
+                         words_html(page.math.rule_of(line.rule)));
   return term_html("in small steps", "<ol class=\"small\">" + lines + "</ol>");
 }
 

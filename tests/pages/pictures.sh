@@ -23,7 +23,7 @@ opened() {
 
 # bare PAGE: a copy without its head and contents
 bare() {
-  sed 's|</style>|.top,nav{display:none}</style>|' "$1"
+  sed 's|</style>|.top,nav{display:none}.page.page{display:block;padding-top:1rem}</style>|' "$1"
 }
 
 notes=derivations/rigid-bodies.md
