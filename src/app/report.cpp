@@ -22,7 +22,8 @@ namespace {
 struct Reported {
   SourceMap sources;
   Report report;
-  std::deque<FormsReading> readings;  // of the files, where forms are evaluated
+  std::deque<FormsReading> readings;  // of the files, for derivations and forms
+  std::vector<std::vector<WorkedStep>> derivations;
   std::vector<EvaluatedNotes> evaluated;
 };
 
@@ -38,13 +39,22 @@ void check_all(const ReportCommand& command, Reported& reported, Progress& progr
   }
 }
 
-/// Claims only: what is assumed is not computed.
-void evaluate_all(const ReportCommand& command, Reported& reported, Progress& progress) {
+/// The expressions of all files, and why each proved step holds.
+void explain_all(const ReportCommand& command, Reported& reported, Progress& progress) {
+  FormRequest request;
+  request.sidecar = command.sidecar;
   for (const std::string& path : command.files) {
+    progress.update(path, 0, 1, "files explained");
+    FormsReading& reading = reported.readings.emplace_back(read_forms(reported.sources, path, request));
+    reported.derivations.push_back(worked_steps(reading.forms));
+  }
+}
+
+/// Claims only: what is assumed is not computed.
+void evaluate_all(Reported& reported, Progress& progress) {
+  for (const FormsReading& reading : reported.readings) {
+    const std::string& path = reading.report.path;
     EvaluatedNotes notes{.path = path, .chains = {}};
-    FormRequest request;
-    request.sidecar = command.sidecar;
-    const FormsReading& reading = reported.readings.emplace_back(read_forms(reported.sources, path, request));
     TrialOptions trials;
     trials.samples = 256;
     trials.operations = 200'000;
@@ -94,11 +104,17 @@ bool write_to(const std::string& path, const std::string& text, std::ostream& ou
   return false;
 }
 
+ShownNotes shown(Reported& reported, std::size_t file) {
+  ShownNotes notes = show_notes(reported.sources, reported.report.files[file]);
+  notes.derivations = reported.derivations[file];
+  return notes;
+}
+
 std::vector<PageNotes> page_notes(Reported& reported, const std::string& page) {
   std::vector<PageNotes> notes;
   for (std::size_t k = 0; k < reported.report.files.size(); ++k) {
     const FileReport& file = reported.report.files[k];
-    notes.push_back({.shown = show_notes(reported.sources, file),
+    notes.push_back({.shown = shown(reported, k),
                      .link = page == "-" ? std::string() : link_from(page, file.path),
                      .evaluated = k < reported.evaluated.size() ? reported.evaluated[k] : EvaluatedNotes{}});
   }
@@ -112,7 +128,8 @@ ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ost
   {
     Progress progress(err, screen_of(err).is_terminal);
     check_all(command, reported, progress);
-    if (command.html && command.forms) evaluate_all(command, reported, progress);
+    explain_all(command, reported, progress);
+    if (command.html && command.forms) evaluate_all(reported, progress);
   }
   bool unreadable = false;
   for (const FileReport& file : reported.report.files) {
@@ -127,7 +144,7 @@ ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ost
   }
   if (command.latex) {
     std::vector<ShownNotes> notes;
-    for (const FileReport& file : reported.report.files) notes.push_back(show_notes(reported.sources, file));
+    for (std::size_t k = 0; k < reported.report.files.size(); ++k) notes.push_back(shown(reported, k));
     if (!write_to(*command.latex, latex_document(notes, reported.sources), out, err))
       return ExitCode::no_input;
   }

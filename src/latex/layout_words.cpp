@@ -10,7 +10,7 @@ namespace {
 
 /// What a token of words prints.
 std::string printed_word(const Token& token) {
-  if (is_blank(token) || is_sign(token, "~") || token.kind == TokenKind::align) return " ";
+  if (is_blank(token) || is_sign(token, "~")) return " ";
   switch (token.kind) {
     case TokenKind::begin_group:
     case TokenKind::end_group:

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/utf8.h"
@@ -19,6 +20,14 @@ std::string words_text(std::string_view words) {
   if (text.starts_with(' ')) text.replace(0, 1, hard_blank);
   if (text.ends_with(' ')) text.replace(text.size() - 1, 1, hard_blank);
   return text;
+}
+
+/// Signs that browsers set with the space that TeX gives them, wherever they stand (+ and − only between
+/// operands).
+bool has_usual_space(std::string_view sign) {
+  static constexpr std::array<std::string_view, 14> signs{"=", "≈", "≡", "<", ">", "≤", "≥",
+                                                          "≠", "≪", "≫", "∝", "×", "·", "±"};
+  return std::find(signs.begin(), signs.end(), sign) != signs.end();
 }
 
 class MathmlWriter {
@@ -89,20 +98,22 @@ class MathmlWriter {
         attributes = " form=\"prefix\" lspace=\"0\" rspace=\"0\"";
         break;
       case SignRole::opening:
-        attributes = " form=\"prefix\" stretchy=\"false\"";
-        break;
       case SignRole::closing:
-        attributes = " form=\"postfix\" stretchy=\"false\"";
+        attributes = " stretchy=\"false\"";
         break;
       case SignRole::bar:
         attributes = fmt::format(" form=\"infix\" stretchy=\"{}\" lspace=\"0\" rspace=\"0\"", box.wide);
         break;
       case SignRole::binary:
-        attributes = " form=\"infix\" lspace=\"0.2222em\" rspace=\"0.2222em\"";
+        attributes =
+            has_usual_space(box.text) ? "" : " form=\"infix\" lspace=\"0.2222em\" rspace=\"0.2222em\"";
+        if (box.text == "+" || box.text == "−") attributes = " form=\"infix\"";
         break;
       case SignRole::relation:
-        attributes =
-            fmt::format(" form=\"infix\" stretchy=\"{}\" lspace=\"0.2778em\" rspace=\"0.2778em\"", box.wide);
+        if (box.wide || !has_usual_space(box.text)) {
+          attributes = fmt::format(" form=\"infix\" stretchy=\"{}\" lspace=\"0.2778em\" rspace=\"0.2778em\"",
+                                   box.wide);
+        }
         break;
       case SignRole::word:
         attributes = " form=\"prefix\" movablelimits=\"true\" lspace=\"0.1667em\" rspace=\"0.1667em\"";
@@ -247,8 +258,8 @@ class MathmlWriter {
 std::string to_mathml(const Box& box, MathStyle style) {
   MathmlWriter writer;
   writer.write(box);
-  return fmt::format("<math{}>{}</math>",
-                     style == MathStyle::display ? " display=\"block\"" : "", writer.take());
+  return fmt::format("<math{}>{}</math>", style == MathStyle::display ? " display=\"block\"" : "",
+                     writer.take());
 }
 
 std::string to_mathml(TokenView tokens, MathStyle style) { return to_mathml(layout_of(tokens), style); }

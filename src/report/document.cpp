@@ -14,7 +14,9 @@
 namespace rigor {
 namespace {
 
-constexpr double line_width = 33;  // in em, for mathematics beside a mark
+constexpr double line_width = 33;   // in em, for mathematics beside a mark
+constexpr double small_width = 34;  // in em of the small print, for mathematics beside a rule
+constexpr double most_width = 300;  // in em: what is wider is shown as source
 
 constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
@@ -34,16 +36,22 @@ constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article
 \definecolor{open}{rgb}{0.47,0.29,0.00}
 \definecolor{quiet}{rgb}{0.33,0.35,0.38}
 \newsavebox{\rigorbox}
+\newsavebox{\rigorside}
 \newlength{\rigorroom}
 % mathematics, made smaller where it is wider than \rigorroom
 \newcommand{\rigorfit}[1]{\sbox{\rigorbox}{$#1$}%
   \ifdim\wd\rigorbox>\rigorroom\resizebox{0.995\rigorroom}{!}{\usebox{\rigorbox}}\else\usebox{\rigorbox}\fi}
 % indent, mathematics, tag, mark
-\newcommand{\rigorline}[4]{\par\setlength{\rigorroom}{\dimexpr\linewidth-10.5em-#1\relax}%
-  \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\hbox to 10.5em{\hfil #3\quad\hbox to 6.6em{#4\hfil}}}\vspace{4pt}}
-\newcommand{\rigormark}[3]{{\footnotesize\color{#1}\hbox to 1.1em{$#2$\hfil}#3}}
+\newcommand{\rigorline}[4]{\par\setlength{\rigorroom}{7em}%
+  \sbox{\rigorside}{\quad\rigorfit{\text{#3}}\quad\hbox to 8.4em{#4\hfil}}%
+  \setlength{\rigorroom}{\dimexpr\linewidth-\wd\rigorside-#1\relax}%
+  \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\usebox{\rigorside}}\vspace{4pt}}
+\newcommand{\rigormark}[3]{{\footnotesize\color{#1}\hbox to 1.4em{$#2$\hfil}#3}}
 \newcommand{\rigorplain}[2]{\par\setlength{\rigorroom}{\dimexpr\linewidth-#1\relax}%
   \hbox to\linewidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill}\vspace{4pt}}
+% indent, mathematics, the rule in words
+\newcommand{\rigorsmall}[3]{\par{\leftskip=0pt\rightskip=0pt\setlength{\rigorroom}{0.64\textwidth}%
+  \hbox to\textwidth{\hspace*{#1}\rigorfit{\displaystyle #2}\hfill\parbox{0.24\textwidth}{\raggedright\linewidth=0.24\textwidth #3}}}\vspace{2pt}}
 \newcommand{\rigorinline}[1]{\setlength{\rigorroom}{\linewidth}\rigorfit{#1}}
 \newenvironment{rigornote}{\par\begingroup\footnotesize\color{quiet}\leftskip=2em\rightskip=0pt plus 1fil\advance\linewidth-2em\relax\parskip=1.5pt}{\par\endgroup\vspace{4pt}}
 \newcommand{\rigorhead}[2]{\par\vspace{14pt}{\raggedright #1\bfseries #2\par}\nobreak\vspace{6pt}}
@@ -99,7 +107,8 @@ class NotesWriter {
     const std::string_view size = heading.level <= 1   ? "\\Large"
                                   : heading.level == 2 ? "\\large"
                                                        : "\\normalsize";
-    out_ += fmt::format("\\rigorhead{{{}}}{{{}}}\n", size, line(math_.line_of(heading.title)));
+    out_ += fmt::format("\\rigorhead{{{}}}{{{}}}\n", size,
+                        line(math_.line_of(heading.title, format_of(notes_.report->path))));
   }
 
   static std::string line(const Box& box) {
@@ -116,6 +125,7 @@ class NotesWriter {
     if (equation.steps.empty()) return whole(equation);
     out_ += "\\par\\vspace{5pt}\n";
     const Step* before = nullptr;
+    last_uses_.clear();
     for (const Step* each : equation.steps) {
       const bool goes_on = before != nullptr && before->right == each->left && before->tag == each->tag;
       step(*each, goes_on);
@@ -125,7 +135,7 @@ class NotesWriter {
 
   /// A display without a step.
   void whole(const ShownEquation& equation) {
-    if (!equation.shown) {
+    if (!equation.shown || typeset_width(equation.shown->box) > most_width) {
       out_ += fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n",
                           typeset_source(equation.source));
       return;
@@ -137,7 +147,9 @@ class NotesWriter {
   void step(const Step& step, bool goes_on) {
     const auto left = math_.box_of(step.left);
     const auto right = math_.box_of(step.relation + " " + step.right);
-    if (!left || !right) {
+    const bool is_set =
+        left && right && typeset_width(*left) < most_width && typeset_width(*right) < most_width;
+    if (!is_set) {
       out_ +=
           fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n", typeset_source(step.source));
       out_ += fmt::format("\\rigorline{{0em}}{{}}{{{}}}{{{}}}\n", typeset_words(step.tag), mark_of(step));
@@ -179,7 +191,24 @@ class NotesWriter {
 
   std::string inline_math(const std::string& latex) {
     const auto box = math_.box_of(latex);
-    return box ? "\\rigorinline{" + to_typeset(*box) + "}" : "\\texttt{" + typeset_words(latex) + "}";
+    if (!box || typeset_width(*box) > most_width) return "\\texttt{" + typeset_source(latex) + "}";
+    return "\\rigorinline{" + to_typeset(*box) + "}";
+  }
+
+  /// What stands between back-ticks is set as mathematics, or as source.
+  std::string message(std::string_view text, bool as_math) {
+    std::string all;
+    for (bool code = false; true; code = !code) {
+      const std::size_t tick = text.find('`');
+      const std::string part(text.substr(0, tick));
+      if (!code) {
+        all += typeset_words(part);
+      } else {
+        all += as_math ? inline_math(part) : "\\texttt{" + typeset_source(part) + "}";
+      }
+      if (tick == std::string_view::npos) return all;
+      text.remove_prefix(tick + 1);
+    }
   }
 
   /// Below a step, in small print: the sample, what is true, what was used, what is reported.
@@ -191,9 +220,12 @@ class NotesWriter {
     if (step.counterexample) sample(*step.counterexample, add_line);
     for (const Repair& repair : step.repairs)
       add_line(&repair == step.repairs.data() ? "true is" : "or",
-               inline_math(repair.statement) + " --- " + typeset_words(repair.change));
+               inline_math(repair.statement) + " --- " + message(repair.change, false));
     for (const std::string& condition : step.conditions) add_line("holds if", inline_math(condition));
-    if (!step.uses.empty()) {
+    if (const WorkedStep* found = worked_step_at(notes_.derivations, sources_, step.span))
+      text += derivation(*found);
+    if (!step.uses.empty() && step.uses != last_uses_) {
+      last_uses_ = step.uses;
       std::string uses;
       for (const std::string& each : step.uses) uses += (uses.empty() ? "" : ", ") + use(each);
       add_line("uses", uses);
@@ -201,10 +233,28 @@ class NotesWriter {
     for (const Diagnostic& each : step.diagnostics) {
       const std::uint32_t at = sources_.line_column(each.span.file, each.span.begin).line;
       add_line(fmt::format("line {}", at),
-               typeset_words(std::string(name_of(each.severity())) + ": " + each.message));
-      for (const std::string& help : each.help) add_line("help", typeset_words(help));
+               std::string(name_of(each.severity())) + ": " + message(each.message, false));
+      for (const std::string& help : each.help) add_line("help", message(help, false));
     }
     if (!text.empty()) out_ += "\\begin{rigornote}\n" + text + "\\end{rigornote}\n";
+  }
+
+  /// One line a rule: mathematics at the left, the rule in words at the right.
+  std::string derivation(const WorkedStep& derivation) {
+    std::string text;
+    const auto add_line = [&](std::string_view indent, const std::string& latex, const std::string& rule) {
+      const auto box = math_.box_of(latex);
+      if (!box || typeset_width(*box) > most_width) return;
+      std::vector<Box> lines = broken_lines(*box, small_width);
+      for (const Box& line : lines) {
+        text += fmt::format("\\rigorsmall{{{}}}{{{}}}{{{}}}\n", indent, to_typeset(line),
+                            &line == &lines.back() ? rule : "");
+      }
+    };
+    add_line("2em", derivation.start, "");
+    for (const WorkedLine& line : derivation.lines)
+      add_line("3em", line.relation + " " + line.latex, this->line(math_.rule_of(line.rule)));
+    return text;
   }
 
   template <class AddLine>
@@ -232,7 +282,7 @@ class NotesWriter {
     const Use used = use_of(text);
     std::string all = typeset_words(used.word);
     if (!used.latex.empty()) all += " " + inline_math(used.latex);
-    if (!used.place.empty()) all += " " + typeset_words(used.place);
+    if (!used.place.empty()) all += (used.word == "convention" ? ": " : " ") + message(used.place, true);
     return all;
   }
 
@@ -240,6 +290,7 @@ class NotesWriter {
   SourceMap& sources_;
   NotesMath math_;
   std::string out_;
+  std::vector<std::string> last_uses_;  // in this display: said once for steps that follow each other
 };
 
 std::string summary(const std::vector<ShownNotes>& notes) {

@@ -16,10 +16,38 @@ std::optional<Box> NotesMath::box_of(const std::string& latex) {
   return tokens ? std::optional(layout_of(*tokens)) : std::nullopt;
 }
 
-Box NotesMath::line_of(const std::string& prose) {
-  Diagnostics unheard;
-  const auto tokens = expand(lexed(prose), macros_, unheard);
-  return tokens ? text_box(*tokens, {}) : words_box(prose);
+Box NotesMath::rule_of(const std::string& rule) {
+  const std::size_t mark = rule.find_first_of("\\_^");
+  if (mark == std::string::npos) return words_box(rule);
+  const std::size_t blank = rule.rfind(' ', mark);
+  const std::size_t begin = blank == std::string::npos ? 0 : blank + 1;
+  const auto box = box_of(rule.substr(begin));
+  if (!box) return words_box(rule);
+  Box line;
+  line.parts = {words_box(rule.substr(0, begin)), *box};
+  return line;
+}
+
+Box NotesMath::line_of(const std::string& prose, Format format) {
+  if (format == Format::latex) {
+    Diagnostics unheard;
+    const auto tokens = expand(lexed(prose), macros_, unheard);
+    return tokens ? text_box(*tokens, {}) : words_box(prose);
+  }
+  Box line;
+  for (std::size_t at = 0; at <= prose.size();) {
+    const std::size_t open = prose.find('$', at);
+    const std::size_t close = open == std::string::npos ? open : prose.find('$', open + 1);
+    if (close == std::string::npos) {
+      line.parts.push_back(words_box(prose.substr(at)));
+      break;
+    }
+    line.parts.push_back(words_box(prose.substr(at, open - at)));
+    const std::string latex = prose.substr(open + 1, close - open - 1);
+    line.parts.push_back(box_of(latex).value_or(words_box(latex)));
+    at = close + 1;
+  }
+  return line;
 }
 
 }  // namespace rigor

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "latex/document.h"
 #include "latex/layout.h"
 #include "latex/macros.h"
 #include "source/source_map.h"
@@ -20,8 +21,12 @@ class NotesMath {
   /// Nothing where a macro never ends or lacks its arguments.
   [[nodiscard]] std::optional<Box> box_of(const std::string& latex);
 
-  /// A line of prose such as a heading, with mathematics between dollar signs: words and boxes.
-  [[nodiscard]] Box line_of(const std::string& prose);
+  /// A line of prose such as a heading, with mathematics between dollar signs: words and boxes. In Markdown
+  /// the words are taken as they are.
+  [[nodiscard]] Box line_of(const std::string& prose, Format format);
+
+  /// A rule such as `definition of \mathbf{v}_\alpha`: from the first word that is LaTeX on, mathematics.
+  [[nodiscard]] Box rule_of(const std::string& rule);
 
  private:
   [[nodiscard]] std::vector<Token> lexed(const std::string& text);

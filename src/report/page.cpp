@@ -50,10 +50,13 @@ class FileWriter {
   FileWriter(PageNotes& notes, SourceMap& sources, std::size_t number)
       : notes_(notes),
         math_(sources, notes.shown.macros),
-        page_{sources, math_, notes.link, notes.shown.report->file},
+        page_{sources, math_, notes.link, notes.shown.report->file, notes.shown.derivations},
         number_(number) {}
 
-  void write(bool titled) {
+  /// `below`: how many levels of heading stand above those of the notes; 2 with the path as the first of
+  /// them.
+  void write(int below) {
+    const bool titled = below == 2;
     if (titled) {
       body += fmt::format("<h2 class=\"file\" id=\"f{}\" data-level=\"0\">{}</h2>\n", number_,
                           xml_escaped(notes_.shown.report->path));
@@ -62,7 +65,7 @@ class FileWriter {
     }
     file_diagnostics();
     for (const ShownItem& item : notes_.shown.items) {
-      if (const auto* heading = std::get_if<ShownHeading>(&item)) add(*heading, titled);
+      if (const auto* heading = std::get_if<ShownHeading>(&item)) add(*heading, below);
       if (const auto* equation = std::get_if<ShownEquation>(&item)) add(*equation);
     }
   }
@@ -81,8 +84,8 @@ class FileWriter {
     body += "</section>\n";
   }
 
-  void add(const ShownHeading& heading, bool titled) {
-    const int level = std::clamp(heading.level + (titled ? 2 : 1), 2, 6);
+  void add(const ShownHeading& heading, int below) {
+    const int level = std::clamp(heading.level + below, 2, 6);
     const std::string id = fmt::format("s{}-{}", number_, ++headings_);
     const std::string title = line_html(page_, heading.title);
     section_ = lower(heading.title);
@@ -247,13 +250,14 @@ std::string html_page(std::vector<PageNotes>& notes, SourceMap& sources) {
   const Totals totals = totals_of(notes);
   const std::string title = take_title(notes);
   NotesMath title_math(sources, notes.front().shown.macros);
-  const PageContext page{sources, title_math, notes.front().link, notes.front().shown.report->file};
+  const PageContext page{sources, title_math, notes.front().link, notes.front().shown.report->file,
+                         notes.front().shown.derivations};
   std::string body;
   std::string contents;
   std::string paths;
   for (std::size_t k = 0; k < notes.size(); ++k) {
     FileWriter writer(notes[k], sources, k + 1);
-    writer.write(notes.size() > 1);
+    writer.write(notes.size() > 1 ? 2 : title == notes.front().shown.report->path ? 1 : 0);
     body += writer.body;
     contents += writer.contents;
     const std::string path = xml_escaped(notes[k].shown.report->path);

@@ -34,11 +34,25 @@ std::string term_html(std::string_view term, std::string_view what) {
   return fmt::format("<div class=\"row\"><dt>{}</dt><dd>{}</dd></div>\n", term, what);
 }
 
+/// What stands between back-ticks is mathematics.
+std::string ticked_math_html(const PageContext& page, std::string_view text) {
+  std::string html;
+  for (bool code = false; true; code = !code) {
+    const std::size_t tick = text.find('`');
+    const std::string part(text.substr(0, tick));
+    html += code ? math_html(page, part, MathStyle::inline_) : xml_escaped(part);
+    if (tick == std::string_view::npos) return html;
+    text.remove_prefix(tick + 1);
+  }
+}
+
 std::string use_html(const PageContext& page, const std::string& text) {
   const Use use = use_of(text);
   std::string html = xml_escaped(use.word);
   if (!use.latex.empty()) html += " " + math_html(page, use.latex, MathStyle::inline_);
-  if (!use.place.empty()) html += (use.word == "convention" ? ": " : " ") + message_html(use.place);
+  if (!use.place.empty())
+    html +=
+        (use.word == "convention" ? ": " + ticked_math_html(page, use.place) : " " + message_html(use.place));
   return html;
 }
 
@@ -95,6 +109,17 @@ std::string chain_html(const Step& step) {
   return term_html("in the chain", words);
 }
 
+std::string derivation_html(const PageContext& page, const Step& step) {
+  const WorkedStep* derivation = worked_step_at(page.derivations, page.sources, step.span);
+  if (derivation == nullptr) return {};
+  std::string lines = "<li>" + math_html(page, derivation->start, MathStyle::inline_) + "</li>";
+  for (const WorkedLine& line : derivation->lines)
+    lines += fmt::format("<li><span class=\"math\">{}</span> <span class=\"rule\">{}</span></li>",
+                         math_html(page, line.relation + " " + line.latex, MathStyle::inline_),
+                         words_html(page.math.rule_of(line.rule)));
+  return term_html("in small steps", "<ol class=\"small\">" + lines + "</ol>");
+}
+
 std::string kinds_of(const Step& step) {
   std::string kinds(name_of(step.verdict));
   if (needs_attention(step)) kinds += " attention";
@@ -118,7 +143,7 @@ std::string math_html(const PageContext& page, const std::string& latex, MathSty
 }
 
 std::string line_html(const PageContext& page, const std::string& prose) {
-  return words_html(page.math.line_of(prose));
+  return words_html(page.math.line_of(prose, format_of(page.sources.path(page.file))));
 }
 
 std::string message_html(std::string_view message) {
@@ -169,7 +194,7 @@ std::string step_html(const PageContext& page, const Step& step, StepLine line) 
   if (step.counterexample) rows += sample_html(page, *step.counterexample);
   rows += chain_html(step) + repairs_html(page, step);
   if (!step.route.empty()) rows += term_html("route", xml_escaped(step.route));
-  rows += uses_html(page, step);
+  rows += derivation_html(page, step) + uses_html(page, step);
   std::string diagnostics;
   for (const Diagnostic& diagnostic : step.diagnostics) diagnostics += diagnostic_html(page, diagnostic);
   if (!diagnostics.empty()) rows += term_html("report", diagnostics);

@@ -17,6 +17,7 @@ struct PageContext {
   NotesMath& math;
   const std::string& link;  // to the notes; empty: there is none
   FileId file = 0;          // which `link` leads to
+  const std::vector<WorkedStep>& derivations;
 };
 
 /// The whole <style> and <script>.

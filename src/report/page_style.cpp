@@ -121,6 +121,11 @@ dl { margin: .3rem 0 0; }
 .row ul { margin: 0; padding: 0; list-style: none; }
 .row p { margin: 0 0 .2rem; }
 .values { display: flex; flex-wrap: wrap; gap: .1rem 1.75rem; }
+.row ol.small { margin: 0; padding: 0; list-style: none; }
+.small li { display: flex; flex-wrap: wrap; align-items: baseline; gap: 0 1.5rem; padding: .15rem 0; }
+.small li + li { padding-left: 1.25rem; }
+.small .math { overflow-x: auto; overflow-y: hidden; max-width: 100%; padding: .1rem 0; }
+.rule { color: var(--soft); font-size: .85rem; margin-left: auto; text-align: right; }
 .particle { color: var(--soft); }
 .plot { margin: .8rem 0 0; background: #fff; border-radius: 6px; padding: .5rem; overflow-x: auto; }
 .plot svg { display: block; max-width: 100%; height: auto; min-width: 26rem; margin: 0 auto; }
@@ -129,7 +134,9 @@ dl { margin: .3rem 0 0; }
 
 @media (max-width: 40rem) {
   .top { padding: 1.5rem 1rem .5rem; } .page { padding: 0 .75rem 3rem; } .controls { position: static; padding: .6rem 1rem; }
-  .display { padding: .7rem .75rem .5rem; } .step summary, .forms > summary, .details { padding-left: .75rem; padding-right: .75rem; }
+  .display { padding: .5rem .75rem; flex-wrap: wrap; gap: 0; } .display .shown { flex-basis: 100%; }
+  .tag { order: -1; flex: 1 0 100%; text-align: right; font-size: .85rem; line-height: 1; }
+  .step summary, .forms > summary, .details { padding-left: .75rem; padding-right: .75rem; }
   .legend { grid-template-columns: 1fr; gap: .45rem; }
   .step summary { flex-wrap: wrap; gap: .1rem .75rem; position: relative; padding-right: 2.25rem; }
   .step summary::after { position: absolute; right: .75rem; top: .42rem; }

@@ -9,6 +9,7 @@
 #include "check/report.h"
 #include "latex/layout.h"
 #include "latex/macros.h"
+#include "report/worked_step.h"
 #include "source/source_map.h"
 
 namespace rigor {
@@ -32,7 +33,8 @@ using ShownItem = std::variant<ShownHeading, ShownEquation>;
 struct ShownNotes {
   const FileReport* report = nullptr;
   std::vector<ShownItem> items;
-  MacroTable macros;  // at the end
+  MacroTable macros;                         // at the end
+  std::vector<WorkedStep> derivations = {};  // of steps, where they were asked for
 };
 
 /// `report` was made of a file in `sources`, and outlives the answer. Displays without a step are there, too.

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/worked_step.h"
+
+#include "derive/explanation.h"
+#include "expr/print_latex.h"
+
+namespace rigor {
+namespace {
+
+WorkedStep worked(WrittenForms& forms, std::size_t chain, std::size_t step) {
+  const Explanation explained = explain_step(forms, chain, step);
+  const WrittenFormChain& of = forms.chains[chain];
+  const Notation notation = notation_at(forms, of);
+  WorkedStep derivation{.span = cover(of.forms[step].span, of.forms[step + 1].span),
+                        .start = print_latex(forms.tree, explained.start, notation),
+                        .lines = {},
+                        .gap = explained.gap};
+  for (const SmallStep& each : explained.steps)
+    derivation.lines.push_back(
+        {each.nearly ? "\\approx" : "=", print_latex(forms.tree, each.expr, notation), each.rule});
+  return derivation;
+}
+
+}  // namespace
+
+std::vector<WorkedStep> worked_steps(WrittenForms& forms) {
+  std::vector<WorkedStep> all;
+  for (std::size_t chain = 0; chain < forms.chains.size(); ++chain) {
+    for (std::size_t step = 0; step < forms.chains[chain].steps.size(); ++step) {
+      const WrittenFormChain& of = forms.chains[chain];
+      const WrittenStep& written = of.steps[step];
+      const bool is_proved = written.outcome == Outcome::proved && !written.defines && of.image == 0;
+      if (is_proved && of.forms[step].expr && of.forms[step + 1].expr)
+        all.push_back(worked(forms, chain, step));
+    }
+  }
+  return all;
+}
+
+const WorkedStep* worked_step_at(const std::vector<WorkedStep>& all, const SourceMap& sources, Span step) {
+  for (const WorkedStep& each : all) {
+    const bool same = each.span.begin == step.begin && each.span.end == step.end &&
+                      sources.path(each.span.file) == sources.path(step.file);
+    if (same && !each.lines.empty() && !each.gap) return &each;
+  }
+  return nullptr;
+}
+
+}  // namespace rigor
