@@ -55,7 +55,7 @@ expect_breach(src/latex/b.h "${spdx}\n#include \"expr/a.h\"\n"
   "src/latex/b.h:3: `latex` includes `expr/a.h`, but stands on: source base")
 expect_breach(src/base/b.h "${spdx}#  include \"source/a.h\" // [;]\n"
   "src/base/b.h:2: `base` includes `source/a.h`, but stands on: ")
-expect_breach(src/report/latex/b.sty "\\ProvidesPackage{b}\n"
+expect_breach(src/report/latex/b.sty "% words\n"
   "src/report/latex/b.sty:1: the first line is not `% SPDX-License-Identifier: GPL-3.0-or-later`")
 expect_breach(src/check/b.cpp "${spdx}// a;b;c [ \\\n\n#include <ginac/ginac.h>\n"
   "src/check/b.cpp:4: `check` includes `ginac/ginac.h`, which only `algebra` may")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several processes, remembered decisions and all formats, on all notes that are here: the same bytes but for times.
+// All formats, several processes and remembered decisions, on all notes: the same bytes but for times.
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,7 +35,8 @@ void check_same(const Outcome& one, const Outcome& two) {
   const std::string second = without_times(two.text);
   const auto differ = std::mismatch(first.begin(), first.end(), second.begin(), second.end());
   const auto at = static_cast<std::size_t>(differ.first - first.begin());
-  INFO(first.substr(at < 200 ? 0 : at - 200, 400) << "\n----\n" << second.substr(at < 200 ? 0 : at - 200, 400));
+  INFO(first.substr(at < 200 ? 0 : at - 200, 400) << "\n----\n"
+                                                  << second.substr(at < 200 ? 0 : at - 200, 400));
   CHECK((first == second));
 }
 
