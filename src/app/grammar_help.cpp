@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <array>
-
 #include "app/completion.h"
 #include "app/grammar.h"
 #include "app/manual.h"
@@ -12,12 +10,13 @@ namespace rigor {
 
 void add_help(Grammar& grammar) {
   const auto topic = std::make_shared<std::string>();
-  CLI::App& app = grammar.command("help", "Print the help of a command", {"help check"},
-                                  [topic, &grammar]() -> CommandLine {
-                                    if (topic->empty()) return {.text = grammar.app().help()};
-                                    const std::array words{"rigor", topic->c_str(), "--help"};
-                                    return parse_command_line(static_cast<int>(words.size()), words.data());
-                                  });
+  CLI::App& app =
+      grammar.command("help", "Print the help of a command", {"help check"}, [topic]() -> CommandLine {
+        std::vector<const char*> words{"rigor"};
+        if (!topic->empty()) words.push_back(topic->c_str());
+        words.push_back("--help");
+        return parse_command_line(static_cast<int>(words.size()), words.data());
+      });
   const auto known = [&grammar](const std::string& name) {
     if (grammar.has(name)) return std::string();
     return fmt::format("`{}` is no command; did you mean `{}`?", name,

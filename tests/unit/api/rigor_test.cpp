@@ -85,7 +85,7 @@ TEST_CASE("notes are steps in their order, and a file that is missing is not rea
   CHECK_FALSE(checked.all_hold);
   REQUIRE(checked.steps.size() == 2);
   CHECK(checked.steps[0].holds);
-  CHECK(checked.steps[1].tag == "2");
+  CHECK(checked.steps[1].tag == "(2)");
   CHECK(checked.steps[1].line == 3);
   CHECK(checked.steps[1].column == 3);
   CHECK(checked.message.starts_with(path.string() + ":3:5: refuted: "));

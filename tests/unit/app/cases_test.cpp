@@ -49,7 +49,7 @@ TEST_CASE("one check writes what became of each step, and each is told by its na
   std::ostringstream told;
   CHECK(tell_case({folder / "v.json", "v (1) step 1"}, told, err) == ExitCode::ok);
   CHECK(tell_case({folder / "v.json", "v (2) step 1"}, told, err) == ExitCode::wrong);
-  CHECK(told.str().find((folder / "v.md") + ":3:29: refuted: the sides differ") != std::string::npos);
+  CHECK(told.str().find((folder / "v.md") + ":3:30: refuted: the sides differ") != std::string::npos);
   CHECK(told.str().find("sample: \\mathbf{A} = (1, 0, 0)") != std::string::npos);
   CHECK(tell_case({folder / "v.json", "v (whole file)"}, told, err) == ExitCode::ok);
   CHECK(err.str().empty());
