@@ -9,27 +9,19 @@
 
 namespace rigor {
 
-/// Equal texts mean equal polynomials. The other way round it holds where at most `most_renamings` names of
-/// summed letters had to be tried, and for what is not equal for deeper reasons (such as four indices that
+/// A monomial without its coefficient.
+struct CanonicalMonomial {
+  std::string text;
+  int sign = 1;  // 0: vanishes by a symmetry
+};
+
+[[nodiscard]] CanonicalMonomial canonical_monomial(const SymbolTable& symbols, const IndexMonomial& term);
+
+/// Equal texts mean equal polynomials. Equal polynomials have equal texts where at most `most_renamings` names
+/// of summed letters had to be tried, unless they are equal for deeper reasons (such as that four indices
 /// cannot all be different).
 [[nodiscard]] std::string canonical_text(const SymbolTable& symbols, const IndexPolynomial& polynomial);
 
-/// The same without adding up equal terms: texts are equal where each term of one polynomial is a term of the
-/// other.
-[[nodiscard]] std::string text_of_terms(const SymbolTable& symbols, const IndexPolynomial& polynomial);
-
 inline constexpr std::size_t most_renamings = 720;
-
-/// Powers of equal factors joined, √x √x = x, a_i a_i / |a|² = 1, numbers taken out of roots and
-/// denominators. False where nothing changed.
-bool join_powers(ExprTree& tree, IndexPolynomial& polynomial);
-
-/// Terms that are their own negative for a symmetry, such as ε_ijk A_j A_k, are dropped. False where there is
-/// none.
-bool drop_antisymmetric(const SymbolTable& symbols, IndexPolynomial& polynomial);
-
-/// Equal terms added up, those that vanish by a symmetry dropped, powers of equal factors joined, √x √x = x,
-/// a_i a_i / |a|² = 1. The first of equal terms stays as it was written.
-[[nodiscard]] IndexPolynomial collected(ExprTree& tree, const IndexPolynomial& polynomial);
 
 }  // namespace rigor

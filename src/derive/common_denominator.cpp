@@ -4,6 +4,7 @@
 #include <map>
 
 #include "derive/canonical.h"
+#include "derive/collected.h"
 #include "derive/contraction.h"
 #include "derive/descent.h"
 #include "derive/factor_node.h"

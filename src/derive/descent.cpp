@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "derive/along_axes.h"
-#include "derive/canonical.h"
+#include "derive/collected.h"
 #include "derive/contraction.h"
 #include "derive/first_order.h"
 #include "derive/fold.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "derive/canonical.h"
+#include "derive/collected.h"
 #include "derive/contraction.h"
 
 namespace rigor {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/line.h"
 
-#include "derive/canonical.h"
+#include "derive/collected.h"
 #include "derive/shape.h"
 
 namespace rigor {

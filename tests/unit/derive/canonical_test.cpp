@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/canonical.h"
+#include "derive/collected.h"
 
 #include "derive/written.h"
 
