@@ -14,7 +14,7 @@
 namespace rigor {
 namespace {
 
-constexpr int most_rounds = 10;
+constexpr int most_rounds = 16;
 
 /// A hole on the way to its answer.
 struct OpenHole {
@@ -120,8 +120,11 @@ class Answering {
                                   : fmt::format("any multiple of `{}` can be added", part);
       }
       if (wanted_.form == AnswerForm::collected) add_forms_of_notes(hole, reading, other);
+      if (proposals.refuted_necessary && !reading.nearly) {
+        hole.would_be = print(hole, *proposals.necessary);
+        continue;
+      }
       for (const ExprId value : proposals.values) add(hole, print(hole, value), other);
-      if (proposals.refuted_necessary && !reading.nearly) hole.would_be = print(hole, *proposals.necessary);
     }
   }
 

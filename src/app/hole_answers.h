@@ -41,7 +41,7 @@ struct HoleAnswers {
 };
 
 /// Never throws for anything in the notes. Cost: a reading of the notes with all their verdicts, and one for
-/// each round in which the next answers are tried, at most ten.
+/// each round in which the next answers are tried, at most 16.
 [[nodiscard]] HoleAnswers answer_holes(const HoleNotes& notes, AnswerForm form);
 
 }  // namespace rigor

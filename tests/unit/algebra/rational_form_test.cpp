@@ -66,7 +66,7 @@ TEST_CASE("a division by zero has no form") {
 TEST_CASE("a polynomial is collected by what is given") {
   AskedExpressions asked({"a x + b x + a b", "x"});
   const ExprId by[] = {asked.at(1)};
-  CHECK(asked.print(collected_by(asked.tree(), asked.at(0), by)) == "(a + b) x + a b");
+  CHECK(asked.print(collected_by(asked.tree(), asked.at(0), by)) == R"((a + b)\,x + a b)");
 }
 
 TEST_CASE("what is of second order falls out, and only that") {

@@ -39,7 +39,7 @@ std::string printed_by(const std::string& command) {
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
   std::ostringstream both;
-  run(static_cast<int>(pointers.size()), pointers.data(), both, both);
+  static_cast<void>(run(static_cast<int>(pointers.size()), pointers.data(), both, both));
   return both.str();
 }
 

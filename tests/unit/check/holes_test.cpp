@@ -46,7 +46,7 @@ TEST_CASE("a hole is a scalar, a vector or a tensor as its place asks") {
   CHECK(shape_of(R"(\mathbf{A}\times\square = \mathbf{C})") == R"(\square)");
   const auto holes = holes_of(R"($$\mathbf{L} = \square\cdot\boldsymbol{\omega}$$)");
   REQUIRE(holes.size() == 1);
-  REQUIRE(holes[0].readings.size() == 1);
+  CHECK(holes[0].readings.size() == 2);  // a number before the vector, and a tensor
 }
 
 TEST_CASE("two holes in one expression are not read") {
@@ -74,6 +74,6 @@ TEST_CASE("a name that is nearly right does not fit") {
 TEST_CASE("what is multiplied by zero takes anything") {
   const auto holes = holes_of(R"($$(a - a)\square = 0$$)");
   REQUIRE(holes.size() == 1);
-  REQUIRE(holes[0].readings.size() == 1);
+  REQUIRE_FALSE(holes[0].readings.empty());
   CHECK(holes[0].readings[0].takes_anything);
 }
