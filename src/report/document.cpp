@@ -14,9 +14,10 @@
 namespace rigor {
 namespace {
 
-constexpr double line_width = 33;   // in em, for mathematics beside a mark
-constexpr double small_width = 34;  // in em of the small print, for mathematics beside a rule
-constexpr double most_width = 300;  // in em: what is wider is shown as source
+constexpr double line_width = 33;           // in em, for mathematics beside a mark
+constexpr double small_width = 34;          // in em of the small print, for mathematics beside a rule
+constexpr double most_derived_width = 110;  // in em of the small print: no line of a derivation is wider
+constexpr double most_width = 300;          // in em: what is wider is shown as source
 
 constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
@@ -251,6 +252,12 @@ class NotesWriter {
                             &line == &lines.back() ? rule : "");
       }
     };
+    const bool is_long =
+        std::any_of(derivation.lines.begin(), derivation.lines.end(), [&](const WorkedLine& line) {
+          const auto box = math_.box_of(line.latex);
+          return !box || typeset_width(*box) > most_derived_width;
+        });
+    if (is_long) return "its small steps are too long to be set here\\par\n";
     add_line("2em", derivation.start, "");
     for (const WorkedLine& line : derivation.lines)
       add_line("3em", line.relation + " " + line.latex, this->line(math_.rule_of(line.rule)));

@@ -32,6 +32,6 @@ struct WorkedStep {
 
 /// The one that belongs to these bytes of this file, if there is one that says something.
 [[nodiscard]] const WorkedStep* worked_step_at(const std::vector<WorkedStep>& all, const SourceMap& sources,
-                                              Span step);
+                                               Span step);
 
 }  // namespace rigor
