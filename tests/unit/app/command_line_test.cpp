@@ -43,6 +43,22 @@ TEST_CASE("options are read before and after the files") {
   CHECK(line.check->debug == std::vector<DebugTopic>{DebugTopic::time, DebugTopic::steps});
 }
 
+TEST_CASE("formats, processes, a cache and marks are read, and what contradicts is refused") {
+  const CommandLine line =
+      parse({"check", "a.md", "--format", "sarif", "-j", "3", "--cache", "c", "--marks", "m"});
+  REQUIRE(line.check);
+  CHECK(line.check->format == ReportFormat::sarif);
+  CHECK(line.check->jobs == 3);
+  CHECK(line.check->cache == "c");
+  CHECK(line.check->marks == "m");
+  CHECK(usage_error({"check", "a.md", "--json", "--format", "text"}) ==
+        "rigor: `--json` is `--format json`, and `text` is asked for");
+  CHECK(usage_error({"check", "a.md", "--jobs", "3x"}) ==
+        "rigor: `--jobs` is a number from 0 to 1024, not `3x`");
+  CHECK(usage_error({"check", "a.md", "b.md", "--marks", "m"}) ==
+        "rigor: `--marks` belongs to one file, and 2 are given");
+}
+
 TEST_CASE("a sidecar with an empty name is a sidecar") {
   const CommandLine line = parse({"check", "a.md", "--sidecar="});
   CHECK((!line.check || line.check->sidecar == ""));
@@ -94,7 +110,7 @@ TEST_CASE("what is wrong with a command line is said in one line") {
   CHECK(usage_error({"check", "a.md", "--color", "pink"}) ==
         "rigor: --color: unknown colour setting `pink`; known: auto, always, never");
   CHECK(usage_error({"check", "a.md", "--debug", "all"}) ==
-        "rigor: --debug: unknown topic `all`; known: time, steps");
+        "rigor: --debug: unknown topic `all`; known: time, steps, cache");
   CHECK(usage_error({"check", "a.md", "b.md", "--sidecar", "s.rigor"}) ==
         "rigor: `--sidecar` belongs to one file, and 2 are given");
 }
@@ -104,8 +120,8 @@ TEST_CASE("help and version are no errors") {
   CHECK(parse({"--version"}).text == "rigor " + std::string(version) + "\nwith " + engine_version() + "\n");
   const CommandLine help = parse({"check", "--help"});
   CHECK(help.code == ExitCode::ok);
-  for (const char* part :
-       {"--json", "--sidecar FILE", "--strict", "--color", "--debug", "Example:", "  66  "})
+  for (const char* part : {"--json", "--sidecar FILE", "--strict", "--color", "--debug", "--format", "--jobs",
+                           "--cache", "--marks", "Examples:", "  66  "})
     CHECK(help.text.find(part) != std::string::npos);
 }
 

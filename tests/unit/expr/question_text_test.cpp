@@ -12,6 +12,11 @@ struct Built {
   Question question;
 };
 
+ExprId symbol_node(ExprTree& tree, SymbolId id) {
+  const auto rank = static_cast<std::uint8_t>(tree.symbols[id].rank);
+  return tree.add({.op = Op::symbol, .rank = rank, .symbol = id});
+}
+
 void build(Built& built, int before, const char* name = "a", int rank = 1) {
   ExprTree& tree = built.tree;
   for (int k = 0; k < before; ++k) {
@@ -22,8 +27,7 @@ void build(Built& built, int before, const char* name = "a", int rank = 1) {
   const SymbolId a = tree.symbols.add({.name = name, .rank = rank});
   const SymbolId b = tree.symbols.add({.name = "b", .rank = rank});
   const SymbolId c = tree.symbols.add({.name = "c"});
-  const ExprId sides[] = {tree.add({.op = Op::symbol, .symbol = a}),
-                          tree.add({.op = Op::symbol, .symbol = b})};
+  const ExprId sides[] = {symbol_node(tree, a), symbol_node(tree, b)};
   const ExprId left = tree.add({.op = rank == 1 ? Op::dot : Op::multiply}, sides);
   const ExprId right =
       tree.add({.op = Op::symbol, .span = {0, static_cast<std::uint32_t>(before), 9}, .symbol = c});
