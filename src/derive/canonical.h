@@ -17,9 +17,9 @@ struct CanonicalMonomial {
 
 [[nodiscard]] CanonicalMonomial canonical_monomial(const SymbolTable& symbols, const IndexMonomial& term);
 
-/// Equal texts mean equal polynomials. Equal polynomials have equal texts where at most `most_renamings` names
-/// of summed letters had to be tried, unless they are equal for deeper reasons (such as that four indices
-/// cannot all be different).
+/// Equal texts mean equal polynomials. Equal polynomials have equal texts where at most `most_renamings`
+/// names of summed letters had to be tried, unless they are equal for deeper reasons (such as that four
+/// indices cannot all be different).
 [[nodiscard]] std::string canonical_text(const SymbolTable& symbols, const IndexPolynomial& polynomial);
 
 inline constexpr std::size_t most_renamings = 720;

@@ -58,8 +58,7 @@ bool is_ornament(TokenView block) {
     return is_blank(token) || is_spacing(token) || is_sign(token, ".") || is_sign(token, ",") ||
            is_sign(token, ";") || is_sign(token, ":") || is_control(token, "checkmark") ||
            is_control(token, "blacksquare") || is_control(token, "qed") || is_control(token, "Box") ||
-           is_control(token, "square") ||
-           is_control(token, "therefore") || is_control(token, "because");
+           is_control(token, "square") || is_control(token, "therefore") || is_control(token, "because");
   });
 }
 

@@ -242,8 +242,8 @@ std::string letter_of(const Token& token) {
 }
 
 bool is_greek(std::string_view letter) {
-  return letter.size() > 1 && letter.front() == '\\' && letter != hole_letter && letter != "\\ell" && letter != "\\imath" &&
-         letter != "\\jmath" && letter != "\\hbar";
+  return letter.size() > 1 && letter.front() == '\\' && letter != hole_letter && letter != "\\ell" &&
+         letter != "\\imath" && letter != "\\jmath" && letter != "\\hbar";
 }
 
 bool is_asking_mark(std::span<const Token> tokens, std::size_t at) {
@@ -320,8 +320,7 @@ std::optional<FieldOperator> field_operator(std::string_view word) {
 std::string_view unread_reason(std::string_view control) {
   static const std::unordered_map<std::string_view, std::string_view> table = [] {
     std::unordered_map<std::string_view, std::string_view> reason;
-    for (const char* word : {"fdv", "functionalderivative"})
-      reason.emplace(word, field_derivative);
+    for (const char* word : {"fdv", "functionalderivative"}) reason.emplace(word, field_derivative);
     for (const char* word : {"arcsin", "arccos", "arctan", "max", "min", "arg", "sgn", "coth", "lg"})
       reason.emplace(word, transcendental);
     for (const char* word : {"iint", "oint", "oiint"})
