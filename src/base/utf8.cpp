@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace rigor {
 namespace {
@@ -48,6 +49,12 @@ std::string_view printed(std::string_view text, std::size_t begin, std::size_t e
 }
 
 }  // namespace
+
+std::string as_utf8(std::string_view bytes) {
+  std::string text;
+  utf8::replace_invalid(bytes.begin(), bytes.end(), std::back_inserter(text), 0xFFFD);
+  return text;
+}
 
 std::size_t count_code_points(std::string_view text) {
   return static_cast<std::size_t>(

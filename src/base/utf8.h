@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text as code points and as cells of a terminal. Nothing here fails: a byte that is not UTF-8 is one `?`.
+// Text as code points and as cells of a terminal. Nothing here fails: a byte that is not UTF-8 is one `?`
+// (U+FFFD in `as_utf8`).
 #pragma once
 
 #include <cstddef>
@@ -19,6 +20,10 @@ namespace rigor {
 
 /// The code point at `offset` (below text.size()), which moves past it. A byte that is not UTF-8 gives `?`.
 [[nodiscard]] char32_t next_code_point(std::string_view text, std::size_t& offset);
+
+inline constexpr std::string_view replacement_character = "\xEF\xBF\xBD";  // U+FFFD
+/// The same text with U+FFFD for what is not UTF-8.
+[[nodiscard]] std::string as_utf8(std::string_view bytes);
 
 /// Cells of a terminal: 0 for a combining mark, 2 for a wide (East Asian or emoji) character, else 1.
 [[nodiscard]] std::uint32_t cells(char32_t code_point);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "derive/canonical.h"
+#include "derive/collected.h"
 #include "derive/contraction.h"
 #include "derive/fold.h"
 #include "derive/letter_choice.h"

@@ -8,12 +8,6 @@
 
 namespace rigor {
 
-[[nodiscard]] std::string as_utf8(std::string_view bytes);
-
-/// For XML 1.0, between tags and inside `"…"`. A character that XML cannot have becomes U+FFFD; line breaks
-/// and tabs survive in attributes, too.
-[[nodiscard]] std::string xml_text(std::string_view text);
-
 /// A path as a relative reference (RFC 3986), byte by byte; an absolute path as a `file:` URI.
 [[nodiscard]] std::string uri_of_path(std::string_view path);
 

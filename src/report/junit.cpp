@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/utf8.h"
-#include "report/escape.h"
+#include "base/xml.h"
 #include "report/finding.h"
 
 namespace rigor {
@@ -41,7 +41,7 @@ struct JunitSuite {
 std::string seconds(double milliseconds) { return fmt::format("{:.6f}", milliseconds / 1000.0); }
 
 std::string attribute(std::string_view name, std::string_view value) {
-  return fmt::format(" {}=\"{}\"", name, xml_text(value));
+  return fmt::format(" {}=\"{}\"", name, xml_escaped(value));
 }
 
 std::string words_of(Verdict verdict) {
@@ -156,9 +156,9 @@ std::string print(const JunitCase& test, const SourceMap& sources, const std::st
     text += "      <skipped" + attribute("message", test.message) + "/>\n";
   } else if (!test.outcome.empty()) {
     text += "      <" + test.outcome + attribute("message", test.message) + attribute("type", test.type) +
-            ">" + xml_text(test.text) + "</" + test.outcome + ">\n";
+            ">" + xml_escaped(test.text) + "</" + test.outcome + ">\n";
   }
-  if (!test.output.empty()) text += "      <system-out>" + xml_text(test.output) + "</system-out>\n";
+  if (!test.output.empty()) text += "      <system-out>" + xml_escaped(test.output) + "</system-out>\n";
   return text + "    </testcase>\n";
 }
 
