@@ -30,13 +30,13 @@ class Lines {
     blocks_.back().lines.push_back({"=", print(from), "derivatives taken"});
   }
 
-  void add(std::string relation, ExprId expr, std::string rule) {
-    blocks_.back().lines.push_back({std::move(relation), print(expr), std::move(rule)});
+  void add(std::string relation, ExprId expr, std::string rule, LineKind kind = LineKind::holds) {
+    blocks_.back().lines.push_back({std::move(relation), print(expr), std::move(rule), kind});
     last_ = expr;
   }
   void add_words(std::string words) {
     if (blocks_.empty()) blocks_.emplace_back();
-    blocks_.back().lines.push_back({"", "", std::move(words)});
+    blocks_.back().lines.push_back({"", "", std::move(words), LineKind::words});
     last_.reset();
   }
   void end_block() { last_.reset(); }
@@ -77,7 +77,7 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
     lines.add_words("not understood: `rigor check` says why");
     return ExplainedAs::open;
   }
-  const std::string relation = written.nearly ? "\\approx" : "=";
+  const std::string relation = written.nearly && written.kind == "=" ? "\\approx" : written.kind;
   if (written.defines || written.given) {
     lines.start_at(*left.expr, "", nullptr);
     lines.add(relation, *right.expr, written.defines ? "definition" : "given");
@@ -85,14 +85,16 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
   }
   if (written.outcome == Outcome::refuted) {
     lines.start_at(*left.expr, "", &left);
-    lines.add("\\ne", *right.expr, written.expected_refuted ? "refuted, as expected" : "refuted");
+    lines.add(relation == "=" ? "\\ne" : relation, *right.expr,
+              written.expected_refuted ? "refuted, as expected" : "refuted", LineKind::refuted);
     lines.end_block();
     return written.expected_refuted ? ExplainedAs::expected_refuted : ExplainedAs::refuted;
   }
   if (written.outcome != Outcome::proved) {
     lines.start_at(*left.expr, "", &left);
-    lines.add("\\overset{?}{=}", *right.expr,
-              written.outcome ? "not decided by `rigor check`" : "not understood by `rigor check`");
+    lines.add(relation, *right.expr,
+              written.outcome ? "not decided by `rigor check`" : "not understood by `rigor check`",
+              LineKind::not_reached);
     lines.end_block();
     return ExplainedAs::open;
   }
@@ -104,7 +106,7 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
   for (const SmallStep& small : explanation.steps)
     lines.add(small.nearly ? "\\approx" : "=", small.expr, small.rule);
   if (explanation.gap) {
-    lines.add("\\overset{?}{=}", *right.expr, "not reached: " + *explanation.gap);
+    lines.add(relation, *right.expr, "not reached: " + *explanation.gap, LineKind::not_reached);
     lines.end_block();
     return ExplainedAs::open;
   }
@@ -113,6 +115,10 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
 }
 
 }  // namespace
+
+std::string shown_relation(const ExplainedLine& line) {
+  return line.kind == LineKind::not_reached ? "\\overset{?}{" + line.relation + "}" : line.relation;
+}
 
 ExplainedChain explain_chain(WrittenForms& forms, std::size_t chain, const SourceMap& sources) {
   const WrittenFormChain& written = forms.chains[chain];
@@ -134,7 +140,7 @@ ExplainedChain explain_chain(WrittenForms& forms, std::size_t chain, const Sourc
 ExplainedTally tally(const std::vector<ExplainedChain>& chains) {
   ExplainedTally tally;
   for (const ExplainedChain& chain : chains) {
-    const std::size_t before = tally.steps;
+    const ExplainedTally before = tally;
     for (const ExplainedAs step : chain.steps) {
       if (step == ExplainedAs::known || step == ExplainedAs::expected_refuted) continue;
       ++tally.steps;
@@ -142,7 +148,9 @@ ExplainedTally tally(const std::vector<ExplainedChain>& chains) {
       if (step == ExplainedAs::by_cases) ++tally.by_cases;
       if (step == ExplainedAs::small || step == ExplainedAs::by_cases) ++tally.explained;
     }
-    if (tally.steps > before) ++tally.chains;
+    if (tally.steps == before.steps) continue;
+    ++tally.chains;
+    if (tally.steps - before.steps == tally.explained - before.explained) ++tally.whole;
   }
   return tally;
 }
@@ -150,6 +158,8 @@ ExplainedTally tally(const std::vector<ExplainedChain>& chains) {
 std::string tally_text(const ExplainedTally& tally) {
   std::string text = fmt::format("explained {} of {} step{} in {} chain{}", tally.explained, tally.steps,
                                  tally.steps == 1 ? "" : "s", tally.chains, tally.chains == 1 ? "" : "s");
+  if (tally.chains > 1 && tally.whole < tally.chains)
+    text += fmt::format(", {} of them whole ({} %)", tally.whole, 100 * tally.whole / tally.chains);
   if (tally.by_cases > 0) text += fmt::format(", {} component by component", tally.by_cases);
   if (tally.refuted > 0) text += fmt::format("; {} refuted", tally.refuted);
   return text;

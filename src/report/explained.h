@@ -21,13 +21,23 @@ enum class ExplainedAs : std::uint8_t {
   open,  // a gap, or not proved
 };
 
+enum class LineKind : std::uint8_t {
+  holds,
+  refuted,
+  not_reached,  // the other side, which no step led to
+  words,        // no mathematics, only a rule
+};
+
 /// One line of a derivation.
 struct ExplainedLine {
-  std::string
-      relation;  // LaTeX: `=`, `\approx`, `\ne`, `\overset{?}{=}` (not reached); empty: the line is words
+  std::string relation;  // LaTeX, to what stands above: `=`, `\approx`, `<`; `\ne` where `=` is refuted
   std::string latex;
   std::string rule;  // in words, with names in LaTeX
+  LineKind kind = LineKind::holds;
 };
+
+/// The relation as it is shown: with a question mark over it if the line was not reached.
+[[nodiscard]] std::string shown_relation(const ExplainedLine& line);
 
 /// What one expression is turned into.
 struct ExplainedBlock {
@@ -44,6 +54,7 @@ struct ExplainedChain {
 
 struct ExplainedTally {
   std::size_t chains = 0;  // with a step that is to be explained
+  std::size_t whole = 0;   // of these, with all such steps explained
   std::size_t steps = 0;   // that are to be explained
   std::size_t explained = 0;
   std::size_t by_cases = 0;  // of these
@@ -54,7 +65,7 @@ struct ExplainedTally {
 [[nodiscard]] ExplainedChain explain_chain(WrittenForms& forms, std::size_t chain, const SourceMap& sources);
 
 [[nodiscard]] ExplainedTally tally(const std::vector<ExplainedChain>& chains);
-/// `explained 5 of 6 steps in 2 chains`
+/// `explained 5 of 6 steps in 2 chains, 1 of them whole (50 %)`
 [[nodiscard]] std::string tally_text(const ExplainedTally& tally);
 
 /// Words and mathematics of a rule apart: `definition of \mathbf{v}_\alpha`.

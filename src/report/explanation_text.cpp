@@ -16,8 +16,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t widest_text = 72;  // cells beside which a rule stands
-constexpr std::string_view not_reached = "\\overset{?}{=}";
-constexpr double widest_line = 24;  // em
+constexpr double widest_line = 24;       // em
 
 /// Mathematics that was printed, laid out.
 Box layout_of_latex(const std::string& latex) {
@@ -34,17 +33,22 @@ std::string plain_rule(const std::string& rule) {
   return text;
 }
 
-std::string sign_of(const std::string& relation) {
-  if (relation == "\\approx") return "≈";
-  if (relation == not_reached) return "≟";
-  return relation == "\\ne" ? "≠" : relation;
+std::string sign_of(const ExplainedLine& line) {
+  const std::string sign = plain(line.relation);
+  if (line.kind != LineKind::not_reached) return sign;
+  return sign == "=" ? "≟" : sign + "?";
+}
+
+Paint paint_of(LineKind kind) {
+  if (kind == LineKind::holds) return Paint::faint;
+  return kind == LineKind::refuted ? Paint::bad : Paint::open;
 }
 
 void append_block(std::string& text, const ExplainedBlock& block, const TerminalOptions& options) {
   std::size_t column = 0;
   std::vector<std::string> lines;
   for (const ExplainedLine& line : block.lines) {
-    lines.push_back(line.relation.empty() ? "" : sign_of(line.relation) + " " + plain(line.latex));
+    lines.push_back(line.kind == LineKind::words ? "" : sign_of(line) + " " + plain(line.latex));
     const std::size_t width = cells(lines.back());
     if (width <= widest_text) column = std::max(column, width);
   }
@@ -58,11 +62,9 @@ void append_block(std::string& text, const ExplainedBlock& block, const Terminal
     text += "    " + lines[k];
     const std::string rule = plain_rule(line.rule);
     const std::size_t width = cells(lines[k]);
-    const Paint style = line.relation == "\\ne"        ? Paint::bad
-                        : line.relation == not_reached ? Paint::open
-                                                       : Paint::faint;
-    if (line.relation.empty()) {
-      text += paint(rule, Paint::open, options.color);
+    const Paint style = paint_of(line.kind);
+    if (line.kind == LineKind::words) {
+      text += paint(rule, style, options.color);
     } else if (!rule.empty()) {
       if (width > column) text += "\n    " + std::string(column, ' ');
       if (width <= column) text += std::string(column - width, ' ');
@@ -143,13 +145,14 @@ std::string rows_of(const ExplainedChain& chain, bool for_tex) {
       if (!block.rule.empty()) rows.back() += " && " + rule_latex("(" + block.rule + ")", for_tex);
     }
     for (const ExplainedLine& line : block.lines) {
-      if (line.relation.empty()) {
+      if (line.kind == LineKind::words) {
         rows.push_back("&\\quad " + rule_latex(line.rule, for_tex));
         continue;
       }
       const std::vector<std::string> parts = for_tex ? cut(line.latex) : std::vector<std::string>{line.latex};
       for (std::size_t k = 0; k < parts.size(); ++k)
-        rows.push_back(k == 0 ? "&\\quad " + line.relation + " " + parts[k] : "&\\qquad {}" + parts[k]);
+        rows.push_back(k == 0 ? "&\\quad " + shown_relation(line) + " " + parts[k]
+                              : "&\\qquad {}" + parts[k]);
       if (!line.rule.empty()) rows.back() += " && " + rule_latex(line.rule, for_tex);
     }
   }

@@ -2,6 +2,7 @@
 #include "report/notes_math.h"
 
 #include "latex/layout_reader.h"
+#include "report/explained.h"
 
 namespace rigor {
 
@@ -17,14 +18,11 @@ std::optional<Box> NotesMath::box_of(const std::string& latex) {
 }
 
 Box NotesMath::rule_of(const std::string& rule) {
-  const std::size_t mark = rule.find_first_of("\\_^");
-  if (mark == std::string::npos) return words_box(rule);
-  const std::size_t blank = rule.rfind(' ', mark);
-  const std::size_t begin = blank == std::string::npos ? 0 : blank + 1;
-  const auto box = box_of(rule.substr(begin));
-  if (!box) return words_box(rule);
   Box line;
-  line.parts = {words_box(rule.substr(0, begin)), *box};
+  for (const RulePart& part : rule_parts(rule)) {
+    const auto box = part.is_math ? box_of(part.text) : std::nullopt;
+    line.parts.push_back(box.value_or(words_box(part.text)));
+  }
   return line;
 }
 

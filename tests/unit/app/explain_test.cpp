@@ -60,9 +60,8 @@ double share_of_chains(const std::string& path) {
   for (std::size_t k = 0; k < reading.forms.chains.size(); ++k) {
     if (reading.forms.chains[k].assumed) continue;
     const ExplainedTally counts = tally({explain_chain(reading.forms, k, sources)});
-    if (counts.steps == 0) continue;
-    ++all;
-    if (counts.explained == counts.steps) ++whole;
+    all += counts.chains;
+    whole += counts.whole;
   }
   REQUIRE(all > 10);
   return static_cast<double>(whole) / static_cast<double>(all);
@@ -101,6 +100,20 @@ TEST_CASE("a place is a tag, a label, a heading or a line, and a tag comes befor
   CHECK(unknown.code == 1);
   CHECK(has(unknown.err, "did you mean `Squares`?"));
   CHECK(unknown.out.empty());
+}
+
+TEST_CASE("an order keeps its sign, whether it is given, refuted or not reached") {
+  const NotesFile notes(
+      "<!-- rigor: scalar a, b\ngiven 0 < a < b\ngiven a b \\neq 7 -->\n"
+      "$$a \\le b$$\n$$2a^2 > b^2 \\tag{2}$$\n");
+  const Explained text = explain({notes.path()});
+  INFO(text.out);
+  CHECK(has(text.out, "  0\n    < a   given\n    < b   given\n"));
+  CHECK(has(text.out, "  ab\n    ≠ 7   given\n"));
+  CHECK(has(text.out, "  a\n    ≤? b   not reached: "));
+  CHECK(has(text.out, "  2a²\n    > b²   refuted\n"));
+  CHECK(has(text.out, "0 of them whole (0 %); 1 refuted"));
+  CHECK(has(explain({notes.path(), "--format", "latex"}).out, "\\overset{?}{\\le}"));
 }
 
 TEST_CASE("a refuted step says so and is counted unless it is expected") {

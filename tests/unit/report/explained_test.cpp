@@ -33,6 +33,10 @@ TEST_CASE("what is known or expected to be refuted is no step to explain") {
   CHECK(tally_text(tally({chain})) == "explained 2 of 3 steps in 1 chain, 1 component by component");
   chain.steps = {ExplainedAs::refuted};
   CHECK(tally_text(tally({chain})) == "explained 0 of 1 step in 1 chain; 1 refuted");
+  ExplainedChain whole;
+  whole.steps = {ExplainedAs::small};
+  CHECK(tally_text(tally({whole, chain, whole})) ==
+        "explained 2 of 3 steps in 3 chains, 2 of them whole (66 %); 1 refuted");
 }
 
 }  // namespace rigor
