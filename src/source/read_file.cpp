@@ -41,6 +41,8 @@ struct Bytes {
   }
 };
 
+constexpr char substitute = '\x1A';  // ASCII's own; shown as `?`, and no sign of any notation
+
 bool looks_like_utf16(std::string_view text) {
   return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
 }
@@ -51,7 +53,7 @@ Bytes replace_invalid(std::string& text) {
   char* const end = begin + text.size();
   for (char* at = begin; (at = utf8::find_invalid(at, end)) != end; ++at) {
     invalid.add(static_cast<std::size_t>(at - begin), *at);
-    *at = '?';
+    *at = substitute;
   }
   return invalid;
 }
@@ -60,7 +62,7 @@ Bytes replace_nul(std::string& text) {
   Bytes nul;
   for (auto at = text.find('\0'); at != text.npos; at = text.find('\0', at + 1)) {
     nul.add(at, '\0');
-    text[at] = '?';
+    text[at] = substitute;
   }
   return nul;
 }

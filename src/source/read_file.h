@@ -12,7 +12,8 @@ namespace rigor {
 [[nodiscard]] Result<std::string> read_file(const std::string& path);
 
 /// Diagnostics for the first invalid UTF-8 byte and the first NUL byte of a text, each with how many there
-/// are; both are replaced by `?` so that reading can go on. A byte-order mark at the start becomes spaces.
+/// are; all are replaced by the substitute character, U+001A, so that reading can go on. A byte-order mark at
+/// the start becomes spaces.
 [[nodiscard]] Diagnostics mend_text(std::string& text, FileId file);
 
 }  // namespace rigor

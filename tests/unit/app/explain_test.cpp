@@ -104,9 +104,9 @@ TEST_CASE("a place is a tag, a label, a heading or a line, and a tag comes befor
 
 TEST_CASE("an order keeps its sign, whether it is given, refuted or not reached") {
   const NotesFile notes(
-      "<!-- rigor: scalar a, b\ngiven 0 < a < b\ngiven a b \\neq 7 -->\n"
+      "# Orders\n<!-- rigor: scalar a, b\ngiven 0 < a < b\ngiven a b \\neq 7 -->\n"
       "$$a \\le b$$\n$$2a^2 > b^2 \\tag{2}$$\n");
-  const Explained text = explain({notes.path()});
+  const Explained text = explain({notes.path(), "--at", "Orders"});
   INFO(text.out);
   CHECK(has(text.out, "  0\n    < a   given\n    < b   given\n"));
   CHECK(has(text.out, "  ab\n    ≠ 7   given\n"));

@@ -28,7 +28,8 @@ TEST_CASE("the keys of the report, a file, the counts and a step are the documen
   CHECK(keys_of(json) == Keys{"rigor", "files", "counts"});
   CHECK(json["rigor"] == std::string(version));
   const Json& file = json["files"][0];
-  CHECK(keys_of(file) == Keys{"file", "steps", "diagnostics", "silenced", "counts", "sidecar", "dimensions"});
+  CHECK(keys_of(file) ==
+        Keys{"file", "steps", "diagnostics", "silenced", "counts", "sidecar", "dimensions", "failure"});
   const Keys verdicts{"proved", "refuted", "given", "definition", "undecided", "not-understood", "skipped"};
   CHECK(keys_of(json["counts"]) == verdicts);
   CHECK(file["counts"] == json["counts"]);

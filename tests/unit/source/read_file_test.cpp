@@ -66,10 +66,10 @@ TEST_CASE("a text of valid UTF-8 is not touched") {
   CHECK(text == "ω² = 𝐀·é\n");
 }
 
-TEST_CASE("every byte that is not UTF-8 becomes a question mark, and the first is reported") {
+TEST_CASE("every byte that is not UTF-8 becomes the substitute character, and the first is reported") {
   std::string text = "a\xE9z\xC0\x80";
   const Diagnostics found = mend_text(text, 3);
-  CHECK(text == "a?z??");
+  CHECK(text == "a\x1Az\x1A\x1A");
   REQUIRE(found.size() == 1);
   CHECK(found[0].kind == DiagnosticKind::invalid_utf8);
   CHECK(found[0].span == Span{3, 1, 2});
@@ -87,16 +87,19 @@ TEST_CASE("one byte that is not UTF-8 is not counted") {
 TEST_CASE("a surrogate and a code point that the end cuts off are not UTF-8") {
   std::string surrogate = "\xED\xA0\x80";
   CHECK(mend_text(surrogate, 0).size() == 1);
-  CHECK(surrogate == "???");
+  CHECK(surrogate == "\x1A\x1A\x1A");
   std::string cut = "x\xE2\x82";
   CHECK(mend_text(cut, 0).size() == 1);
-  CHECK(cut == "x??");
+  CHECK(cut == "x\x1A\x1A");
 }
 
-TEST_CASE("NUL bytes become question marks, and the first is reported after what stands before it") {
+TEST_CASE(
+    "NUL bytes become the substitute character, and the first is reported after what stands before it") {
   std::string text("\xFF\0b\0", 4);
   const Diagnostics found = mend_text(text, 0);
-  CHECK(text == "??b?");
+  CHECK(text ==
+        "\x1A\x1A"
+        "b\x1A");
   REQUIRE(found.size() == 2);
   CHECK(found[0].kind == DiagnosticKind::invalid_utf8);
   CHECK(found[1].kind == DiagnosticKind::nul_byte);
@@ -120,7 +123,7 @@ TEST_CASE("10 MB of bytes that are not UTF-8 are mended within a second") {
   const auto start = std::chrono::steady_clock::now();
   CHECK(mend_text(text, 0).size() == 1);
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
-  CHECK(text == std::string(10'000'000, '?'));
+  CHECK(text == std::string(10'000'000, '\x1A'));
 }
 
 }  // namespace
