@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "app/run.h"
@@ -76,13 +75,6 @@ TEST_CASE("a statement on the command line is explained line by line") {
   CHECK(has(text.out, "  |A×B|²\n    = "));
   CHECK(has(text.out, "= A²B² − (A·B)²"));
   CHECK(has(text.out, "explained 1 of 1 step in 1 chain\n"));
-}
-
-TEST_CASE("the example of docs/explain.md is what is printed") {
-  std::ifstream file("docs/explain.md");
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  const std::string statement = "|\\mathbf A\\times\\mathbf B|^2 = A^2B^2 - (\\mathbf A\\cdot\\mathbf B)^2";
-  CHECK(has(text, "$ rigor explain '" + statement + "'\n" + explain({statement}).out + "```"));
 }
 
 TEST_CASE("a place is a tag, a label, a heading or a line, and a tag comes before a line") {

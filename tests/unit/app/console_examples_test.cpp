@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The examples of docs/holes.md print what stands there.
+// The console examples of the README and the docs print what stands there.
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -43,10 +43,9 @@ std::string printed_by(const std::string& command) {
   return both.str();
 }
 
-}  // namespace
-
-TEST_CASE("the examples of holes.md print what stands there") {
-  std::ifstream file("docs/holes.md");
+/// Runs the examples of a text and compares; how many there are.
+std::size_t examples_that_hold(const char* path) {
+  std::ifstream file(path);
   REQUIRE(file);
   std::string line;
   std::string command;
@@ -55,7 +54,7 @@ TEST_CASE("the examples of holes.md print what stands there") {
   bool inside = false;
   const auto compare = [&] {
     if (command.empty()) return;
-    INFO(command);
+    INFO(path << ": " << command);
     CHECK(printed_by(command) == expected);
     ++examples;
     command.clear();
@@ -74,7 +73,15 @@ TEST_CASE("the examples of holes.md print what stands there") {
       expected += line + "\n";
     }
   }
-  CHECK(examples > 8);
+  return examples;
+}
+
+}  // namespace
+
+TEST_CASE("the console examples of the README and the docs print what stands there") {
+  CHECK(examples_that_hold("docs/holes.md") > 8);
+  CHECK(examples_that_hold("docs/explain.md") == 1);
+  CHECK(examples_that_hold("README.md") == 3);
 }
 
 }  // namespace rigor
