@@ -10,6 +10,7 @@
 #include "check/counterexample.h"
 #include "check/decide_by_record.h"
 #include "check/decision_cache.h"
+#include "check/divisors.h"
 #include "check/identity_reading.h"
 #include "check/law_diagnostic.h"
 #include "check/question.h"
@@ -47,6 +48,8 @@ class Judging {
       decision = decide_order(1);
       decision.vanishes = false;
     }
+    if (decision.outcome == Outcome::refuted)
+      decision = where_nothing_is_divided_by_zero(std::move(decision));
     judgement_.route = decision.route;
     switch (decision.outcome) {
       case Outcome::proved:
@@ -109,6 +112,35 @@ class Judging {
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
     }
+    return decision;
+  }
+
+  /// A sample on which something is 0 by which definitions or assumptions divide is none that the notes speak
+  /// of: then it is looked for with those numbers not 0.
+  Decision where_nothing_is_divided_by_zero(Decision refuted) {
+    if (claim_.recorded != nullptr) return refuted;
+    const std::vector<SymbolId> divisors = divisors_of_sample(tree_, names_, *refuted.sample);
+    if (divisors.empty()) return refuted;
+    const std::size_t first = prepared_.question.assumptions.size();
+    for (const SymbolId divisor : divisors) {
+      Equation nonzero;
+      nonzero.left = tree_.add({.op = Op::symbol, .span = claim_.relation, .symbol = divisor});
+      nonzero.right = tree_.add_number(claim_.relation, "0");
+      nonzero.relation = Relation::unequal;
+      prepared_.question.assumptions.push_back(std::move(nonzero));
+      prepared_.assumptions.push_back(nullptr);
+    }
+    prepared_.question.tree = &tree_;
+    Decision decision = decide_prepared(true);
+    for (const std::size_t which : decision.assumptions) {
+      if (which < first) continue;
+      const std::string& name = tree_.symbols[divisors[which - first]].name;
+      add_use(fmt::format("convention: `{}` is not 0, since the notes divide by it", name));
+    }
+    if (decision.outcome == Outcome::undecided)
+      decision.reason =
+          fmt::format("it was found to fail only where one of {} is 0, by which the notes divide",
+                      quoted_names(tree_, divisors));
     return decision;
   }
 
