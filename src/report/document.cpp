@@ -90,8 +90,7 @@ std::string mark_of(const Step& step) {
 
 class NotesWriter {
  public:
-  NotesWriter(ShownNotes& notes, SourceMap& sources)
-      : notes_(notes), sources_(sources), math_(sources, notes.macros) {}
+  NotesWriter(ShownNotes& notes, SourceMap& sources) : notes_(notes), sources_(sources), math_(sources) {}
 
   std::string write() {
     out_ +=
@@ -105,6 +104,7 @@ class NotesWriter {
 
  private:
   void add(const ShownHeading& heading) {
+    math_.put_in_force(notes_.macros.at(heading.macros));
     const std::string_view size = heading.level <= 1   ? "\\Large"
                                   : heading.level == 2 ? "\\large"
                                                        : "\\normalsize";
@@ -123,6 +123,7 @@ class NotesWriter {
   }
 
   void add(const ShownEquation& equation) {
+    math_.put_in_force(notes_.macros.at(equation.macros));
     if (equation.steps.empty()) return whole(equation);
     out_ += "\\par\\vspace{5pt}\n";
     const Step* before = nullptr;
@@ -244,9 +245,9 @@ class NotesWriter {
   std::string derivation(const WorkedStep& derivation) {
     std::string text;
     const auto add_line = [&](std::string_view indent, const std::string& latex, const std::string& rule) {
-      const auto box = math_.box_of(latex);
-      if (!box || typeset_width(*box) > most_width) return;
-      std::vector<Box> lines = broken_lines(*box, small_width);
+      const Box box = math_.box_of_printed(latex);
+      if (typeset_width(box) > most_width) return;
+      const std::vector<Box> lines = broken_lines(box, small_width);
       for (const Box& line : lines) {
         text += fmt::format("\\rigorsmall{{{}}}{{{}}}{{{}}}\n", indent, to_typeset(line),
                             &line == &lines.back() ? rule : "");
@@ -254,8 +255,7 @@ class NotesWriter {
     };
     const bool is_long =
         std::any_of(derivation.lines.begin(), derivation.lines.end(), [&](const WorkedLine& line) {
-          const auto box = math_.box_of(line.latex);
-          return !box || typeset_width(*box) > most_derived_width;
+          return typeset_width(math_.box_of_printed(line.latex)) > most_derived_width;
         });
     if (is_long) return "its small steps are too long to be set here\\par\n";
     add_line("2em", derivation.start, "");

@@ -49,7 +49,7 @@ class FileWriter {
  public:
   FileWriter(PageNotes& notes, SourceMap& sources, std::size_t number)
       : notes_(notes),
-        math_(sources, notes.shown.macros),
+        math_(sources),
         page_{sources, math_, notes.link, notes.shown.report->file, notes.shown.derivations},
         number_(number) {}
 
@@ -85,6 +85,7 @@ class FileWriter {
   }
 
   void add(const ShownHeading& heading, int below) {
+    math_.put_in_force(notes_.shown.macros.at(heading.macros));
     const int level = std::clamp(heading.level + below, 2, 6);
     const std::string id = fmt::format("s{}-{}", number_, ++headings_);
     const std::string title = line_html(page_, heading.title);
@@ -95,6 +96,7 @@ class FileWriter {
   }
 
   void add(const ShownEquation& equation) {
+    math_.put_in_force(notes_.shown.macros.at(equation.macros));
     std::string text = section_ + " " + equation.source;
     std::string tag;
     for (const Step* step : equation.steps) {
@@ -225,8 +227,9 @@ std::string legend(const Totals& totals) {
   return html + "</dl>\n";
 }
 
-/// The heading that stands above all others of the only file, taken out of its items; else the paths.
-std::string take_title(std::vector<PageNotes>& notes) {
+/// The heading that stands above all others of the only file, taken out of its items, with its macros put in
+/// force; else the paths.
+std::string take_title(NotesMath& math, std::vector<PageNotes>& notes) {
   if (notes.size() == 1) {
     std::vector<ShownItem>& items = notes.front().shown.items;
     const auto* first = items.empty() ? nullptr : std::get_if<ShownHeading>(&items.front());
@@ -236,6 +239,7 @@ std::string take_title(std::vector<PageNotes>& notes) {
     };
     if (first != nullptr && std::count_if(items.begin(), items.end(), is_top) == 1) {
       std::string title = first->title;
+      math.put_in_force(notes.front().shown.macros.at(first->macros));
       items.erase(items.begin());
       return title;
     }
@@ -248,8 +252,8 @@ std::string take_title(std::vector<PageNotes>& notes) {
 
 std::string html_page(std::vector<PageNotes>& notes, SourceMap& sources) {
   const Totals totals = totals_of(notes);
-  const std::string title = take_title(notes);
-  NotesMath title_math(sources, notes.front().shown.macros);
+  NotesMath title_math(sources);
+  const std::string title = take_title(title_math, notes);
   const PageContext page{sources, title_math, notes.front().link, notes.front().shown.report->file,
                          notes.front().shown.derivations};
   std::string body;

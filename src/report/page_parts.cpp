@@ -112,11 +112,13 @@ std::string chain_html(const Step& step) {
 std::string derivation_html(const PageContext& page, const Step& step) {
   const WorkedStep* derivation = worked_step_at(page.derivations, page.sources, step.span);
   if (derivation == nullptr) return {};
-  std::string lines = "<li>" + math_html(page, derivation->start, MathStyle::inline_) + "</li>";
+  const auto printed = [&](const std::string& latex) {
+    return to_mathml(page.math.box_of_printed(latex), MathStyle::inline_);
+  };
+  std::string lines = "<li>" + printed(derivation->start) + "</li>";
   for (const WorkedLine& line : derivation->lines)
     lines += fmt::format("<li><span class=\"math\">{}</span> <span class=\"rule\">{}</span></li>",
-                         math_html(page, line.relation + " " + line.latex, MathStyle::inline_),
-                         words_html(page.math.rule_of(line.rule)));
+                         printed(line.relation + " " + line.latex), words_html(page.math.rule_of(line.rule)));
   return term_html("in small steps", "<ol class=\"small\">" + lines + "</ol>");
 }
 

@@ -126,6 +126,16 @@ TEST_CASE("a page asks nothing of the network and holds nothing but its own scri
   CHECK(page.find("href=\"a%3Cb%3E%26%22c%27%25.md\"") != std::string::npos);
 }
 
+TEST_CASE("a display of an included file has its step below it") {
+  const Folder folder;
+  write_file(folder.path("part.tex"),
+             "\\[ \\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A} \\]\n");
+  const std::string page = page_of(folder, "n.tex", "\\[ 1 = 1 \\]\n\\input{part}\n\\[ 2 = 2 \\]\n");
+  CHECK(page.find("says nothing that can be checked") == std::string::npos);
+  CHECK(page.find("class=\"eq said\"") == std::string::npos);
+  CHECK(page.find("3 steps, and nothing needs attention.") != std::string::npos);
+}
+
 TEST_CASE("the same notes make the same page") {
   const Folder folder;
   const std::string first = page_of(folder, "n.md", hostile_notes);
