@@ -129,7 +129,8 @@ class NotesWriter {
     const Step* before = nullptr;
     last_uses_.clear();
     for (const Step* each : equation.steps) {
-      const bool goes_on = before != nullptr && before->right == each->left && before->tag == each->tag;
+      const bool goes_on = before != nullptr && before->right == each->left && before->tag == each->tag &&
+                           cyclic_image_of(*before) == 0 && cyclic_image_of(*each) == 0;
       step(*each, goes_on);
       before = each;
     }
@@ -147,7 +148,9 @@ class NotesWriter {
   }
 
   void step(const Step& step, bool goes_on) {
-    const auto left = math_.box_of(step.left);
+    auto left = math_.box_of(step.left);
+    if (const int image = cyclic_image_of(step); image > 0 && left)
+      left = row_box({words_box(fmt::format("cyclic image {} of ", image)), *std::move(left)});
     const auto right = math_.box_of(step.relation + " " + step.right);
     const bool is_set =
         left && right && typeset_width(*left) < most_width && typeset_width(*right) < most_width;
@@ -224,7 +227,7 @@ class NotesWriter {
       add_line(&repair == step.repairs.data() ? "true is" : "or",
                inline_math(repair.statement) + " --- " + message(repair.change, false));
     for (const std::string& condition : step.conditions) add_line("holds if", inline_math(condition));
-    if (const WorkedStep* found = worked_step_at(notes_.derivations, sources_, step.span))
+    if (const WorkedStep* found = worked_step_of(notes_.derivations, sources_, step))
       text += derivation(*found);
     if (!step.uses.empty() && step.uses != last_uses_) {
       last_uses_ = step.uses;

@@ -136,6 +136,24 @@ TEST_CASE("a display of an included file has its step below it") {
   CHECK(page.find("3 steps, and nothing needs attention.") != std::string::npos);
 }
 
+TEST_CASE("a cyclic image is told from its statement and has a proof only where it is proved") {
+  const Folder folder;
+  const std::string page = page_of(folder, "n.md",
+                                   "<!-- rigor: scalar a --><!-- rigor: let \\mathbf{p} = (a, 0, 0) -->\n\n"
+                                   "$$p_y = 0 \\qquad\\text{and cyclic}$$\n");
+  const std::size_t first = page.find("cyclic image 1 of <math");
+  const std::size_t second = page.find("cyclic image 2 of <math");
+  REQUIRE(first != std::string::npos);
+  REQUIRE(second != std::string::npos);
+  CHECK(page.substr(0, first).find("in small steps") != std::string::npos);
+  CHECK(page.substr(first, second - first).find("in small steps") != std::string::npos);
+  CHECK(page.substr(first, second - first).find("class=\"step refuted") != std::string::npos);
+  CHECK(page.substr(second).find("in small steps") == std::string::npos);
+  const std::string document = run_program({"report", folder.path("n.md"), "--latex", "-"}).text;
+  CHECK(document.find("cyclic image 1 of ") != std::string::npos);
+  CHECK(document.find("cyclic image 2 of ") != std::string::npos);
+}
+
 TEST_CASE("the same notes make the same page") {
   const Folder folder;
   const std::string first = page_of(folder, "n.md", hostile_notes);
