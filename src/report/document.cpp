@@ -10,6 +10,7 @@
 #include "latex/typeset.h"
 #include "report/notes_math.h"
 #include "report/sample.h"
+#include "report/shown_totals.h"
 
 namespace rigor {
 namespace {
@@ -95,6 +96,7 @@ class NotesWriter {
   std::string write() {
     out_ +=
         fmt::format("\\rigorhead{{\\small\\ttfamily\\mdseries}}{{{}}}\n", typeset_words(notes_.report->path));
+    add_file_diagnostics();
     for (const ShownItem& item : notes_.items) {
       if (const auto* heading = std::get_if<ShownHeading>(&item)) add(*heading);
       if (const auto* equation = std::get_if<ShownEquation>(&item)) add(*equation);
@@ -103,6 +105,30 @@ class NotesWriter {
   }
 
  private:
+  /// What is reported of no single step.
+  void add_file_diagnostics() {
+    std::string text;
+    for (const Diagnostic& each : notes_.report->diagnostics) text += diagnostic(each);
+    if (!notes_.report->failure.empty())
+      text += note_line("not checked to its end", typeset_words(notes_.report->failure));
+    if (!text.empty()) out_ += "\\begin{rigornote}\n" + text + "\\end{rigornote}\n";
+  }
+
+  static std::string note_line(const std::string& head, const std::string& what) {
+    return fmt::format("\\textit{{{}}}\\enspace {}\\par\n", head, what);
+  }
+
+  std::string diagnostic(const Diagnostic& each) {
+    const std::uint32_t at = sources_.line_column(each.span.file, each.span.begin).line;
+    std::string place = fmt::format("line {}", at);
+    if (sources_.path(each.span.file) != notes_.report->path)
+      place = typeset_words(sources_.path(each.span.file)) + ", " + place;
+    std::string text =
+        note_line(place, std::string(name_of(each.severity())) + ": " + message(each.message, false));
+    for (const std::string& help : each.help) text += note_line("help", message(help, false));
+    return text;
+  }
+
   void add(const ShownHeading& heading) {
     math_.put_in_force(notes_.macros.at(heading.macros));
     const std::string_view size = heading.level <= 1   ? "\\Large"
@@ -220,7 +246,7 @@ class NotesWriter {
   void notes_of(const Step& step) {
     std::string text;
     const auto add_line = [&](const std::string& head, const std::string& what) {
-      text += fmt::format("\\textit{{{}}}\\enspace {}\\par\n", head, what);
+      text += note_line(head, what);
     };
     if (step.counterexample) sample(*step.counterexample, add_line);
     for (const Repair& repair : step.repairs)
@@ -235,12 +261,7 @@ class NotesWriter {
       for (const std::string& each : step.uses) uses += (uses.empty() ? "" : ", ") + use(each);
       add_line("uses", uses);
     }
-    for (const Diagnostic& each : step.diagnostics) {
-      const std::uint32_t at = sources_.line_column(each.span.file, each.span.begin).line;
-      add_line(fmt::format("line {}", at),
-               std::string(name_of(each.severity())) + ": " + message(each.message, false));
-      for (const std::string& help : each.help) add_line("help", message(help, false));
-    }
+    for (const Diagnostic& each : step.diagnostics) text += diagnostic(each);
     if (!text.empty()) out_ += "\\begin{rigornote}\n" + text + "\\end{rigornote}\n";
   }
 
@@ -304,25 +325,15 @@ class NotesWriter {
 };
 
 std::string summary(const std::vector<ShownNotes>& notes) {
-  Counts counts{};
-  std::size_t steps = 0;
-  std::size_t attention = 0;
-  for (const ShownNotes& each : notes) {
-    for (const Step& step : each.report->steps) {
-      ++counts.at(static_cast<std::size_t>(step.verdict));
-      ++steps;
-      if (needs_attention(step)) ++attention;
-    }
-  }
-  std::string text = fmt::format("{} steps", steps);
+  ShownTotals totals;
+  for (const ShownNotes& each : notes) add_to(totals, *each.report);
+  std::string text = attention_words(totals) + ".";
+  std::string list;
   for (std::size_t k = 0; k < verdict_count; ++k) {
-    if (counts[k] == 0) continue;
-    std::string words(name_of(static_cast<Verdict>(k)));
-    std::replace(words.begin(), words.end(), '-', ' ');
-    text += fmt::format("{} {} {}", text.find(':') == std::string::npos ? ":" : ",", counts[k], words);
+    if (totals.counts[k] > 0)
+      list += (list.empty() ? " " : ", ") + counted(static_cast<Verdict>(k), totals.counts[k]);
   }
-  return text +
-         (attention == 0 ? ". Nothing needs attention." : fmt::format(". {} need attention.", attention));
+  return list.empty() ? text : text + list + ".";
 }
 
 }  // namespace

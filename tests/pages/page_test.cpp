@@ -154,6 +154,17 @@ TEST_CASE("a cyclic image is told from its statement and has a proof only where 
   CHECK(document.find("cyclic image 2 of ") != std::string::npos);
 }
 
+TEST_CASE("page and document show a problem of the file as a whole") {
+  const Folder folder;
+  const std::string page = page_of(folder, "n.md", "$$1 = 1$$\n\n<!-- rigor: nonsense x -->\n");
+  CHECK(page.find("nothing needs attention") == std::string::npos);
+  CHECK(page.find("<b>1 problem of the notes as a whole</b>.") != std::string::npos);
+  const Outcome document = run_program({"report", folder.path("n.md"), "--latex", "-"});
+  CHECK(document.code == 1);
+  CHECK(document.text.find("1 problem of the notes as a whole.") != std::string::npos);
+  CHECK(document.text.find("error: \\texttt{nonsense} is no directive") != std::string::npos);
+}
+
 TEST_CASE("the same notes make the same page") {
   const Folder folder;
   const std::string first = page_of(folder, "n.md", hostile_notes);
@@ -229,7 +240,7 @@ TEST_CASE("wrong use of report says what is wrong") {
 TEST_CASE("notes without an equation make a page that says so") {
   const Folder folder;
   const std::string page = page_of(folder, "n.md", "Only words.\n");
-  CHECK(page.find("There is no step to check.") != std::string::npos);
+  CHECK(page.find("There is no step to check; 1 warning of the notes as a whole.") != std::string::npos);
   CHECK(page.find("no displayed equation was found") != std::string::npos);
 }
 
