@@ -234,7 +234,49 @@ TEST_CASE("wrong use of report says what is wrong") {
   CHECK_FALSE(std::filesystem::exists(folder.path("p.html")));
   const Outcome unwritable = run_program({"report", folder.path("n.md"), "--html", folder.path("no/p.html")});
   CHECK(unwritable.code == 66);
-  CHECK(unwritable.text.find("cannot be written") != std::string::npos);
+  CHECK(unwritable.text.find("cannot be written: no such file or directory") != std::string::npos);
+}
+
+TEST_CASE("no output takes the place of notes or of the other output") {
+  const Folder folder;
+  const std::string notes = "\\[ 1 = 1 \\]\n\\input{part}\n";
+  const std::string path = folder.path("n.tex");
+  write_file(path, notes);
+  write_file(folder.path("part.tex"), "\\[ 2 = 2 \\]\n");
+  write_file(folder.path("n.rigor"), "claim 3 = 3\n");
+  std::filesystem::create_symlink(path, folder.path("link"));
+  for (const std::string& output :
+       {path, folder.path("./n.tex"), folder.path("link"), folder.path("part.tex"), folder.path("n.rigor")}) {
+    for (const char* option : {"--html", "--latex"}) {
+      const Outcome outcome = run_program({"report", path, option, output, "--no-forms"});
+      INFO(output << outcome.text);
+      CHECK(outcome.code == 64);
+      CHECK(outcome.text.find("would overwrite") != std::string::npos);
+    }
+  }
+  CHECK(text_of(path) == notes);
+  CHECK(text_of(folder.path("part.tex")) == "\\[ 2 = 2 \\]\n");
+  CHECK(text_of(folder.path("n.rigor")) == "claim 3 = 3\n");
+  const Outcome twice =
+      run_program({"report", path, "--html", folder.path("x.out"), "--latex", folder.path("./x.out")});
+  CHECK(twice.code == 64);
+  CHECK(twice.text.find("are one file") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.path("x.out")));
+  CHECK(run_program({"report", path, "--html", "/dev/null", "--latex", "/./dev/null", "--no-forms"}).code ==
+        0);
+}
+
+TEST_CASE("a missing file does not keep the others from the page") {
+  const Folder folder;
+  write_file(folder.path("n.md"), "$$1 = 1$$\n");
+  const Outcome outcome = run_program({"report", folder.path("n.md"), folder.path("none.md"), "--html",
+                                       folder.path("p.html"), "--latex", folder.path("d.tex"), "--no-forms"});
+  CHECK(outcome.code == 66);
+  CHECK(outcome.text.find("none.md") != std::string::npos);
+  const std::string page = text_of(folder.path("p.html"));
+  CHECK(page.find("1 step, none of which needs attention, but <b>1 problem") != std::string::npos);
+  CHECK(page.find("no such file") != std::string::npos);
+  CHECK(text_of(folder.path("d.tex")).find("no such file") != std::string::npos);
 }
 
 TEST_CASE("notes without an equation make a page that says so") {
