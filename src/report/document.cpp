@@ -178,8 +178,9 @@ class NotesWriter {
     if (const int image = cyclic_image_of(step); image > 0 && left)
       left = row_box({words_box(fmt::format("cyclic image {} of ", image)), *std::move(left)});
     const auto right = math_.box_of(step.relation + " " + step.right);
+    const bool is_read = !step.left.empty() || !step.right.empty();
     const bool is_set =
-        left && right && typeset_width(*left) < most_width && typeset_width(*right) < most_width;
+        is_read && left && right && typeset_width(*left) < most_width && typeset_width(*right) < most_width;
     if (!is_set) {
       out_ +=
           fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n", typeset_source(step.source));
@@ -267,6 +268,7 @@ class NotesWriter {
 
   /// One line a rule: mathematics at the left, the rule in words at the right.
   std::string derivation(const WorkedStep& derivation) {
+    if (derivation.gap) return note_line("in small steps", "none: " + message(*derivation.gap, false));
     std::string text;
     const auto add_line = [&](std::string_view indent, const std::string& latex, const std::string& rule) {
       const Box box = math_.box_of_printed(latex);

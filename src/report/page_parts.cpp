@@ -112,6 +112,7 @@ std::string chain_html(const Step& step) {
 std::string derivation_html(const PageContext& page, const Step& step) {
   const WorkedStep* derivation = worked_step_of(page.derivations, page.sources, step);
   if (derivation == nullptr) return {};
+  if (derivation->gap) return term_html("in small steps", "none: " + message_html(*derivation->gap));
   const auto printed = [&](const std::string& latex) {
     return to_mathml(page.math.box_of_printed(latex), MathStyle::inline_);
   };

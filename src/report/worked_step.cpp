@@ -55,7 +55,7 @@ const WorkedStep* worked_step_of(const std::vector<WorkedStep>& all, const Sourc
   for (const WorkedStep& each : all) {
     const bool same = each.span.begin == step.span.begin && each.span.end == step.span.end &&
                       each.image == image && sources.path(each.span.file) == sources.path(step.span.file);
-    if (same && !each.lines.empty() && !each.gap) return &each;
+    if (same && (!each.lines.empty() || each.gap)) return &each;
   }
   return nullptr;
 }

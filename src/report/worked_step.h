@@ -36,7 +36,7 @@ struct WorkedStep {
 /// written out in the step's sides.
 [[nodiscard]] int cyclic_image_of(const Step& step);
 
-/// The one that belongs to the step, if the step is proved and there is one that says something.
+/// The one that belongs to the step, if the step is proved and there is one that has lines or a gap.
 [[nodiscard]] const WorkedStep* worked_step_of(const std::vector<WorkedStep>& all, const SourceMap& sources,
                                                const Step& step);
 

@@ -99,4 +99,22 @@ TEST_CASE("what rigor printed is shown without the macros of the notes") {
   CHECK(text.find("\\rigorsmall{2em}{\\mathbf{C}\\mathbin{\\cdot }\\mathbf{B}}") != std::string::npos);
 }
 
+TEST_CASE("a display whose macros never end is shown as its source") {
+  const Folder folder;
+  write_file(folder.path("n.tex"), "\\def\\z{\\z\\z}\n\\[\\z = 1\\]\n");
+  const std::string text = run_program({"report", folder.path("n.tex"), "--latex", "-"}).text;
+  INFO(text);
+  CHECK(text.find("\\textbackslash{}z\\ =\\ 1") != std::string::npos);
+}
+
+TEST_CASE("a proved step without small steps says why, in the document and on the page") {
+  const Folder folder;
+  write_file(folder.path("n.md"), "<!-- rigor: scalar x -->\n\n$$x^2 + 1 > 0$$\n");
+  for (const char* option : {"--latex", "--html"}) {
+    const std::string text = run_program({"report", folder.path("n.md"), option, "-", "--no-forms"}).text;
+    INFO(text);
+    CHECK(text.find("none: an order is not turned from one side into the other") != std::string::npos);
+  }
+}
+
 }  // namespace rigor
