@@ -224,6 +224,20 @@ TEST_CASE("a printed page has the sample of what is refuted and no buttons") {
   CHECK(text.find("2 need attention") != std::string::npos);
 }
 
+TEST_CASE("a printed equation with more steps than a page holds begins below what stands before it") {
+  if (!is_there("chromium") || !is_there("pdftotext")) return;
+  const Folder folder;
+  std::string notes = "# Long\n\n$$60";
+  for (int k = 59; k > 0; --k) notes += " = " + std::to_string(k) + " + " + std::to_string(60 - k);
+  static_cast<void>(page_of(folder, "n.md", notes + "$$\n"));
+  static_cast<void>(chromium("--no-pdf-header-footer --print-to-pdf='" + folder.path("page.pdf") + "'",
+                             folder.path("page.html")));
+  const std::string first =
+      printed_by("pdftotext -f 1 -l 1 -raw '" + folder.path("page.pdf") + "' - | grep -c proved");
+  CHECK(std::stoi(first) > 5);
+  CHECK(std::stoi(first) < 59);
+}
+
 TEST_CASE("wrong use of report says what is wrong") {
   const Folder folder;
   write_file(folder.path("n.md"), "$$1 = 1$$\n");
