@@ -5,15 +5,17 @@
 
 #include <deque>
 #include <filesystem>
-#include <fstream>
+#include <utility>
 
 #include "app/progress.h"
 #include "app/screen.h"
 #include "base/utf8.h"
 #include "check/check.h"
 #include "report/document.h"
+#include "report/escape.h"
 #include "report/page.h"
 #include "source/render.h"
+#include "source/write_file.h"
 
 namespace rigor {
 namespace {
@@ -69,18 +71,6 @@ void evaluate_all(Reported& reported, Progress& progress) {
   }
 }
 
-/// A path as it may stand in a link.
-std::string percent_encoded(const std::string& path) {
-  std::string encoded;
-  for (const char each : path) {
-    const bool plain = (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') ||
-                       (each >= '0' && each <= '9') ||
-                       std::string_view("-._~/").find(each) != std::string_view::npos;
-    encoded += plain ? std::string(1, each) : fmt::format("%{:02X}", static_cast<unsigned char>(each));
-  }
-  return encoded;
-}
-
 /// From the folder of the page to the notes; empty where no relative path leads there.
 std::string link_from(const std::string& page, const std::string& notes) {
   std::error_code error;
@@ -88,7 +78,45 @@ std::string link_from(const std::string& page, const std::string& notes) {
       std::filesystem::absolute(page, error).parent_path().lexically_normal();
   if (error) return {};
   const std::filesystem::path target = std::filesystem::absolute(notes, error).lexically_normal();
-  return error ? std::string() : percent_encoded(target.lexically_relative(folder).string());
+  return error ? std::string() : uri_of_path(target.lexically_relative(folder).string());
+}
+
+/// The same place on the disk, by whatever names; also where nothing is there yet.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error) && !error) return true;
+  const auto place = [](const std::string& path) {
+    std::error_code none;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
+  };
+  return place(a) == place(b);
+}
+
+/// Is there something that is no file, such as a device? Writing to it destroys nothing.
+bool is_device(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_other(path, error) && !error;
+}
+
+/// Why the outputs cannot be written without destroying notes, or one another; empty: they can.
+std::string collision(const ReportCommand& command, const Reported& reported) {
+  std::vector<std::string> read;
+  for (std::size_t k = 0; k < reported.sources.size(); ++k)
+    read.push_back(reported.sources.path(static_cast<FileId>(k)));
+  for (const FileReport& file : reported.report.files) read.push_back(file.sidecar);
+  const std::pair<std::string_view, const std::optional<std::string>&> outputs[] = {
+      {"--html", command.html}, {"--latex", command.latex}};
+  for (const auto& [option, path] : outputs) {
+    if (!path || *path == "-") continue;
+    for (const std::string& each : read) {
+      if (!each.empty() && same_file(each, *path))
+        return fmt::format("`{} {}` would overwrite `{}`, which is read", option, *path, each);
+    }
+  }
+  const bool both = command.html && command.latex && *command.html != "-" && *command.latex != "-";
+  if (both && !is_device(*command.html) && same_file(*command.html, *command.latex))
+    return fmt::format("`--html {}` and `--latex {}` are one file", *command.html, *command.latex);
+  return {};
 }
 
 /// False, with a message, where the text cannot be written.
@@ -97,11 +125,10 @@ bool write_to(const std::string& path, const std::string& text, std::ostream& ou
     out << text;
     return true;
   }
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (file.flush()) return true;
-  err << fmt::format("rigor: {}: cannot be written\n", printable(path));
-  return false;
+  const Result<void> written = write_file(path, text);
+  if (!written)
+    err << fmt::format("rigor: {}: cannot be written: {}\n", printable(path), written.error().reason);
+  return written.has_value();
 }
 
 ShownNotes shown(Reported& reported, std::size_t file) {
@@ -128,16 +155,23 @@ ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ost
   {
     Progress progress(err, screen_of(err).is_terminal);
     check_all(command, reported, progress);
+  }
+  if (const std::string why = collision(command, reported); !why.empty()) {
+    err << "rigor: " << printable(why) << "\n";
+    return ExitCode::usage;
+  }
+  bool readable = false;
+  for (const FileReport& file : reported.report.files) {
+    readable = readable || !file.unreadable;
+    if (!file.unreadable) continue;
+    for (const Diagnostic& each : file.diagnostics) err << render(each, reported.sources);
+  }
+  if (!readable) return ExitCode::no_input;
+  {
+    Progress progress(err, screen_of(err).is_terminal);
     explain_all(command, reported, progress);
     if (command.html && command.forms) evaluate_all(reported, progress);
   }
-  bool unreadable = false;
-  for (const FileReport& file : reported.report.files) {
-    if (!file.unreadable) continue;
-    unreadable = true;
-    for (const Diagnostic& each : file.diagnostics) err << render(each, reported.sources);
-  }
-  if (unreadable) return ExitCode::no_input;
   if (command.html) {
     std::vector<PageNotes> notes = page_notes(reported, *command.html);
     if (!write_to(*command.html, html_page(notes, reported.sources), out, err)) return ExitCode::no_input;

@@ -10,6 +10,7 @@
 #include "latex/typeset.h"
 #include "report/notes_math.h"
 #include "report/sample.h"
+#include "report/shown_totals.h"
 
 namespace rigor {
 namespace {
@@ -90,12 +91,12 @@ std::string mark_of(const Step& step) {
 
 class NotesWriter {
  public:
-  NotesWriter(ShownNotes& notes, SourceMap& sources)
-      : notes_(notes), sources_(sources), math_(sources, notes.macros) {}
+  NotesWriter(ShownNotes& notes, SourceMap& sources) : notes_(notes), sources_(sources), math_(sources) {}
 
   std::string write() {
     out_ +=
         fmt::format("\\rigorhead{{\\small\\ttfamily\\mdseries}}{{{}}}\n", typeset_words(notes_.report->path));
+    add_file_diagnostics();
     for (const ShownItem& item : notes_.items) {
       if (const auto* heading = std::get_if<ShownHeading>(&item)) add(*heading);
       if (const auto* equation = std::get_if<ShownEquation>(&item)) add(*equation);
@@ -104,7 +105,32 @@ class NotesWriter {
   }
 
  private:
+  /// What is reported of no single step.
+  void add_file_diagnostics() {
+    std::string text;
+    for (const Diagnostic& each : notes_.report->diagnostics) text += diagnostic(each);
+    if (!notes_.report->failure.empty())
+      text += note_line("not checked to its end", typeset_words(notes_.report->failure));
+    if (!text.empty()) out_ += "\\begin{rigornote}\n" + text + "\\end{rigornote}\n";
+  }
+
+  static std::string note_line(const std::string& head, const std::string& what) {
+    return fmt::format("\\textit{{{}}}\\enspace {}\\par\n", head, what);
+  }
+
+  std::string diagnostic(const Diagnostic& each) {
+    const std::uint32_t at = sources_.line_column(each.span.file, each.span.begin).line;
+    std::string place = fmt::format("line {}", at);
+    if (sources_.path(each.span.file) != notes_.report->path)
+      place = typeset_words(sources_.path(each.span.file)) + ", " + place;
+    std::string text =
+        note_line(place, std::string(name_of(each.severity())) + ": " + message(each.message, false));
+    for (const std::string& help : each.help) text += note_line("help", message(help, false));
+    return text;
+  }
+
   void add(const ShownHeading& heading) {
+    math_.put_in_force(notes_.macros.at(heading.macros));
     const std::string_view size = heading.level <= 1   ? "\\Large"
                                   : heading.level == 2 ? "\\large"
                                                        : "\\normalsize";
@@ -123,12 +149,14 @@ class NotesWriter {
   }
 
   void add(const ShownEquation& equation) {
+    math_.put_in_force(notes_.macros.at(equation.macros));
     if (equation.steps.empty()) return whole(equation);
     out_ += "\\par\\vspace{5pt}\n";
     const Step* before = nullptr;
     last_uses_.clear();
     for (const Step* each : equation.steps) {
-      const bool goes_on = before != nullptr && before->right == each->left && before->tag == each->tag;
+      const bool goes_on = before != nullptr && before->right == each->left && before->tag == each->tag &&
+                           cyclic_image_of(*before) == 0 && cyclic_image_of(*each) == 0;
       step(*each, goes_on);
       before = each;
     }
@@ -146,10 +174,13 @@ class NotesWriter {
   }
 
   void step(const Step& step, bool goes_on) {
-    const auto left = math_.box_of(step.left);
+    auto left = math_.box_of(step.left);
+    if (const int image = cyclic_image_of(step); image > 0 && left)
+      left = row_box({words_box(fmt::format("cyclic image {} of ", image)), *std::move(left)});
     const auto right = math_.box_of(step.relation + " " + step.right);
+    const bool is_read = !step.left.empty() || !step.right.empty();
     const bool is_set =
-        left && right && typeset_width(*left) < most_width && typeset_width(*right) < most_width;
+        is_read && left && right && typeset_width(*left) < most_width && typeset_width(*right) < most_width;
     if (!is_set) {
       out_ +=
           fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n", typeset_source(step.source));
@@ -216,14 +247,14 @@ class NotesWriter {
   void notes_of(const Step& step) {
     std::string text;
     const auto add_line = [&](const std::string& head, const std::string& what) {
-      text += fmt::format("\\textit{{{}}}\\enspace {}\\par\n", head, what);
+      text += note_line(head, what);
     };
     if (step.counterexample) sample(*step.counterexample, add_line);
     for (const Repair& repair : step.repairs)
       add_line(&repair == step.repairs.data() ? "true is" : "or",
                inline_math(repair.statement) + " --- " + message(repair.change, false));
     for (const std::string& condition : step.conditions) add_line("holds if", inline_math(condition));
-    if (const WorkedStep* found = worked_step_at(notes_.derivations, sources_, step.span))
+    if (const WorkedStep* found = worked_step_of(notes_.derivations, sources_, step))
       text += derivation(*found);
     if (!step.uses.empty() && step.uses != last_uses_) {
       last_uses_ = step.uses;
@@ -231,22 +262,18 @@ class NotesWriter {
       for (const std::string& each : step.uses) uses += (uses.empty() ? "" : ", ") + use(each);
       add_line("uses", uses);
     }
-    for (const Diagnostic& each : step.diagnostics) {
-      const std::uint32_t at = sources_.line_column(each.span.file, each.span.begin).line;
-      add_line(fmt::format("line {}", at),
-               std::string(name_of(each.severity())) + ": " + message(each.message, false));
-      for (const std::string& help : each.help) add_line("help", message(help, false));
-    }
+    for (const Diagnostic& each : step.diagnostics) text += diagnostic(each);
     if (!text.empty()) out_ += "\\begin{rigornote}\n" + text + "\\end{rigornote}\n";
   }
 
   /// One line a rule: mathematics at the left, the rule in words at the right.
   std::string derivation(const WorkedStep& derivation) {
+    if (derivation.gap) return note_line("in small steps", "none: " + message(*derivation.gap, false));
     std::string text;
     const auto add_line = [&](std::string_view indent, const std::string& latex, const std::string& rule) {
-      const auto box = math_.box_of(latex);
-      if (!box || typeset_width(*box) > most_width) return;
-      std::vector<Box> lines = broken_lines(*box, small_width);
+      const Box box = math_.box_of_printed(latex);
+      if (typeset_width(box) > most_width) return;
+      const std::vector<Box> lines = broken_lines(box, small_width);
       for (const Box& line : lines) {
         text += fmt::format("\\rigorsmall{{{}}}{{{}}}{{{}}}\n", indent, to_typeset(line),
                             &line == &lines.back() ? rule : "");
@@ -254,8 +281,7 @@ class NotesWriter {
     };
     const bool is_long =
         std::any_of(derivation.lines.begin(), derivation.lines.end(), [&](const WorkedLine& line) {
-          const auto box = math_.box_of(line.latex);
-          return !box || typeset_width(*box) > most_derived_width;
+          return typeset_width(math_.box_of_printed(line.latex)) > most_derived_width;
         });
     if (is_long) return "its small steps are too long to be set here\\par\n";
     add_line("2em", derivation.start, "");
@@ -301,25 +327,15 @@ class NotesWriter {
 };
 
 std::string summary(const std::vector<ShownNotes>& notes) {
-  Counts counts{};
-  std::size_t steps = 0;
-  std::size_t attention = 0;
-  for (const ShownNotes& each : notes) {
-    for (const Step& step : each.report->steps) {
-      ++counts.at(static_cast<std::size_t>(step.verdict));
-      ++steps;
-      if (needs_attention(step)) ++attention;
-    }
-  }
-  std::string text = fmt::format("{} steps", steps);
+  ShownTotals totals;
+  for (const ShownNotes& each : notes) add_to(totals, *each.report);
+  std::string text = attention_words(totals) + ".";
+  std::string list;
   for (std::size_t k = 0; k < verdict_count; ++k) {
-    if (counts[k] == 0) continue;
-    std::string words(name_of(static_cast<Verdict>(k)));
-    std::replace(words.begin(), words.end(), '-', ' ');
-    text += fmt::format("{} {} {}", text.find(':') == std::string::npos ? ":" : ",", counts[k], words);
+    if (totals.counts[k] > 0)
+      list += (list.empty() ? " " : ", ") + counted(static_cast<Verdict>(k), totals.counts[k]);
   }
-  return text +
-         (attention == 0 ? ". Nothing needs attention." : fmt::format(". {} need attention.", attention));
+  return list.empty() ? text : text + list + ".";
 }
 
 }  // namespace

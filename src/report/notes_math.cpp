@@ -17,12 +17,12 @@ std::optional<Box> NotesMath::box_of(const std::string& latex) {
   return tokens ? std::optional(layout_of(*tokens)) : std::nullopt;
 }
 
+Box NotesMath::box_of_printed(const std::string& latex) { return layout_of(lexed(latex)); }
+
 Box NotesMath::rule_of(const std::string& rule) {
   Box line;
-  for (const RulePart& part : rule_parts(rule)) {
-    const auto box = part.is_math ? box_of(part.text) : std::nullopt;
-    line.parts.push_back(box.value_or(words_box(part.text)));
-  }
+  for (const RulePart& part : rule_parts(rule))
+    line.parts.push_back(part.is_math ? box_of_printed(part.text) : words_box(part.text));
   return line;
 }
 

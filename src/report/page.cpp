@@ -12,31 +12,10 @@
 #include "latex/mathml.h"
 #include "latex/plain_text.h"
 #include "report/page_parts.h"
+#include "report/shown_totals.h"
 
 namespace rigor {
 namespace {
-
-struct Totals {
-  Counts counts{};
-  std::size_t steps = 0;
-  std::size_t attention = 0;
-  std::size_t warnings = 0;  // steps that have one
-};
-
-Totals totals_of(const std::vector<PageNotes>& notes) {
-  Totals totals;
-  for (const PageNotes& each : notes) {
-    for (const Step& step : each.shown.report->steps) {
-      ++totals.steps;
-      ++totals.counts.at(static_cast<std::size_t>(step.verdict));
-      if (needs_attention(step)) ++totals.attention;
-      if (std::any_of(step.diagnostics.begin(), step.diagnostics.end(),
-                      [](const Diagnostic& one) { return one.severity() == Severity::warning; }))
-        ++totals.warnings;
-    }
-  }
-  return totals;
-}
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -49,7 +28,7 @@ class FileWriter {
  public:
   FileWriter(PageNotes& notes, SourceMap& sources, std::size_t number)
       : notes_(notes),
-        math_(sources, notes.shown.macros),
+        math_(sources),
         page_{sources, math_, notes.link, notes.shown.report->file, notes.shown.derivations},
         number_(number) {}
 
@@ -76,15 +55,20 @@ class FileWriter {
  private:
   void file_diagnostics() {
     const Diagnostics& all = notes_.shown.report->diagnostics;
-    if (all.empty()) return;
+    const std::string& failure = notes_.shown.report->failure;
+    if (all.empty() && failure.empty()) return;
     body += "<section class=\"eq whole\" data-text=\"\"><h3>Of the file as a whole</h3>\n";
     for (const Diagnostic& each : all)
       body += diagnostic_html(page_, each) +
               fmt::format("<p class=\"quiet\">{}</p>", place_html(page_, each.span));
+    if (!failure.empty())
+      body += fmt::format("<div class=\"diagnostic\"><p><b>not checked to its end</b>: {}</p></div>",
+                          xml_escaped(failure));
     body += "</section>\n";
   }
 
   void add(const ShownHeading& heading, int below) {
+    math_.put_in_force(notes_.shown.macros.at(heading.macros));
     const int level = std::clamp(heading.level + below, 2, 6);
     const std::string id = fmt::format("s{}-{}", number_, ++headings_);
     const std::string title = line_html(page_, heading.title);
@@ -95,6 +79,7 @@ class FileWriter {
   }
 
   void add(const ShownEquation& equation) {
+    math_.put_in_force(notes_.shown.macros.at(equation.macros));
     std::string text = section_ + " " + equation.source;
     std::string tag;
     for (const Step* step : equation.steps) {
@@ -181,7 +166,7 @@ std::string filter_button(std::string_view kind, std::string_view sign, std::str
       kind, pressed, mark, words, count);
 }
 
-std::string controls(const Totals& totals) {
+std::string controls(const ShownTotals& totals) {
   std::string html =
       "<div class=\"controls\" role=\"group\" aria-label=\"Filter the steps\" hidden>\n<div "
       "class=\"buttons\">\n";
@@ -194,7 +179,7 @@ std::string controls(const Totals& totals) {
     if (count > 0)
       html += filter_button(name_of(meaning.verdict), sign_of(meaning.verdict), words, count, false);
   }
-  if (totals.warnings > 0) html += filter_button("warning", "△", "with a warning", totals.warnings, false);
+  if (totals.warned > 0) html += filter_button("warning", "△", "with a warning", totals.warned, false);
   return html +
          "</div>\n<div class=\"search\"><label for=\"find\">Find</label><input id=\"find\" type=\"search\" "
          "placeholder=\"tag, symbol, heading …\" autocomplete=\"off\" spellcheck=\"false\"><output "
@@ -202,31 +187,22 @@ std::string controls(const Totals& totals) {
          "aria-live=\"polite\"></output></div>\n</div>\n";
 }
 
-std::string verdict_line(const Totals& totals) {
-  if (totals.steps == 0) return "There is no step to check.";
-  const std::string steps = fmt::format("{} step{}", totals.steps, totals.steps == 1 ? "" : "s");
-  if (totals.attention == 0) return fmt::format("{}, and nothing needs attention.", steps);
-  return fmt::format("{}, of which <b>{} need{} attention</b>.", steps, totals.attention,
-                     totals.attention == 1 ? "s" : "");
-}
-
-std::string legend(const Totals& totals) {
+std::string legend(const ShownTotals& totals) {
   std::string html = "<dl class=\"legend\">\n";
   for (const Meaning& meaning : meanings) {
     const std::uint32_t count = totals.counts.at(static_cast<std::size_t>(meaning.verdict));
-    std::string words(name_of(meaning.verdict));
-    std::replace(words.begin(), words.end(), '-', ' ');
     if (count == 0) continue;
     html += fmt::format(
-        "<div class=\"{}\"><dt><span class=\"sign\" aria-hidden=\"true\">{}</span>{} "
-        "{}</dt><dd>{}</dd></div>\n",
-        name_of(meaning.verdict), sign_of(meaning.verdict), count, words, meaning.words);
+        "<div class=\"{}\"><dt><span class=\"sign\" aria-hidden=\"true\">{}</span>{}"
+        "</dt><dd>{}</dd></div>\n",
+        name_of(meaning.verdict), sign_of(meaning.verdict), counted(meaning.verdict, count), meaning.words);
   }
   return html + "</dl>\n";
 }
 
-/// The heading that stands above all others of the only file, taken out of its items; else the paths.
-std::string take_title(std::vector<PageNotes>& notes) {
+/// The heading that stands above all others of the only file, taken out of its items, with its macros put in
+/// force; else the paths.
+std::string take_title(NotesMath& math, std::vector<PageNotes>& notes) {
   if (notes.size() == 1) {
     std::vector<ShownItem>& items = notes.front().shown.items;
     const auto* first = items.empty() ? nullptr : std::get_if<ShownHeading>(&items.front());
@@ -236,6 +212,7 @@ std::string take_title(std::vector<PageNotes>& notes) {
     };
     if (first != nullptr && std::count_if(items.begin(), items.end(), is_top) == 1) {
       std::string title = first->title;
+      math.put_in_force(notes.front().shown.macros.at(first->macros));
       items.erase(items.begin());
       return title;
     }
@@ -247,9 +224,10 @@ std::string take_title(std::vector<PageNotes>& notes) {
 }  // namespace
 
 std::string html_page(std::vector<PageNotes>& notes, SourceMap& sources) {
-  const Totals totals = totals_of(notes);
-  const std::string title = take_title(notes);
-  NotesMath title_math(sources, notes.front().shown.macros);
+  ShownTotals totals;
+  for (const PageNotes& each : notes) add_to(totals, *each.shown.report);
+  NotesMath title_math(sources);
+  const std::string title = take_title(title_math, notes);
   const PageContext page{sources, title_math, notes.front().link, notes.front().shown.report->file,
                          notes.front().shown.derivations};
   std::string body;
@@ -268,6 +246,7 @@ std::string html_page(std::vector<PageNotes>& notes, SourceMap& sources) {
                                            : "<nav class=\"contents\" aria-label=\"Contents\"><details "
                                              "open><summary>Contents</summary><ul>\n" +
                                                  contents + "</ul></details></nav>\n";
+  const std::string lead = attention_words(totals, "<b>", "</b>") + ".";
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -283,8 +262,8 @@ std::string html_page(std::vector<PageNotes>& notes, SourceMap& sources) {
       "id=\"equations\" tabindex=\"-1\">\n{}"
       "<p class=\"none\" hidden>No step fits this filter.</p>\n</main>\n</div>\n"
       "<script>\n{}</script>\n</body>\n</html>\n",
-      version, xml_escaped(title), page_style(), line_html(page, title), paths, verdict_line(totals),
-      legend(totals), controls(totals), nav, body, page_script());
+      version, xml_escaped(title), page_style(), line_html(page, title), paths, lead, legend(totals),
+      controls(totals), nav, body, page_script());
 }
 
 }  // namespace rigor

@@ -110,13 +110,16 @@ std::string chain_html(const Step& step) {
 }
 
 std::string derivation_html(const PageContext& page, const Step& step) {
-  const WorkedStep* derivation = worked_step_at(page.derivations, page.sources, step.span);
+  const WorkedStep* derivation = worked_step_of(page.derivations, page.sources, step);
   if (derivation == nullptr) return {};
-  std::string lines = "<li>" + math_html(page, derivation->start, MathStyle::inline_) + "</li>";
+  if (derivation->gap) return term_html("in small steps", "none: " + message_html(*derivation->gap));
+  const auto printed = [&](const std::string& latex) {
+    return to_mathml(page.math.box_of_printed(latex), MathStyle::inline_);
+  };
+  std::string lines = "<li>" + printed(derivation->start) + "</li>";
   for (const WorkedLine& line : derivation->lines)
     lines += fmt::format("<li><span class=\"math\">{}</span> <span class=\"rule\">{}</span></li>",
-                         math_html(page, line.relation + " " + line.latex, MathStyle::inline_),
-                         words_html(page.math.rule_of(line.rule)));
+                         printed(line.relation + " " + line.latex), words_html(page.math.rule_of(line.rule)));
   return term_html("in small steps", "<ol class=\"small\">" + lines + "</ol>");
 }
 
@@ -183,12 +186,15 @@ std::string diagnostic_html(const PageContext& page, const Diagnostic& diagnosti
 std::string step_html(const PageContext& page, const Step& step, StepLine line) {
   const std::string whole = step.left + " " + step.relation + " " + step.right;
   std::string what = "<span class=\"what quiet\">" + gist_html(step) + "</span>";
-  if (line != StepLine::gist) {
-    const std::string shown = line == StepLine::relation ? step.relation + " " + step.right : whole;
-    what = "<span class=\"what math\">" + math_html(page, shown, MathStyle::inline_) + "</span>";
+  const int image = cyclic_image_of(step);
+  if (line != StepLine::gist || image > 0) {
+    const bool is_whole = line != StepLine::relation || image > 0;
+    what = fmt::format(
+        "<span class=\"what math\">{}{}</span>", image > 0 ? fmt::format("cyclic image {} of ", image) : "",
+        math_html(page, is_whole ? whole : step.relation + " " + step.right, MathStyle::inline_));
   }
   std::string details;
-  if (line == StepLine::relation)
+  if (line == StepLine::relation && image == 0)
     details = fmt::format("<div class=\"shown\">{}</div>", math_html(page, whole, MathStyle::display));
   std::string rows;
   if (step.counterexample) rows += sample_html(page, *step.counterexample);

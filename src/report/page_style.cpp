@@ -149,7 +149,8 @@ dl { margin: .3rem 0 0; }
   body { font-size: 9.5pt; } .top, .page { max-width: none; padding-left: 0; padding-right: 0; }
   .page { display: block; } .controls, .contents, .skip, .forms:not([open]) { display: none !important; }
   .step summary::after, .forms > summary::after { content: none; }
-  .eq { break-inside: avoid; } main h2, main h3, main h4 { break-after: avoid; } .shown, .what, .row dd { overflow: visible; }
+  .display, summary, .row, .small li { break-inside: avoid; } .display, .step details[open] > summary, main h2, main h3, main h4 { break-after: avoid; }
+  .eq { overflow: visible; } .shown, .what, .row dd { overflow: visible; }
   .display math { font-size: 10pt; }
 }
 )css";

@@ -3,26 +3,31 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "latex/document.h"
+#include "latex/macro_definition.h"
 
 namespace rigor {
 namespace {
 
-bool lies_in(Span inner, Span outer) {
-  return inner.file == outer.file && inner.begin >= outer.begin && inner.end <= outer.end;
+/// The notes were read a second time, so that only its path names an included file.
+bool lies_in(const SourceMap& sources, Span inner, Span outer) {
+  return inner.begin >= outer.begin && inner.end <= outer.end &&
+         (inner.file == outer.file || sources.path(inner.file) == sources.path(outer.file));
 }
 
 /// Steps by their place in the report: which of them displays have taken, and those of directives.
 class StepQueue {
  public:
-  explicit StepQueue(const std::vector<Step>& steps) : steps_(steps), taken_(steps.size(), false) {}
+  StepQueue(const SourceMap& sources, const std::vector<Step>& steps)
+      : sources_(sources), steps_(steps), taken_(steps.size(), false) {}
 
   /// Steps whose place is in the display; the earliest decides what else has come by then.
   std::vector<const Step*> take(Span display) {
     std::vector<const Step*> found;
     for (std::size_t k = first_left_; k < steps_.size(); ++k) {
-      if (taken_[k] || !lies_in(steps_[k].span, display)) continue;
+      if (taken_[k] || !lies_in(sources_, steps_[k].span, display)) continue;
       if (found.empty()) first_ = k;
       taken_[k] = true;
       found.push_back(&steps_[k]);
@@ -46,48 +51,91 @@ class StepQueue {
     return found;
   }
 
+  const SourceMap& sources_;
   const std::vector<Step>& steps_;
   std::vector<bool> taken_;
   std::size_t first_left_ = 0;  // all steps before it are taken
   std::size_t first_ = 0;
 };
 
-void add_stated(ShownNotes& notes, const std::vector<const Step*>& steps) {
-  for (const Step* step : steps) {
-    ShownEquation stated;
-    stated.span = step->span;
-    stated.displayed = false;
-    stated.steps.push_back(step);
-    notes.items.emplace_back(std::move(stated));
+/// Items of the notes one after another, each with the macros in force there.
+class NotesReader {
+ public:
+  NotesReader(SourceMap& sources, const FileReport& report)
+      : sources_(sources), queue_(sources, report.steps) {
+    notes_.report = &report;
   }
-}
+
+  void take(const Heading& heading) {
+    notes_.items.emplace_back(ShownHeading{heading.level, heading.title, in_force()});
+  }
+  void take(const DirectiveLine& directive) { directives_.emplace_back(directive.span, in_force()); }
+  void take(const MacroText& macro) {
+    static_cast<void>(expand(lex(sources_, macro.span), macros_, unheard_));
+    changed_ = true;
+  }
+  void take(const Display& display) {
+    ShownEquation equation;
+    equation.span = display.span;
+    equation.source = std::string(sources_.text(display.body));
+    equation.steps = queue_.take(display.span);
+    if (!equation.steps.empty()) add_stated(queue_.take_before());
+    const std::vector<Token> lexed = lex(sources_, display.body, display.quotes);
+    changed_ = changed_ || std::any_of(lexed.begin(), lexed.end(), [](const Token& token) {
+                 return token.kind == TokenKind::control && definition_form(token.text);
+               });
+    const auto tokens = expand(lexed, macros_, unheard_);
+    if (tokens) equation.shown = layout_of_display(*tokens, display.environment);
+    equation.macros = in_force();
+    notes_.items.emplace_back(std::move(equation));
+  }
+
+  [[nodiscard]] ShownNotes finish() {
+    add_stated(queue_.take_rest());
+    return std::move(notes_);
+  }
+
+ private:
+  /// The number of the macros as they are now.
+  std::size_t in_force() {
+    if (changed_) notes_.macros.push_back(macros_);
+    changed_ = false;
+    return notes_.macros.size() - 1;
+  }
+
+  void add_stated(const std::vector<const Step*>& steps) {
+    for (const Step* step : steps) {
+      const auto said = std::find_if(directives_.begin(), directives_.end(), [&](const auto& directive) {
+        return lies_in(sources_, step->span, directive.first);
+      });
+      ShownEquation stated;
+      stated.span = step->span;
+      stated.displayed = false;
+      stated.steps.push_back(step);
+      stated.macros = said == directives_.end() ? in_force() : said->second;
+      notes_.items.emplace_back(std::move(stated));
+    }
+  }
+
+  SourceMap& sources_;
+  StepQueue queue_;
+  ShownNotes notes_;
+  MacroTable macros_;
+  bool changed_ = true;                                        // since the last of `notes_.macros`
+  std::vector<std::pair<Span, std::size_t>> directives_ = {};  // with the macros there
+  Diagnostics unheard_;                                        // check has reported them
+};
 
 }  // namespace
 
 ShownNotes show_notes(SourceMap& sources, const FileReport& report) {
-  ShownNotes notes;
-  notes.report = &report;
-  if (report.unreadable) return notes;
-  Diagnostics unheard;  // check has reported them
-  StepQueue queue(report.steps);
-  for (const Item& item : read_document(sources, report.file, unheard).items) {
-    if (const auto* heading = std::get_if<Heading>(&item)) {
-      notes.items.emplace_back(ShownHeading{heading->level, heading->title});
-    } else if (const auto* macro = std::get_if<MacroText>(&item)) {
-      static_cast<void>(expand(lex(sources, macro->span), notes.macros, unheard));
-    } else if (const auto* display = std::get_if<Display>(&item)) {
-      ShownEquation equation;
-      equation.span = display->span;
-      equation.source = std::string(sources.text(display->body));
-      const auto tokens = expand(lex(sources, display->body, display->quotes), notes.macros, unheard);
-      if (tokens) equation.shown = layout_of_display(*tokens, display->environment);
-      equation.steps = queue.take(display->span);
-      if (!equation.steps.empty()) add_stated(notes, queue.take_before());
-      notes.items.emplace_back(std::move(equation));
-    }
+  NotesReader reader(sources, report);
+  if (!report.unreadable) {
+    Diagnostics unheard;  // check has reported them
+    for (const Item& item : read_document(sources, report.file, unheard).items)
+      std::visit([&](const auto& each) { reader.take(each); }, item);
   }
-  add_stated(notes, queue.take_rest());
-  return notes;
+  return reader.finish();
 }
 
 bool needs_attention(const Step& step) {

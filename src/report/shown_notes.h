@@ -16,7 +16,8 @@ namespace rigor {
 
 struct ShownHeading {
   int level = 1;
-  std::string title;  // as written
+  std::string title;       // as written
+  std::size_t macros = 0;  // see `ShownNotes`
 };
 
 /// A display, or a statement of a directive.
@@ -26,6 +27,7 @@ struct ShownEquation {
   std::string source;                 // of a display: what stands between its delimiters, as written
   std::optional<ShownDisplay> shown;  // of a display; nothing where its macros never end
   std::vector<const Step*> steps;     // of the report
+  std::size_t macros = 0;             // see `ShownNotes`; what the display itself defines is in force
 };
 
 using ShownItem = std::variant<ShownHeading, ShownEquation>;
@@ -33,7 +35,7 @@ using ShownItem = std::variant<ShownHeading, ShownEquation>;
 struct ShownNotes {
   const FileReport* report = nullptr;
   std::vector<ShownItem> items;
-  MacroTable macros;                         // at the end
+  std::vector<MacroTable> macros;            // in force at one item or another, which has its number
   std::vector<WorkedStep> derivations = {};  // of steps, where they were asked for
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/worked_step.h"
 
+#include <string_view>
+
 #include "derive/explanation.h"
 #include "expr/print_latex.h"
 
@@ -12,6 +14,7 @@ WorkedStep worked(WrittenForms& forms, std::size_t chain, std::size_t step) {
   const WrittenFormChain& of = forms.chains[chain];
   const Notation notation = notation_at(forms, of);
   WorkedStep derivation{.span = cover(of.forms[step].span, of.forms[step + 1].span),
+                        .image = of.image,
                         .start = print_latex(forms.tree, explained.start, notation),
                         .lines = {},
                         .gap = explained.gap};
@@ -29,7 +32,7 @@ std::vector<WorkedStep> worked_steps(WrittenForms& forms) {
     for (std::size_t step = 0; step < forms.chains[chain].steps.size(); ++step) {
       const WrittenFormChain& of = forms.chains[chain];
       const WrittenStep& written = of.steps[step];
-      const bool is_proved = written.outcome == Outcome::proved && !written.defines && of.image == 0;
+      const bool is_proved = written.outcome == Outcome::proved && !written.defines;
       if (is_proved && of.forms[step].expr && of.forms[step + 1].expr)
         all.push_back(worked(forms, chain, step));
     }
@@ -37,11 +40,22 @@ std::vector<WorkedStep> worked_steps(WrittenForms& forms) {
   return all;
 }
 
-const WorkedStep* worked_step_at(const std::vector<WorkedStep>& all, const SourceMap& sources, Span step) {
+int cyclic_image_of(const Step& step) {
+  constexpr std::string_view mark = " (cyclic image ";
+  const std::string written = step.left + " " + step.relation + " " + step.right;
+  if (!step.source.starts_with(written)) return 0;
+  const std::string_view behind = std::string_view(step.source).substr(written.size());
+  return behind.starts_with(mark) && behind.size() > mark.size() ? behind[mark.size()] - '0' : 0;
+}
+
+const WorkedStep* worked_step_of(const std::vector<WorkedStep>& all, const SourceMap& sources,
+                                 const Step& step) {
+  if (step.verdict != Verdict::proved) return nullptr;
+  const int image = cyclic_image_of(step);
   for (const WorkedStep& each : all) {
-    const bool same = each.span.begin == step.begin && each.span.end == step.end &&
-                      sources.path(each.span.file) == sources.path(step.file);
-    if (same && !each.lines.empty() && !each.gap) return &each;
+    const bool same = each.span.begin == step.span.begin && each.span.end == step.span.end &&
+                      each.image == image && sources.path(each.span.file) == sources.path(step.span.file);
+    if (same && (!each.lines.empty() || each.gap)) return &each;
   }
   return nullptr;
 }

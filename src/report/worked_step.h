@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/report.h"
 #include "expr/written_forms.h"
 #include "source/source_map.h"
 
@@ -21,17 +22,22 @@ struct WorkedLine {
 struct WorkedStep {
   Span span;  // of both sides; the notes may have been read a second time, so that only the path names the
               // file
+  int image = 0;  // of "and cyclic permutations"
   std::string start;
   std::vector<WorkedLine> lines;
   std::optional<std::string> gap = {};  // why the other side was not reached
 };
 
-/// Of every step that is proved and no definition; in the order of the chains. Cost: up to some hundred small
-/// decisions a step.
+/// Of every step that is proved and no definition, cyclic images included; in the order of the chains. Cost:
+/// up to some hundred small decisions a step.
 [[nodiscard]] std::vector<WorkedStep> worked_steps(WrittenForms& forms);
 
-/// The one that belongs to these bytes of this file, if there is one that says something.
-[[nodiscard]] const WorkedStep* worked_step_at(const std::vector<WorkedStep>& all, const SourceMap& sources,
-                                               Span step);
+/// Which image of "and cyclic permutations" the step is: 1 or 2; 0 for the statement itself, which alone is
+/// written out in the step's sides.
+[[nodiscard]] int cyclic_image_of(const Step& step);
+
+/// The one that belongs to the step, if the step is proved and there is one that has lines or a gap.
+[[nodiscard]] const WorkedStep* worked_step_of(const std::vector<WorkedStep>& all, const SourceMap& sources,
+                                               const Step& step);
 
 }  // namespace rigor

@@ -77,4 +77,44 @@ TEST_CASE("the document says what is wrong, where, and what is true") {
   CHECK(text.find("true is") != std::string::npos);
 }
 
+TEST_CASE("the document shows each step with the macros that were in force there") {
+  const Folder folder;
+  write_file(
+      folder.path("n.tex"),
+      "\\newcommand{\\sgn}{-}\n\\[ \\mathbf{A}\\times\\mathbf{B} = \\sgn\\mathbf{B}\\times\\mathbf{A} \\]\n"
+      "\\renewcommand{\\sgn}{+}\n\\[ \\mathbf{A}\\cdot\\mathbf{B} = \\sgn\\mathbf{B}\\cdot\\mathbf{A} \\]\n");
+  const std::string text = run_program({"report", folder.path("n.tex"), "--latex", "-"}).text;
+  INFO(text);
+  CHECK(text.find("\\times }\\mathbf{B}\\mathrel{=}{-}\\mathbf{B}\\mathbin{\\times }") != std::string::npos);
+  CHECK(text.find("\\cdot }\\mathbf{B}\\mathrel{=}{+}\\mathbf{B}\\mathbin{\\cdot }") != std::string::npos);
+}
+
+TEST_CASE("what rigor printed is shown without the macros of the notes") {
+  const Folder folder;
+  write_file(folder.path("n.tex"),
+             "\\renewcommand{\\cdot}{\\times}\n"
+             "\\[ \\mathbf{C}\\bullet\\mathbf{B} = \\mathbf{B}\\bullet\\mathbf{C} \\]\n");
+  const std::string text = run_program({"report", folder.path("n.tex"), "--latex", "-"}).text;
+  INFO(text);
+  CHECK(text.find("\\rigorsmall{2em}{\\mathbf{C}\\mathbin{\\cdot }\\mathbf{B}}") != std::string::npos);
+}
+
+TEST_CASE("a display whose macros never end is shown as its source") {
+  const Folder folder;
+  write_file(folder.path("n.tex"), "\\def\\z{\\z\\z}\n\\[\\z = 1\\]\n");
+  const std::string text = run_program({"report", folder.path("n.tex"), "--latex", "-"}).text;
+  INFO(text);
+  CHECK(text.find("\\textbackslash{}z\\ =\\ 1") != std::string::npos);
+}
+
+TEST_CASE("a proved step without small steps says why, in the document and on the page") {
+  const Folder folder;
+  write_file(folder.path("n.md"), "<!-- rigor: scalar x -->\n\n$$x^2 + 1 > 0$$\n");
+  for (const char* option : {"--latex", "--html"}) {
+    const std::string text = run_program({"report", folder.path("n.md"), option, "-", "--no-forms"}).text;
+    INFO(text);
+    CHECK(text.find("none: an order is not turned from one side into the other") != std::string::npos);
+  }
+}
+
 }  // namespace rigor

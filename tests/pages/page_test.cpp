@@ -126,6 +126,45 @@ TEST_CASE("a page asks nothing of the network and holds nothing but its own scri
   CHECK(page.find("href=\"a%3Cb%3E%26%22c%27%25.md\"") != std::string::npos);
 }
 
+TEST_CASE("a display of an included file has its step below it") {
+  const Folder folder;
+  write_file(folder.path("part.tex"),
+             "\\[ \\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A} \\]\n");
+  const std::string page = page_of(folder, "n.tex", "\\[ 1 = 1 \\]\n\\input{part}\n\\[ 2 = 2 \\]\n");
+  CHECK(page.find("says nothing that can be checked") == std::string::npos);
+  CHECK(page.find("class=\"eq said\"") == std::string::npos);
+  CHECK(page.find("3 steps, and nothing needs attention.") != std::string::npos);
+}
+
+TEST_CASE("a cyclic image is told from its statement and has a proof only where it is proved") {
+  const Folder folder;
+  const std::string page = page_of(folder, "n.md",
+                                   "<!-- rigor: scalar a --><!-- rigor: let \\mathbf{p} = (a, 0, 0) -->\n\n"
+                                   "$$p_y = 0 \\qquad\\text{and cyclic}$$\n");
+  const std::size_t first = page.find("cyclic image 1 of <math");
+  const std::size_t second = page.find("cyclic image 2 of <math");
+  REQUIRE(first != std::string::npos);
+  REQUIRE(second != std::string::npos);
+  CHECK(page.substr(0, first).find("in small steps") != std::string::npos);
+  CHECK(page.substr(first, second - first).find("in small steps") != std::string::npos);
+  CHECK(page.substr(first, second - first).find("class=\"step refuted") != std::string::npos);
+  CHECK(page.substr(second).find("in small steps") == std::string::npos);
+  const std::string document = run_program({"report", folder.path("n.md"), "--latex", "-"}).text;
+  CHECK(document.find("cyclic image 1 of ") != std::string::npos);
+  CHECK(document.find("cyclic image 2 of ") != std::string::npos);
+}
+
+TEST_CASE("page and document show a problem of the file as a whole") {
+  const Folder folder;
+  const std::string page = page_of(folder, "n.md", "$$1 = 1$$\n\n<!-- rigor: nonsense x -->\n");
+  CHECK(page.find("nothing needs attention") == std::string::npos);
+  CHECK(page.find("<b>1 problem of the notes as a whole</b>.") != std::string::npos);
+  const Outcome document = run_program({"report", folder.path("n.md"), "--latex", "-"});
+  CHECK(document.code == 1);
+  CHECK(document.text.find("1 problem of the notes as a whole.") != std::string::npos);
+  CHECK(document.text.find("error: \\texttt{nonsense} is no directive") != std::string::npos);
+}
+
 TEST_CASE("the same notes make the same page") {
   const Folder folder;
   const std::string first = page_of(folder, "n.md", hostile_notes);
@@ -185,6 +224,20 @@ TEST_CASE("a printed page has the sample of what is refuted and no buttons") {
   CHECK(text.find("2 need attention") != std::string::npos);
 }
 
+TEST_CASE("a printed equation with more steps than a page holds begins below what stands before it") {
+  if (!is_there("chromium") || !is_there("pdftotext")) return;
+  const Folder folder;
+  std::string notes = "# Long\n\n$$60";
+  for (int k = 59; k > 0; --k) notes += " = " + std::to_string(k) + " + " + std::to_string(60 - k);
+  static_cast<void>(page_of(folder, "n.md", notes + "$$\n"));
+  static_cast<void>(chromium("--no-pdf-header-footer --print-to-pdf='" + folder.path("page.pdf") + "'",
+                             folder.path("page.html")));
+  const std::string first =
+      printed_by("pdftotext -f 1 -l 1 -raw '" + folder.path("page.pdf") + "' - | grep -c proved");
+  CHECK(std::stoi(first) > 5);
+  CHECK(std::stoi(first) < 59);
+}
+
 TEST_CASE("wrong use of report says what is wrong") {
   const Folder folder;
   write_file(folder.path("n.md"), "$$1 = 1$$\n");
@@ -195,13 +248,55 @@ TEST_CASE("wrong use of report says what is wrong") {
   CHECK_FALSE(std::filesystem::exists(folder.path("p.html")));
   const Outcome unwritable = run_program({"report", folder.path("n.md"), "--html", folder.path("no/p.html")});
   CHECK(unwritable.code == 66);
-  CHECK(unwritable.text.find("cannot be written") != std::string::npos);
+  CHECK(unwritable.text.find("cannot be written: no such file or directory") != std::string::npos);
+}
+
+TEST_CASE("no output takes the place of notes or of the other output") {
+  const Folder folder;
+  const std::string notes = "\\[ 1 = 1 \\]\n\\input{part}\n";
+  const std::string path = folder.path("n.tex");
+  write_file(path, notes);
+  write_file(folder.path("part.tex"), "\\[ 2 = 2 \\]\n");
+  write_file(folder.path("n.rigor"), "claim 3 = 3\n");
+  std::filesystem::create_symlink(path, folder.path("link"));
+  for (const std::string& output :
+       {path, folder.path("./n.tex"), folder.path("link"), folder.path("part.tex"), folder.path("n.rigor")}) {
+    for (const char* option : {"--html", "--latex"}) {
+      const Outcome outcome = run_program({"report", path, option, output, "--no-forms"});
+      INFO(output << outcome.text);
+      CHECK(outcome.code == 64);
+      CHECK(outcome.text.find("would overwrite") != std::string::npos);
+    }
+  }
+  CHECK(text_of(path) == notes);
+  CHECK(text_of(folder.path("part.tex")) == "\\[ 2 = 2 \\]\n");
+  CHECK(text_of(folder.path("n.rigor")) == "claim 3 = 3\n");
+  const Outcome twice =
+      run_program({"report", path, "--html", folder.path("x.out"), "--latex", folder.path("./x.out")});
+  CHECK(twice.code == 64);
+  CHECK(twice.text.find("are one file") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.path("x.out")));
+  CHECK(run_program({"report", path, "--html", "/dev/null", "--latex", "/./dev/null", "--no-forms"}).code ==
+        0);
+}
+
+TEST_CASE("a missing file does not keep the others from the page") {
+  const Folder folder;
+  write_file(folder.path("n.md"), "$$1 = 1$$\n");
+  const Outcome outcome = run_program({"report", folder.path("n.md"), folder.path("none.md"), "--html",
+                                       folder.path("p.html"), "--latex", folder.path("d.tex"), "--no-forms"});
+  CHECK(outcome.code == 66);
+  CHECK(outcome.text.find("none.md") != std::string::npos);
+  const std::string page = text_of(folder.path("p.html"));
+  CHECK(page.find("1 step, none of which needs attention, but <b>1 problem") != std::string::npos);
+  CHECK(page.find("no such file") != std::string::npos);
+  CHECK(text_of(folder.path("d.tex")).find("no such file") != std::string::npos);
 }
 
 TEST_CASE("notes without an equation make a page that says so") {
   const Folder folder;
   const std::string page = page_of(folder, "n.md", "Only words.\n");
-  CHECK(page.find("There is no step to check.") != std::string::npos);
+  CHECK(page.find("There is no step to check; 1 warning of the notes as a whole.") != std::string::npos);
   CHECK(page.find("no displayed equation was found") != std::string::npos);
 }
 

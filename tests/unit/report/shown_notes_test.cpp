@@ -6,6 +6,26 @@
 
 namespace rigor {
 
+namespace {
+
+/// The shown equations of a report, in their order.
+std::vector<ShownEquation> equations_of(const ShownNotes& notes) {
+  std::vector<ShownEquation> equations;
+  for (const ShownItem& item : notes.items) {
+    if (const auto* equation = std::get_if<ShownEquation>(&item)) equations.push_back(*equation);
+  }
+  return equations;
+}
+
+/// What the macro says at the equation: its tokens.
+std::string meaning_at(const ShownNotes& notes, const ShownEquation& equation, const std::string& macro) {
+  std::string text;
+  for (const Token& token : notes.macros.at(equation.macros).at(macro).body) text += token.text;
+  return text;
+}
+
+}  // namespace
+
 TEST_CASE("what a step uses is a word, LaTeX and a place") {
   const Use tagged = use_of("definition I_{ij} (8)");
   CHECK(tagged.word == "definition");
@@ -50,6 +70,24 @@ TEST_CASE("an expected refutation needs no attention and an unexpected proof doe
   step.expected_refuted = false;
   CHECK_FALSE(needs_attention(step));
   CHECK(verdict_words(step) == "proved");
+}
+
+TEST_CASE("each equation has the macros that are in force at it") {
+  SourceMap sources;
+  const FileReport report = check_text(sources, "n.tex",
+                                       "\\newcommand{\\s}{-}\n\\[ 1 = \\s 1 \\]\n% rigor: given a = \\s 2\n"
+                                       "\\renewcommand{\\s}{+}\n\\[ 1 = \\s 1 \\]\n"
+                                       "\\[ \\def\\s{*} 1 = 1 \\]\n\\[ 2 = 2 \\]\n");
+  const ShownNotes notes = show_notes(sources, report);
+  const std::vector<ShownEquation> equations = equations_of(notes);
+  REQUIRE(equations.size() == 5);
+  CHECK(meaning_at(notes, equations[0], "s") == "-");
+  CHECK_FALSE(equations[1].displayed);
+  CHECK(meaning_at(notes, equations[1], "s") == "-");
+  CHECK(meaning_at(notes, equations[2], "s") == "+");
+  CHECK(meaning_at(notes, equations[3], "s") == "*");
+  CHECK(meaning_at(notes, equations[4], "s") == "*");
+  CHECK(notes.macros.size() == 3);
 }
 
 }  // namespace rigor
