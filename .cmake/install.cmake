@@ -22,7 +22,7 @@ add_custom_target(manual ALL DEPENDS ${manual}/rigor.1.gz ${manual}/rigor)
 install(TARGETS rigor EXPORT rigorTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES ${manual}/rigor.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${manual}/rigor DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES src/report/latex/rigor.sty # where TeX Live looks beside what it has itself
+install(FILES src/report/latex/rigor.sty src/report/latex/rigorverdicts.sty # where TeX Live looks beside what it has itself
   DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/texmf/tex/latex/rigor)
 
 install(EXPORT rigorTargets NAMESPACE rigor:: DESTINATION ${package_folder})

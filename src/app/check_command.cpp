@@ -116,6 +116,22 @@ std::string printed(const CheckCommand& command, const Report& report, const Sou
   return "";
 }
 
+/// Marks of one file that was checked to its end; what was read is not overwritten.
+ExitCode write_marks(const std::string& path, const FileReport& file, const SourceMap& sources,
+                     std::ostream& err) {
+  if (file.unreadable || !file.failure.empty()) return ExitCode::ok;
+  for (FileId id = 0; id < sources.size(); ++id) {
+    std::error_code none;
+    if (!std::filesystem::equivalent(path, sources.path(id), none)) continue;
+    err << fmt::format("rigor: `{}` is read here, and is not overwritten with marks\n", printable(path));
+    return ExitCode::usage;
+  }
+  const auto written = write_file(path, to_marks(file, sources));
+  if (written) return ExitCode::ok;
+  err << fmt::format("rigor: `{}` cannot be written: {}\n", printable(path), written.error().reason);
+  return ExitCode::no_input;
+}
+
 void tell_failures(const Report& report, std::ostream& err) {
   for (const FileReport& file : report.files) {
     if (!file.failure.empty())
@@ -135,12 +151,8 @@ ExitCode check_notes(const CheckCommand& command, std::ostream& out, std::ostrea
   tell_failures(report, err);
   ExitCode code = exit_code(report, command.strict);
   if (command.marks) {
-    const auto written = write_file(*command.marks, to_marks(report.files.front(), sources));
-    if (!written) {
-      err << fmt::format("rigor: `{}` cannot be written: {}\n", printable(*command.marks),
-                         written.error().reason);
-      if (code != ExitCode::internal) code = ExitCode::no_input;
-    }
+    const ExitCode written = write_marks(*command.marks, report.files.front(), sources, err);
+    if (written != ExitCode::ok && code != ExitCode::internal) code = written;
   }
   out << printed(command, report, sources, out);
   return code;

@@ -15,9 +15,9 @@
 namespace rigor {
 namespace {
 
-/// The worst first.
-enum class Mark : std::uint8_t { refuted, open, proved, given };
-constexpr std::array<std::string_view, 4> mark_names{"refuted", "open", "proved", "given"};
+/// The worst first; the last of a display without steps.
+enum class Mark : std::uint8_t { refuted, open, proved, given, silent };
+constexpr std::array<std::string_view, 5> mark_names{"refuted", "open", "proved", "given", "silent"};
 
 Mark mark_of(const Step& step) {
   const bool malformed = std::any_of(step.diagnostics.begin(), step.diagnostics.end(), [](const auto& each) {
@@ -27,7 +27,7 @@ Mark mark_of(const Step& step) {
     case Verdict::refuted:
       return Mark::refuted;
     case Verdict::proved:
-      return Mark::proved;
+      return malformed ? Mark::open : Mark::proved;
     case Verdict::given:
     case Verdict::definition:
       return malformed ? Mark::open : Mark::given;
@@ -39,7 +39,7 @@ Mark mark_of(const Step& step) {
   return Mark::open;
 }
 
-/// One display's line; empty if nothing was to be said of it.
+/// One display's line.
 std::string line_of(Span display, const FileReport& file, const SourceMap& sources) {
   std::array<std::size_t, mark_names.size()> found{};
   std::size_t all = 0;
@@ -50,29 +50,29 @@ std::string line_of(Span display, const FileReport& file, const SourceMap& sourc
     ++found[static_cast<std::size_t>(mark_of(step))];
     ++all;
   }
-  if (all == 0) return "";
-  const std::size_t worst = static_cast<std::size_t>(
-      std::find_if(found.begin(), found.end(), [](std::size_t count) { return count > 0; }) - found.begin());
+  const auto most = std::find_if(found.begin(), found.end() - 1, [](std::size_t count) { return count > 0; });
+  const auto worst = static_cast<std::size_t>(most - found.begin());
   const LineColumn begin = sources.line_column(display.file, display.begin);
   const LineColumn end = sources.line_column(display.file, std::max(display.begin + 1, display.end) - 1);
   return fmt::format("display {} {} {} {} {}\n", begin.line, end.line, mark_names[worst], found[worst], all);
 }
 
 std::string path_beside(const std::string& path, const std::string& notes) {
-  const std::filesystem::path folder = std::filesystem::path(notes).lexically_normal().parent_path();
-  const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
-  const std::filesystem::path relative = folder.empty() ? normal : normal.lexically_relative(folder);
-  return printable((relative.empty() ? normal : relative).generic_string());
+  std::error_code none;
+  const auto normal = [&none](const std::string& each) {
+    return std::filesystem::absolute(std::filesystem::path(each), none).lexically_normal();
+  };
+  return printable(normal(path).lexically_relative(normal(notes).parent_path()).generic_string());
 }
 
 }  // namespace
 
 std::string to_marks(const FileReport& file, const SourceMap& sources) {
   std::vector<FileId> files{file.file};
-  for (const Span& display : file.displays) {
-    if (std::find(files.begin(), files.end(), display.file) == files.end()) files.push_back(display.file);
+  for (FileId id = 0; id < sources.size(); ++id) {
+    if (id != file.file) files.push_back(id);
   }
-  std::string text = "rigor-marks 1\n";
+  std::string text = "rigor-marks 2\n";
   for (const FileId id : files) {
     text += fmt::format("file {} {}\n", md5(sources.text(id)), path_beside(sources.path(id), file.path));
     for (const Span& display : file.displays) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +13,8 @@
 
 #include "base/check.h"
 #include "catch.h"
+#include "source/read_file.h"
+#include "source/write_file.h"
 
 namespace rigor {
 namespace {
@@ -50,6 +56,34 @@ TEST_CASE("a file that is missing ends with 66, even where others are read") {
 }
 
 TEST_CASE("a directory ends with 66") { CHECK(run_with({"check", "docs"}).code == 66); }
+
+TEST_CASE("marks of a file that cannot be read replace no marks") {
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("rigor-marks-{}", getpid());
+  REQUIRE(write_file(path.string(), "earlier marks\n"));
+  CHECK(run_with({"check", "no/such/notes.tex", "--marks", path.c_str()}).code == 66);
+  CHECK(read_file(path.string()).value() == "earlier marks\n");
+  std::filesystem::remove(path);
+}
+
+TEST_CASE("marks overwrite neither the notes nor their sidecar") {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / fmt::format("rigor-overwrite-{}", getpid());
+  std::filesystem::create_directory(folder);
+  const std::string notes = (folder / "a.md").string();
+  const std::string sidecar = (folder / "a.rigor").string();
+  REQUIRE(write_file(notes, "$$ A^2 = A^2 $$\n"));
+  REQUIRE(write_file(sidecar, "% nothing\n"));
+  const std::string detour = (folder / ".." / folder.filename() / "a.rigor").string();
+  for (const std::string& marks : {notes, detour}) {
+    const Outcome outcome = run_with({"check", notes.c_str(), "--marks", marks.c_str()});
+    CHECK(outcome.code == 64);
+    CHECK(outcome.err == fmt::format("rigor: `{}` is read here, and is not overwritten with marks\n", marks));
+  }
+  CHECK(read_file(notes).value() == "$$ A^2 = A^2 $$\n");
+  CHECK(read_file(sidecar).value() == "% nothing\n");
+  std::filesystem::remove_all(folder);
+}
 
 TEST_CASE("with --json the output is JSON and nothing else") {
   const Outcome outcome = run_with({"check", "--json", "no/such/notes.md"});

@@ -21,7 +21,7 @@ TEST_CASE("each display has its lines, the worst verdict in it and its steps") {
       "  &= -\\mathbf{B}\\cdot\\mathbf{A}\n\\end{align}\n"
       "$$ \\mathbf{C} = \\mathbf{A}\\times\\mathbf{B} $$\n"
       "\\[ \\mathbf{A} = \\int\\mathbf{B}\\,d\\theta \\]\n";
-  CHECK(marks_of("notes/a.tex", text) == "rigor-marks 1\nfile " + md5(text) +
+  CHECK(marks_of("notes/a.tex", text) == "rigor-marks 2\nfile " + md5(text) +
                                              " a.tex\n"
                                              "display 1 1 proved 1 1\n"
                                              "display 3 6 refuted 1 2\n"
@@ -35,8 +35,26 @@ TEST_CASE("what is skipped or malformed is not checked") {
   CHECK(marks.find("display 2 2 open 1 1\ndisplay 3 3 open 1 1\n") != std::string::npos);
 }
 
+TEST_CASE("a step that is proved and malformed is not checked") {
+  const std::string marks = marks_of("a.tex", "% rigor: units a: L, t: T\n\\[ a + t = t + a \\]\n");
+  CHECK(marks.find("display 2 2 open 1 1\n") != std::string::npos);
+}
+
+TEST_CASE("a display without steps has its line") {
+  const std::string marks = marks_of("a.tex", "\\[ \\mathbf{A}+\\mathbf{B} \\] \\[ \\text{hello} \\]\n");
+  CHECK(marks.find("display 1 1 silent 0 0\ndisplay 1 1 silent 0 0\n") != std::string::npos);
+}
+
+TEST_CASE("every file that was read has its digest, whether or not it has displays") {
+  SourceMap sources;
+  const FileReport report = check_text(sources, "notes/a.tex", "words\n");
+  sources.add("notes/../b.rigor", "let\n");
+  CHECK(to_marks(report, sources) ==
+        "rigor-marks 2\nfile " + md5("words\n") + " a.tex\nfile " + md5("let\n") + " ../b.rigor\n");
+}
+
 TEST_CASE("notes without displays are a file without marks") {
-  CHECK(marks_of("a.tex", "words\n") == "rigor-marks 1\nfile " + md5("words\n") + " a.tex\n");
+  CHECK(marks_of("a.tex", "words\n") == "rigor-marks 2\nfile " + md5("words\n") + " a.tex\n");
 }
 
 }  // namespace
