@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "latex/blocks.h"
+#include "latex/cover_tokens.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
@@ -226,7 +227,7 @@ class RowReader {
       const bool system =
           (name == "cases" || name == "dcases") && row_is_empty && !inside() && is_whole_row(next, name);
       const bool transparent = !inside() && (is_transparent_environment(name) || system);
-      open_.push_back({name, transparent, cover(token.span, span_of(argument.content))});
+      open_.push_back({name, transparent, cover(token.span, argument.content)});
       if (transparent) {
         next = optional_argument_at(tokens_, next).next;
         if (name.starts_with("alignat") || name == "alignedat") next = argument_at(tokens_, next).next;
