@@ -20,9 +20,10 @@ class InputFiles {
   InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics);
 
   /// Reads and mends the file `name`, as the file on top of the stack names it at `place`: relative to the
-  /// notes' folder, else to the folder of that file; `.tex` is added where it has no extension. Nothing for a
-  /// file that was read before, and, with a diagnostic, for one that is outside, missing, inside itself,
-  /// nested too deep or past the 1000th. A file that is returned is on the stack until `close`.
+  /// notes' folder, else to the folder of that file; `NAME.tex` comes before `NAME`, and `"` belong to no
+  /// name. Nothing for a file that was read before, and, with a diagnostic, for one that is outside, missing,
+  /// inside itself, nested too deep or past the 1000th. A file that is returned is on the stack until
+  /// `close`.
   std::optional<FileId> open(std::string_view name, Span place);
   void close() { stack_.pop_back(); }
 

@@ -194,7 +194,11 @@ class LatexReader : NotesReader {
       end = *group;
       name = text_.trimmed(at + 1, end - 1);
     } else {
-      while (end < text_.size() && !is_white(text_[end]) && text_[end] != '%' && text_[end] != '\\') ++end;
+      bool quoted = false;  // \input "a name with blanks"
+      for (; end < text_.size() && text_[end] != '%' && text_[end] != '\\' && text_[end] != '\n'; ++end) {
+        if (!quoted && is_white(text_[end])) break;
+        quoted = quoted != (text_[end] == '"');
+      }
       name = text_.span(at, end);
     }
     if (name.empty()) return false;

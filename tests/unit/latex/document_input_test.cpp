@@ -54,6 +54,24 @@ TEST_CASE("\\input is followed in place, inside the folder of the notes") {
   CHECK(folder.read("\\input{}").diagnostics.empty());
 }
 
+TEST_CASE("\\input finds a file as TeX does: without quotes, and NAME.tex before NAME") {
+  Folder folder("rigor-document-test-names");
+  folder.write("notes/sub dir/p q.tex", "\\[ a \\]");
+  folder.write("notes/p.y", "\\[ no \\]");
+  folder.write("notes/p.y.tex", "\\[ b \\]");
+  folder.write("notes/bare", "\\[ c \\]");
+  folder.write("notes/lone.y", "\\[ d \\]");
+  const auto displays = [&](const std::string& text) {
+    const ReadNotes notes = folder.read(text);
+    return notes.dump() + notes.complaints();
+  };
+  CHECK(displays("\\input{\"sub dir/p q\"}") == "display <> a\n");
+  CHECK(displays("\\input \"sub dir/p q\" \\[ z \\]") == "display <> a\ndisplay <> z\n");
+  CHECK(displays("\\input{p.y}") == "display <> b\n");
+  CHECK(displays("\\input{bare}") == "display <> c\n");
+  CHECK(displays("\\input{lone.y}") == "display <> d\n");
+}
+
 TEST_CASE("\\input ends where files read each other or are nested too deep") {
   Folder folder("rigor-document-test-cycle");
   folder.write("notes/a.tex", "\\input{b}");
