@@ -37,7 +37,7 @@ InputFiles::InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics)
     : sources_(sources), diagnostics_(diagnostics), folder_(fs::path(sources.path(top)).parent_path()) {
   root_ = real_path(folder_.empty() ? fs::path(".") : folder_);
   stack_.push_back(real_path(sources.path(top)));
-  read_.insert(stack_.back());
+  claims_in_.emplace(stack_.back(), false);
 }
 
 std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
@@ -64,7 +64,13 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
   if (std::find(stack_.begin(), stack_.end(), real) != stack_.end()) {
     return report(DiagnosticKind::missing_input, place, fmt::format("`{}` reads itself", shown));
   }
-  if (!read_.insert(real).second) return std::nullopt;
+  const auto [before, fresh] = claims_in_.emplace(real, false);
+  if (!fresh && before->second) {
+    report(DiagnosticKind::unsupported, place,
+           fmt::format("`{}` was read before; its equations are not checked again here", shown));
+    diagnostics_.back().help.emplace_back("if symbols mean something else here, write the equations here");
+  }
+  if (!fresh) return std::nullopt;
   auto text = read_file(path.string());
   if (!text) {
     return report(DiagnosticKind::missing_input, place,
@@ -78,6 +84,11 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
   }
   stack_.push_back(real);
   return file;
+}
+
+void InputFiles::close(bool has_claims) {
+  claims_in_[stack_.back()] = has_claims;
+  stack_.pop_back();
 }
 
 std::optional<FileId> InputFiles::report(DiagnosticKind kind, Span place, std::string message) {

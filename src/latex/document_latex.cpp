@@ -11,6 +11,11 @@
 namespace rigor {
 namespace {
 
+/// Something that says more than what macros mean.
+bool is_claim(const Item& item) {
+  return std::holds_alternative<Display>(item) || std::holds_alternative<DirectiveLine>(item);
+}
+
 class LatexReader : NotesReader {
  public:
   LatexReader(DocumentReading& reading, FileId file, InputFiles& inputs)
@@ -205,8 +210,10 @@ class LatexReader : NotesReader {
     const Span place = text_.span(at_, end);
     at_ = end;
     if (const auto file = inputs_.open(text_.between(name.begin, name.end), place)) {
+      const auto before = static_cast<std::ptrdiff_t>(reading_.document.items.size());
       read_latex(reading_, *file, inputs_);
-      inputs_.close();
+      const std::vector<Item>& items = reading_.document.items;
+      inputs_.close(std::any_of(items.begin() + before, items.end(), is_claim));
     }
     return true;
   }

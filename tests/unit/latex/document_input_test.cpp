@@ -45,7 +45,11 @@ TEST_CASE("\\input is followed in place, inside the folder of the notes") {
   folder.write("outside.tex", "\\[ no \\]");
   ReadNotes notes = folder.read("\\[ a \\]\\input{part}\\include{part}\\input part.tex \\[ e \\]");
   CHECK(notes.dump() == "display <> a\ndisplay <> b\ndisplay <> c\ndisplay <> d\ndisplay <> e\n");
-  CHECK(notes.complaints().empty());
+  CHECK(notes.complaints() ==
+        "1:20 `part.tex` was read before; its equations are not checked again here\n"
+        "1:34 `part.tex` was read before; its equations are not checked again here\n");
+  folder.write("notes/macros.tex", "\\newcommand{\\x}{x}\\section{x}");
+  CHECK(folder.read("\\input{macros}\\input{macros}").complaints().empty());
   CHECK(folder.read("\\input{../outside}").complaints() ==
         "1:1 `../outside.tex` is outside the folder of the notes\n");
   CHECK(folder.read("\\input{/etc/passwd}").diagnostics[0].kind == DiagnosticKind::input_outside);
