@@ -46,6 +46,13 @@ std::size_t behind_length(TokenView tokens, std::size_t at) {
   return end + 2;
 }
 
+/// As it would be printed, at \tag.
+std::string tag_at(TokenView tokens, std::size_t at) {
+  const bool starred = at + 1 < tokens.size() && is_sign(tokens[at + 1], "*");
+  const std::string text = text_of(argument_at(tokens, at + (starred ? 2 : 1)).content);
+  return starred ? text : fmt::format("({})", text);
+}
+
 class RowReader {
  public:
   RowReader(TokenView tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}
@@ -152,15 +159,11 @@ class RowReader {
   }
 
   bool tag_or_label(bool tag) {
-    std::size_t at = at_ + 1;
-    const bool starred = skip_star(at) != at;
-    at = skip_star(at);
-    const Argument argument = argument_at(tokens_, at);
-    const std::string text = text_of(argument.content);
+    const Argument argument = argument_at(tokens_, skip_star(at_ + 1));
     if (tag) {
-      row_.tag = starred ? text : fmt::format("({})", text);
+      row_.tag = tag_at(tokens_, at_);
     } else {
-      row_.label = text;
+      row_.label = text_of(argument.content);
     }
     at_ = argument.next;
     return true;
@@ -291,6 +294,13 @@ class RowReader {
 
 std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics) {
   return RowReader(tokens, diagnostics).read();
+}
+
+std::vector<std::string> tags_in(TokenView tokens) {
+  std::vector<std::string> tags;
+  for (std::size_t at = 0; at < tokens.size(); ++at)
+    if (is_control(tokens[at], "tag")) tags.push_back(tag_at(tokens, at));
+  return tags;
 }
 
 }  // namespace rigor
