@@ -10,6 +10,7 @@
 
 #include "check/demand.h"
 #include "latex/parse.h"
+#include "latex/rows.h"
 #include "source/suggest.h"
 
 namespace rigor {
@@ -71,6 +72,8 @@ class NotesReader {
     } else {
       parsed.unread = true;
     }
+    if (parsed.unread && size <= max_display_bytes)
+      parsed.tags = tags_in(lex(sources_, display.body, display.quotes));
     notes_.events.emplace_back(std::move(parsed));
   }
 

@@ -18,8 +18,9 @@ namespace rigor {
 struct ParsedDisplay {
   Span span;
   std::vector<ParsedChain> chains;
-  Diagnostics diagnostics;  // of the display as a whole
-  bool unread = false;      // too long, or its macros never end: no chain was read
+  Diagnostics diagnostics;             // of the display as a whole
+  bool unread = false;                 // too long, unbalanced, or its macros never end: no chain was read
+  std::vector<std::string> tags = {};  // of a display that is unread, unless it is too long
 };
 
 /// A directive at its place; `place` is where its statements are reported (for a sidecar: its anchor in the

@@ -157,6 +157,12 @@ void Session::follow_chains(const ParsedDisplay& display) {
     step.diagnostics = display.diagnostics;
     if (skip != nullptr) step.route = skip->text;
     if (step.diagnostics.empty() && skip == nullptr) return;
+    if (!display.tags.empty()) step.tag = display.tags.front();
+    for (std::size_t k = 1; k < display.tags.size(); ++k) {
+      add(step);  // what there is to say is said once
+      step.diagnostics.clear();
+      step.tag = display.tags[k];
+    }
     add(std::move(step));
     return;
   }

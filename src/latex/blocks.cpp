@@ -8,6 +8,7 @@
 
 #include "latex/beside.h"
 #include "latex/chain.h"
+#include "latex/cover_tokens.h"
 #include "latex/remarks.h"
 #include "latex/units.h"
 
@@ -131,8 +132,7 @@ class StatementSplitter {
         }
         const std::size_t end = remark_end(tokens_, words);
         const bool after_equation = block.related || !blocks_.empty();
-        note_words(cover(token.span, span_of(words.content)), spoken(tokens_.subspan(at, end - at)),
-                   after_equation);
+        note_words(cover(token.span, words.content), spoken(tokens_.subspan(at, end - at)), after_equation);
         cut();
         at = end;
         continue;

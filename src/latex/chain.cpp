@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "latex/blocks.h"
+#include "latex/cover_tokens.h"
 #include "latex/remarks.h"
 
 namespace rigor {
@@ -54,9 +55,8 @@ std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
     if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
     if (mark.find("def") != std::string::npos || mark.find("triangle") != std::string::npos)
       kind = RelationKind::defines;
-    return RelationAt{
-        {kind, cover(token.span, span_of(below.content)), text_of(tokens.subspan(at, below.next - at))},
-        below.next};
+    return RelationAt{{kind, cover(token.span, below.content), text_of(tokens.subspan(at, below.next - at))},
+                      below.next};
   }
   if (is_control(token, "not") && at + 1 < tokens.size() && relation_kind(tokens[at + 1])) {
     const bool unequal = relation_kind(tokens[at + 1]) == RelationKind::equal;
@@ -95,6 +95,9 @@ WrittenChain chain_of(TokenView tokens) {
     if (side.empty() && !chain.relations.empty()) {
       span = chain.relations.back().span;
       span.begin = span.end;
+    } else if (side.empty() && !tokens.empty()) {
+      span = tokens.front().span;
+      span.end = span.begin;
     }
     chain.sides.push_back({Tokens(side.begin(), side.end()), span});
   };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "latex/ascii.h"
 
@@ -24,9 +25,15 @@ class DisplaySearch {
   }
 
   DisplayEnd result() {
-    while (!found_ && at_ < text_.size()) step();
+    while (!found_ && at_ < text_.size()) {
+      if (braces_of_words_ > 0) {
+        step_in_words();
+      } else {
+        step();
+      }
+    }
     if (!found_) stop(Outcome::open, text_.size());
-    return result_;
+    return std::move(result_);
   }
 
  private:
@@ -50,8 +57,32 @@ class DisplaySearch {
   }
 
   void stop(Outcome outcome, std::size_t end) {
-    result_ = {outcome, at_, end};
+    result_.outcome = outcome;
+    result_.begin = at_;
+    result_.end = end;
     found_ = true;
+  }
+
+  /// In the braces of an \intertext, which end at a blank line at the latest.
+  void step_in_words() {
+    const char c = text_[at_];
+    const std::size_t begin = at_++;
+    if (c == '{') ++braces_of_words_;
+    if (c == '}') --braces_of_words_;
+    if (c == '%' && has_comments_) at_ = text_.line_end(begin);
+    if (c == '\n' && text_.is_blank_line(at_)) braces_of_words_ = 0;
+    if (c == '$' && text_[at_] == '$') pass(begin);
+    if (c != '\\') return;
+    const std::string_view word = text_.control_word(begin);
+    at_ = std::min(begin + 1 + std::max<std::size_t>(word.size(), 1), text_.size());
+    const auto mark = word == "begin" ? text_.environment_mark(at_) : std::nullopt;
+    if (text_[begin + 1] == '[' || aliases_.begins.contains(word) ||
+        (mark && is_display_environment(mark->name)))
+      pass(begin);
+  }
+
+  void pass(std::size_t display) {
+    if (!result_.passed) result_.passed = display;
   }
 
   void read_dollar() {
@@ -88,7 +119,14 @@ class DisplaySearch {
 
   void read_word(std::string_view word) {
     const std::size_t behind = at_ + 1 + word.size();
-    if (word == "begin" || word == "end") {
+    if (word == "intertext" || word == "shortintertext") {
+      const std::size_t brace = text_.skip_gap(behind);
+      if (text_[brace] == '{' && delimiter_ == DisplayDelimiter::environment) {
+        braces_of_words_ = 1;
+        at_ = brace + 1;
+        return;
+      }
+    } else if (word == "begin" || word == "end") {
       if (const auto mark = text_.environment_mark(behind)) {
         word == "begin" ? read_begin(mark->name, mark->end) : read_end(mark->name, mark->end);
         return;
@@ -129,6 +167,7 @@ class DisplaySearch {
   bool stops_at_blank_line_;
   bool has_comments_;
   int depth_ = 0;
+  int braces_of_words_ = 0;
   bool found_ = false;
   DisplayEnd result_;
 };

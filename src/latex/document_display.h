@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "latex/document_text.h"
@@ -27,11 +28,13 @@ struct DisplayEnd {
   Outcome outcome = Outcome::open;
   std::size_t begin = 0;
   std::size_t end = 0;
+  std::optional<std::size_t> passed = {};  // where a first display opens in the words of an \intertext
 };
 
 /// Looks for the end from `from` on, behind the opening. Without one, the search stops at the next display or
 /// heading; in `$$` (where opening and closing look the same), and in Markdown outside environments, already
-/// at a blank line. Cost: linear in what it passes over.
+/// at a blank line. Displays in the words of an \intertext are passed over. Cost: linear in what it passes
+/// over.
 [[nodiscard]] DisplayEnd find_display_end(const NotesText& text, const EnvironmentAliases& aliases,
                                           DisplayDelimiter delimiter, std::string_view environment,
                                           std::size_t from);

@@ -24,13 +24,20 @@ fs::path real_path(const fs::path& path) {
   return error ? fs::path() : result;
 }
 
+/// LaTeX writes a name with blanks in quotes; they belong to no name.
+std::string without_quotes(std::string_view name) {
+  std::string result(name);
+  std::erase(result, '"');
+  return result;
+}
+
 }  // namespace
 
 InputFiles::InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics)
     : sources_(sources), diagnostics_(diagnostics), folder_(fs::path(sources.path(top)).parent_path()) {
   root_ = real_path(folder_.empty() ? fs::path(".") : folder_);
   stack_.push_back(real_path(sources.path(top)));
-  read_.insert(stack_.back());
+  claims_in_.emplace(stack_.back(), false);
 }
 
 std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
@@ -40,9 +47,8 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
         DiagnosticKind::missing_input, place,
         fmt::format("no more than {} files are read; this and all later ones are left out", most_requests));
   }
-  fs::path asked{name};
-  if (!asked.has_extension()) asked += ".tex";
-  const std::string shown = asked.string();
+  const fs::path asked{without_quotes(name)};
+  const std::string shown = asked.string() + (asked.has_extension() ? "" : ".tex");
   if (stack_.size() > deepest) {
     return report(DiagnosticKind::missing_input, place,
                   fmt::format("`{}` is read more than {} files deep, and left out", shown, deepest));
@@ -58,7 +64,13 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
   if (std::find(stack_.begin(), stack_.end(), real) != stack_.end()) {
     return report(DiagnosticKind::missing_input, place, fmt::format("`{}` reads itself", shown));
   }
-  if (!read_.insert(real).second) return std::nullopt;
+  const auto [before, fresh] = claims_in_.emplace(real, false);
+  if (!fresh && before->second) {
+    report(DiagnosticKind::unsupported, place,
+           fmt::format("`{}` was read before; its equations are not checked again here", shown));
+    diagnostics_.back().help.emplace_back("if symbols mean something else here, write the equations here");
+  }
+  if (!fresh) return std::nullopt;
   auto text = read_file(path.string());
   if (!text) {
     return report(DiagnosticKind::missing_input, place,
@@ -74,19 +86,30 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
   return file;
 }
 
+void InputFiles::close(bool has_claims) {
+  claims_in_[stack_.back()] = has_claims;
+  stack_.pop_back();
+}
+
 std::optional<FileId> InputFiles::report(DiagnosticKind kind, Span place, std::string message) {
   diagnostics_.push_back({kind, place, std::move(message)});
   return std::nullopt;
 }
 
-/// LaTeX looks from the folder of the main file; \subfile and many editors from that of the file itself.
+/// LaTeX looks from the folder of the main file; \subfile and many editors from that of the file itself. Each
+/// looks for `NAME.tex` before `NAME`.
 fs::path InputFiles::find(const fs::path& name) const {
-  const fs::path here = (folder_ / name).lexically_normal();
-  std::error_code error;
-  if (fs::exists(here, error)) return here;
-  const fs::path beside = stack_.back().parent_path().lexically_relative(root_) / name;
-  const fs::path there = (folder_ / beside).lexically_normal();
-  return fs::exists(there, error) ? there : here;
+  fs::path with_extension = name;
+  if (name.extension() != ".tex") with_extension += ".tex";
+  const fs::path beside = stack_.back().parent_path().lexically_relative(root_);
+  for (const fs::path& folder : {folder_, folder_ / beside}) {
+    for (const fs::path& each : {with_extension, name}) {
+      fs::path found = (folder / each).lexically_normal();
+      std::error_code error;
+      if (fs::exists(found, error) && !fs::is_directory(found, error)) return found;
+    }
+  }
+  return (folder_ / (name.has_extension() ? name : with_extension)).lexically_normal();
 }
 
 bool InputFiles::is_inside(const fs::path& canonical) const {

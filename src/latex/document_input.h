@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,11 +20,13 @@ class InputFiles {
   InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics);
 
   /// Reads and mends the file `name`, as the file on top of the stack names it at `place`: relative to the
-  /// notes' folder, else to the folder of that file; `.tex` is added where it has no extension. Nothing for a
-  /// file that was read before, and, with a diagnostic, for one that is outside, missing, inside itself,
-  /// nested too deep or past the 1000th. A file that is returned is on the stack until `close`.
+  /// notes' folder, else to the folder of that file; `NAME.tex` comes before `NAME`, and `"` belong to no
+  /// name. Nothing for a file that was read before (with a diagnostic if it has claims) and, with a
+  /// diagnostic, for one that is outside, missing, inside itself, nested too deep or past the 1000th. A file
+  /// that is returned is on the stack until `close`.
   std::optional<FileId> open(std::string_view name, Span place);
-  void close() { stack_.pop_back(); }
+  /// `has_claims`: the file, or what it reads, has displays or directives.
+  void close(bool has_claims);
 
  private:
   std::optional<FileId> report(DiagnosticKind kind, Span place, std::string message);
@@ -33,10 +35,10 @@ class InputFiles {
 
   SourceMap& sources_;
   Diagnostics& diagnostics_;
-  std::filesystem::path folder_;              // of the notes, as their path says
-  std::filesystem::path root_;                // the same, canonical
-  std::vector<std::filesystem::path> stack_;  // canonical, the notes first
-  std::set<std::filesystem::path> read_;      // canonical
+  std::filesystem::path folder_;                     // of the notes, as their path says
+  std::filesystem::path root_;                       // the same, canonical
+  std::vector<std::filesystem::path> stack_;         // canonical, the notes first
+  std::map<std::filesystem::path, bool> claims_in_;  // of each file that was read, canonical
   std::size_t requests_ = 0;
 };
 

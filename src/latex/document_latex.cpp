@@ -11,6 +11,11 @@
 namespace rigor {
 namespace {
 
+/// Something that says more than what macros mean.
+bool is_claim(const Item& item) {
+  return std::holds_alternative<Display>(item) || std::holds_alternative<DirectiveLine>(item);
+}
+
 class LatexReader : NotesReader {
  public:
   LatexReader(DocumentReading& reading, FileId file, InputFiles& inputs)
@@ -194,15 +199,21 @@ class LatexReader : NotesReader {
       end = *group;
       name = text_.trimmed(at + 1, end - 1);
     } else {
-      while (end < text_.size() && !is_white(text_[end]) && text_[end] != '%' && text_[end] != '\\') ++end;
+      bool quoted = false;  // \input "a name with blanks"
+      for (; end < text_.size() && text_[end] != '%' && text_[end] != '\\' && text_[end] != '\n'; ++end) {
+        if (!quoted && is_white(text_[end])) break;
+        quoted = quoted != (text_[end] == '"');
+      }
       name = text_.span(at, end);
     }
     if (name.empty()) return false;
     const Span place = text_.span(at_, end);
     at_ = end;
     if (const auto file = inputs_.open(text_.between(name.begin, name.end), place)) {
+      const auto before = static_cast<std::ptrdiff_t>(reading_.document.items.size());
       read_latex(reading_, *file, inputs_);
-      inputs_.close();
+      const std::vector<Item>& items = reading_.document.items;
+      inputs_.close(std::any_of(items.begin() + before, items.end(), is_claim));
     }
     return true;
   }

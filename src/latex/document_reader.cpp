@@ -48,6 +48,12 @@ DisplayEnd NotesReader::read_closed_display(const Opening& opening) {
   display.body = text_.span(body, end.begin);
   display.cyclic = text_.goes_on_cyclically(end.end);
   add_directives(body, end.begin);
+  if (end.passed)
+    reading_.diagnostics.push_back({DiagnosticKind::unsupported,
+                                    text_.span(*end.passed, *end.passed + 2),
+                                    "a display in the words of `\\intertext` is not read",
+                                    {},
+                                    {"close the display around it before these words"}});
   if (!text_.trimmed(body, end.begin).empty()) add(std::move(display));
   at_ = end.end;
   return end;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "latex/cover_tokens.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
@@ -70,7 +71,7 @@ class IndexReader {
       at_ = tokens_.size();
     } else if (holds_words(token)) {
       const Argument words = argument_at(tokens_, at_ + 1);
-      add(text_of(words.content), IndexForm::word, cover(token.span, span_of(words.content)));
+      add(text_of(words.content), IndexForm::word, cover(token.span, words.content));
       at_ = words.next;
     } else if (token.kind == TokenKind::digit) {
       add(std::string(token.text), IndexForm::digit, token.span);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "latex/cover_tokens.h"
 #include "latex/differential.h"
 #include "latex/parse.h"
 #include "latex/parse_indices.h"
@@ -234,8 +235,7 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
       continue;
     }
     const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at);
-    const Span place =
-        cover(script.span, span_of(cursor.tokens.subspan(cursor.at, argument.next - cursor.at)));
+    const Span place = cover(script.span, cursor.tokens.subspan(cursor.at, argument.next - cursor.at));
     cursor.at = argument.next;
     base = script.kind == TokenKind::subscript ? add_indices(base, argument.content, place)
                                                : exponent(base, argument.content, place);

@@ -115,7 +115,7 @@ class Parser {
   struct Measure {
     std::string name;  // `m` or `V`; empty: another one
     std::string text;
-    Span span;
+    std::optional<Span> span;  // of the last one
     int count = 0;
   };
   SyntaxId integral(Cursor& cursor);

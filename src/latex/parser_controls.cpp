@@ -2,6 +2,7 @@
 // Controls: fractions, roots, sums, braces with words, and whatever is not read yet.
 #include <fmt/format.h>
 
+#include "latex/cover_tokens.h"
 #include "latex/parse_indices.h"
 #include "latex/parser.h"
 
@@ -43,7 +44,7 @@ SyntaxId Parser::control(Cursor& cursor) {
   if (is_words(token)) {
     const Argument words = argument_at(cursor.tokens, cursor.at + 1);
     cursor.at = words.next;
-    return opaque(cover(token.span, span_of(words.content)),
+    return opaque(cover(token.span, words.content),
                   fmt::format("the words `{}` stand for a quantity", text_of(words.content)));
   }
   ++cursor.at;

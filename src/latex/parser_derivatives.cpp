@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "latex/cover_tokens.h"
 #include "latex/differential.h"
 #include "latex/parse_indices.h"
 #include "latex/parser.h"
@@ -54,7 +55,7 @@ SyntaxId Parser::dotted(Cursor& cursor) {
     inside = nested_accent(cursor);
   } else {
     const Argument argument = argument_at(cursor.tokens, at);
-    span = cover(span, span_of(cursor.tokens.subspan(at, argument.next - at)));
+    span = cover(span, cursor.tokens.subspan(at, argument.next - at));
     cursor.at = argument.next;
     inside = inner(argument.content, span);
   }

@@ -55,7 +55,8 @@ SyntaxId Parser::integral(Cursor& cursor) {
   Measure* const outer = std::exchange(measure_, &measure);
   const SyntaxId body = term(cursor);
   measure_ = outer;
-  const Span span = cover(cover(token.span, tree_[body].span), measure.span);
+  Span span = cover(token.span, tree_[body].span);
+  if (measure.span) span = cover(span, *measure.span);
   if (limits) return opaque(span, "an integral between limits is not read");
   if (!whole_body) return opaque(span, "an integral over a part, a surface or a curve is not read");
   if (measure.count == 0)
@@ -87,8 +88,9 @@ bool Parser::read_measure(Cursor& cursor) {
   const TokenView whole = tokens.subspan(cursor.at, end - cursor.at);
   ++measure_->count;
   measure_->text = text_of(whole);
-  measure_->span = span_of(whole);
-  measure_->name = measure_name(inner(written, measure_->span), mark->order);
+  const Span place = span_of(whole);
+  measure_->span = place;
+  measure_->name = measure_name(inner(written, place), mark->order);
   cursor.at = end;
   return true;
 }

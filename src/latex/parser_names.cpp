@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "latex/cover_tokens.h"
 #include "latex/differential.h"
 #include "latex/parse.h"
 #include "latex/parser.h"
@@ -153,7 +154,7 @@ SyntaxId Parser::switched(Cursor& cursor, Style style, std::size_t at) {
   const Token token = cursor.token();
   const TokenView rest = cursor.tokens.subspan(at);
   cursor.at = cursor.tokens.size();
-  const Span span = cover(token.span, span_of(rest));
+  const Span span = cover(token.span, rest);
   const SyntaxId inside = inner(rest, span);
   if (tree_[inside].kind != SyntaxKind::symbol)
     return opaque(span, fmt::format("`\\{}` over more than one symbol is not read", token.text));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "latex/cover_tokens.h"
 #include "latex/parser.h"
 #include "latex/units.h"
 
@@ -83,7 +84,7 @@ SyntaxId Parser::quantity(Cursor& cursor) {
   const auto argument = [&] {
     const Argument found = argument_at(cursor.tokens, at);
     at = found.next;
-    span = cover(token.span, span_of(cursor.tokens.subspan(begin, at - begin)));
+    span = cover(token.span, cursor.tokens.subspan(begin, at - begin));
     return text_of(found.content);
   };
   if (has_number) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "latex/blocks.h"
+#include "latex/cover_tokens.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
@@ -43,6 +44,13 @@ std::size_t behind_length(TokenView tokens, std::size_t at) {
   end = skip_blank(tokens, end);
   if (end + 2 > tokens.size() || !is_length(tokens.subspan(at, end + 2 - at))) return at;
   return end + 2;
+}
+
+/// As it would be printed, at \tag.
+std::string tag_at(TokenView tokens, std::size_t at) {
+  const bool starred = at + 1 < tokens.size() && is_sign(tokens[at + 1], "*");
+  const std::string text = text_of(argument_at(tokens, at + (starred ? 2 : 1)).content);
+  return starred ? text : fmt::format("({})", text);
 }
 
 class RowReader {
@@ -151,15 +159,11 @@ class RowReader {
   }
 
   bool tag_or_label(bool tag) {
-    std::size_t at = at_ + 1;
-    const bool starred = skip_star(at) != at;
-    at = skip_star(at);
-    const Argument argument = argument_at(tokens_, at);
-    const std::string text = text_of(argument.content);
+    const Argument argument = argument_at(tokens_, skip_star(at_ + 1));
     if (tag) {
-      row_.tag = starred ? text : fmt::format("({})", text);
+      row_.tag = tag_at(tokens_, at_);
     } else {
-      row_.label = text;
+      row_.label = text_of(argument.content);
     }
     at_ = argument.next;
     return true;
@@ -226,7 +230,7 @@ class RowReader {
       const bool system =
           (name == "cases" || name == "dcases") && row_is_empty && !inside() && is_whole_row(next, name);
       const bool transparent = !inside() && (is_transparent_environment(name) || system);
-      open_.push_back({name, transparent, cover(token.span, span_of(argument.content))});
+      open_.push_back({name, transparent, cover(token.span, argument.content)});
       if (transparent) {
         next = optional_argument_at(tokens_, next).next;
         if (name.starts_with("alignat") || name == "alignedat") next = argument_at(tokens_, next).next;
@@ -290,6 +294,13 @@ class RowReader {
 
 std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics) {
   return RowReader(tokens, diagnostics).read();
+}
+
+std::vector<std::string> tags_in(TokenView tokens) {
+  std::vector<std::string> tags;
+  for (std::size_t at = 0; at < tokens.size(); ++at)
+    if (is_control(tokens[at], "tag")) tags.push_back(tag_at(tokens, at));
+  return tags;
 }
 
 }  // namespace rigor

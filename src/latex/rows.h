@@ -24,4 +24,7 @@ struct Row {
 /// environments are `unbalanced`.
 [[nodiscard]] std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics);
 
+/// All tags, as they would be printed: what is known of a display that cannot be split. Cost: linear.
+[[nodiscard]] std::vector<std::string> tags_in(TokenView tokens);
+
 }  // namespace rigor

@@ -151,6 +151,7 @@ std::string text_of(TokenView tokens) {
     }
     if (after_word && token.kind == TokenKind::letter) text += ' ';
     if (token.kind == TokenKind::control) text += '\\';
+    if (token.kind == TokenKind::parameter) text += '#';
     text += token.text;
     after_word = token.kind == TokenKind::control && token.text.size() > 1;
   }

@@ -67,6 +67,12 @@ Bytes replace_nul(std::string& text) {
   return nul;
 }
 
+/// A carriage return alone ends a line, as for TeX; before a line feed it is a blank.
+void end_lines(std::string& text) {
+  for (auto at = text.find('\r'); at != text.npos; at = text.find('\r', at + 1))
+    if (at + 1 == text.size() || text[at + 1] != '\n') text[at] = '\n';
+}
+
 }  // namespace
 
 Result<std::string> read_file(const std::string& path) {
@@ -93,6 +99,7 @@ Result<std::string> read_file(const std::string& path) {
 Diagnostics mend_text(std::string& text, FileId file) {
   const bool utf16 = looks_like_utf16(text);
   if (text.starts_with("\xEF\xBB\xBF")) text.replace(0, 3, "   ");
+  end_lines(text);
   const Bytes invalid = replace_invalid(text);
   const Bytes nul = replace_nul(text);
 

@@ -13,7 +13,7 @@ namespace rigor {
 
 /// Diagnostics for the first invalid UTF-8 byte and the first NUL byte of a text, each with how many there
 /// are; all are replaced by the substitute character, U+001A, so that reading can go on. A byte-order mark at
-/// the start becomes spaces.
+/// the start becomes spaces, a carriage return that no line feed follows a line feed.
 [[nodiscard]] Diagnostics mend_text(std::string& text, FileId file);
 
 }  // namespace rigor

@@ -45,13 +45,35 @@ TEST_CASE("\\input is followed in place, inside the folder of the notes") {
   folder.write("outside.tex", "\\[ no \\]");
   ReadNotes notes = folder.read("\\[ a \\]\\input{part}\\include{part}\\input part.tex \\[ e \\]");
   CHECK(notes.dump() == "display <> a\ndisplay <> b\ndisplay <> c\ndisplay <> d\ndisplay <> e\n");
-  CHECK(notes.complaints().empty());
+  CHECK(notes.complaints() ==
+        "1:20 `part.tex` was read before; its equations are not checked again here\n"
+        "1:34 `part.tex` was read before; its equations are not checked again here\n");
+  folder.write("notes/macros.tex", "\\newcommand{\\x}{x}\\section{x}");
+  CHECK(folder.read("\\input{macros}\\input{macros}").complaints().empty());
   CHECK(folder.read("\\input{../outside}").complaints() ==
         "1:1 `../outside.tex` is outside the folder of the notes\n");
   CHECK(folder.read("\\input{/etc/passwd}").diagnostics[0].kind == DiagnosticKind::input_outside);
   CHECK(folder.read("\\input{nowhere}").diagnostics[0].kind == DiagnosticKind::missing_input);
   CHECK(folder.read("\\input{sub.}").diagnostics[0].kind == DiagnosticKind::missing_input);
   CHECK(folder.read("\\input{}").diagnostics.empty());
+}
+
+TEST_CASE("\\input finds a file as TeX does: without quotes, and NAME.tex before NAME") {
+  Folder folder("rigor-document-test-names");
+  folder.write("notes/sub dir/p q.tex", "\\[ a \\]");
+  folder.write("notes/p.y", "\\[ no \\]");
+  folder.write("notes/p.y.tex", "\\[ b \\]");
+  folder.write("notes/bare", "\\[ c \\]");
+  folder.write("notes/lone.y", "\\[ d \\]");
+  const auto displays = [&](const std::string& text) {
+    const ReadNotes notes = folder.read(text);
+    return notes.dump() + notes.complaints();
+  };
+  CHECK(displays("\\input{\"sub dir/p q\"}") == "display <> a\n");
+  CHECK(displays("\\input \"sub dir/p q\" \\[ z \\]") == "display <> a\ndisplay <> z\n");
+  CHECK(displays("\\input{p.y}") == "display <> b\n");
+  CHECK(displays("\\input{bare}") == "display <> c\n");
+  CHECK(displays("\\input{lone.y}") == "display <> d\n");
 }
 
 TEST_CASE("\\input ends where files read each other or are nested too deep") {

@@ -98,6 +98,22 @@ TEST_CASE("LaTeX: a display that is not closed is one complaint at its opening, 
   CHECK(latex_complaints("\\[ a \\section{B}") == "1:1 `\\[` is not closed\n");
 }
 
+TEST_CASE("a display in the words of an \\intertext is a complaint, and the one around it goes on") {
+  const char* const around =
+      "\\begin{align} a \\intertext{so {x} \\[ b \\] $$ c $$} d \\end{align} \\[ e \\]";
+  CHECK(latex(around) == "display <align> a \\intertext{so {x} \\[ b \\] $$ c $$} d\ndisplay <> e\n");
+  CHECK(latex_complaints(around) == "1:35 a display in the words of `\\intertext` is not read\n");
+  CHECK(latex_complaints("\\begin{align} a \\intertext{so \n\n \\[ b \\]") ==
+        "1:1 `\\begin{align}` is not closed\n");
+  for (const char* words :
+       {"$$ b $$", "\\begin{equation} b \\end{equation}", "\\begin{gather} b \\end{gather}"}) {
+    INFO(words);
+    const std::string text = "\\begin{align} a \\shortintertext{" + std::string(words) + "} d \\end{align}";
+    CHECK(latex_complaints(text) == "1:33 a display in the words of `\\intertext` is not read\n");
+  }
+  CHECK(latex_complaints("\\begin{align} a \\intertext{so $x$ and \\emph{y}} d \\end{align}").empty());
+}
+
 TEST_CASE("the end of another environment is a complaint with a label at it") {
   ReadNotes notes("notes.tex", "\\begin{align} a \\end{equation} \\[ b \\]");
   CHECK(notes.complaints() == "1:1 `\\begin{align}` is not closed before `\\end{equation}`\n");

@@ -65,6 +65,8 @@ TEST_CASE("an argument is a brace group or one token") {
   CHECK(argument("{}a") == "|a");
 }
 
+TEST_CASE("a parameter is written with its mark") { CHECK(text_again("a#b#1") == "a#b#1"); }
+
 TEST_CASE("an argument that is missing or not closed ends with the text") {
   CHECK(argument("") == "|");
   CHECK(argument("  ") == "|");

@@ -26,6 +26,11 @@ TEST_CASE("a case is named after the step's tag and its number there, or else af
                                  "n (6) step 3", "n (whole file)"});
 }
 
+TEST_CASE("a display that breaks off keeps the names of its cases") {
+  CHECK(names_of(cases_of("$$1 = (\\frac{1 \\tag{6}$$\n$$1 = \\frac{1 \\\\ 2 = 2 \\tag*{A} \\tag{7}$$\n")) ==
+        std::vector<std::string>{"n (6) step 1", "n (A) step 1", "n (7) step 1", "n (whole file)"});
+}
+
 TEST_CASE("no two cases have the same name, whatever the tags are") {
   const std::vector<std::string> names =
       names_of(cases_of("$$1 = 1 \\tag{6}$$\n$$1 = 1 \\tag{(6)}$$\n$$1 = 1 \\tag{a;b [}$$\n"));

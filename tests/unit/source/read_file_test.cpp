@@ -118,6 +118,12 @@ TEST_CASE("a byte-order mark becomes blanks, so that no place moves") {
   CHECK(text == "   # Title");
 }
 
+TEST_CASE("a carriage return alone ends a line, and no place moves") {
+  std::string text = "a\r\rb\r\nc\r";
+  CHECK(mend_text(text, 0).empty());
+  CHECK(text == "a\n\nb\r\nc\n");
+}
+
 TEST_CASE("10 MB of bytes that are not UTF-8 are mended within a second") {
   std::string text(10'000'000, '\xE2');
   const auto start = std::chrono::steady_clock::now();
