@@ -45,6 +45,22 @@ TEST_CASE("a display without steps has its line") {
   CHECK(marks.find("display 1 1 silent 0 0\ndisplay 1 1 silent 0 0\n") != std::string::npos);
 }
 
+TEST_CASE(
+    "a macro beside a display, or a brace that is closed elsewhere, makes it unclear which is typeset "
+    "there") {
+  const std::string display = "\\[ A^2 = A^2 \\]";
+  for (const std::string& line : {"\\ignore{" + display + "} \\law", "\\iffalse " + display + " \\fi\\law",
+                                  display + "}", "\\law" + display, "\\footnote{" + display}) {
+    CAPTURE(line);
+    CHECK(marks_of("a.tex", "{ words {\n" + line + "\n").find("display 2 2 proved") == std::string::npos);
+  }
+  for (const std::string& line : {"\\item so " + display + " with $\\omega$, 50\\% % \\law",
+                                  "words\\footnote{as " + display + " says}"}) {
+    CAPTURE(line);
+    CHECK(marks_of("a.tex", line + "\n").find("display 1 1 proved 1 1") != std::string::npos);
+  }
+}
+
 TEST_CASE("every file that was read has its digest, whether or not it has displays") {
   SourceMap sources;
   const FileReport report = check_text(sources, "notes/a.tex", "words\n");
