@@ -101,6 +101,13 @@ std::string path_beside(const std::string& path, const std::string& notes) {
   return printable(normal(path).lexically_relative(normal(notes).parent_path()).generic_string());
 }
 
+/// Where a sidecar would be found that is not there.
+std::string absent_sidecar(const FileReport& file) {
+  if (!file.sidecar.empty()) return "";
+  const std::string beside = std::filesystem::path(file.path).replace_extension(".rigor").string();
+  return beside == file.path ? "" : fmt::format("absent {}\n", path_beside(beside, file.path));
+}
+
 }  // namespace
 
 std::string to_marks(const FileReport& file, const SourceMap& sources) {
@@ -108,7 +115,7 @@ std::string to_marks(const FileReport& file, const SourceMap& sources) {
   for (FileId id = 0; id < sources.size(); ++id) {
     if (id != file.file) files.push_back(id);
   }
-  std::string text = "rigor-marks 2\n";
+  std::string text = "rigor-marks 2\n" + absent_sidecar(file);
   for (const FileId id : files) {
     text += fmt::format("file {} {}\n", md5(sources.text(id)), path_beside(sources.path(id), file.path));
     for (const Span& display : file.displays) {

@@ -21,7 +21,7 @@ TEST_CASE("each display has its lines, the worst verdict in it and its steps") {
       "  &= -\\mathbf{B}\\cdot\\mathbf{A}\n\\end{align}\n"
       "$$ \\mathbf{C} = \\mathbf{A}\\times\\mathbf{B} $$\n"
       "\\[ \\mathbf{A} = \\int\\mathbf{B}\\,d\\theta \\]\n";
-  CHECK(marks_of("notes/a.tex", text) == "rigor-marks 2\nfile " + md5(text) +
+  CHECK(marks_of("notes/a.tex", text) == "rigor-marks 2\nabsent a.rigor\nfile " + md5(text) +
                                              " a.tex\n"
                                              "display 1 1 proved 1 1\n"
                                              "display 3 6 refuted 1 2\n"
@@ -65,12 +65,12 @@ TEST_CASE("every file that was read has its digest, whether or not it has displa
   SourceMap sources;
   const FileReport report = check_text(sources, "notes/a.tex", "words\n");
   sources.add("notes/../b.rigor", "let\n");
-  CHECK(to_marks(report, sources) ==
-        "rigor-marks 2\nfile " + md5("words\n") + " a.tex\nfile " + md5("let\n") + " ../b.rigor\n");
+  CHECK(to_marks(report, sources) == "rigor-marks 2\nabsent a.rigor\nfile " + md5("words\n") +
+                                         " a.tex\nfile " + md5("let\n") + " ../b.rigor\n");
 }
 
 TEST_CASE("notes without displays are a file without marks") {
-  CHECK(marks_of("a.tex", "words\n") == "rigor-marks 2\nfile " + md5("words\n") + " a.tex\n");
+  CHECK(marks_of("a.tex", "words\n") == "rigor-marks 2\nabsent a.rigor\nfile " + md5("words\n") + " a.tex\n");
 }
 
 }  // namespace
