@@ -21,7 +21,7 @@ TEST_CASE("each display has its lines, the worst verdict in it and its steps") {
       "  &= -\\mathbf{B}\\cdot\\mathbf{A}\n\\end{align}\n"
       "$$ \\mathbf{C} = \\mathbf{A}\\times\\mathbf{B} $$\n"
       "\\[ \\mathbf{A} = \\int\\mathbf{B}\\,d\\theta \\]\n";
-  CHECK(marks_of("notes/a.tex", text) == "rigor-marks 2\nfile " + md5(text) +
+  CHECK(marks_of("notes/a.tex", text) == "rigor-marks 2\nabsent a.rigor\nfile " + md5(text) +
                                              " a.tex\n"
                                              "display 1 1 proved 1 1\n"
                                              "display 3 6 refuted 1 2\n"
@@ -45,16 +45,32 @@ TEST_CASE("a display without steps has its line") {
   CHECK(marks.find("display 1 1 silent 0 0\ndisplay 1 1 silent 0 0\n") != std::string::npos);
 }
 
+TEST_CASE(
+    "a macro beside a display, or a brace that is closed elsewhere, makes it unclear which is typeset "
+    "there") {
+  const std::string display = "\\[ A^2 = A^2 \\]";
+  for (const std::string& line : {"\\ignore{" + display + "} \\law", "\\iffalse " + display + " \\fi\\law",
+                                  display + "}", "\\law" + display, "\\footnote{" + display}) {
+    CAPTURE(line);
+    CHECK(marks_of("a.tex", "{ words {\n" + line + "\n").find("display 2 2 proved") == std::string::npos);
+  }
+  for (const std::string& line : {"\\item so " + display + " with $\\omega$, 50\\% % \\law",
+                                  "words\\footnote{as " + display + " says}"}) {
+    CAPTURE(line);
+    CHECK(marks_of("a.tex", line + "\n").find("display 1 1 proved 1 1") != std::string::npos);
+  }
+}
+
 TEST_CASE("every file that was read has its digest, whether or not it has displays") {
   SourceMap sources;
   const FileReport report = check_text(sources, "notes/a.tex", "words\n");
   sources.add("notes/../b.rigor", "let\n");
-  CHECK(to_marks(report, sources) ==
-        "rigor-marks 2\nfile " + md5("words\n") + " a.tex\nfile " + md5("let\n") + " ../b.rigor\n");
+  CHECK(to_marks(report, sources) == "rigor-marks 2\nabsent a.rigor\nfile " + md5("words\n") +
+                                         " a.tex\nfile " + md5("let\n") + " ../b.rigor\n");
 }
 
 TEST_CASE("notes without displays are a file without marks") {
-  CHECK(marks_of("a.tex", "words\n") == "rigor-marks 2\nfile " + md5("words\n") + " a.tex\n");
+  CHECK(marks_of("a.tex", "words\n") == "rigor-marks 2\nabsent a.rigor\nfile " + md5("words\n") + " a.tex\n");
 }
 
 }  // namespace
