@@ -15,8 +15,8 @@ if(rigor_stale)
   if(rigor_timeout)
     set(rigor_limit TIMEOUT ${rigor_timeout})
   endif()
-  execute_process(COMMAND "${rigor_program}" cases "${rigor_notes}" "--name=${rigor_name}"
-      --into "${rigor_results}" --ctest "${rigor_listing}" ${rigor_options}
+  execute_process(COMMAND "${rigor_program}" cases "--name=${rigor_name}"
+      --into "${rigor_results}" --ctest "${rigor_listing}" ${rigor_options} -- "${rigor_notes}"
     WORKING_DIRECTORY "${rigor_folder}" ${rigor_limit}
     RESULT_VARIABLE rigor_result OUTPUT_QUIET ERROR_QUIET)
   if(rigor_result STREQUAL "0")
@@ -27,8 +27,8 @@ if(rigor_stale)
   endif()
 endif()
 
-add_test("${rigor_name} (checked)" "${rigor_program}" cases "${rigor_notes}" "--name=${rigor_name}"
-  --into "${rigor_results}" ${rigor_options})
+add_test("${rigor_name} (checked)" "${rigor_program}" cases "--name=${rigor_name}"
+  --into "${rigor_results}" ${rigor_options} -- "${rigor_notes}")
 set_tests_properties("${rigor_name} (checked)" PROPERTIES
   FIXTURES_SETUP "${rigor_fixture}" LABELS "${rigor_labels}" WORKING_DIRECTORY "${rigor_folder}")
 if(rigor_timeout)

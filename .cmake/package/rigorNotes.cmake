@@ -72,7 +72,7 @@ function(rigor_add_notes target)
   endforeach()
 
   add_custom_target(${target}
-    COMMAND "$<TARGET_FILE:rigor::rigor>" check ${options} ${paths}
+    COMMAND "$<TARGET_FILE:rigor::rigor>" check ${options} -- ${paths}
     WORKING_DIRECTORY "${folder}"
     COMMENT "Checking the notes of ${target}"
     VERBATIM USES_TERMINAL)

@@ -81,8 +81,11 @@ class ArgumentWalk {
     return true;
   }
 
+  [[nodiscard]] std::string_view last_group() const { return last_group_; }
+
   DefinitionExtent extent(bool body_counts) {
     if (body_counts && bare_) extent_.body = last_group_;
+    if (body_counts) extent_.opening = last_group_;
     return extent_;
   }
 
@@ -141,8 +144,15 @@ DefinitionExtent definition_extent(NotesText& text, DefinitionForm form, std::si
 DefinitionExtent environment_definition_extent(NotesText& text, std::size_t at) {
   ArgumentWalk walk(text, at);
   walk.sign('*');
-  if (walk.argument() && walk.brackets(2)) walk.arguments(2);
-  return walk.extent(false);
+  if (!walk.argument()) return walk.extent(false);
+  const std::string_view name = walk.last_group();
+  if (!walk.brackets(2) || !walk.argument()) return walk.extent(false);
+  const std::string_view opening = walk.last_group();
+  walk.argument();
+  DefinitionExtent extent = walk.extent(false);
+  extent.name = name;
+  extent.opening = opening;
+  return extent;
 }
 
 }  // namespace rigor

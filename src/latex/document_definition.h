@@ -12,8 +12,9 @@ namespace rigor {
 
 struct DefinitionExtent {
   std::size_t end = 0;
-  std::string_view name = {};  // the control that is defined, without its backslash; empty: none follows
-  std::string_view body = {};  // of a command or \def without parameters, without its braces
+  std::string_view name = {};     // the control, without its backslash, or environment; empty: none follows
+  std::string_view body = {};     // of a command or \def without parameters, without its braces
+  std::string_view opening = {};  // of a command or \def with or without parameters, or of `\begin{name}`
   std::optional<std::size_t> open = {};  // the brace or bracket that is not closed
 };
 

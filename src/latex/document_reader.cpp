@@ -119,6 +119,10 @@ bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes) 
   } else if (const auto closing = reading_.aliases.ends.find(word); closing != reading_.aliases.ends.end()) {
     name = closing->second;
   }
+  if (word == "begin" ? reading_.own.environments.contains(name) : reading_.own.controls.contains(word)) {
+    report_own(behind);
+    return true;
+  }
   if (!is_display_environment(name)) return false;
   if (opens) {
     read_display({DisplayDelimiter::environment, begin, behind, name, quotes});
@@ -128,6 +132,18 @@ bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes) 
     at_ = behind;
   }
   return true;
+}
+
+void NotesReader::report_own(std::size_t behind) {
+  if (++reading_.own.uses <= most_reports) {
+    reading_.diagnostics.push_back(
+        {DiagnosticKind::unsupported,
+         text_.span(at_, behind),
+         fmt::format("a display opens in the definition of `{}`; it is not read", text_.between(at_, behind)),
+         {},
+         {"write the display itself here, or a short name that stands for its `\\begin{…}` alone"}});
+  }
+  at_ = behind;
 }
 
 bool NotesReader::read_definition(std::string_view word) {
@@ -147,6 +163,12 @@ bool NotesReader::read_definition(std::string_view word) {
   if (form && !extent.name.empty()) {
     add(MacroText{text_.span(begin, extent.end)});
     reading_.aliases.define(extent.name, extent.body);
+  }
+  auto& own = form ? reading_.own.controls : reading_.own.environments;
+  if (opens_display(extent.opening) && !(form && reading_.aliases.begins.contains(extent.name))) {
+    own.emplace(extent.name);
+  } else if (const auto old = own.find(extent.name); old != own.end()) {
+    own.erase(old);
   }
   return true;
 }

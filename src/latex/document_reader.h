@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -14,12 +15,20 @@
 
 namespace rigor {
 
+/// The author's own controls and environments in whose definitions a display opens. They are not followed.
+struct OwnDisplays {
+  std::set<std::string, std::less<>> controls;
+  std::set<std::string, std::less<>> environments;
+  std::size_t uses = 0;  // reported so far
+};
+
 /// What one run of read_document collects, over all files.
 struct DocumentReading {
   SourceMap& sources;
   Diagnostics& diagnostics;
   Document document = {};
   EnvironmentAliases aliases = {};
+  OwnDisplays own = {};
   std::size_t unbalanced = 0;  // reported so far
   bool stopped = false;        // so much is unbalanced that these are no notes
 };
@@ -65,6 +74,7 @@ class NotesReader {
   std::size_t at_ = 0;
 
  private:
+  void report_own(std::size_t behind);
   void report_open(const Opening& opening, const DisplayEnd& end);
   void report_wrong(const Opening& opening, const DisplayEnd& end);
   /// Behind `[…]` and `{…}` that belong to the environment and not to what it displays.

@@ -9,6 +9,8 @@
 namespace rigor {
 namespace {
 
+constexpr std::size_t longest_name = 200;  // of an environment, with its `\begin`
+
 constexpr auto displays = std::to_array<std::string_view>(
     {"IEEEeqnarray", "align", "alignat", "darray", "displaymath", "dmath", "empheq", "eqnarray", "equation",
      "flalign", "gather", "multline", "xalignat", "xxalignat"});
@@ -47,6 +49,19 @@ bool is_display_environment(std::string_view name) { return contains(displays, n
 bool takes_argument(std::string_view name) { return contains(with_argument, name); }
 bool takes_options(std::string_view name) { return contains(with_options, name); }
 bool is_verbatim_environment(std::string_view name) { return contains(verbatims, name); }
+
+bool opens_display(std::string_view text) {
+  for (std::size_t at = 0; at + 1 < text.size(); ++at) {
+    const std::string_view rest = text.substr(at);
+    if (rest.starts_with("$$") || rest.starts_with("\\[")) return true;
+    if (rest.starts_with("\\begin{")) {
+      const std::size_t end = rest.substr(0, longest_name).find('}');
+      if (end != std::string_view::npos && is_display_environment(rest.substr(7, end - 7))) return true;
+    }
+    if (text[at] == '\\') ++at;
+  }
+  return false;
+}
 
 void EnvironmentAliases::define(std::string_view control, std::string_view body) {
   body = without_blanks_around(body);

@@ -18,6 +18,9 @@ namespace rigor {
 /// `\begin{verbatim}` and its kind: nothing inside is read.
 [[nodiscard]] bool is_verbatim_environment(std::string_view name);
 
+/// `$$`, `\[` or the `\begin` of a display stands somewhere in the text.
+[[nodiscard]] bool opens_display(std::string_view text);
+
 /// Controls that stand for `\begin{name}` or `\end{name}` of a display, as in
 /// `\newcommand{\be}{\begin{equation}}`.
 struct EnvironmentAliases {

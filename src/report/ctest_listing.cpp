@@ -51,7 +51,7 @@ std::string ctest_listing(const std::vector<TestCase>& cases, const FileReport& 
                   stale_condition(file, sources));
   for (const TestCase& each : cases) {
     const std::string name = cmake_argument(each.name);
-    text += fmt::format("add_test({0} \"${{rigor_program}}\" case \"${{rigor_results}}\" {0})\n", name);
+    text += fmt::format("add_test({0} \"${{rigor_program}}\" case \"${{rigor_results}}\" -- {0})\n", name);
     text += fmt::format(
         "set_tests_properties({} PROPERTIES FIXTURES_REQUIRED \"${{rigor_fixture}}\" LABELS "
         "\"${{rigor_labels}}\" SKIP_RETURN_CODE \"${{rigor_skip_code}}\")\n",

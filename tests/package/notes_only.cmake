@@ -16,6 +16,7 @@ rigor_add_notes(odd \"odd names.md\" [[a;b.md]] same.md same.tex)
 rigor_add_notes(open open.md SKIP_OPEN TIMEOUT 60 LABELS lecture draft)
 rigor_add_notes(strict same.md STRICT WORKING_DIRECTORY \${CMAKE_CURRENT_SOURCE_DIR}/..)
 rigor_add_notes(aside aside.md SIDECAR physics.rigor)
+rigor_add_notes(dash -dash.md WORKING_DIRECTORY \${CMAKE_CURRENT_SOURCE_DIR})
 ")
 set(true_step "\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{B}\\cdot\\mathbf{A}")
 file(WRITE "${project}/odd names.md" "
@@ -28,6 +29,7 @@ $$${true_step} \\tag{6}$$
 $$${true_step}$$
 ")
 file(WRITE "${project}/a;b.md" "$$${true_step}$$\n")
+file(WRITE "${project}/-dash.md" "$$${true_step}$$\n")
 file(WRITE "${project}/same.md" "$$${true_step}$$\n")
 file(WRITE "${project}/same.tex" "$$${true_step}$$\n")
 file(WRITE "${project}/open.md" "$$\\int_a^b f(s)\\,ds = 0$$\n")
@@ -37,7 +39,8 @@ file(WRITE "${project}/physics.rigor" "constant m\ngiven \\mathbf{v}\\cdot\\dot{
 run(0 ${CMAKE_COMMAND} -S ${project} -B ${build} -G Ninja -D CMAKE_PREFIX_PATH=${PREFIX})
 run(0 ${ctest})
 foreach(name IN ITEMS "odd names (a;b) step 1" "odd names ([x) step 1" "odd names (\\alpha]]) step 1"
-    "odd names (6) step 2" "odd names line 8" "a;b line 1" "same line 1" "same.tex line 1" "notes-only/same line 1")
+    "odd names (6) step 2" "odd names line 8" "a;b line 1" "same line 1" "same.tex line 1" "notes-only/same line 1"
+    "-dash line 1")
   expect(": ${name} ..")
 endforeach()
 expect("open line 1 .")

@@ -85,6 +85,21 @@ TEST_CASE("short names for a display's ends are followed") {
   CHECK(latex_complaints("\\def\\ee{\\end{equation}}\\ee") == "1:24 `\\ee` closes nothing\n");
 }
 
+TEST_CASE("a display that opens in the author's own definition is a complaint where that is used") {
+  CHECK(
+      latex_complaints("\\newenvironment{eq}{\\begin{equation}}{\\end{equation}} \\begin{eq} a \\end{eq}") ==
+      "1:55 a display opens in the definition of `\\begin{eq}`; it is not read\n");
+  CHECK(latex_complaints("\\newcommand{\\dis}[1]{\\[#1\\]} \\dis{a}\\dis{b}") ==
+        "1:30 a display opens in the definition of `\\dis`; it is not read\n"
+        "1:37 a display opens in the definition of `\\dis`; it is not read\n");
+  CHECK(markdown_complaints("\\def\\dis#1{$$#1$$}\n\n\\dis{a}\n") ==
+        "3:1 a display opens in the definition of `\\dis`; it is not read\n");
+  CHECK(latex_complaints(
+            "\\newenvironment{said}[1]{\\begin{quote}\\\\[2pt]}{\\end{quote}} \\begin{said}{x} a \\end{said}")
+            .empty());
+  CHECK(latex_complaints("\\newcommand{\\dis}{\\[} \\renewcommand{\\dis}{x} \\dis").empty());
+}
+
 TEST_CASE("LaTeX: a display that is not closed is one complaint at its opening, and reading goes on") {
   ReadNotes notes("notes.tex", "\\begin{align}\n a = b\n\ntext\n\\[ c \\]\n");
   CHECK(notes.complaints() == "1:1 `\\begin{align}` is not closed\n");

@@ -21,7 +21,7 @@ TEST_CASE("a listing has a test for each case, and knows the files that it depen
   const std::string text = ctest_listing(test_cases(file, sources, {.name = "n"}), file, sources);
   const auto has = [&](const std::string& part) { return text.find(part) != std::string::npos; };
   CHECK(
-      has("add_test([=[n (a]b) step 1]=] \"${rigor_program}\" case \"${rigor_results}\" [=[n (a]b) step "
+      has("add_test([=[n (a]b) step 1]=] \"${rigor_program}\" case \"${rigor_results}\" -- [=[n (a]b) step "
           "1]=])\n"));
   CHECK(has("set_tests_properties([[n (whole file)]] PROPERTIES "));
   CHECK(has("OR [[/nowhere/n.md]] IS_NEWER_THAN \"${rigor_listing}\""));
