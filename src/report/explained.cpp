@@ -30,6 +30,12 @@ class Lines {
     blocks_.back().lines.push_back({"=", print(from), "derivatives taken"});
   }
 
+  /// A small step that nobody can see is not shown.
+  void add_small(std::string relation, ExprId expr, std::string rule) {
+    const auto& lines = blocks_.back().lines;
+    if (lines.empty() || lines.back().latex != print(expr)) add(std::move(relation), expr, std::move(rule));
+    last_ = expr;
+  }
   void add(std::string relation, ExprId expr, std::string rule, LineKind kind = LineKind::holds) {
     blocks_.back().lines.push_back({std::move(relation), print(expr), std::move(rule), kind});
     last_ = expr;
@@ -104,7 +110,7 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
   lines.start_at(explanation.steps.empty() ? *left.expr : explanation.start, rule,
                  components ? nullptr : &left);
   for (const SmallStep& small : explanation.steps)
-    lines.add(small.nearly ? "\\approx" : "=", small.expr, small.rule);
+    lines.add_small(small.nearly ? "\\approx" : "=", small.expr, small.rule);
   if (explanation.gap) {
     lines.add(relation, *right.expr, "not reached: " + *explanation.gap, LineKind::not_reached);
     lines.end_block();
