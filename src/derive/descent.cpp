@@ -11,6 +11,7 @@
 #include "derive/fold.h"
 #include "derive/in_components.h"
 #include "derive/line.h"
+#include "derive/tidied.h"
 #include "derive/unfold.h"
 #include "expr/print_latex.h"
 
@@ -69,7 +70,10 @@ class Descending {
 
   bool push(std::vector<ExprId> parts, Rules down, Rules up, bool flat) {
     Line line{.parts = {}, .down = std::move(down), .up = std::move(up), .flat = flat};
-    for (const ExprId part : parts) line.parts.push_back(with_letters(tree_, part, rules_.letters));
+    for (const ExprId part : parts) {
+      const ExprId plain = lines_.empty() ? part : tidied(tree_, part);  // the first one is as it is written
+      line.parts.push_back(with_letters(tree_, plain, rules_.letters));
+    }
     std::uint64_t weight = 0;
     for (const ExprId part : line.parts) weight += tree_[part].weight;
     if (lines_.size() >= most_lines || weight > most_weight) {

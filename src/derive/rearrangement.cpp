@@ -77,6 +77,8 @@ class Reading {
     const ExprNode& node = tree_[id];
     note(id, place);
     const auto children = tree_.children(id);
+    if (node.op == Op::negate && place.under_sum) ++traits_.under_sums;
+    if (node.op == Op::determinant) ++traits_.brackets;
     if (node.op == Op::add) traits_.terms += static_cast<int>(children.size()) - 1;
     for (std::size_t k = 0; k < children.size(); ++k) {
       Place inner = place;
