@@ -129,13 +129,19 @@ class Explaining {
       case DescentNotation::direct: {
         if (!is_direct(tree_, left) || !is_direct(tree_, right) || rank > 1 || !rules.small.empty())
           return std::nullopt;
-        for (int axis = 0; axis < rank; ++axis) rules.open.push_back(free_letter(rules.letters));
+        for (int axis = 0; axis < rank; ++axis) {
+          const auto letter = free_letter(rules.letters);
+          if (!letter) return std::nullopt;
+          rules.open.push_back(*letter);
+        }
         return chain_by(rules, left, right);
       }
       case DescentNotation::components: {
         std::vector<Slot> slots;
         for (int axis = 0; axis < rank; ++axis) {
-          slots.push_back({0, free_letter(rules.letters)});
+          const auto letter = free_letter(rules.letters);
+          if (!letter) return std::nullopt;
+          slots.push_back({0, *letter});
           rules.free.push_back(slots.back().variable);
         }
         auto chain =
@@ -160,11 +166,12 @@ class Explaining {
     return std::nullopt;
   }
 
-  IndexId free_letter(LetterChoice& letters) {
+  /// Nothing where all are taken.
+  std::optional<IndexId> free_letter(LetterChoice& letters) {
     for (const char* name : {"i", "j", "k", "l", "m", "n", "p", "q", "r", "s"}) {
       if (letters.taken.insert(name).second) return tree_.add_index(name);
     }
-    return tree_.add_index("u");
+    return std::nullopt;
   }
 
   std::optional<GluedChain> chain_by(const DescentRules& rules, ExprId left, ExprId right) {
