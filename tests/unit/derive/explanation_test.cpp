@@ -46,7 +46,7 @@ TEST_CASE("the square of a cross product is worked out in components") {
   const std::string notes = "$$|\\mathbf A\\times\\mathbf B|^2 = A_iA_iB_jB_j - A_iB_iA_jB_j$$";
   CHECK(explained(notes) ==
         "|\\mathbf{A}\\times\\mathbf{B}|^2\n"
-        "= (\\varepsilon_{ijk} A_j B_k)(\\varepsilon_{ilm} A_l B_m)  [definition of ×, the square of a "
+        "= \\varepsilon_{ijk} A_j B_k\\varepsilon_{ilm} A_l B_m  [definition of ×, the square of a "
         "length]\n"
         "= \\delta_{jl}\\delta_{km} A_j B_k A_l B_m - \\delta_{jm}\\delta_{kl} A_j B_k A_l B_m  [ε–δ]\n"
         "= A_i A_i B_j B_j - A_i B_i A_j B_j  [δ contracted]\n");
