@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t most_nodes = 6000;
 
-struct TooManyNodes {};
+/// Thrown where there are too many nodes, or a free letter that was not given; caught by `along_axes`.
+struct CannotBeWritten {};
 
 /// Nothing stands for 0. Recursion: as deep as the tree.
 class AlongAxes {
@@ -22,7 +23,7 @@ class AlongAxes {
   AlongAxes(ExprTree& tree, std::map<IndexId, std::uint8_t> axes) : tree_(tree), axes_(std::move(axes)) {}
 
   std::optional<ExprId> write(ExprId id) {
-    if (++nodes_ > most_nodes) throw TooManyNodes{};
+    if (++nodes_ > most_nodes) throw CannotBeWritten{};
     const ExprNode node = tree_[id];
     switch (node.op) {
       case Op::number:
@@ -75,7 +76,7 @@ class AlongAxes {
   std::optional<ExprId> sign(ExprId id) {
     const std::vector<Slot> slots = bound_slots(id);
     for (const Slot& slot : slots) {
-      if (slot.axis == 0) throw TooManyNodes{};  // a free letter that was not given
+      if (slot.axis == 0) throw CannotBeWritten{};  // a letter that was not given
     }
     int value = slots[0].axis == slots[1].axis ? 1 : 0;
     if (slots.size() == 3) {
@@ -135,14 +136,14 @@ class AlongAxes {
   std::optional<ExprId> component(ExprId id) {
     WrittenOut what;
     const ExprId inner = in_components(tree_, children(id)[0], bound_slots(id), what);
-    if (tree_[inner].op == Op::component) throw TooManyNodes{};
+    if (tree_[inner].op == Op::component) throw CannotBeWritten{};
     return write(inner);
   }
 
   std::optional<ExprId> table(ExprId id) {
     std::size_t place = 0;
     for (const Slot& slot : bound_slots(id)) {
-      if (slot.axis == 0) throw TooManyNodes{};
+      if (slot.axis == 0) throw CannotBeWritten{};
       place = 3 * place + slot.axis - 1u;
     }
     return write(children(id)[tree_.table(id).entry[place]]);
@@ -184,7 +185,7 @@ std::optional<ExprId> along_axes(ExprTree& tree, ExprId id, std::span<const Inde
   try {
     const auto written = AlongAxes(tree, std::move(bound)).write(components);
     return written ? *written : number_node(tree, 0);
-  } catch (const TooManyNodes&) {
+  } catch (const CannotBeWritten&) {
     return std::nullopt;
   }
 }

@@ -93,7 +93,7 @@ void append(ExprTree& tree, const DescentRules& rules, const Denominator& denomi
             const std::vector<IndexPolynomial>& numerators, Descent& descent) {
   std::vector<ExprId> under;
   for (const auto& [text, factor] : denominator) under.push_back(factor_node(tree, factor));
-  Line line{.parts = {}, .down = "common denominator", .up = "divided out", .flat = true};
+  Line line{.parts = {}, .down = {{RuleKind::rearranged}}, .up = {{RuleKind::rearranged}}, .flat = true};
   for (const IndexPolynomial& each : numerators) {
     const ExprId quotient = quotient_node(tree, expression_of(tree, each), product_node(tree, under));
     line.parts.push_back(

@@ -11,6 +11,7 @@
 #include "derive/fold.h"
 #include "derive/in_components.h"
 #include "derive/line.h"
+#include "derive/tidied.h"
 #include "derive/unfold.h"
 #include "expr/print_latex.h"
 
@@ -41,7 +42,7 @@ class Descending {
   Descending(ExprTree& tree, const DescentRules& rules) : tree_(tree), rules_(rules) {}
 
   Descent descend(ExprId side) {
-    push({side}, "", "", false);
+    push({side}, {}, false);
     if (rules_.notation == DescentNotation::axes) {
       while (!stopped_ && tree_[parts()[0]].rank > 0 && unfold()) {
       }
@@ -63,9 +64,16 @@ class Descending {
   [[nodiscard]] const std::vector<ExprId>& parts() const { return lines_.back().parts; }
 
   /// Puts a line behind the others, unless it says the same as the last one.
-  bool push(std::vector<ExprId> parts, std::string down, std::string up, bool flat) {
+  bool push(std::vector<ExprId> parts, const Rules& rules, bool flat) {
+    return push(std::move(parts), rules, rules, flat);
+  }
+
+  bool push(std::vector<ExprId> parts, Rules down, Rules up, bool flat) {
     Line line{.parts = {}, .down = std::move(down), .up = std::move(up), .flat = flat};
-    for (const ExprId part : parts) line.parts.push_back(with_letters(tree_, part, rules_.letters));
+    for (const ExprId part : parts) {
+      const ExprId plain = lines_.empty() ? part : tidied(tree_, part);  // the first one is as it is written
+      line.parts.push_back(with_letters(tree_, plain, rules_.letters));
+    }
     std::uint64_t weight = 0;
     for (const ExprId part : line.parts) weight += tree_[part].weight;
     if (lines_.size() >= most_lines || weight > most_weight) {
@@ -86,13 +94,12 @@ class Descending {
     for (const TurningFrame& frame : rules_.frames) {
       std::vector<ExprId> changed = parts();
       for (ExprId& part : changed) part = transported(tree_, part, frame);
-      if (changed != parts() && push(std::move(changed), "transport theorem", "transport theorem", false))
-        return true;
+      if (changed != parts() && push(std::move(changed), {{RuleKind::transport}}, false)) return true;
     }
     for (const NamedRule& rule : rules_.definitions) {
       std::vector<ExprId> changed = parts();
       for (ExprId& part : changed) part = unfolded_part(part, rule.definition);
-      if (changed != parts() && push(std::move(changed), rule.name, rule.name, false)) return true;
+      if (changed != parts() && push(std::move(changed), {{RuleKind::named, rule.name}}, false)) return true;
     }
     return false;
   }
@@ -124,7 +131,7 @@ class Descending {
     if (after == before || what.empty()) return false;
     std::string rule;
     for (const std::string& each : what) rule += (rule.empty() ? "" : ", ") + each;
-    return push({after}, rule, rule, false);
+    return push({after}, {{RuleKind::named, rule}}, false);
   }
 
   void write_cases() {
@@ -141,9 +148,8 @@ class Descending {
   }
 
   bool push_along_axes(std::vector<ExprId> written) {
-    const std::string rule = rules_.free.empty() ? "components along the axes 1, 2, 3"
-                                                 : "component by component along the axes 1, 2, 3";
-    return push(std::move(written), rule, rule, false);
+    const RuleKind rule = rules_.free.empty() ? RuleKind::along_axes : RuleKind::by_axes;
+    return push(std::move(written), {{rule}}, false);
   }
 
   bool write_along_axes() {
@@ -169,17 +175,11 @@ class Descending {
       polynomials_.push_back(*std::move(polynomial));
     }
     has_polynomials_ = true;
-    const bool turned =
-        rules_.notation == DescentNotation::direct && contains(Op::cross) && !contains(Op::add);
-    if (turned) {
-      push_polynomials("a×b = −b×a, a·(b×c) = b·(c×a)", "a×b = −b×a, a·(b×c) = b·(c×a)");
-    } else {
-      push_polynomials("multiplied out", "factored");
-    }
+    push_polynomials({RuleKind::rearranged}, {RuleKind::rearranged});
     return true;
   }
 
-  bool push_polynomials(std::string down, std::string up) {
+  bool push_polynomials(const Rule& down, const Rule& up) {
     std::vector<ExprId> written;
     for (IndexPolynomial& polynomial : polynomials_) {
       join_powers(tree_, polynomial);
@@ -192,48 +192,45 @@ class Descending {
       written.push_back(*expr);
     }
     add_pending(down, up);
-    down = std::exchange(pending_down_, {});
-    up = std::exchange(pending_up_, {});
-    return push(std::move(written), std::move(down), std::move(up), true);
+    return push(std::move(written), std::exchange(pending_down_, {}), std::exchange(pending_up_, {}), true);
   }
 
-  [[nodiscard]] bool contains(Op op) const {
-    return std::any_of(parts().begin(), parts().end(),
-                       [&](ExprId part) { return rigor::contains(tree_, part, op); });
-  }
-
-  void add_pending(const std::string& down, const std::string& up) {
-    if (!pending_down_.ends_with(down)) pending_down_ += (pending_down_.empty() ? "" : ", ") + down;
-    if (!pending_up_.ends_with(up)) pending_up_.insert(0, up + (pending_up_.empty() ? "" : ", "));
+  void add_pending(const Rule& down, const Rule& up) {
+    if (pending_down_.empty() || pending_down_.back() != down) pending_down_.push_back(down);
+    if (pending_up_.empty() || pending_up_.front() != up) pending_up_.insert(pending_up_.begin(), up);
   }
 
   /// A rule on all parts, and on what is opaque in them; true if anything changed.
-  template <class Rule>
-  bool apply(const std::string& down, const std::string& up, const Rule& rule) {
+  template <class Work>
+  bool apply(const Rule& down, const Rule& up, const Work& work) {
     if (!has_polynomials_ || stopped_) return false;
     bool changed = false;
-    for (IndexPolynomial& polynomial : polynomials_) changed = apply_within(polynomial, rule) || changed;
+    for (IndexPolynomial& polynomial : polynomials_) changed = apply_within(polynomial, work) || changed;
     if (changed) push_polynomials(down, up);
     return changed;
   }
+  template <class Work>
+  bool apply(const Rule& rule, const Work& work) {
+    return apply(rule, rule, work);
+  }
 
-  template <class Rule>
-  bool apply_within(IndexPolynomial& polynomial, const Rule& rule) {
+  template <class Work>
+  bool apply_within(IndexPolynomial& polynomial, const Work& work) {
     bool changed = false;
     for (IndexMonomial& term : polynomial.terms) {
       for (IndexFactor& factor : term.factors) {
         if (factor.argument == nullptr) continue;
         IndexPolynomial argument = *factor.argument;
-        if (!apply_within(argument, rule)) continue;
+        if (!apply_within(argument, work)) continue;
         factor.argument = std::make_shared<const IndexPolynomial>(std::move(argument));
         changed = true;
       }
     }
-    return rule(polynomial) || changed;
+    return work(polynomial) || changed;
   }
 
   void collect() {
-    apply("like terms collected", "terms split", [&](IndexPolynomial& polynomial) {
+    apply({RuleKind::rearranged}, [&](IndexPolynomial& polynomial) {
       polynomial = collected(tree_, polynomial);
       return true;
     });
@@ -241,7 +238,7 @@ class Descending {
 
   /// Terms that vanish or cancel are not worth contracting.
   bool shorten() {
-    return apply("like terms collected", "terms split", [&](IndexPolynomial& polynomial) {
+    return apply({RuleKind::rearranged}, [&](IndexPolynomial& polynomial) {
       IndexPolynomial shorter = collected(tree_, polynomial);
       if (shorter.terms.size() >= polynomial.terms.size()) return false;
       polynomial = std::move(shorter);
@@ -251,47 +248,46 @@ class Descending {
 
   bool contract() {
     const SymbolTable& symbols = tree_.symbols;
-    const std::string product = name_of_double_product();
-    const std::string axes = "components along the axes 1, 2, 3";
     const bool along = rules_.notation == DescentNotation::axes;
-    if (along && apply(axes, axes, [](IndexPolynomial& each) { return write_out_sums(each); })) return true;
-    if (apply("δ contracted", "δ put in", [](IndexPolynomial& each) { return contract_deltas(each); }))
+    if (along && apply({RuleKind::along_axes}, [](IndexPolynomial& each) { return write_out_sums(each); }))
       return true;
-    const std::string vanishing =
-        rules_.notation == DescentNotation::direct ? "a×a = 0" : "ε is antisymmetric";
-    if (apply(vanishing, vanishing, [&](IndexPolynomial& each) { return drop_antisymmetric(symbols, each); }))
+    if (apply({RuleKind::delta_contracted}, {RuleKind::delta_put_in},
+              [](IndexPolynomial& each) { return contract_deltas(each); }))
+      return true;
+    const bool direct = rules_.notation == DescentNotation::direct;
+    const RuleKind vanishing = direct ? RuleKind::product_with_itself : RuleKind::antisymmetric_epsilon;
+    if (apply({vanishing}, [&](IndexPolynomial& each) { return drop_antisymmetric(symbols, each); }))
       return true;
     if (shorten()) return true;
-    if (apply("a rotation is orthogonal", "a rotation is orthogonal",
+    if (apply({RuleKind::orthogonal_rotation},
               [&](IndexPolynomial& each) { return contract_rotations(symbols, each); }))
       return true;
-    if (apply("length of a unit vector", "length of a unit vector",
+    if (apply({RuleKind::unit_vector},
               [&](IndexPolynomial& each) { return contract_unit_vectors(symbols, each); }))
       return true;
     for (const NamedReplacement& each : rules_.replacements) {
-      if (apply(each.name, each.name, [&](IndexPolynomial& polynomial) {
+      if (apply({RuleKind::named, each.name}, [&](IndexPolynomial& polynomial) {
             return replace_given(tree_, each.replacement, polynomial);
           }))
         return true;
     }
-    const bool direct = rules_.notation == DescentNotation::direct;
-    if (apply(product, product, [&](IndexPolynomial& each) {
+    if (apply({double_product()}, [&](IndexPolynomial& each) {
           if (!contract_epsilons(each)) return false;
           if (direct) contract_deltas(each);  // no δ is written there
           return true;
         }))
       return true;
-    return apply("sin² + cos² = 1", "sin² + cos² = 1",
+    return apply({RuleKind::squares_of_sine_and_cosine},
                  [](IndexPolynomial& each) { return replace_cosines(each); });
   }
 
   /// What is ε–δ in components, in direct notation.
-  std::string name_of_double_product() const {
-    if (rules_.notation != DescentNotation::direct) return "ε–δ";
+  RuleKind double_product() const {
+    if (rules_.notation != DescentNotation::direct) return RuleKind::epsilon_delta;
     for (const ExprId part : parts()) {
-      if (crosses_a_cross(part)) return "A×(B×C) = B(A·C) − C(A·B)";
+      if (crosses_a_cross(part)) return RuleKind::cross_of_cross;
     }
-    return "(A×B)·(C×D) = (A·C)(B·D) − (A·D)(B·C)";
+    return RuleKind::dot_of_crosses;
   }
 
   bool crosses_a_cross(ExprId root) const {
@@ -322,15 +318,16 @@ class Descending {
     std::string rule = "first order in ";
     for (const ExprId small : rules_.small)
       rule += (small == rules_.small[0] ? "" : ", ") + print_latex(tree_, small);
-    if (push_polynomials(rule, rule)) lines_.back().left_out = std::move(left_out);
+    if (push_polynomials({RuleKind::named, rule}, {RuleKind::named, rule}))
+      lines_.back().left_out = std::move(left_out);
   }
 
   ExprTree& tree_;
   const DescentRules& rules_;
   std::vector<Line> lines_;
   std::vector<IndexPolynomial> polynomials_;
-  std::string pending_down_;  // rules since the last line
-  std::string pending_up_;
+  Rules pending_down_;  // since the last line
+  Rules pending_up_;
   bool has_polynomials_ = false;
   bool stopped_ = false;
 };

@@ -10,6 +10,7 @@
 #include "derive/given.h"
 #include "derive/index_polynomial.h"
 #include "derive/letter_choice.h"
+#include "derive/rule.h"
 #include "derive/transport.h"
 #include "expr/statement.h"
 
@@ -47,8 +48,8 @@ struct DescentRules {
 /// One expression on the way. What it became by `down` from the line before it, it leaves by `up`.
 struct Line {
   std::vector<ExprId> parts;  // one; along axes, one for each value of the free letters and axes
-  std::string down = {};
-  std::string up = {};
+  Rules down = {};
+  Rules up = {};
   bool flat = false;                  // a sum of products
   std::vector<ExprId> left_out = {};  // of second order, and not in this line any more
   std::string shape = {};             // equal, with equal `terms`: the same but for letters and order

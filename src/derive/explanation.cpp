@@ -6,7 +6,9 @@
 
 #include "derive/line.h"
 #include "derive/nodes.h"
+#include "derive/rearrangement.h"
 #include "derive/unfold.h"
+#include "expr/same_expression.h"
 
 namespace rigor {
 namespace {
@@ -15,6 +17,7 @@ namespace {
 struct GluedChain {
   ExprId start{};
   std::vector<SmallStep> steps = {};
+  std::vector<Rules> rules = {};                       // one for each step
   std::vector<std::pair<ExprId, ExprId>> claims = {};  // one for each step
   std::vector<IndexId> free = {};
   std::vector<IndexId> letters = {};
@@ -23,12 +26,16 @@ struct GluedChain {
   /// Steps that only undo what another one did read badly; a rule alone that is the claim says nothing.
   [[nodiscard]] std::size_t cost() const {
     std::size_t total = 2 * steps.size();
-    for (const SmallStep& step : steps) {
-      if (step.rule == "terms split" || step.rule == "δ put in" || step.rule == "powers split") total += 1;
+    for (const Rules& each : rules) {
+      if (has(each, RuleKind::terms_split) || has(each, RuleKind::delta_put_in)) total += 1;
     }
-    const bool says_nothing =
-        steps.size() == 1 && (steps[0].rule.starts_with("A×") || steps[0].rule.starts_with("(A×"));
+    const bool says_nothing = steps.size() == 1 && (has(rules[0], RuleKind::cross_of_cross) ||
+                                                    has(rules[0], RuleKind::dot_of_crosses));
     return total + (says_nothing ? 100 : 0);
+  }
+
+  static bool has(const Rules& rules, RuleKind kind) {
+    return std::find(rules.begin(), rules.end(), Rule{kind}) != rules.end();
   }
 };
 
@@ -122,13 +129,19 @@ class Explaining {
       case DescentNotation::direct: {
         if (!is_direct(tree_, left) || !is_direct(tree_, right) || rank > 1 || !rules.small.empty())
           return std::nullopt;
-        for (int axis = 0; axis < rank; ++axis) rules.open.push_back(free_letter(rules.letters));
+        for (int axis = 0; axis < rank; ++axis) {
+          const auto letter = free_letter(rules.letters);
+          if (!letter) return std::nullopt;
+          rules.open.push_back(*letter);
+        }
         return chain_by(rules, left, right);
       }
       case DescentNotation::components: {
         std::vector<Slot> slots;
         for (int axis = 0; axis < rank; ++axis) {
-          slots.push_back({0, free_letter(rules.letters)});
+          const auto letter = free_letter(rules.letters);
+          if (!letter) return std::nullopt;
+          slots.push_back({0, *letter});
           rules.free.push_back(slots.back().variable);
         }
         auto chain =
@@ -141,7 +154,8 @@ class Explaining {
         for (const ExprId side : {left, right}) {
           for (const SymbolId symbol : symbols_in(tree_, side)) {
             if (tree_.symbols[symbol].unit)
-              rules.replacements.push_back({replacement_of_unit(tree_, symbol), "length of a unit vector"});
+              rules.replacements.push_back(
+                  {replacement_of_unit(tree_, symbol), words_of({{RuleKind::unit_vector}})});
           }
         }
         auto chain = chain_by(rules, left, right);
@@ -152,11 +166,12 @@ class Explaining {
     return std::nullopt;
   }
 
-  IndexId free_letter(LetterChoice& letters) {
+  /// Nothing where all are taken.
+  std::optional<IndexId> free_letter(LetterChoice& letters) {
     for (const char* name : {"i", "j", "k", "l", "m", "n", "p", "q", "r", "s"}) {
       if (letters.taken.insert(name).second) return tree_.add_index(name);
     }
-    return tree_.add_index("u");
+    return std::nullopt;
   }
 
   std::optional<GluedChain> chain_by(const DescentRules& rules, ExprId left, ExprId right) {
@@ -192,34 +207,28 @@ class Explaining {
     const auto expression = [&](const Line& line) { return as_expression(tree_, line, rules.free); };
     GluedChain chain{.start = expression(down.lines[0]), .free = rules.free};
     ExprId before = chain.start;
-    const auto add = [&](const Line& line, const Line& lower, const std::string& rule, bool goes_down) {
+    const auto add = [&](const Line& line, const Line& lower, const Rules& how, bool goes_down) {
       const ExprId after = expression(line);
       const bool nearly = !lower.left_out.empty();
+      if (!nearly && same_expression(tree_, before, tree_, after)) return;
       const ExprId whole =
           nearly ? as_expression(tree_, with_left_out(lower, goes_down ? &line : nullptr), rules.free)
                  : (goes_down ? after : before);
       chain.claims.emplace_back(goes_down ? before : after, whole);
-      chain.steps.push_back({after, rule, nearly});
+      chain.rules.push_back(described(tree_, how, before, after));
+      chain.steps.push_back({after, words_of(chain.rules.back()), nearly});
       before = after;
     };
     for (std::size_t k = 1; k <= i; ++k)
       add(k == i ? up.lines[j] : down.lines[k], down.lines[k], down.lines[k].down, true);
     for (std::size_t k = j; k-- > 0;) add(up.lines[k], up.lines[k + 1], up.lines[k + 1].up, false);
-    if (chain.steps.empty())
-      add(up.lines[0], up.lines[0], name_of_rearrangement(down.lines[0], up.lines[0]), true);
+    if (chain.steps.empty()) {
+      const ExprId after = expression(up.lines[0]);
+      chain.rules = {described(tree_, {}, before, after)};
+      chain.steps = {{after, words_of(chain.rules[0])}};
+      chain.claims = {{before, after}};
+    }
     return chain;
-  }
-
-  /// What makes one of the other where nothing is worked out.
-  std::string name_of_rearrangement(const Line& a, const Line& b) const {
-    const auto has = [&](Op op) {
-      return std::any_of(a.parts.begin(), a.parts.end(),
-                         [&](ExprId part) { return contains(tree_, part, op); });
-    };
-    if (a.shape == b.shape) return has(Op::index_sum) ? "renamed dummies" : "order of terms and factors";
-    if (has(Op::cross)) return "a×b = −b×a, a·(b×c) = b·(c×a)";
-    if (has(Op::epsilon)) return "ε is antisymmetric";
-    return has(Op::index_sum) ? "renamed dummies, order of factors" : "order of terms and factors";
   }
 
   /// A line and what it has left out; `instead`: the line that stands in its place.

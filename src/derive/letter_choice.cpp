@@ -67,7 +67,11 @@ class Lettering {
     for (const std::string& name : names) {
       if (used.insert(name).second) return name;
     }
-    return names.back();
+    for (int number = 1;;
+         ++number) {  // nobody has that many sums in one product, but no letter is given twice
+      const std::string name = names.front() + "_{" + std::to_string(number) + '}';
+      if (used.insert(name).second) return name;
+    }
   }
 
   ExprId index_sum(ExprId id, std::set<std::string>& used) {

@@ -20,7 +20,8 @@ struct LetterChoice {
 void note_letters(const ExprTree& tree, ExprId root, LetterChoice& choice);
 
 /// The same expression; a sum keeps its letter where it has one that is not in use around or beside it within
-/// a product, and gets the first free one otherwise. Terms of a sum share letters.
+/// a product, and gets the first free one otherwise (numbered, where all letters are taken). Terms of a sum
+/// share letters.
 [[nodiscard]] ExprId with_letters(ExprTree& tree, ExprId root, const LetterChoice& choice);
 
 }  // namespace rigor

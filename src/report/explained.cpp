@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "derive/tidied.h"
 #include "expr/print_latex.h"
 #include "expr/same_expression.h"
 
@@ -25,11 +26,25 @@ class Lines {
     if (goes_on) return;
     blocks_.push_back({print(from), std::move(rule), {}});
     last_ = from;
-    if (form == nullptr || !applies_an_operator(form->expanded)) return;
+    if (form == nullptr || !takes_derivatives(*form, from)) return;
     blocks_.back().head = form->expanded;
-    blocks_.back().lines.push_back({"=", print(from), "derivatives taken"});
+    blocks_.back().lines.push_back({"=", print(tidied(forms_.tree, from)), "derivatives taken"});
   }
 
+  /// The last line as the notes write it, where a derivative in it has been carried out.
+  void end_at(ExprId to, const WrittenForm& form) {
+    if (!takes_derivatives(form, to)) return;
+    ExplainedBlock& block = blocks_.back();
+    if (block.lines.size() == 1 && block.lines[0].latex == block.head) block.lines.clear();
+    block.lines.push_back({"=", form.expanded, "derivatives taken"});
+  }
+
+  /// A small step that nobody can see is not shown.
+  void add_small(std::string relation, ExprId expr, std::string rule) {
+    const auto& lines = blocks_.back().lines;
+    if (lines.empty() || lines.back().latex != print(expr)) add(std::move(relation), expr, std::move(rule));
+    last_ = expr;
+  }
   void add(std::string relation, ExprId expr, std::string rule, LineKind kind = LineKind::holds) {
     blocks_.back().lines.push_back({std::move(relation), print(expr), std::move(rule), kind});
     last_ = expr;
@@ -44,14 +59,13 @@ class Lines {
   [[nodiscard]] std::vector<ExplainedBlock> take() { return std::move(blocks_); }
 
  private:
-  /// d/dt or ∂ before a bracket: it has been carried out in what the tree holds.
-  static bool applies_an_operator(const std::string& latex) {
-    for (const std::string_view sign :
-         {"\\frac{d}{dt}", "\\frac{d^2}{dt^2}", "\\frac{\\mathrm{d}}{\\mathrm{d}t}"}) {
-      auto at = latex.find(sign);
-      if (at == std::string::npos) continue;
-      at = latex.find_first_not_of(' ', at + sign.size());
-      if (at != std::string::npos && (latex[at] == '(' || latex.compare(at, 5, "\\left") == 0)) return true;
+  /// An operator that the notes write has been carried out in what the tree holds.
+  [[nodiscard]] bool takes_derivatives(const WrittenForm& form, ExprId expr) const {
+    const std::string printed = print(expr);
+    for (const std::string_view sign : {"\\nabla", "\\partial", "\\frac{d}{dt}", "\\frac{d^2}{dt^2}",
+                                        "\\frac{\\mathrm{d}}{\\mathrm{d}t}"}) {
+      if (form.expanded.find(sign) != std::string::npos && printed.find(sign) == std::string::npos)
+        return true;
     }
     return false;
   }
@@ -104,13 +118,17 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
   lines.start_at(explanation.steps.empty() ? *left.expr : explanation.start, rule,
                  components ? nullptr : &left);
   for (const SmallStep& small : explanation.steps)
-    lines.add(small.nearly ? "\\approx" : "=", small.expr, small.rule);
+    lines.add_small(small.nearly ? "\\approx" : "=", small.expr, small.rule);
   if (explanation.gap) {
     lines.add(relation, *right.expr, "not reached: " + *explanation.gap, LineKind::not_reached);
     lines.end_block();
     return ExplainedAs::open;
   }
-  if (components) lines.end_block();
+  if (components) {
+    lines.end_block();
+  } else {
+    lines.end_at(*right.expr, right);
+  }
   return explanation.by_cases ? ExplainedAs::by_cases : ExplainedAs::small;
 }
 

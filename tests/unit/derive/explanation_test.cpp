@@ -46,7 +46,7 @@ TEST_CASE("the square of a cross product is worked out in components") {
   const std::string notes = "$$|\\mathbf A\\times\\mathbf B|^2 = A_iA_iB_jB_j - A_iB_iA_jB_j$$";
   CHECK(explained(notes) ==
         "|\\mathbf{A}\\times\\mathbf{B}|^2\n"
-        "= (\\varepsilon_{ijk} A_j B_k)(\\varepsilon_{ilm} A_l B_m)  [definition of ×, the square of a "
+        "= \\varepsilon_{ijk} A_j B_k\\varepsilon_{ilm} A_l B_m  [definition of ×, the square of a "
         "length]\n"
         "= \\delta_{jl}\\delta_{km} A_j B_k A_l B_m - \\delta_{jm}\\delta_{kl} A_j B_k A_l B_m  [ε–δ]\n"
         "= A_i A_i B_j B_j - A_i B_i A_j B_j  [δ contracted]\n");
@@ -118,6 +118,37 @@ TEST_CASE("quotients are brought over a common denominator") {
   const std::string notes = "$$\\frac1x - \\frac1y = \\frac{y - x}{xy}$$";
   const Explained reading(notes, 0);
   CHECK_FALSE(reading.explanation.gap);
+}
+
+TEST_CASE("a rule says what was done") {
+  const auto rule = [](const std::string& claim) {
+    const Explained reading("$$" + claim + "$$", 0);
+    INFO(reading.lines());
+    REQUIRE(reading.explanation.steps.size() == 1);
+    return reading.explanation.steps[0].rule;
+  };
+  CHECK(rule("|\\mathbf a\\times\\mathbf b|^2 = (\\mathbf a\\times\\mathbf b)\\cdot(\\mathbf "
+             "a\\times\\mathbf b)") == "the square of a length");
+  CHECK(rule("\\mathbf a\\times\\mathbf b = -\\mathbf b\\times\\mathbf a") ==
+        "a×b = −b×a, a·(b×c) = b·(c×a)");
+  CHECK(rule("\\varepsilon_{ijk}a_jb_k = b_k\\varepsilon_{ijk}a_j") == "order of terms and factors");
+  CHECK(rule("\\varepsilon_{ijk}a_jb_k = -\\varepsilon_{ikj}a_jb_k") == "ε is antisymmetric");
+  CHECK(rule("a_ib_i = a_jb_j") == "renamed dummies");
+  CHECK(rule("a^2b = baa") == "powers as products");
+  CHECK(rule("baa = a^2b") == "equal factors as a power");
+  CHECK(rule("\\frac ab + \\frac cd = \\frac{ad + bc}{bd}") == "common denominator");
+  CHECK(rule("\\frac{ad + bc}{bd} = \\frac ab + \\frac cd") == "divided out");
+  CHECK(rule("\\sqrt a\\sqrt a = a") == "square of a root");
+  CHECK(rule("\\frac{1}{\\sqrt 2} = \\frac12\\sqrt 2") == "no root in a denominator");
+  CHECK(rule("a(b + c) = ab + ac") == "multiplied out");
+  CHECK(rule("ab + ac = a(b + c)") == "factored");
+}
+
+TEST_CASE("no line is written twice") {
+  const std::string notes =
+      "$$\\mathbf a\\times\\mathbf b = (a_2b_3 - a_3b_2, a_3b_1 - a_1b_3, a_1b_2 - a_2b_1)$$";
+  CHECK(Explained(notes, 0).explanation.steps.size() == 1);
+  CHECK(Explained("$$\\frac{1}{a - b} + \\frac{1}{b - a} = 0$$", 0).explanation.steps.size() == 1);
 }
 
 TEST_CASE("what is refuted has a gap and no steps") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/letter_choice.h"
 
+#include <set>
+
 #include "derive/written.h"
 
 using namespace rigor;
@@ -40,4 +42,21 @@ TEST_CASE("the letters of the step come before the usual ones") {
   note_letters(page.tree, sum({p}, at(a, p)).id, choice);
   CHECK(dump(page.tree, with_letters(page.tree, sum({summed}, at(a, summed)).id, choice)) ==
         "(index-sum p a[p])");
+}
+
+TEST_CASE("where all letters are taken no letter is given twice") {
+  Page page;
+  const Named a = page.vector("a");
+  Term product = page.number("1");
+  for (int k = 0; k < 20; ++k) {
+    const IndexId index = page.index("");
+    const Term factor = sum({index}, at(a, index) * at(a, index));
+    product = k == 0 ? factor : product * factor;
+  }
+  const std::string text = dump(page.tree, with_letters(page.tree, product.id, {}));
+  std::set<std::string> letters;
+  const std::string sign = "(index-sum ";
+  for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at + 1))
+    letters.insert(text.substr(at + sign.size(), text.find(' ', at + sign.size()) - at - sign.size()));
+  CHECK(letters.size() == 20);
 }
