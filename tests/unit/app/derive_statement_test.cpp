@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Single statements that `rigor derive` must not answer wrongly, lose or hang on.
+#include <string>
+#include <vector>
+
+#include "app/derived.h"
+#include "catch.h"
+
+namespace rigor {
+
+TEST_CASE("a hole under a derivative says so, and the other holes are answered") {
+  for (const std::string statement :
+       {R"(\nabla\square = \nabla f)", R"(\nabla\cdot\square = \nabla\cdot\mathbf b)",
+        R"(\nabla\times\square = \nabla\times\mathbf b)", R"(\nabla^2(\square) = \nabla^2 f)",
+        R"(\partial_i\square = \partial_i f)", R"(\frac{d\square}{dt} = \dot a)",
+        R"(\frac{d}{dt}\square = 0)"}) {
+    const Derived result = derived({statement});
+    INFO(statement << ": " << result.err);
+    CHECK(result.code == 2);
+    CHECK(result.err.find("it stands under a derivative") != std::string::npos);
+  }
+  const HoleFile notes("$$\\nabla\\square = \\nabla f$$\n\n$$(a + b)^2 = \\square$$\n");
+  CHECK(derived({notes.path(), "--write"}).out.find("a^2 + 2 a b + b^2") != std::string::npos);
+  CHECK(notes.text().find("= a^2 + 2 a b + b^2$$") != std::string::npos);
+}
+
+}  // namespace rigor
