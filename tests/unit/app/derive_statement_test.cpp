@@ -24,4 +24,18 @@ TEST_CASE("a hole under a derivative says so, and the other holes are answered")
   CHECK(notes.text().find("= a^2 + 2 a b + b^2$$") != std::string::npos);
 }
 
+TEST_CASE("what is no equation is not solved for a symbol") {
+  const std::vector<std::vector<std::string>> uses{{R"(x\mathbf b = a)", "x"},
+                                                   {R"(\mathbf b + \mathbf c = a)", R"(\mathbf b)"},
+                                                   {R"(\nabla f - \mathbf b = a)", R"(\mathbf b)"},
+                                                   {R"(\mathbf a = b)", R"(\mathbf a)"}};
+  for (const auto& use : uses) {
+    const Derived result = derived({use[0], "--solve-for", use[1]});
+    INFO(use[0] << ": " << result.out << result.err);
+    CHECK(result.code == 1);
+    CHECK(result.out.empty());
+    CHECK(result.err.find("[rank-mismatch]") != std::string::npos);
+  }
+}
+
 }  // namespace rigor
