@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algebra/rational_terms.h"
+#include "algebra/term_estimate.h"
 #include "algebra/terms.h"
 #include "algebra/undecidable.h"
 
@@ -13,6 +14,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_terms = 300;
+constexpr double most_terms_on_the_way = 4'000;  // before equal ones are gathered
 
 struct Quotient {
   GiNaC::ex numerator;    // expanded
@@ -26,6 +28,8 @@ class RationalWriter {
   RationalAtoms& atoms() { return atoms_; }
 
   Quotient quotient_of(const GiNaC::ex& value) {
+    if (most_terms_over_one_denominator(value) > most_terms_on_the_way)
+      throw Undecidable("it has too many terms");
     const GiNaC::ex parts = value.numer_denom();
     Quotient quotient{parts.op(0).expand(), parts.op(1).expand()};
     if (quotient.denominator.is_zero()) throw Undecidable("it divides by zero");
