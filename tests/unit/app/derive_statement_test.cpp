@@ -38,4 +38,12 @@ TEST_CASE("what is no equation is not solved for a symbol") {
   }
 }
 
+TEST_CASE("a small factor is not taken for a part of the symbol behind it") {
+  const Derived change = derived({R"((1 + \delta x)^3 = \square)", "--first-order", R"(\delta)"});
+  CHECK(change.code == 2);
+  CHECK(change.out.empty());
+  CHECK(change.err.find("is one symbol, a change") != std::string::npos);
+  CHECK(derived({R"((1 + x\delta)^3 = \square)", "--first-order", R"(\delta)"}).out == "1 + 3 x\\delta\n");
+}
+
 }  // namespace rigor
