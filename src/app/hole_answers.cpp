@@ -108,7 +108,9 @@ class Answering {
                           .claim = reading.claim,
                           .hole = reading.symbol,
                           .node = reading.node,
-                          .names = {}};
+                          .names = {},
+                          .nearly = reading.nearly,
+                          .small = reading.small};
       for (const FittingName& name : reading.names) problem.names.push_back(name.expr);
       Proposals proposals = propose(result_.reading.forms.tree, problem, wanted_);
       if (hole.obstacle.empty()) hole.obstacle = proposals.obstacle;
@@ -120,7 +122,7 @@ class Answering {
                                   : fmt::format("any multiple of `{}` can be added", part);
       }
       if (wanted_.form == AnswerForm::collected) add_forms_of_notes(hole, reading, other);
-      if (proposals.refuted_necessary && !reading.nearly) {
+      if (proposals.refuted_necessary) {
         hole.would_be = print(hole, *proposals.necessary);
         continue;
       }

@@ -46,4 +46,26 @@ TEST_CASE("a small factor is not taken for a part of the symbol behind it") {
   CHECK(derived({R"((1 + x\delta)^3 = \square)", "--first-order", R"(\delta)"}).out == "1 + 3 x\\delta\n");
 }
 
+TEST_CASE("nothing is said of freedom to first order") {
+  const HoleFile notes(
+      "<!-- rigor:\nsmall \\boldsymbol\\epsilon\nsmall \\eta\n-->\n"
+      "$$(\\mathbf a + \\boldsymbol\\epsilon)\\times\\mathbf b \\approx \\square$$\n\n"
+      "$$\\eta\\,\\square \\approx \\eta a$$\n");
+  const Derived result = derived({notes.path()});
+  INFO(result.out << result.err);
+  CHECK(result.code == 0);
+  CHECK(result.out.find(": a\n") != std::string::npos);
+  CHECK(result.err.empty());
+}
+
+TEST_CASE("an answer to first order has no terms of second order") {
+  const HoleFile notes(
+      "<!-- rigor:\nscalar \\theta\nsmall \\theta\nsmall \\eta\n-->\n"
+      "$$(x + \\theta)^2 \\approx \\square$$\n\n$$a + \\eta^2 \\approx \\square$$\n");
+  const Derived result = derived({notes.path()});
+  INFO(result.out << result.err);
+  CHECK(result.code == 0);
+  CHECK(result.out == notes.path() + ":6:26: x^2 + 2 x\\theta\n" + notes.path() + ":8:22: a\n");
+}
+
 }  // namespace rigor
