@@ -50,7 +50,13 @@ class Proposing {
       proposals_.necessary = isolation.value;
       Equation with_it = problem_.claim;
       with_it.right = side_with(*isolation.value);
-      proposals_.refuted_necessary = !problem_.nearly && outcome_of(with_it) == Outcome::refuted;
+      const bool refuted = !problem_.nearly && outcome_of(with_it) == Outcome::refuted;
+      if (refuted && isolation.squared) {
+        proposals_.obstacle =
+            "it stands in a root: its square fits only where the other side is not negative";
+        return std::move(proposals_);
+      }
+      proposals_.refuted_necessary = refuted;
       add_forms_of(*isolation.value);
     }
     return std::move(proposals_);

@@ -68,4 +68,20 @@ TEST_CASE("an answer to first order has no terms of second order") {
   CHECK(result.out == notes.path() + ":6:26: x^2 + 2 x\\theta\n" + notes.path() + ":8:22: a\n");
 }
 
+TEST_CASE("what is not linear in the hole below a product or a sum is not refuted") {
+  for (const std::string statement :
+       {R"(\mathbf a\cdot(\square^2\mathbf b) = 4\mathbf a\cdot\mathbf b)",
+        R"(\mathbf a\cdot(\frac{1}{\square + 1}\mathbf b) = 4\mathbf a\cdot\mathbf b)",
+        R"(\sum_i \square^2 a_ib_i = 4a_ib_i)", R"(\sqrt\square = a)"}) {
+    const Derived result = derived({statement});
+    INFO(statement << ": " << result.err);
+    CHECK(result.code == 2);
+    CHECK(result.err.find("no value fits") == std::string::npos);
+  }
+  CHECK(derived({R"(\sqrt\square = a)"}).err.find("where the other side is not negative") !=
+        std::string::npos);
+  CHECK(derived({R"(\sqrt\square = |a|)"}).out == "a^2\n");
+  CHECK(derived({R"(\mathbf a\cdot(\square\,\mathbf b) = 4\mathbf a\cdot\mathbf b)"}).out == "4\n");
+}
+
 }  // namespace rigor
