@@ -25,6 +25,7 @@ struct OpenHole {
   std::size_t tried = 0;
   std::string obstacle = {};
   std::optional<std::string> would_be = {};  // refuted, though anything that fits equals it
+  bool repeats_other = false;                // what stands on the other side was found
   bool settled = false;
 
   [[nodiscard]] bool is_trying() const { return !settled && tried < candidates.size(); }
@@ -150,9 +151,13 @@ class Answering {
     }
   }
 
-  /// What stands on the other side already says nothing.
+  /// What stands on the other side already says nothing, unless it is a number.
   static void add(OpenHole& hole, std::string latex, const std::string& other) {
-    if (hole.written->alone && bare(latex) == other) return;
+    const bool number = !other.empty() && other.find_first_not_of("0123456789.") == std::string::npos;
+    if (hole.written->alone && bare(latex) == other && !number) {
+      hole.repeats_other = true;
+      return;
+    }
     const bool known =
         std::find(hole.candidates.begin(), hole.candidates.end(), latex) != hole.candidates.end();
     if (!known) hole.candidates.push_back(std::move(latex));
@@ -225,6 +230,8 @@ class Answering {
       trouble(fmt::format("there are many answers, or none: {} to each", *answer.freedom));
     } else if (!hole.obstacle.empty()) {
       trouble("no answer was found: " + hole.obstacle);
+    } else if (hole.repeats_other && hole.candidates.empty()) {
+      trouble("nothing shorter than the other side was found");
     } else {
       trouble("no answer was found that is proved");
     }

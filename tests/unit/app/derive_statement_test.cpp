@@ -84,4 +84,12 @@ TEST_CASE("what is not linear in the hole below a product or a sum is not refute
   CHECK(derived({R"(\mathbf a\cdot(\square\,\mathbf b) = 4\mathbf a\cdot\mathbf b)"}).out == "4\n");
 }
 
+TEST_CASE("a number on the other side is an answer, and what is short enough says so") {
+  CHECK(derived({R"(0 = \square)"}).out == "0\n");
+  CHECK(derived({R"(\square = 4)"}).out == "4\n");
+  const Derived area = derived({R"(\pi r^2 = \square)"});
+  CHECK(area.code == 2);
+  CHECK(area.err.find("nothing shorter than the other side was found") != std::string::npos);
+}
+
 }  // namespace rigor
