@@ -92,4 +92,12 @@ TEST_CASE("a number on the other side is an answer, and what is short enough say
   CHECK(area.err.find("nothing shorter than the other side was found") != std::string::npos);
 }
 
+TEST_CASE("what is small on request leaves the lines of the notes their numbers") {
+  const HoleFile notes("# T\n\n<!-- rigor: scalr x -->\n\n$$a = b$$\n");
+  const Derived wrong =
+      derived({R"((1 + \eta)^2 = \square)", "--in", notes.path(), "--first-order", R"(\eta)"});
+  INFO(wrong.err);
+  CHECK(wrong.err.find(notes.path() + ":3:") != std::string::npos);
+}
+
 }  // namespace rigor
