@@ -100,4 +100,15 @@ TEST_CASE("what is small on request leaves the lines of the notes their numbers"
   CHECK(wrong.err.find(notes.path() + ":3:") != std::string::npos);
 }
 
+TEST_CASE("the root of a square number is a number, and that of a negative one is none") {
+  CHECK(derived({"x^2 = 4", "--solve-for", "x"}).out == "x = 2\nx = -2\n");
+  CHECK(derived({"9 x^2 = 4", "--solve-for", "x"}).out == "x = \\frac{2}{3}\nx = -\\frac{2}{3}\n");
+  CHECK(derived({"(x - 1)(x - 3) = 0", "--solve-for", "x"}).out == "x = 3\nx = 1\n");
+  CHECK(derived({"x^2 = 2", "--solve-for", "x"}).out == "x = \\sqrt{2}\nx = -\\sqrt{2}\n");
+  const Derived negative = derived({"x^2 + 1 = 0", "--solve-for", "x"});
+  CHECK(negative.code == 2);
+  CHECK(negative.out.empty());
+  CHECK(negative.err.find("its root would be that of a negative number") != std::string::npos);
+}
+
 }  // namespace rigor
