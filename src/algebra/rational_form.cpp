@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "algebra/rational_terms.h"
+#include "algebra/term_estimate.h"
 #include "algebra/terms.h"
 #include "algebra/undecidable.h"
 
@@ -13,6 +15,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_terms = 300;
+constexpr double most_terms_on_the_way = 4'000;  // before equal ones are gathered
 
 struct Quotient {
   GiNaC::ex numerator;    // expanded
@@ -26,6 +29,8 @@ class RationalWriter {
   RationalAtoms& atoms() { return atoms_; }
 
   Quotient quotient_of(const GiNaC::ex& value) {
+    if (most_terms_over_one_denominator(value) > most_terms_on_the_way)
+      throw Undecidable("it has too many terms");
     const GiNaC::ex parts = value.numer_denom();
     Quotient quotient{parts.op(0).expand(), parts.op(1).expand()};
     if (quotient.denominator.is_zero()) throw Undecidable("it divides by zero");
@@ -241,10 +246,31 @@ class Solving {
     return writer_.factored(writer_.quotient_of(above / below));
   }
 
+  static bool is_negative(const GiNaC::ex& square) {
+    return is_number(square) && GiNaC::ex_to<GiNaC::numeric>(square).is_negative();
+  }
+
+  static Roots no_real_root() { return {.obstacle = "its root would be that of a negative number"}; }
+
+  /// Nothing where the square is no number, or its root not rational.
+  static std::optional<GiNaC::numeric> rational_root(const GiNaC::ex& square) {
+    if (!is_number(square) || is_negative(square)) return std::nullopt;
+    const auto& number = GiNaC::ex_to<GiNaC::numeric>(square);
+    const GiNaC::numeric root = GiNaC::isqrt(number.numer()) / GiNaC::isqrt(number.denom());
+    return root * root == number ? std::optional(root) : std::nullopt;
+  }
+
   /// a x² + b x + c = 0
   Roots quadratic(const GiNaC::ex& a, const GiNaC::ex& b, const GiNaC::ex& c) {
     RationalAtoms& atoms = writer_.atoms();
     if (b.is_zero()) {
+      const GiNaC::ex square = -c / a;
+      if (is_negative(square)) return no_real_root();
+      if (const auto root = rational_root(square)) {
+        const ExprId value = writer_.atoms().number(*root);
+        if (root->is_zero()) return {.values = {value}};
+        return {.values = {value, atoms.make(Op::negate, {value})}};
+      }
       const ExprId root = atoms.make(Op::root, {fraction(-c, a)});
       return {.values = {root, atoms.make(Op::negate, {root})}};
     }
@@ -253,8 +279,14 @@ class Solving {
     const GiNaC::ex middle = even ? half : b;
     const GiNaC::ex below = even ? a : 2 * a;
     const GiNaC::ex under = (even ? half * half - a * c : b * b - 4 * a * c).expand();
+    if (is_negative(under)) return no_real_root();
+    const auto known_root = rational_root(under);
     Roots roots;
     for (const int sign : {1, -1}) {
+      if (known_root && !known_root->is_zero()) {
+        roots.values.push_back(fraction(-middle + sign * *known_root, below));
+        continue;
+      }
       if (under.is_zero()) {
         roots.values.push_back(fraction(-middle, below));
         continue;

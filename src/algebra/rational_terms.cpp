@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algebra/exact_number.h"
+#include "algebra/term_estimate.h"
 #include "algebra/terms.h"
 #include "algebra/undecidable.h"
 
@@ -14,6 +15,13 @@ namespace {
 
 constexpr std::uint32_t largest_weight = 4000;
 constexpr int largest_power = 16;
+constexpr double most_terms_of_divisor = 4'000;  // multiplied out, before equal ones are gathered
+
+GiNaC::ex normal_form(const GiNaC::ex& value) {
+  if (most_terms_over_one_denominator(value) > most_terms_of_divisor)
+    throw Undecidable("a divisor has too many terms");
+  return value.normal();
+}
 
 }  // namespace
 
@@ -34,7 +42,7 @@ GiNaC::ex RationalAtoms::value_of(ExprId id) {
     case Op::multiply:
       return product_of(id);
     case Op::divide: {
-      const GiNaC::ex divisor = value_of(children[1]).normal();
+      const GiNaC::ex divisor = normal_form(value_of(children[1]));
       if (divisor.is_zero()) throw Undecidable("it divides by zero");
       return value_of(children[0]) / divisor;
     }
@@ -47,7 +55,7 @@ GiNaC::ex RationalAtoms::value_of(ExprId id) {
       if (base.op == Op::absolute && even)
         return GiNaC::pow(value_of(tree_.children(children[0])[0]), node.exponent);
       const GiNaC::ex value = value_of(children[0]);
-      if (node.exponent < 0 && value.normal().is_zero()) throw Undecidable("it divides by zero");
+      if (node.exponent < 0 && normal_form(value).is_zero()) throw Undecidable("it divides by zero");
       return GiNaC::pow(value, node.exponent);
     }
     case Op::dot: {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -52,7 +53,7 @@ class Deriving {
     }
     const std::string path = command_.is_statement ? command_.in.value_or("") : command_.what;
     if (const ExitCode code = load(path, notes); code != ExitCode::ok) return code;
-    if (!command_.first_order.empty()) notes.text.insert(0, small_directive(notes.path));
+    if (!command_.first_order.empty()) add_small_directive(notes);
     if (!command_.solve_for.empty()) return solve(notes);
     HoleAnswers answers = answer_holes(notes, form_named(command_));
     ExitCode code = print_errors(answers);
@@ -184,13 +185,29 @@ class Deriving {
     return code;
   }
 
-  /// Without notes, nothing else says that the symbols are numbers.
-  std::string small_directive(const std::string& path) const {
-    const std::string symbols = fmt::format("{}", fmt::join(command_.first_order, ", "));
-    const bool alone = path.empty();
-    if (format_of(path) == Format::latex)
-      return fmt::format("{}% rigor: small {}\n", alone ? "% rigor: scalar " + symbols + "\n" : "", symbols);
-    return fmt::format("<!-- rigor:\n{}small {}\n-->\n", alone ? "scalar " + symbols + "\n" : "", symbols);
+  /// Behind the notes, so that their lines keep their numbers, unless the statement stands within them.
+  void add_small_directive(HoleNotes& notes) const {
+    const bool latex = format_of(notes.path) == Format::latex;
+    std::string directive = latex ? "" : "<!-- rigor:\n";
+    const auto add_line = [&](std::string_view kind, const std::string& symbol) {
+      directive += fmt::format("{}{} {}\n", latex ? "% rigor: " : "", kind, symbol);
+    };
+    for (const std::string& symbol : command_.first_order) {
+      if (notes.path.empty()) add_line(is_bold(symbol) ? "vector" : "scalar", symbol);
+      add_line("small", symbol);
+    }
+    if (!latex) directive += "-->\n";
+    if (latex || notes.at || !command_.is_statement) {
+      notes.text.insert(0, directive);
+    } else {
+      notes.text += "\n\n" + directive;
+    }
+  }
+
+  /// Without notes, nothing else says what a symbol is.
+  static bool is_bold(std::string_view symbol) {
+    return symbol.find("\\mathbf") != symbol.npos || symbol.find("\\boldsymbol") != symbol.npos ||
+           symbol.find("\\vec") != symbol.npos;
   }
 
   ExitCode solve(const HoleNotes& notes) {

@@ -7,9 +7,10 @@ namespace rigor {
 namespace {
 
 constexpr auto table = std::to_array<ExitCodeInfo>({
-    {ExitCode::ok, "every claim is proved, or as expected; every refutation replayed is confirmed"},
-    {ExitCode::wrong, "something is refuted, malformed or not confirmed; a scene or a body is wrong"},
-    {ExitCode::open, "something is undecided or not understood, and nothing is refuted or malformed"},
+    {ExitCode::ok, "every claim is proved, or as expected; each hole is answered, each replay confirmed"},
+    {ExitCode::wrong,
+     "something is refuted, malformed or not confirmed; nothing fits a hole; a scene is wrong"},
+    {ExitCode::open, "something is undecided, not understood or not answered, and nothing is wrong"},
     {ExitCode::usage, "the command line is wrong"},
     {ExitCode::no_input, "a file is missing or unreadable, or cannot be written"},
     {ExitCode::internal, "an error of rigor itself"},

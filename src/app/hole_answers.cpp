@@ -25,6 +25,7 @@ struct OpenHole {
   std::size_t tried = 0;
   std::string obstacle = {};
   std::optional<std::string> would_be = {};  // refuted, though anything that fits equals it
+  bool repeats_other = false;                // what stands on the other side was found
   bool settled = false;
 
   [[nodiscard]] bool is_trying() const { return !settled && tried < candidates.size(); }
@@ -108,7 +109,9 @@ class Answering {
                           .claim = reading.claim,
                           .hole = reading.symbol,
                           .node = reading.node,
-                          .names = {}};
+                          .names = {},
+                          .nearly = reading.nearly,
+                          .small = reading.small};
       for (const FittingName& name : reading.names) problem.names.push_back(name.expr);
       Proposals proposals = propose(result_.reading.forms.tree, problem, wanted_);
       if (hole.obstacle.empty()) hole.obstacle = proposals.obstacle;
@@ -120,7 +123,7 @@ class Answering {
                                   : fmt::format("any multiple of `{}` can be added", part);
       }
       if (wanted_.form == AnswerForm::collected) add_forms_of_notes(hole, reading, other);
-      if (proposals.refuted_necessary && !reading.nearly) {
+      if (proposals.refuted_necessary) {
         hole.would_be = print(hole, *proposals.necessary);
         continue;
       }
@@ -148,9 +151,13 @@ class Answering {
     }
   }
 
-  /// What stands on the other side already says nothing.
+  /// What stands on the other side already says nothing, unless it is a number.
   static void add(OpenHole& hole, std::string latex, const std::string& other) {
-    if (hole.written->alone && bare(latex) == other) return;
+    const bool number = !other.empty() && other.find_first_not_of("0123456789.") == std::string::npos;
+    if (hole.written->alone && bare(latex) == other && !number) {
+      hole.repeats_other = true;
+      return;
+    }
     const bool known =
         std::find(hole.candidates.begin(), hole.candidates.end(), latex) != hole.candidates.end();
     if (!known) hole.candidates.push_back(std::move(latex));
@@ -223,6 +230,8 @@ class Answering {
       trouble(fmt::format("there are many answers, or none: {} to each", *answer.freedom));
     } else if (!hole.obstacle.empty()) {
       trouble("no answer was found: " + hole.obstacle);
+    } else if (hole.repeats_other && hole.candidates.empty()) {
+      trouble("nothing shorter than the other side was found");
     } else {
       trouble("no answer was found that is proved");
     }

@@ -28,6 +28,7 @@ class StatementSolver {
     if (reading_.forms.asked.empty() || chain == nullptr) return unread();
     if (chain->forms.size() != 2 || chain->steps[0].kind != "=") return refuse("it is not one equation");
     if (!chain->forms[0].expr || !chain->forms[1].expr) return unread();
+    if (!sides_fit(*chain)) return unread();
     unknown_ = reading_.forms.asked[0].expr;
     find_places(*chain);
     if (places_.empty()) return refuse("it does not stand there");
@@ -44,6 +45,17 @@ class StatementSolver {
       if (chain.span.file == *reading_.statement) return &chain;
     }
     return nullptr;
+  }
+
+  /// Each side can be readable, and the two not be an equation: ranks or indices differ.
+  bool sides_fit(const WrittenFormChain& chain) const {
+    const ExprTree& tree = reading_.forms.tree;
+    if (tree[*chain.forms[0].expr].rank != tree[*chain.forms[1].expr].rank) return false;
+    return std::none_of(reading_.report.steps.begin(), reading_.report.steps.end(), [&](const Step& step) {
+      if (step.relation_span.file != *reading_.statement) return false;
+      return std::any_of(step.diagnostics.begin(), step.diagnostics.end(),
+                         [](const Diagnostic& each) { return each.severity() == Severity::error; });
+    });
   }
 
   SolvedStatement unread() {

@@ -75,7 +75,11 @@ class HoleReader {
       }
       if (!found && rank == 0) plain_ = std::move(last_);
     }
-    if (readings.empty()) troubles = std::move(plain_);
+    if (readings.empty() && differentiated_) {
+      troubles = {{DiagnosticKind::hole, span_of_hole(), "it stands under a derivative, and none is undone"}};
+    } else if (readings.empty()) {
+      troubles = std::move(plain_);
+    }
     return readings;
   }
 
@@ -151,18 +155,36 @@ class HoleReader {
     for (std::size_t k = step; k < std::max(side_, partner_); ++k)
       claim->nearly = claim->nearly || chain_.parsed.written.relations[k].kind == RelationKind::nearly;
     if (!claim->nearly) claim->nearly = chain_.first_order;
-    const Span span = chain_.syntax[holes_below(chain_.syntax, chain_.parsed.sides[side_])[0]].span;
+    const Span span = span_of_hole();
     HoleReading found{.claim = claim->equation, .nearly = claim->nearly};
     for (const Hole& hole : reading.elaborator().holes()) {
       if (hole.span == span) found.symbol = hole.symbol;
     }
-    found.node = node_of(found.claim.right, found.symbol);
+    const auto node = node_of(found.claim.right, found.symbol);
+    if (!node || is_differentiated(found)) {
+      differentiated_ = true;
+      return std::nullopt;
+    }
+    found.node = *node;
     try_names(chain_.tree, chain_.names, *claim, found);
     ask(found);
     return found;
   }
 
-  ExprId node_of(ExprId root, SymbolId symbol) const {
+  Span span_of_hole() const {
+    return chain_.syntax[holes_below(chain_.syntax, chain_.parsed.sides[side_])[0]].span;
+  }
+
+  /// Its derivative is a symbol of its own, in which no value can be put.
+  bool is_differentiated(const HoleReading& found) const {
+    const std::vector<SymbolId> symbols = symbols_in(chain_.tree, found.claim.right);
+    return std::any_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+      return symbol != found.symbol && base_of(chain_.tree.symbols, symbol) == found.symbol;
+    });
+  }
+
+  /// Nothing where a derivative took the hole for a constant.
+  std::optional<ExprId> node_of(ExprId root, SymbolId symbol) const {
     std::vector<ExprId> pending{root};
     while (!pending.empty()) {
       const ExprId id = pending.back();
@@ -170,10 +192,13 @@ class HoleReader {
       if (chain_.tree[id].op == Op::symbol && chain_.tree[id].symbol == symbol) return id;
       for (const ExprId child : chain_.tree.children(id)) pending.push_back(child);
     }
-    return root;
+    return std::nullopt;
   }
 
   void ask(HoleReading& found) {
+    if (found.nearly) {
+      for (const SmallQuantity& small : chain_.names.small()) found.small.push_back(small.quantity);
+    }
     const Precision precision = found.nearly ? Precision::small_order : Precision::exact;
     for (int order = 0; order <= (found.nearly ? 1 : 0); ++order) {
       Prepared prepared = prepare(chain_.tree, chain_.names, found.claim, 0, precision, order);
@@ -187,6 +212,7 @@ class HoleReader {
   std::size_t partner_;
   Diagnostics last_;
   Diagnostics plain_;  // of the plainest shape
+  bool differentiated_ = false;
   std::vector<std::string> particles_;
 };
 

@@ -19,10 +19,11 @@ class Isolating {
 
   Isolation run() {
     while (tree_[at_].op != Op::symbol) {
+      if (auto why = why_nonlinear(tree_[at_].op)) return {.obstacle = std::move(*why)};
       if (occurrences_of(tree_, at_, hole_) > 1) return by_two_values("it stands there more than once");
       if (!undo()) return by_two_values(std::move(obstacle_));
     }
-    return {.value = value_};
+    return {.value = value_, .squared = squared_};
   }
 
  private:
@@ -90,6 +91,7 @@ class Isolating {
         break;
       case Op::root:
         value_ = make(Op::power, {value_}, 2);
+        squared_ = true;
         break;
       default:
         obstacle_ = why_not(node.op);
@@ -99,7 +101,7 @@ class Isolating {
     return true;
   }
 
-  static std::string why_not(Op op) {
+  static std::optional<std::string> why_nonlinear(Op op) {
     switch (op) {
       case Op::power:
         return "the equation is not linear in it: it stands in a power";
@@ -108,6 +110,13 @@ class Isolating {
         return "the equation is not linear in it: it stands between bars";
       case Op::function:
         return "the equation is not linear in it: it stands in a function";
+      default:
+        return std::nullopt;
+    }
+  }
+
+  static std::string why_not(Op op) {
+    switch (op) {
       case Op::dot:
       case Op::cross:
       case Op::index_sum:
@@ -150,6 +159,38 @@ class Isolating {
     return tree_.add({.op = Op::index_sum, .span = span(), .index = letter}, std::span(&body, 1));
   }
 
+  /// Is the hole only added, multiplied by what is free of it, and summed?
+  bool is_linear(ExprId id) const {
+    if (occurrences_of(tree_, id, hole_) == 0) return true;
+    const ExprNode& node = tree_[id];
+    const auto children = tree_.children(id);
+    const auto speaks = [&](ExprId child) { return occurrences_of(tree_, child, hole_) > 0; };
+    const auto with_hole = std::count_if(children.begin(), children.end(), speaks);
+    switch (node.op) {
+      case Op::symbol:
+        return true;
+      case Op::divide:
+        if (speaks(children[1])) return false;
+        break;
+      case Op::multiply:
+      case Op::dot:
+      case Op::cross:
+        if (with_hole > 1) return false;
+        break;
+      case Op::add:
+      case Op::negate:
+      case Op::index_sum:
+      case Op::particle_sum:
+      case Op::component:
+      case Op::tuple:
+      case Op::table:
+        break;
+      default:
+        return false;
+    }
+    return std::all_of(children.begin(), children.end(), [&](ExprId child) { return is_linear(child); });
+  }
+
   /// The letters of the hole itself.
   void note_own_letters() {
     std::vector<ExprId> pending{claim_.right};
@@ -188,11 +229,11 @@ class Isolating {
   Isolation by_two_values(std::string obstacle) {
     const Symbol& symbol = tree_.symbols[hole_];
     const bool fits = symbol.rank == 0 && tree_[at_].rank == 0 && leftover(claim_.right).empty();
-    const bool linear = !obstacle.starts_with("the equation is not linear");
-    if (!fits || !linear) return {.obstacle = std::move(obstacle)};
+    if (!fits) return {.obstacle = std::move(obstacle)};
+    if (!is_linear(at_)) return {.obstacle = "the equation is not linear in it"};
     const ExprId zero = with_symbol_as(tree_, at_, hole_, tree_.add_number(span(), "0"));
     const ExprId one = with_symbol_as(tree_, at_, hole_, tree_.add_number(span(), "1"));
-    return {.value = make(Op::divide, {minus(value_, zero), minus(one, zero)})};
+    return {.value = make(Op::divide, {minus(value_, zero), minus(one, zero)}), .squared = squared_};
   }
 
   ExprTree& tree_;
@@ -202,6 +243,7 @@ class Isolating {
   ExprId at_;
   std::set<IndexId> own_;
   std::string obstacle_;
+  bool squared_ = false;
 };
 
 }  // namespace

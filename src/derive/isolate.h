@@ -13,6 +13,7 @@ namespace rigor {
 /// of several components, and behind a root, only the product with what stands before the hole is compared.
 struct Isolation {
   std::optional<ExprId> value = {};
+  bool squared = false;  // both sides were squared: the value fits only where their signs agree
   std::string obstacle = {};
 };
 

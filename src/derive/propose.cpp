@@ -33,7 +33,7 @@ class Proposing {
 
   Proposals run() {
     if (wanted_.form == AnswerForm::contracted) proposals_.values = problem_.names;
-    if (!depends_on_hole()) {
+    if (!problem_.nearly && !depends_on_hole()) {
       proposals_.impossible = outcome_of(problem_.claim) == Outcome::refuted;
       proposals_.obstacle = proposals_.impossible
                                 ? "no value fits: the equation does not depend on it, and does not hold"
@@ -41,7 +41,7 @@ class Proposing {
       return std::move(proposals_);
     }
     try_numbers();
-    find_freedom();
+    if (!problem_.nearly) find_freedom();
     compare_coefficients();
     const Isolation isolation = isolated(tree_, problem_.claim, problem_.hole);
     if (!isolation.value) {
@@ -50,7 +50,13 @@ class Proposing {
       proposals_.necessary = isolation.value;
       Equation with_it = problem_.claim;
       with_it.right = side_with(*isolation.value);
-      proposals_.refuted_necessary = outcome_of(with_it) == Outcome::refuted;
+      const bool refuted = !problem_.nearly && outcome_of(with_it) == Outcome::refuted;
+      if (refuted && isolation.squared) {
+        proposals_.obstacle =
+            "it stands in a root: its square fits only where the other side is not negative";
+        return std::move(proposals_);
+      }
+      proposals_.refuted_necessary = refuted;
       add_forms_of(*isolation.value);
     }
     return std::move(proposals_);
@@ -155,6 +161,10 @@ class Proposing {
   }
 
   void add_forms_of(ExprId value) {
+    if (problem_.nearly && wanted_.form == AnswerForm::contracted) {
+      if (const auto short_value = to_first_order(tree_, value, problem_.small))
+        add_all(in_form(tree_, *short_value, wanted_));
+    }
     add_all(in_form(tree_, value, wanted_));
     for (int times = 0; times < most_unfoldings; ++times) {
       const ExprId deeper = unfold(value);

@@ -30,8 +30,10 @@ struct HoleProblem {
   Question question;  // its `tree` is not read; its claim is not, either
   Equation claim;
   SymbolId hole{};
-  ExprId node{};              // the hole in the claim
-  std::vector<ExprId> names;  // that fit, proved elsewhere
+  ExprId node{};                   // the hole in the claim
+  std::vector<ExprId> names;       // that fit, proved elsewhere
+  bool nearly = false;             // equal to first order: the question is only of the order 0
+  std::vector<ExprId> small = {};  // what is of first order there
 };
 
 struct Proposals {
@@ -44,6 +46,7 @@ struct Proposals {
   bool impossible = false;                  // the claim is refuted, whatever stands in the hole
 };
 
+/// To first order nothing is said of freedom or impossibility, which the order 0 alone does not show.
 /// Deterministic. Cost: a few decisions of the exact side.
 [[nodiscard]] Proposals propose(ExprTree& tree, const HoleProblem& problem, const WantedForm& wanted);
 

@@ -293,4 +293,10 @@ std::optional<Typed> Elaborator::directional(const Typed& along, const Typed& op
   return typed;
 }
 
+/// `\delta x` is one symbol, and where \delta is a small number, a product is as likely meant.
+bool Elaborator::hides_small_factor(const WrittenSymbol& written, const WrittenName& name) const {
+  return !written.change.empty() && names_.is_small_scalar(tree_, written.change) &&
+         !names_.is_declared({name.base, 0, false}) && !names_.is_declared({name.base, 1, false});
+}
+
 }  // namespace rigor

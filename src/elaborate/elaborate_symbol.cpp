@@ -52,6 +52,12 @@ std::optional<Typed> Elaborator::symbol(const WrittenSymbol& written, Span span)
   Maybe special = special_symbol(written, span, handled);
   if (handled) return special;
   WrittenName name = take_apart(written, letters_, names_);
+  if (hides_small_factor(written, name)) {
+    return fail(
+        DiagnosticKind::ambiguous_reading, span,
+        fmt::format("`{}` is one symbol, a change, and `{}` is small by itself", name.base, written.change),
+        {fmt::format("for the product write `{}` behind the other factors", written.change)});
+  }
   const auto greek_label = [](const WrittenIndex& index) { return index.form == IndexForm::greek; };
   if (std::count_if(written.lower.begin(), written.lower.end(), greek_label) > 1) {
     return unsupported(span, "two Greek subscripts, as of space-time, are not decided");

@@ -147,6 +147,7 @@ class Elaborator {
 
   // elaborate_change.cpp
   Maybe rate(const WrittenSymbol& written, Span span);
+  [[nodiscard]] bool hides_small_factor(const WrittenSymbol& written, const WrittenName& name) const;
   Maybe derivative(SyntaxId id);
   Maybe by_coordinate(Typed operand, const WrittenSymbol& variable, Span span);
   bool depends_on_other_coordinate(const Typed& operand, const WrittenSymbol& variable, Span span);

@@ -171,6 +171,13 @@ void Names::declare_small(SmallQuantity small) {
   small_.push_back(std::move(small));
 }
 
+bool Names::is_small_scalar(const ExprTree& tree, const std::string& base) const {
+  const auto symbol = find({base, 0, false});
+  return symbol && std::any_of(small_.begin(), small_.end(), [&](const SmallQuantity& small) {
+           return tree[small.quantity].op == Op::symbol && tree[small.quantity].symbol == *symbol;
+         });
+}
+
 const NameKey* Names::key_of(SymbolId symbol) const {
   const auto found = keys_.find(symbol);
   return found == keys_.end() ? nullptr : &found->second;

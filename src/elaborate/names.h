@@ -151,6 +151,8 @@ class Names {
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
   void declare_small(SmallQuantity small);
   [[nodiscard]] const std::vector<SmallQuantity>& small() const { return small_; }
+  /// Is the scalar of this name small by a directive?
+  [[nodiscard]] bool is_small_scalar(const ExprTree& tree, const std::string& base) const;
   /// The rotation whose first axis is primed, if primed axes were spoken of.
   [[nodiscard]] std::optional<SymbolId> primed_axes() const { return primed_axes_; }
   void set_primed_axes(SymbolId rotation) { primed_axes_ = rotation; }

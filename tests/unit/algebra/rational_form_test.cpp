@@ -92,4 +92,11 @@ TEST_CASE("what cannot be solved for says why") {
   CHECK(solved_for(hidden.tree(), hidden.at(0), hidden.at(1)).values.empty());
 }
 
+TEST_CASE("a sum over many denominators is given up before it is multiplied out") {
+  std::string sum = "0";
+  for (int k = 1; k <= 25; ++k) sum += R"( + \frac{1}{x_{)" + std::to_string(k) + "} + y}";
+  CHECK(in_rational_form(sum, RationalForm::expanded) == "nothing");
+  CHECK(in_rational_form(R"(\frac{1}{)" + sum + "}", RationalForm::expanded) == "nothing");
+}
+
 }  // namespace rigor

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How long an expression may become, known before it is multiplied out.
+#pragma once
+
+#include <ginac/ex.h>
+
+namespace rigor {
+
+/// At most so many terms stand above and below when the expression is brought over one denominator and
+/// multiplied out, equal terms not yet gathered. Cost: as the expression as it is written.
+[[nodiscard]] double most_terms_over_one_denominator(const GiNaC::ex& value);
+
+}  // namespace rigor
