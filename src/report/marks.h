@@ -6,10 +6,10 @@
 //   file 900150983cd24fb0d6963f7d28e17f72 notes.tex
 //   display 12 14 proved 3 3
 //
-// The sidecar that would have been read if there were one. Every file that was read, a sidecar and one without displays, too, with the MD5 digest of its bytes; then
-// its displays: first and last line, the worst that was found in it (`refuted`, `open`, `proved`, `given`;
-// `silent` of one without steps), of how many steps, of how many in all. Paths are seen from the folder of
-// the notes, which come first.
+// The sidecar that would have been read if there were one. Every file that was read, a sidecar and one
+// without displays, too, with the MD5 digest of its bytes; then its displays: first and last line, the worst
+// that was found in it (`refuted`, `open`, `proved`, `given`; `silent` of one without steps), of how many
+// steps, of how many in all. Paths are seen from the folder of the notes, which come first.
 #pragma once
 
 #include <string>
