@@ -56,6 +56,10 @@ class Deriving {
     if (!command_.first_order.empty()) add_small_directive(notes);
     if (!command_.solve_for.empty()) return solve(notes);
     HoleAnswers answers = answer_holes(notes, form_named(command_));
+    if (auto nearly = to_first_order(notes, answers)) {
+      err_ << "rigor: to first order in what is small, with `\\approx` for `=`\n";
+      answers = std::move(*nearly);
+    }
     ExitCode code = print_errors(answers);
     if (answers.reading.report.unreadable) return ExitCode::no_input;
     if (!command_.derivative.empty() || !command_.first_order.empty()) return transform(notes, answers, code);
@@ -183,6 +187,23 @@ class Deriving {
       code = worse(code, print(derived));
     }
     return code;
+  }
+
+  /// `\ddot q = \square q` with a small q: where an equality has no answer but the other side itself, moved
+  /// to the hole, a first order may say more.
+  [[nodiscard]] std::optional<HoleAnswers> to_first_order(const HoleNotes& notes,
+                                                          const HoleAnswers& exact) const {
+    const auto says_more = [](const HoleAnswer& hole) { return hole.latex && !hole.only_moves_other; };
+    if (!notes.statement || exact.holes.size() != 1 || !exact.holes[0].among_small) return std::nullopt;
+    const std::size_t sign = notes.statement->find('=');
+    const bool one_equality =
+        sign != std::string::npos && notes.statement->find('=', sign + 1) == std::string::npos;
+    if (says_more(exact.holes[0]) || !one_equality) return std::nullopt;
+    HoleNotes nearly = notes;
+    nearly.statement->replace(sign, 1, "\\approx ");
+    HoleAnswers answers = answer_holes(nearly, form_named(command_));
+    if (answers.holes.size() != 1 || !says_more(answers.holes[0])) return std::nullopt;
+    return answers;
   }
 
   /// Behind the notes, so that their lines keep their numbers, unless the statement stands within them.

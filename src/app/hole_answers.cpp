@@ -10,6 +10,7 @@
 #include "app/hole_text.h"
 #include "app/write_back.h"
 #include "expr/print_latex.h"
+#include "expr/same_expression.h"
 
 namespace rigor {
 namespace {
@@ -22,6 +23,7 @@ struct OpenHole {
   HoleAnswer answer = {};
   HolePlace place = {};
   std::vector<std::string> candidates = {};
+  std::set<std::string> moving = {};  // candidates that hold the other side as a whole
   std::size_t tried = 0;
   std::string obstacle = {};
   std::optional<std::string> would_be = {};  // refuted, though anything that fits equals it
@@ -127,8 +129,26 @@ class Answering {
         hole.would_be = print(hole, *proposals.necessary);
         continue;
       }
-      for (const ExprId value : proposals.values) add(hole, print(hole, value), other);
+      hole.answer.among_small = hole.answer.among_small || !reading.small.empty();
+      for (const ExprId value : proposals.values) {
+        const std::string latex = print(hole, value);
+        if (holds(value, reading.claim.left)) hole.moving.insert(latex);
+        add(hole, latex, other);
+      }
     }
+  }
+
+  bool holds(ExprId whole, ExprId part) const {
+    const ExprTree& tree = result_.reading.forms.tree;
+    if (symbols_in(tree, part).empty()) return false;
+    std::vector<ExprId> pending{whole};
+    while (!pending.empty()) {
+      const ExprId id = pending.back();
+      pending.pop_back();
+      if (same_expression(tree, id, tree, part)) return true;
+      for (const ExprId child : tree.children(id)) pending.push_back(child);
+    }
+    return false;
   }
 
   /// What the notes write with no other symbols than those that are wanted.
@@ -215,6 +235,7 @@ class Answering {
     if (hole.settled) {
       answer.latex = hole.candidates[hole.tried];
       answer.text = placed(*answer.latex, hole.place);
+      answer.only_moves_other = hole.moving.contains(*answer.latex);
       answer.impossible = false;
       return answer;
     }

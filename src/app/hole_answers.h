@@ -30,7 +30,9 @@ struct HoleAnswer {
   std::optional<std::string> other = {};    // what the notes say it is equal to, if nothing stands beside it
   bool written_there = false;               // the hole's own characters stand in the text, not in a macro
   bool impossible = false;                  // no value fits
-  Diagnostics troubles = {};                // why there is no answer
+  bool only_moves_other = false;  // the answer holds what the notes say it is equal to: it says little
+  bool among_small = false;       // something is small where it stands
+  Diagnostics troubles = {};      // why there is no answer
 };
 
 struct HoleAnswers {

@@ -28,7 +28,7 @@ struct HoleReading {
   ExprId node{};                         // the hole as it stands in the claim
   std::vector<Question> questions = {};  // exact: one; nearly: of orders 0 and 1; their `tree` is not set
   std::vector<FittingName> names = {};   // the first that fit
-  std::vector<ExprId> small = {};        // nearly: what is of first order
+  std::vector<ExprId> small = {};        // what is small where it stands
   bool takes_anything = false;           // the claim was proved for every value of the hole
 };
 

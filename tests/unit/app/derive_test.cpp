@@ -61,6 +61,17 @@ TEST_CASE("what is nearly equal is answered with what the notes call small") {
   CHECK(result.out.find("\\Omega_1") != std::string::npos);
 }
 
+TEST_CASE("an equality that only moves the other side is answered to first order where something is small") {
+  const std::string rate = R"(\ddot\omega_2 = \square\,\omega_2)";
+  const Derived nearly = derived({rate, "--in", rigid_bodies, "--at", "A thrown racket"});
+  CHECK(nearly.out == "-\\Omega_1^2\n");
+  CHECK(nearly.err.find("to first order") != std::string::npos);
+  CHECK(
+      derived({R"(\omega_2 + \omega_2 = \square\,\omega_2)", "--in", rigid_bodies, "--at", "A thrown racket"})
+          .err == "");
+  CHECK(answer(R"(F = \square\,a)") == "\\frac{F}{a}\n");
+}
+
 TEST_CASE("a hole in a sum, a product or a denominator is solved for") {
   CHECK(answer(R"((a + b)^2 = a^2 + b^2 + 2\square)") == "a b\n");
   CHECK(answer(R"(\frac{a}{\square} = b)") == "\\frac{a}{b}\n");
