@@ -25,11 +25,18 @@ std::string name_with_particle(const ExprTree& tree, const Definition& definitio
 
 std::string name_of(const ExprTree& tree, const Definition& definition, const Origin& origin) {
   const bool rate = tree.symbols[definition.symbol].derivation.has_value();
-  if (origin.text.starts_with("given ")) return origin.text;
+  if (!origin.expanded.empty()) return origin.expanded;
   const auto tag = tag_at_end(origin.text);
   if (rate) return tag ? fmt::format("derivative of Eq. {}", *tag) : "derivative of a definition";
   if (tag) return "Eq. " + *tag;
   return fmt::format("definition of {}", name_with_particle(tree, definition));
+}
+
+std::string name_of(const ExprTree& tree, const Equation& equation, const NamedAssumption* assumption) {
+  if (assumption != nullptr)
+    return assumption->origin.expanded.empty() ? assumption->origin.text : assumption->origin.expanded;
+  if (equation.relation == Relation::equal) return "unit vector";
+  return fmt::format("{} is not 0", tree.symbols[tree[equation.left].symbol].name);
 }
 
 }  // namespace
@@ -39,8 +46,8 @@ QuestionNames names_of(const Prepared& prepared) {
   QuestionNames names;
   for (std::size_t k = 0; k < prepared.definitions.size(); ++k)
     names.definitions.push_back(name_of(tree, prepared.question.definitions[k], *prepared.definitions[k]));
-  for (const NamedAssumption* assumption : prepared.assumptions)
-    names.assumptions.push_back(assumption != nullptr ? assumption->origin.text : "unit vector");
+  for (std::size_t k = 0; k < prepared.assumptions.size(); ++k)
+    names.assumptions.push_back(name_of(tree, prepared.question.assumptions[k], prepared.assumptions[k]));
   return names;
 }
 

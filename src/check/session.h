@@ -95,7 +95,7 @@ class Session {
   void add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
                       const Context& context, Step& step);
   void add_assumption(const Typed& left, const Typed& right, const Equation& equation,
-                      const ParsedChain& parsed, const Context& context, Step& step);
+                      const ParsedChain& parsed, std::size_t which, const Context& context, Step& step);
   bool is_in_doubt() const;
   bool find_sample();  // of all assumptions in force
   static Diagnostic no_sample(Span span);

@@ -248,9 +248,13 @@ bool Session::join_component_rules(const Typed& left) {
 }
 
 void Session::add_assumption(const Typed& left, const Typed& right, const Equation& equation,
-                             const ParsedChain& parsed, const Context& context, Step& step) {
+                             const ParsedChain& parsed, std::size_t which, const Context& context,
+                             Step& step) {
+  const WrittenChain& written = parsed.written;
   Origin origin{fmt::format("given {} {} {}", step.left, step.relation, step.right), section_,
-                context.directive};
+                context.directive,
+                fmt::format("given {} {} {}", text_of(written.sides[which].tokens), step.relation,
+                            text_of(written.sides[which + 1].tokens))};
   step.verdict = Verdict::given;
   step.route = "assumption";
   if (equation.relation == Relation::equal && is_rule(left, right)) {

@@ -151,7 +151,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   if (!claim) return;
   claim->recorded = recorded_of(step);
   if (context.role == Role::given) {
-    add_assumption(*left.typed, *right.typed, claim->equation, parsed, context, step);
+    add_assumption(*left.typed, *right.typed, claim->equation, parsed, which, context, step);
     return;
   }
   if (context.role == Role::let) {

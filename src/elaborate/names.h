@@ -46,6 +46,7 @@ struct Origin {
   std::string text;                        // as it is named in a verdict's `uses`: `definition (8)`
   std::string section;                     // of an equation
   std::optional<std::size_t> directive{};  // number of the directive, to mark it as used
+  std::string expanded = {};               // of an assumption: `text` without macros of the notes
 };
 
 struct NamedDefinition {

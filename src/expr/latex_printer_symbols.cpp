@@ -39,7 +39,11 @@ bool LatexPrinter::is_any_lettered(ExprId id) const {
 
 LatexName LatexPrinter::name_of(SymbolId base) const {
   const auto known = notation_.base.find(base);
-  return latex_name(known == notation_.base.end() ? tree_.symbols[base].name : known->second);
+  LatexName name = latex_name(known == notation_.base.end() ? tree_.symbols[base].name : known->second);
+  static constexpr std::string_view epsilon = "\\epsilon";  // how every ε is read, whatever its spelling
+  if (const auto at = name.letter.find(epsilon); at != std::string::npos)
+    name.letter.replace(at, epsilon.size(), notation_.epsilon);
+  return name;
 }
 
 std::string LatexPrinter::whole_letter(SymbolId base, const LatexName& name) const {

@@ -108,6 +108,18 @@ TEST_CASE("an order keeps its sign, whether it is given, refuted or not reached"
   CHECK(has(explain({notes.path(), "--format", "latex"}).out, "\\overset{?}{\\le}"));
 }
 
+TEST_CASE("what is given is named without the macros of the notes, and letters as they are spelled there") {
+  const NotesFile notes(
+      "$$\\newcommand{\\E}{\\mathbf{E}}\\newcommand{\\eps}{\\varepsilon_0} 1 = 1$$\n"
+      "<!-- rigor: scalar \\eps, \\rho\nvector \\E\ngiven \\eps\\,\\nabla\\cdot\\E = \\rho -->\n"
+      "$$\\eps\\,\\nabla\\cdot\\E + \\rho = 2\\rho \\tag{G}$$\n");
+  const std::string latex = explain({notes.path(), "--at", "(G)", "--format", "latex"}).out;
+  INFO(latex);
+  CHECK(has(latex, "\\text{given }"));
+  CHECK(has(latex, "\\varepsilon_0"));
+  for (const char* lost : {"\\E", "\\eps ", "\\eps\\", "\\epsilon"}) CHECK(!has(latex, lost));
+}
+
 TEST_CASE("a refuted step says so and is counted unless it is expected") {
   const NotesFile notes(
       "$$\\mathbf{A}\\times\\mathbf{B} = \\mathbf{B}\\times\\mathbf{A}$$\n<!-- rigor: expect refuted -->\n"
