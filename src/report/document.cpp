@@ -115,7 +115,7 @@ class NotesWriter {
   }
 
   static std::string note_line(const std::string& head, const std::string& what) {
-    return fmt::format("\\textit{{{}}}\\enspace {}\\par\n", head, what);
+    return fmt::format("\\textit{{{}}}\\enskip {}\\par\n", head, what);
   }
 
   std::string diagnostic(const Diagnostic& each) {

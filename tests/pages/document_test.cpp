@@ -67,6 +67,13 @@ TEST_CASE("the document of what TeX itself would not set compiles without a warn
   CHECK(complaints(folder, folder.path("a_b#c%.md")) == "");
 }
 
+TEST_CASE("a sample that is as wide as a line stands below its label") {
+  if (!is_there("pdflatex")) return;
+  const Folder folder;
+  write_file(folder.path("n.md"), "<!-- rigor: tensor X_{ijkl} -->\n\n$$X_{ijkl} = X_{jikl}$$\n");
+  CHECK(complaints(folder, folder.path("n.md")) == "");
+}
+
 TEST_CASE("the document says what is wrong, where, and what is true") {
   if (!is_there("pdflatex") || !is_there("pdftotext")) return;
   const Folder folder;
