@@ -2,35 +2,33 @@
 #include "app/cases.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
+#include "app/outputs.h"
 #include "base/utf8.h"
 #include "check/check.h"
 #include "report/ctest_listing.h"
 #include "report/test_cases.h"
 #include "source/read_file.h"
 #include "source/render.h"
+#include "source/write_file.h"
 
 namespace rigor {
 namespace {
 
-/// All or nothing: readers at the same time see the old file or the new one.
-bool write_file(const std::string& path, const std::string& text, std::ostream& err) {
-  const std::string part = fmt::format("{}.{}.part", path, getpid());
-  std::ofstream file(part, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (file && !error) return true;
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  err << "rigor: " << printable(path) << ": cannot be written\n";
-  return false;
+/// Readers at the same time see the old file or the new one.
+ExitCode put(const std::string& path, const std::string& text, const SourceMap& sources, std::ostream& err) {
+  if (const auto lost = overwritten_by(path, sources)) {
+    err << fmt::format("rigor: `{}` would overwrite `{}`, which is read\n", printable(path),
+                       printable(*lost));
+    return ExitCode::usage;
+  }
+  const auto written = replace_file(path, text);
+  if (written) return ExitCode::ok;
+  err << fmt::format("rigor: {}: cannot be written: {}\n", printable(path), written.error().reason);
+  return ExitCode::no_input;
 }
 
 std::size_t count(const std::vector<TestCase>& cases, CaseOutcome outcome) {
@@ -64,9 +62,10 @@ ExitCode write_cases(const CasesCommand& command, std::ostream& out, std::ostrea
   const std::string name =
       command.name.value_or(std::filesystem::path(command.file).replace_extension().string());
   const std::vector<TestCase> cases = test_cases(file, sources, {.name = name, .strict = command.strict});
-  if (!write_file(command.results, test_cases_json(cases), err)) return ExitCode::no_input;
-  if (command.ctest && !write_file(*command.ctest, ctest_listing(cases, file, sources), err))
-    return ExitCode::no_input;
+  ExitCode code = put(command.results, test_cases_json(cases), sources, err);
+  if (code == ExitCode::ok && command.ctest)
+    code = put(*command.ctest, ctest_listing(cases, file, sources), sources, err);
+  if (code != ExitCode::ok) return code;
   out << fmt::format("{}: {} cases: {} passed, {} failed, {} open\n", printable(command.file), cases.size(),
                      count(cases, CaseOutcome::passed), count(cases, CaseOutcome::failed),
                      count(cases, CaseOutcome::open));

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/outputs.h"
 #include "app/processes.h"
 #include "app/program_identity.h"
 #include "app/progress.h"
@@ -120,9 +121,7 @@ std::string printed(const CheckCommand& command, const Report& report, const Sou
 ExitCode write_marks(const std::string& path, const FileReport& file, const SourceMap& sources,
                      std::ostream& err) {
   if (file.unreadable || !file.failure.empty()) return ExitCode::ok;
-  for (FileId id = 0; id < sources.size(); ++id) {
-    std::error_code none;
-    if (!std::filesystem::equivalent(path, sources.path(id), none)) continue;
+  if (overwritten_by(path, sources)) {
     err << fmt::format("rigor: `{}` is read here, and is not overwritten with marks\n", printable(path));
     return ExitCode::usage;
   }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/outputs.h"
 #include "app/progress.h"
 #include "app/screen.h"
 #include "base/utf8.h"
@@ -79,17 +80,6 @@ std::string link_from(const std::string& page, const std::string& notes) {
   if (error) return {};
   const std::filesystem::path target = std::filesystem::absolute(notes, error).lexically_normal();
   return error ? std::string() : uri_of_path(target.lexically_relative(folder).string());
-}
-
-/// The same place on the disk, by whatever names; also where nothing is there yet.
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  if (std::filesystem::equivalent(a, b, error) && !error) return true;
-  const auto place = [](const std::string& path) {
-    std::error_code none;
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none);
-  };
-  return place(a) == place(b);
 }
 
 /// Is there something that is no file, such as a device? Writing to it destroys nothing.

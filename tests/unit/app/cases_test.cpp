@@ -68,6 +68,18 @@ TEST_CASE("a case that is no more, and results that are none, are said so") {
   CHECK(err.str().find("not what `rigor cases` writes") != std::string::npos);
 }
 
+TEST_CASE("results never take the place of the notes") {
+  const CasesFolder folder;
+  folder.write("v.md", vectors);
+  std::ostringstream out;
+  std::ostringstream err;
+  CHECK(write_cases({.file = folder / "v.md", .results = folder / "./v.md"}, out, err) == ExitCode::usage);
+  CHECK(write_cases({.file = folder / "v.md", .results = folder / "v.json", .ctest = folder / "v.md"}, out,
+                    err) == ExitCode::usage);
+  CHECK(err.str().find("which is read") != std::string::npos);
+  CHECK(write_cases({.file = folder / "v.md", .results = folder / "v.json"}, out, err) == ExitCode::ok);
+}
+
 TEST_CASE("notes that are not there and results that cannot be written leave nothing behind") {
   const CasesFolder folder;
   folder.write("v.md", vectors);
