@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generate.h"
+
+#include <algorithm>
+
+#include "rewrite.h"
+
+namespace fuzz {
+namespace {
+
+/// `count` different ones of some names.
+std::vector<std::string> some(std::vector<std::string> names, std::size_t count, Random& random) {
+  for (std::size_t k = 0; k < count; ++k) std::swap(names[k], names[k + random.below(names.size() - k)]);
+  names.resize(count);
+  return names;
+}
+
+std::vector<Letter> vectors_of(std::size_t count, Random& random) {
+  std::vector<Letter> letters;
+  for (const std::string& name :
+       some({"A", "B", "C", "D", "F", "G", "u", "v", "w", "p", "Q"}, count, random)) {
+    Letter letter;
+    letter.plain = name;
+    letter.rank = 1;
+    letters.push_back(letter);
+  }
+  return letters;
+}
+
+void add(std::vector<Letter>& letters, const std::string& plain, int rank, Nature nature,
+         bool of_particles = false) {
+  Letter letter;
+  letter.plain = plain;
+  letter.rank = rank;
+  letter.nature = nature;
+  letter.of_particles = of_particles;
+  letters.push_back(letter);
+}
+
+void append(std::vector<Letter>& letters, const std::vector<Letter>& more) {
+  letters.insert(letters.end(), more.begin(), more.end());
+}
+
+void set_all(std::vector<Letter>& letters, Nature nature) {
+  for (Letter& letter : letters) letter.nature = nature;
+}
+
+/// A chain from `start`: each side is the one before, rewritten, sometimes with a slip.
+void add_sides(Statement& statement, const Term& start, Relation relation, Random& random) {
+  statement.sides = {start};
+  const int links = random.one_in(8) ? random.between(2, 3) : 1;
+  for (int k = 0; k < links; ++k) {
+    Term next = rewritten(statement.sides.back(), statement.letters, random.between(1, 6), random);
+    if (random.one_in(2)) next = mistaken(next, statement.letters, random);
+    statement.sides.push_back(next);
+    statement.relations.push_back(relation);
+  }
+}
+
+/// The same on both sides of a statement with one step: x = y becomes x + z = z + y, or c x = c y.
+void complicate(Statement& statement, const Term& extra, Random& random) {
+  if (statement.steps() != 1 || extra == nullptr || extra->rank != statement.sides[0]->rank) return;
+  Term& left = statement.sides[0];
+  Term& right = statement.sides[1];
+  Statement before = statement;
+  switch (random.below(6)) {
+    case 0:
+      left = sum({left, extra});
+      right = sum({rewritten(extra, statement.letters, 1, random), right});
+      break;
+    case 1:
+      left = sum({left, negative(extra)});
+      right = sum({right, negative(extra)});
+      break;
+    case 2:
+      std::swap(left, right);
+      break;
+    default:
+      break;
+  }
+  if (!well_formed(statement)) statement = before;
+}
+
+/// A lone symbol on the left would define it.
+bool defines(const Term& side) {
+  const Term& inner = side->op == Op::contract ? side->parts[0] : side;
+  return inner->op == Op::symbol || inner->op == Op::length ||
+         (inner->op == Op::power && (inner->parts[0]->op == Op::symbol || inner->parts[0]->op == Op::length));
+}
+
+struct Plan {
+  std::vector<Letter> letters;
+  Grammar grammar;
+  bool of_vectors = false;  // may be a vector equation
+};
+
+Plan plan_of(const std::string& kind, Random& random) {
+  Plan plan;
+  plan.letters = scalars_of(kind == "polynomials" || kind == "quotients" || kind == "roots" ? 3 : 2, random);
+  Grammar& grammar = plan.grammar;
+  grammar.quotients = kind == "quotients" || kind == "functions" || random.one_in(4);
+  grammar.functions = kind == "functions";
+  grammar.roots = kind == "roots";
+  if (kind == "polynomials" || kind == "quotients" || kind == "roots" || kind == "functions") return plan;
+  grammar.vectors = plan.of_vectors = true;
+  append(plan.letters, vectors_of(kind == "vectors" ? 4 : 3, random));
+  if (kind == "vectors") {
+    grammar.roots = random.one_in(4);
+    if (random.one_in(2)) add(plan.letters, "n", 1, Nature::unit);
+  } else if (kind == "tensors") {
+    grammar.tensors = true;
+    add(plan.letters, "S", 2, Nature::free);
+    add(plan.letters, "T", 2, Nature::free);
+    plan.letters.back().symmetric = true;
+  } else if (kind == "rates") {
+    grammar.rates = true;
+    grammar.functions = random.one_in(3);
+    plan.letters[0].nature = Nature::constant;
+    if (random.one_in(2)) plan.letters.back().nature = Nature::constant;
+  } else if (kind == "frames") {
+    grammar.frames = true;
+    add(plan.letters, "\\omega", 1, Nature::spin);
+  } else if (kind == "fields") {
+    grammar.fields = true;
+    for (std::size_t k = 0; k < 2; ++k)  // x, y, z are the place
+      if (std::string("xyz").find(plan.letters[k].plain) != std::string::npos)
+        plan.letters[k].plain = k == 0 ? "f" : "s";
+    set_all(plan.letters, Nature::field);
+    if (random.one_in(3)) plan.letters.back().nature = Nature::constant;
+    if (random.one_in(3)) add(plan.letters, "r", 1, Nature::position);
+  }
+  return plan;
+}
+
+Statement plain_statement(const std::string& kind, Random& random) {
+  Plan plan = plan_of(kind, random);
+  Statement statement;
+  statement.kind = kind;
+  statement.letters = plan.letters;
+  Grower grower(statement.letters, plan.grammar, random);
+  const int depth = random.between(2, kind == "fields" || kind == "frames" ? 2 : 3);
+  const bool vector = plan.of_vectors && random.one_in(2);
+  const Term start = vector ? grower.vector(depth) : grower.scalar(depth);
+  add_sides(statement, start, Relation::equal, random);
+  complicate(statement, vector ? grower.vector(1) : grower.scalar(1), random);
+  return statement;
+}
+
+/// Vectors as components with a free index, or scalars, and then by many steps of index notation.
+Statement index_statement(Random& random) {
+  Statement statement;
+  statement.kind = "indices";
+  statement.letters = scalars_of(1, random);
+  append(statement.letters, vectors_of(3, random));
+  Grammar grammar;
+  grammar.vectors = true;
+  if (random.one_in(2)) {
+    grammar.tensors = true;
+    add(statement.letters, "T", 2, Nature::free);
+    statement.letters.back().symmetric = random.one_in(2);
+  }
+  Grower grower(statement.letters, grammar, random);
+  Term start = random.one_in(2) ? with_slots(Op::component, grower.vector(2), "i") : grower.scalar(2);
+  for (int k = 0; k < 3; ++k) start = rewritten(start, statement.letters, 1, random);
+  add_sides(statement, start, Relation::equal, random);
+  complicate(statement, grower.scalar(1), random);
+  return statement;
+}
+
+Statement particle_statement(Random& random) {
+  Statement statement;
+  statement.kind = "particles";
+  statement.letters = scalars_of(1, random);
+  append(statement.letters, vectors_of(2, random));
+  add(statement.letters, "m", 0, Nature::free, true);
+  add(statement.letters, "r", 1, Nature::free, true);
+  if (random.one_in(2)) add(statement.letters, "s", 1, Nature::free, true);
+  Grammar grammar;
+  grammar.vectors = true;
+  Grower inside(statement.letters, grammar, random);
+  inside.particle = 'a';
+  const bool vector = random.one_in(2);
+  const auto summed = [&] {
+    const Term mass = symbol(statement.letters, 3, "", 'a');
+    const Term of = vector ? inside.vector(2) : inside.scalar(2);
+    return particle_sum('a', product({mass, of}));
+  };
+  Term start = summed();
+  Grower outside(statement.letters, grammar, random);
+  if (random.one_in(3)) start = sum({start, random.one_in(2) ? negative(summed()) : summed()});
+  if (random.one_in(3))
+    start = vector ? make(Op::cross, {outside.vector(0), start}) : product({outside.scalar(1), start});
+  add_sides(statement, start, Relation::equal, random);
+  complicate(statement, vector ? outside.vector(1) : outside.scalar(1), random);
+  return statement;
+}
+
+Statement small_statement(Random& random) {
+  Statement statement;
+  statement.kind = "small";
+  statement.letters = scalars_of(2, random);
+  add(statement.letters, "\\delta", 0, Nature::small);
+  if (random.one_in(2)) add(statement.letters, "\\eta", 0, Nature::small);
+  Grammar grammar;
+  grammar.near_one = true;
+  grammar.functions = true;
+  Grower grower(statement.letters, grammar, random);
+  add_sides(statement, grower.scalar(random.between(2, 3)),
+            random.one_in(6) ? Relation::equal : Relation::nearly, random);
+  return statement;
+}
+
+/// a + b + c = 0, A·B = 0, or T antisymmetric, and then something that may need it.
+Statement assumed_statement(Random& random) {
+  Statement statement;
+  statement.kind = "assumed";
+  statement.letters = scalars_of(3, random);
+  append(statement.letters, vectors_of(3, random));
+  auto& letters = statement.letters;
+  const auto s = [&](std::size_t k) { return symbol(letters, k); };
+  Term zero;
+  switch (random.below(4)) {
+    case 0:
+      letters[2].value = negative(sum({s(0), product({number(2), s(1)})}));
+      statement.given.push_back({sum({s(0), product({number(2), s(1)}), s(2)}), number(0)});
+      zero = product({s(1), statement.given[0].left});
+      break;
+    case 1: {
+      const Term a = s(3);
+      letters[4].value = sum(
+          {s(4),
+           negative(product({make(Op::quotient, {make(Op::dot, {s(4), a}), make(Op::dot, {a, a})}), a}))});
+      statement.given.push_back({make(Op::dot, {a, s(4)}), number(0)});
+      zero = product({s(0), statement.given[0].left});
+      break;
+    }
+    case 2:
+      letters[5].value = negative(sum({s(3), s(4)}));
+      statement.given.push_back({sum({s(3), s(4), s(5)}), fuzz::zero(1)});
+      zero = make(Op::dot, {s(3), statement.given[0].left});
+      break;
+    default:
+      letters[4].value = product({s(0), s(3)});
+      statement.given.push_back({s(4), product({s(0), s(3)})});
+      zero = make(Op::dot, {s(5), make(Op::cross, {s(3), s(4)})});
+      break;
+  }
+  Grammar grammar;
+  grammar.vectors = true;
+  Grower grower(letters, grammar, random);
+  const Term start = grower.scalar(2);
+  add_sides(statement, random.one_in(2) ? sum({start, zero}) : start, Relation::equal, random);
+  Term& last = statement.sides.back();
+  if (random.one_in(2)) last = sum({last, negative(rewritten(zero, letters, 2, random))});
+  if (last->op != Op::sum) last = sum({last, zero});
+  return statement;
+}
+
+}  // namespace
+
+std::vector<Letter> scalars_of(std::size_t count, Random& random) {
+  std::vector<Letter> letters;
+  for (const std::string& name :
+       some({"a", "b", "c", "g", "h", "x", "y", "z", "\\lambda", "\\mu", "\\kappa", "\\theta", "\\phi", "q"},
+            count, random)) {
+    Letter letter;
+    letter.plain = name;
+    if (random.one_in(10)) letter.label = random.one_in(2) ? "0" : "\\text{in}";
+    letters.push_back(letter);
+  }
+  return letters;
+}
+
+const std::vector<std::string>& kinds() {
+  static const std::vector<std::string> all{"polynomials", "quotients", "roots",     "functions", "vectors",
+                                            "indices",     "tensors",   "particles", "rates",     "frames",
+                                            "fields",      "small",     "orders",    "assumed"};
+  return all;
+}
+
+Statement statement_of(const std::string& kind, Random& random) {
+  for (;;) {
+    Statement statement = kind == "indices"     ? index_statement(random)
+                          : kind == "particles" ? particle_statement(random)
+                          : kind == "small"     ? small_statement(random)
+                          : kind == "assumed"   ? assumed_statement(random)
+                          : kind == "orders"    ? order_of(random)
+                                                : plain_statement(kind, random);
+    const bool fits = std::all_of(statement.sides.begin(), statement.sides.end(), [](const Term& side) {
+      return size(side) <= 60 && derivative_order(side) <= 3;
+    });
+    if (!fits || !well_formed(statement)) continue;
+    if (statement.relations[0] == Relation::equal && defines(statement.sides[0])) continue;
+    const bool moved =
+        std::all_of(statement.relations.begin(), statement.relations.end(), [&](const Relation& relation) {
+          const auto k = static_cast<std::size_t>(&relation - statement.relations.data());
+          return relation != Relation::equal || !same(statement.sides[k], statement.sides[k + 1]);
+        });
+    if (moved) return statement;
+  }
+}
+
+}  // namespace fuzz
