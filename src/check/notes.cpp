@@ -11,6 +11,7 @@
 #include "check/demand.h"
 #include "latex/parse.h"
 #include "latex/rows.h"
+#include "latex/scoped_macros.h"
 #include "source/suggest.h"
 
 namespace rigor {
@@ -37,9 +38,9 @@ class NotesReader {
  private:
   void add(const Heading& heading) { notes_.events.emplace_back(heading); }
 
-  void add(const MacroText& text) {
-    static_cast<void>(expand(lex(sources_, text.span), macros_, diagnostics_));
-  }
+  void add(const MacroText& text) { macros_.define(sources_, text, diagnostics_); }
+
+  void add(const MacroGroup& group) { macros_.pass(group); }
 
   void add(const DirectiveLine& line) {
     if (auto directive = read(line.span))
@@ -56,8 +57,7 @@ class NotesReader {
           {DiagnosticKind::display_too_long,
            {display.span.file, display.span.begin, display.span.begin + 1},
            fmt::format("a display of {} bytes is not read; the limit is {}", size, max_display_bytes)});
-    } else if (const auto tokens =
-                   expand(lex(sources_, display.body, display.quotes), macros_, parsed.diagnostics)) {
+    } else if (const auto tokens = macros_.expand_display(sources_, display, parsed.diagnostics)) {
       if (const Token* brace = unbalanced_brace(*tokens)) {
         parsed.unread = true;
         parsed.diagnostics.push_back({DiagnosticKind::unbalanced, brace->span,
@@ -91,7 +91,7 @@ class NotesReader {
     const auto opaque = [&](std::string reason) {
       return notes_.syntax.add_opaque(all, {DiagnosticKind::bad_syntax, std::move(reason), {}});
     };
-    const auto tokens = expand(lex(sources_, all), macros_, diagnostics_);
+    const auto tokens = expand(lex(sources_, all), macros_.table(), diagnostics_);
     if (!tokens || tokens->empty()) return opaque("nothing is asked for");
     if (const Token* brace = unbalanced_brace(*tokens))
       return opaque(brace->kind == TokenKind::begin_group ? "`{` is not closed" : "`}` closes nothing");
@@ -104,7 +104,7 @@ class NotesReader {
   }
 
   std::optional<Directive> read(Span line) {
-    auto directive = read_directive(sources_, line, macros_, notes_.syntax, diagnostics_);
+    auto directive = read_directive(sources_, line, macros_.table(), notes_.syntax, diagnostics_);
     if (directive) directive->number = notes_.directive_count++;
     return directive;
   }
@@ -190,7 +190,7 @@ class NotesReader {
   SourceMap& sources_;
   Diagnostics& diagnostics_;
   Notes notes_;
-  MacroTable macros_;
+  ScopedMacros macros_;
   std::set<std::uint32_t> reported_;
 };
 

@@ -41,9 +41,16 @@ struct Display {
 /// A definition such as `\newcommand{\v}[1]{\mathbf{#1}}` outside any display: to be run through `expand`.
 struct MacroText {
   Span span;
+  bool global = false;  // \gdef, \global: outlives the groups around it
 };
 
-using Item = std::variant<Heading, DirectiveLine, Display, MacroText>;
+/// LaTeX: a group in which macros are defined begins before the first of them, or it ends.
+struct MacroGroup {
+  Span span;
+  bool opens = true;
+};
+
+using Item = std::variant<Heading, DirectiveLine, Display, MacroText, MacroGroup>;
 
 struct Document {
   FileId file = 0;

@@ -2,6 +2,8 @@
 #include "latex/document_definition.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "base/utf8.h"
 #include "latex/ascii.h"
@@ -34,9 +36,18 @@ class ArgumentWalk {
     for (; most > 0; --most) {
       const std::size_t at = next();
       if (text_[at] != '[') return true;
-      bare_ = false;
       if (!move_to(text_.bracket_end(at), at)) return false;
+      count_parameters(text_.between(at + 1, extent_.end - 1));
     }
+    return true;
+  }
+
+  /// `m m` or `O{default} m`: what else there is has no number of parameters that is known.
+  bool argument_types() {
+    if (!argument()) return false;
+    const std::string_view types = last_group_;
+    const bool plain = types.find_first_not_of("m \n") == std::string_view::npos;
+    extent_.bodies.parameters = plain ? static_cast<int>(std::count(types.begin(), types.end(), 'm')) : -1;
     return true;
   }
 
@@ -74,7 +85,7 @@ class ArgumentWalk {
     std::size_t at = next();
     for (; at < text_.size() && text_[at] != '{'; at = text_.skip_gap(at)) {
       if (is_white(text_[at])) return false;
-      bare_ = false;
+      if (text_[at] == '#') ++extent_.bodies.parameters;
       at += text_[at] == '\\' ? 2 : 1;
       extent_.end = std::min(at, text_.size());
     }
@@ -84,12 +95,19 @@ class ArgumentWalk {
   [[nodiscard]] std::string_view last_group() const { return last_group_; }
 
   DefinitionExtent extent(bool body_counts) {
-    if (body_counts && bare_) extent_.body = last_group_;
-    if (body_counts) extent_.opening = last_group_;
+    if (body_counts) extent_.bodies.opening = last_group_;
     return extent_;
   }
 
  private:
+  /// The first bracket says how many there are, the second what the first of them is by default.
+  void count_parameters(std::string_view bracket) {
+    extent_.bodies.optional_first = extent_.bodies.parameters > 0;
+    const std::string_view count = without_blanks_around(bracket);
+    if (count.size() == 1 && is_digit(count[0]) && extent_.bodies.parameters == 0)
+      extent_.bodies.parameters = count[0] - '0';
+  }
+
   [[nodiscard]] std::size_t next() const { return text_.skip_gap(extent_.end); }
 
   bool move_to(std::optional<std::size_t> end, std::size_t open) {
@@ -104,7 +122,6 @@ class ArgumentWalk {
   NotesText& text_;
   DefinitionExtent extent_;
   std::string_view last_group_;
-  bool bare_ = true;  // no parameters so far
 };
 
 }  // namespace
@@ -141,17 +158,46 @@ DefinitionExtent definition_extent(NotesText& text, DefinitionForm form, std::si
   return walk.extent(whole);
 }
 
-DefinitionExtent environment_definition_extent(NotesText& text, std::size_t at) {
+std::optional<EnvironmentForm> environment_form(std::string_view control) {
+  static constexpr auto forms = std::to_array<std::pair<std::string_view, EnvironmentForm>>({
+      {"newenvironment", EnvironmentForm::bodies},
+      {"renewenvironment", EnvironmentForm::bodies},
+      {"provideenvironment", EnvironmentForm::bodies},
+      {"NewDocumentEnvironment", EnvironmentForm::arguments},
+      {"RenewDocumentEnvironment", EnvironmentForm::arguments},
+      {"DeclareDocumentEnvironment", EnvironmentForm::arguments},
+      {"ProvideDocumentEnvironment", EnvironmentForm::arguments},
+      {"NewEnviron", EnvironmentForm::one_body},
+      {"RenewEnviron", EnvironmentForm::one_body},
+  });
+  const auto form =
+      std::find_if(forms.begin(), forms.end(), [&](const auto& each) { return each.first == control; });
+  return form == forms.end() ? std::nullopt : std::optional(form->second);
+}
+
+DefinitionExtent environment_definition_extent(NotesText& text, EnvironmentForm form, std::size_t at) {
   ArgumentWalk walk(text, at);
   walk.sign('*');
   if (!walk.argument()) return walk.extent(false);
   const std::string_view name = walk.last_group();
-  if (!walk.brackets(2) || !walk.argument()) return walk.extent(false);
-  const std::string_view opening = walk.last_group();
-  walk.argument();
+  const bool arguments = form == EnvironmentForm::arguments ? walk.argument_types() : walk.brackets(2);
+  if (!arguments || !walk.argument()) return walk.extent(false);
+  std::string_view opening = walk.last_group();
+  std::string_view closing;
+  if (form == EnvironmentForm::one_body) {
+    constexpr std::string_view body = "\\BODY";
+    const std::size_t split = opening.find(body);
+    if (split != std::string_view::npos) {
+      closing = opening.substr(split + body.size());
+      opening = opening.substr(0, split);
+    }
+  } else if (walk.argument()) {
+    closing = walk.last_group();
+  }
   DefinitionExtent extent = walk.extent(false);
   extent.name = name;
-  extent.opening = opening;
+  extent.bodies.opening = opening;
+  extent.bodies.closing = closing;
   return extent;
 }
 

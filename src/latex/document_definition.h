@@ -3,24 +3,34 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "latex/document_text.h"
+#include "latex/environments.h"
 #include "latex/macro_definition.h"
 
 namespace rigor {
 
 struct DefinitionExtent {
   std::size_t end = 0;
-  std::string_view name = {};     // the control, without its backslash, or environment; empty: none follows
-  std::string_view body = {};     // of a command or \def without parameters, without its braces
-  std::string_view opening = {};  // of a command or \def with or without parameters, or of `\begin{name}`
+  std::string_view name = {};  // the control, without its backslash, or environment; empty: none follows
+  OwnBodies bodies = {};       // of a command or \def the opening only
   std::optional<std::size_t> open = {};  // the brace or bracket that is not closed
 };
 
 /// `at` is behind the command. A definition that breaks off ends where it does.
 [[nodiscard]] DefinitionExtent definition_extent(NotesText& text, DefinitionForm form, std::size_t at);
-/// The same for `\newenvironment{name}[n][default]{begin}{end}`.
-[[nodiscard]] DefinitionExtent environment_definition_extent(NotesText& text, std::size_t at);
+
+enum class EnvironmentForm : std::uint8_t {
+  bodies,     // \newenvironment{name}[n][default]{begin}{end}
+  arguments,  // \NewDocumentEnvironment{name}{m m}{begin}{end}
+  one_body,   // \NewEnviron{name}[n][default]{begin \BODY end}
+};
+/// The form that a control opens; nothing for a control that defines no environment.
+[[nodiscard]] std::optional<EnvironmentForm> environment_form(std::string_view control);
+/// The same for environments.
+[[nodiscard]] DefinitionExtent environment_definition_extent(NotesText& text, EnvironmentForm form,
+                                                             std::size_t at);
 
 }  // namespace rigor

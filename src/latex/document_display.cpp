@@ -76,9 +76,12 @@ class DisplaySearch {
     const std::string_view word = text_.control_word(begin);
     at_ = std::min(begin + 1 + std::max<std::size_t>(word.size(), 1), text_.size());
     const auto mark = word == "begin" ? text_.environment_mark(at_) : std::nullopt;
-    if (text_[begin + 1] == '[' || aliases_.begins.contains(word) ||
-        (mark && is_display_environment(mark->name)))
+    if (text_[begin + 1] == '[' || aliases_.begins.contains(word) || (mark && opens_display(mark->name)))
       pass(begin);
+  }
+
+  [[nodiscard]] bool opens_display(std::string_view name) const {
+    return is_display_environment(name) || aliases_.environments.contains(name);
   }
 
   void pass(std::size_t display) {
@@ -132,7 +135,7 @@ class DisplaySearch {
         return;
       }
     } else if (const auto begin = aliases_.begins.find(word); begin != aliases_.begins.end()) {
-      return read_begin(begin->second, behind);
+      return read_begin(begin->second.environment, behind);
     } else if (const auto end = aliases_.ends.find(word); end != aliases_.ends.end()) {
       return read_end(end->second, behind);
     } else if (heading_rank(word) >= 0 && delimiter_ != dollars) {
@@ -142,7 +145,7 @@ class DisplaySearch {
   }
 
   void read_begin(std::string_view name, std::size_t behind) {
-    if (delimiter_ == DisplayDelimiter::environment && is_display_environment(name)) {
+    if (delimiter_ == DisplayDelimiter::environment && opens_display(name)) {
       return stop(Outcome::open, at_);
     }
     ++depth_;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 
@@ -19,7 +20,14 @@ bool is_claim(const Item& item) {
 class LatexReader : NotesReader {
  public:
   LatexReader(DocumentReading& reading, FileId file, InputFiles& inputs)
-      : NotesReader(reading, file, Format::latex), inputs_(inputs) {}
+      : NotesReader(reading, file, Format::latex), inputs_(inputs) {
+    const std::size_t document = text_.find("\\begin{document}", 0);
+    if (reading.sources.path(file).ends_with(".sty")) {
+      preamble_end_ = text_.size();
+    } else if (document < text_.size()) {
+      preamble_end_ = document;
+    }
+  }
 
   void read() {
     while (goes_on()) {
@@ -34,6 +42,12 @@ class LatexReader : NotesReader {
           add_directive(at_);
           at_ = text_.line_end(at_);
           break;
+        case '{':
+          open_brace();
+          break;
+        case '}':
+          close_brace();
+          break;
         default:
           ++at_;
       }
@@ -46,8 +60,60 @@ class LatexReader : NotesReader {
     if (word.empty()) {
       read_symbol(text_[at_ + 1]);
     } else if (!read_block(word) && !read_environment(word, 0) && !read_definition(word)) {
-      at_ += 1 + word.size();
+      read_group(word);
     }
+  }
+
+  void open_brace() {
+    const std::string_view control = control_before(at_);
+    const bool carried_out = !control.empty() && (at_ < preamble_end_ || carries_out_argument(control));
+    reading_.groups.open(carried_out ? GroupMark::argument : GroupMark::brace);
+    braces_.push_back(control);
+    ++at_;
+  }
+
+  void close_brace() {
+    ++at_;
+    close_group(GroupMark::brace);
+    if (braces_.empty()) return;
+    last_argument_ = {at_, braces_.back()};
+    braces_.pop_back();
+  }
+
+  /// The control whose argument the brace opens; empty for a brace that stands by itself.
+  [[nodiscard]] std::string_view control_before(std::size_t brace) const {
+    std::size_t at = brace;
+    while (at > 0 && is_blank(text_[at - 1])) --at;
+    if (at > 0 && text_[at - 1] == ']') {
+      const std::size_t line = at - std::min<std::size_t>(at, 200);
+      const auto bracket = text_.between(line, at).rfind('[');
+      if (bracket != std::string_view::npos) at = line + bracket;
+    }
+    if (at == last_argument_.end) return last_argument_.control;
+    std::size_t begin = at;
+    while (begin > 0 && is_word_letter(text_[begin - 1])) --begin;
+    const bool control = begin > 0 && begin < at && text_[begin - 1] == '\\';
+    return control ? text_.between(begin, at) : std::string_view();
+  }
+
+  /// `\begingroup` and environments; displays have been read before.
+  void read_group(std::string_view word) {
+    const std::size_t behind = at_ + 1 + word.size();
+    const bool environment = word == "begin" || word == "end";
+    const auto mark = environment ? text_.environment_mark(behind) : std::nullopt;
+    if (mark) {
+      at_ = mark->end;
+      if (word == "end") return close_group(GroupMark::environment, mark->name);
+      return reading_.groups.open(GroupMark::environment, mark->name);
+    }
+    at_ = behind;
+    if (word == "begingroup" || word == "bgroup") reading_.groups.open(GroupMark::begingroup);
+    if (word == "endgroup" || word == "egroup") close_group(GroupMark::begingroup);
+  }
+
+  void close_group(GroupMark mark, std::string_view name = {}) {
+    for (std::size_t k = reading_.groups.close(mark, name, reading_.aliases); k > 0; --k)
+      add(MacroGroup{text_.span(at_, at_), false});
   }
 
   void read_symbol(char symbol) {
@@ -101,7 +167,8 @@ class LatexReader : NotesReader {
     if (word == "end") return read_end_of_document();
     if (word == "verb" || word == "lstinline") return read_verb(at_ + 1 + word.size());
     if (word == "input" || word == "include" || word == "subfile") return read_input(at_ + 1 + word.size());
-    if (word == "iffalse") return read_false_branch();
+    if (word == "endinput") return read_end_of_file();
+    if (read_conditional(word) || read_own_verbatim(word)) return true;
     if (const int rank = heading_rank(word); rank >= 0) return read_heading(rank, at_ + 1 + word.size());
     return false;
   }
@@ -113,9 +180,29 @@ class LatexReader : NotesReader {
     return true;
   }
 
+  bool read_end_of_file() {
+    at_ = text_.size();
+    return true;
+  }
+
+  /// `\lstnewenvironment{code}…`, `\excludecomment{name}`: what stands in such an environment is not
+  /// displayed.
+  bool read_own_verbatim(std::string_view word) {
+    static constexpr auto declaring = std::to_array<std::string_view>(
+        {"DefineVerbatimEnvironment", "excludecomment", "lstnewenvironment", "newtcblisting", "newverbatim"});
+    if (std::find(declaring.begin(), declaring.end(), word) == declaring.end()) return false;
+    at_ += 1 + word.size();
+    if (const auto mark = text_.environment_mark(at_)) {
+      reading_.aliases.verbatims.emplace(mark->name);
+      at_ = mark->end;
+    }
+    return true;
+  }
+
   bool read_verbatim_environment() {
     const auto mark = text_.environment_mark(at_ + 6);
-    if (!mark || !is_verbatim_environment(mark->name)) return false;
+    if (!mark || !(is_verbatim_environment(mark->name) || reading_.aliases.verbatims.contains(mark->name)))
+      return false;
     const std::string closing = fmt::format("\\end{{{}}}", mark->name);
     const std::size_t end = endless_.contains(closing) ? text_.size() : text_.find(closing, mark->end);
     if (end < text_.size()) {
@@ -144,24 +231,55 @@ class LatexReader : NotesReader {
     return true;
   }
 
-  /// `\iffalse … \fi`, with conditionals inside.
-  bool read_false_branch() {
-    const std::string_view opening = "\\iffalse";
-    int depth = 0;
-    for (std::size_t at = at_; at < text_.size() && !endless_.contains("\\fi"); ++at) {
-      if (text_[at] == '%') at = text_.line_end(at);
-      if (text_[at] != '\\') continue;
-      const std::string_view word = text_.control_word(at);
-      if (word.starts_with("if") && word != "iff" && word != "ifthenelse") ++depth;
-      if (word == "fi" && --depth == 0) {
-        at_ = at + 3;
-        return true;
-      }
-      at += std::max<std::size_t>(word.size(), 1);
+  /// A conditional begins, goes on with another branch or ends, or a switch is declared or turned.
+  bool read_conditional(std::string_view word) {
+    const std::size_t behind = at_ + 1 + word.size();
+    if (word == "newif") {
+      const std::size_t name = text_.skip_gap(behind);
+      const std::string_view control = text_[name] == '\\' ? text_.control_word(name) : std::string_view();
+      if (control.starts_with("if")) reading_.switches.declare(control.substr(2));
+      at_ = control.empty() ? behind : name + 1 + control.size();
+      return true;
     }
-    endless_.insert("\\fi");
-    report_block(at_ + opening.size(), "\\fi");
+    if (word == "else" || word == "or") return read_other_branch(behind);
+    if (word == "fi" && !conditionals_.empty()) conditionals_.pop_back();
+    if (word == "fi" || reading_.switches.turn(word)) {
+      at_ = behind;
+      return true;
+    }
+    if (!opens_conditional(word)) return false;
+    const auto value = reading_.switches.value(word);
+    if (value.value_or(true)) {
+      conditionals_.push_back(value.has_value());
+      at_ = behind;
+    } else {
+      skip_branch(behind, false);
+    }
     return true;
+  }
+
+  /// The branch before it counts, or its condition is not known and it was read.
+  bool read_other_branch(std::size_t behind) {
+    if (conditionals_.empty()) return false;
+    const bool known = conditionals_.back();
+    conditionals_.pop_back();
+    const std::size_t begin = at_;
+    skip_branch(behind, true);
+    if (!known && opens_display(text_.between(behind, at_))) {
+      report_unread(text_.span(begin, behind), "a display in a branch that may not be typeset is not read",
+                    "`\\iftrue`, `\\iffalse` or a switch of `\\newif` says which branch counts");
+    }
+    return true;
+  }
+
+  void skip_branch(std::size_t behind, bool to_fi) {
+    const auto end = endless_.contains("\\fi") ? std::nullopt : find_branch_end(text_, behind, to_fi);
+    if (!end) {
+      endless_.insert("\\fi");
+      return report_block(behind, "\\fi");
+    }
+    at_ = end->end;
+    if (!end->at_fi) conditionals_.push_back(true);
   }
 
   bool read_heading(int rank, std::size_t at) {
@@ -218,8 +336,17 @@ class LatexReader : NotesReader {
     return true;
   }
 
+  struct ArgumentEnd {
+    std::size_t end = 0;
+    std::string_view control = {};  // empty: of a group
+  };
+
   InputFiles& inputs_;
+  std::size_t preamble_end_ = 0;
   std::set<std::string, std::less<>> endless_;  // closings that do not come any more
+  std::vector<bool> conditionals_;              // those around: is it known which branch counts?
+  std::vector<std::string_view> braces_;        // those that are open: the controls whose arguments they hold
+  ArgumentEnd last_argument_;
 };
 
 }  // namespace

@@ -40,7 +40,9 @@ void NotesReader::read_display(const Opening& opening) {
 
 DisplayEnd NotesReader::read_closed_display(const Opening& opening) {
   Display display{{}, {}, opening.environment, opening.quotes};
-  const std::size_t body = skip_environment_arguments(display, opening.behind);
+  if (opening.own != nullptr) display.environment = opening.own->meaning;
+  const std::size_t body = opening.own != nullptr ? skip_own_arguments(*opening.own, opening.behind)
+                                                  : skip_environment_arguments(display, opening.behind);
   const DisplayEnd end =
       find_display_end(text_, reading_.aliases, opening.delimiter, opening.environment, body);
   if (end.outcome != Outcome::closed) return end;
@@ -69,6 +71,22 @@ std::size_t NotesReader::skip_environment_arguments(Display& display, std::size_
   if (!argument) return at;
   if (is_display_environment(argument->name)) display.environment = argument->name;  // empheq
   return argument->end;
+}
+
+std::size_t NotesReader::skip_own_arguments(const OwnDisplay& own, std::size_t at) {
+  for (int k = 0; k < own.parameters; ++k) {
+    const std::size_t next = text_.skip_gap(at);
+    const bool optional = k == 0 && own.optional_first;
+    const char bracket = optional ? '[' : '{';
+    if (text_[next] != bracket) {
+      if (optional) continue;
+      return at;
+    }
+    const auto end = optional ? text_.bracket_end(next) : text_.group_end(next, true);
+    if (!end) return at;
+    at = *end;
+  }
+  return at;
 }
 
 void NotesReader::report_open(const Opening& opening, const DisplayEnd& end) {
@@ -107,25 +125,26 @@ bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes) 
   const std::size_t begin = at_;
   std::size_t behind = at_ + 1 + word.size();
   std::string name;
+  const OwnDisplay* own = nullptr;
   bool opens = word == "begin";
   if (opens || word == "end") {
     const auto mark = text_.environment_mark(behind);
     if (!mark) return false;
     name = mark->name;
     behind = mark->end;
+    const auto named = reading_.aliases.environments.find(name);
+    if (named != reading_.aliases.environments.end()) own = &named->second;
   } else if (const auto alias = reading_.aliases.begins.find(word); alias != reading_.aliases.begins.end()) {
-    name = alias->second;
+    own = &alias->second;
+    name = own->environment;
     opens = true;
   } else if (const auto closing = reading_.aliases.ends.find(word); closing != reading_.aliases.ends.end()) {
     name = closing->second;
   }
-  if (word == "begin" ? reading_.own.environments.contains(name) : reading_.own.controls.contains(word)) {
-    report_own(behind);
-    return true;
-  }
-  if (!is_display_environment(name)) return false;
+  if (report_if_unread(word, name, behind)) return true;
+  if (own == nullptr && !is_display_environment(name)) return false;
   if (opens) {
-    read_display({DisplayDelimiter::environment, begin, behind, name, quotes});
+    read_display({DisplayDelimiter::environment, begin, behind, name, quotes, own});
   } else {
     report(begin, behind, fmt::format("`{}` closes nothing", text_.between(begin, behind)),
            fmt::format("`\\begin{{{}}}` is missing before it", name));
@@ -134,25 +153,34 @@ bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes) 
   return true;
 }
 
-void NotesReader::report_own(std::size_t behind) {
-  if (++reading_.own.uses <= most_reports) {
-    reading_.diagnostics.push_back(
-        {DiagnosticKind::unsupported,
-         text_.span(at_, behind),
-         fmt::format("a display opens in the definition of `{}`; it is not read", text_.between(at_, behind)),
-         {},
-         {"write the display itself here, or a short name that stands for its `\\begin{…}` alone"}});
+/// A display whose form is not known: the author's own, or that of a package.
+bool NotesReader::report_if_unread(std::string_view word, std::string_view name, std::size_t behind) {
+  const EnvironmentAliases& aliases = reading_.aliases;
+  const bool own =
+      word == "begin" ? aliases.unread_environments.contains(name) : aliases.unread_controls.contains(word);
+  if (!own && (word != "begin" || !is_unread_display(name))) return false;
+  const std::string_view written = text_.between(at_, behind);
+  if (own) {
+    report_unread(text_.span(at_, behind),
+                  fmt::format("a display opens in the definition of `{}`; it is not read", written),
+                  "write the display itself here, or a short name that stands for its `\\begin{…}` alone");
+  } else {
+    report_unread(text_.span(at_, behind),
+                  fmt::format("`{}` opens a display of a form that is not read", written),
+                  "`align` and the other environments of `amsmath` are read");
   }
   at_ = behind;
+  return true;
 }
 
 bool NotesReader::read_definition(std::string_view word) {
   const std::size_t begin = at_;
   const std::size_t behind = at_ + 1 + word.size();
   const auto form = definition_form(word);
-  if (!form && word != "newenvironment" && word != "renewenvironment") return false;
-  const auto extent =
-      form ? definition_extent(text_, *form, behind) : environment_definition_extent(text_, behind);
+  const auto environment = environment_form(word);
+  if (!form && !environment) return false;
+  const DefinitionExtent extent = form ? definition_extent(text_, *form, behind)
+                                       : environment_definition_extent(text_, *environment, behind);
   if (extent.open) {
     report(begin, behind, "a definition is not closed", "close its braces and brackets",
            {{text_.span(*extent.open, *extent.open + 1), "opened here"}});
@@ -160,17 +188,27 @@ bool NotesReader::read_definition(std::string_view word) {
     return true;
   }
   at_ = extent.end;
-  if (form && !extent.name.empty()) {
-    add(MacroText{text_.span(begin, extent.end)});
-    reading_.aliases.define(extent.name, extent.body);
+  if (extent.name.empty()) return true;
+  if (text_.format() == Format::latex) {
+    for (std::size_t k = reading_.groups.define(reading_.aliases); k > 0; --k)
+      add(MacroGroup{text_.span(begin, begin), true});
   }
-  auto& own = form ? reading_.own.controls : reading_.own.environments;
-  if (opens_display(extent.opening) && !(form && reading_.aliases.begins.contains(extent.name))) {
-    own.emplace(extent.name);
-  } else if (const auto old = own.find(extent.name); old != own.end()) {
-    own.erase(old);
+  if (form) {
+    add(MacroText{text_.span(begin, extent.end), is_global(begin, word)});
+    reading_.aliases.define(extent.name, extent.bodies);
+  } else {
+    reading_.aliases.define_environment(extent.name, extent.bodies);
   }
   return true;
+}
+
+/// `\gdef`, `\global\def`.
+bool NotesReader::is_global(std::size_t definition, std::string_view word) const {
+  if (word == "gdef" || word == "xdef") return true;
+  std::size_t end = definition;
+  while (end > 0 && is_white(text_[end - 1])) --end;
+  constexpr std::string_view global = "\\global";
+  return end >= global.size() && text_.has(global, end - global.size());
 }
 
 void NotesReader::add_directive(std::size_t percent) {
@@ -191,6 +229,12 @@ void NotesReader::add_directives(std::size_t begin, std::size_t end) {
       at = text_.line_end(at);
     }
   }
+}
+
+void NotesReader::report_unread(Span place, std::string message, std::string help) {
+  if (++reading_.unread > most_reports) return;
+  reading_.diagnostics.push_back(
+      {DiagnosticKind::unsupported, place, std::move(message), {}, {std::move(help)}});
 }
 
 void NotesReader::report(std::size_t begin, std::size_t end, std::string message, std::string help,

@@ -5,22 +5,16 @@
 
 #include <cstddef>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 
+#include "latex/conditionals.h"
 #include "latex/document_definition.h"
 #include "latex/document_display.h"
 #include "latex/document_input.h"
+#include "latex/macro_groups.h"
 
 namespace rigor {
-
-/// The author's own controls and environments in whose definitions a display opens. They are not followed.
-struct OwnDisplays {
-  std::set<std::string, std::less<>> controls;
-  std::set<std::string, std::less<>> environments;
-  std::size_t uses = 0;  // reported so far
-};
 
 /// What one run of read_document collects, over all files.
 struct DocumentReading {
@@ -28,7 +22,9 @@ struct DocumentReading {
   Diagnostics& diagnostics;
   Document document = {};
   EnvironmentAliases aliases = {};
-  OwnDisplays own = {};
+  MacroGroups groups = {};
+  Switches switches = {};
+  std::size_t unread = 0;      // displays reported so far
   std::size_t unbalanced = 0;  // reported so far
   bool stopped = false;        // so much is unbalanced that these are no notes
 };
@@ -44,6 +40,7 @@ class NotesReader {
     std::size_t behind;  // the delimiter
     std::string environment = {};
     std::uint32_t quotes = 0;
+    const OwnDisplay* own = nullptr;  // what the author's own name for it means
   };
   /// Adds the display and stands behind it, or says that it is not closed and stands where reading goes on.
   void read_display(const Opening& opening);
@@ -62,6 +59,7 @@ class NotesReader {
 
   [[nodiscard]] bool goes_on() const { return at_ < text_.size() && !reading_.stopped; }
 
+  void report_unread(Span place, std::string message, std::string help);
   void report(std::size_t begin, std::size_t end, std::string message, std::string help,
               std::vector<Label> labels = {});
   template <class T>
@@ -74,11 +72,13 @@ class NotesReader {
   std::size_t at_ = 0;
 
  private:
-  void report_own(std::size_t behind);
+  bool report_if_unread(std::string_view word, std::string_view name, std::size_t behind);
+  [[nodiscard]] bool is_global(std::size_t definition, std::string_view word) const;
   void report_open(const Opening& opening, const DisplayEnd& end);
   void report_wrong(const Opening& opening, const DisplayEnd& end);
   /// Behind `[…]` and `{…}` that belong to the environment and not to what it displays.
   std::size_t skip_environment_arguments(Display& display, std::size_t at) const;
+  std::size_t skip_own_arguments(const OwnDisplay& own, std::size_t at);
 };
 
 /// Read one file into `reading`.

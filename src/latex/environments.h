@@ -3,6 +3,8 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -15,22 +17,49 @@ namespace rigor {
 [[nodiscard]] bool takes_argument(std::string_view name);
 /// `[…]` may stand behind `\begin{dmath}` and `\begin{empheq}`.
 [[nodiscard]] bool takes_options(std::string_view name);
-/// `\begin{verbatim}` and its kind: nothing inside is read.
+/// `\begin{verbatim}` and its kind, and `filecontents`: nothing inside is read.
 [[nodiscard]] bool is_verbatim_environment(std::string_view name);
+/// Displays of packages whose form is not known: `numcases`, `DispWithArrows`.
+[[nodiscard]] bool is_unread_display(std::string_view name);
 
 /// `$$`, `\[` or the `\begin` of a display stands somewhere in the text.
 [[nodiscard]] bool opens_display(std::string_view text);
 
-/// Controls that stand for `\begin{name}` or `\end{name}` of a display, as in
-/// `\newcommand{\be}{\begin{equation}}`.
-struct EnvironmentAliases {
-  using Names = std::map<std::string, std::string, std::less<>>;  // from the control to the environment
-  Names begins;
-  Names ends;
+/// A display whose delimiters an author has given another name.
+struct OwnDisplay {
+  std::string environment;  // `equation`; `displaymath` for `\[`
+  std::string meaning;      // how its body is laid out: `align` for an `aligned` that fills the `equation`
+  int parameters = 0;       // arguments behind the own name, which are no part of the body
+  bool optional_first = false;  // the first of them in brackets
+};
 
-  /// Records what the control is defined as: the body of a macro without parameters. Other bodies end an
-  /// alias.
-  void define(std::string_view control, std::string_view body);
+/// What `text` opens, if it is the opening of a display and nothing that is displayed: `\begin{equation}`,
+/// `\[`, also with `\label{#1}` or a `\begin{aligned}` behind it.
+[[nodiscard]] std::optional<OwnDisplay> display_opening(std::string_view text);
+/// The environment in `\end{equation}`, `\end{aligned}\end{equation}`, `\]`; empty for other texts.
+[[nodiscard]] std::string display_closing(std::string_view text);
+
+/// What a definition has behind its name; an environment's has a closing body, too.
+struct OwnBodies {
+  std::string_view opening;
+  std::string_view closing = {};
+  int parameters = 0;
+  bool optional_first = false;
+};
+
+/// The author's short names: `\newcommand{\be}{\begin{equation}}`, `\newenvironment{eq}{\[}{\]}`.
+struct EnvironmentAliases {
+  std::map<std::string, OwnDisplay, std::less<>> begins;  // by the control that opens
+  std::map<std::string, std::string, std::less<>> ends;   // from the control that closes to the environment
+  std::map<std::string, OwnDisplay, std::less<>> environments;  // by the name of the author's environment
+  std::set<std::string, std::less<>> unread_controls;           // a display opens in their definition that is
+  std::set<std::string, std::less<>> unread_environments;       // not followed
+  std::set<std::string, std::less<>> verbatims;                 // \lstnewenvironment, \excludecomment
+
+  /// Records what the control is defined as. Other bodies end an alias.
+  void define(std::string_view control, const OwnBodies& bodies);
+  /// The same for an environment.
+  void define_environment(std::string_view name, const OwnBodies& bodies);
 };
 
 }  // namespace rigor

@@ -18,18 +18,25 @@ constexpr std::size_t most_tokens = 200'000;
 
 class Expander {
  public:
-  Expander(TokenView tokens, MacroTable& macros, Diagnostics& diagnostics)
-      : stream_(tokens), macros_(macros), diagnostics_(diagnostics) {}
+  Expander(TokenView tokens, MacroTable& macros, Diagnostics& diagnostics, MacroScope scope)
+      : stream_(tokens), macros_(macros), diagnostics_(diagnostics), scope_(scope) {}
 
   std::optional<Tokens> all() {
-    while (const auto token = stream_.take()) {
-      if (!expand_token(*token)) return std::nullopt;
+    bool whole = true;
+    open_group();
+    while (whole) {
+      const auto token = stream_.take();
+      if (!token) break;
+      whole = expand_token(*token);
     }
-    return output_.take();
+    while (!before_.empty()) close_group();
+    return whole ? std::optional(output_.take()) : std::nullopt;
   }
 
  private:
   bool expand_token(const Token& token) {
+    if (token.kind == TokenKind::begin_group) open_group();
+    if (token.kind == TokenKind::end_group && before_.size() > 1) close_group();
     if (token.kind != TokenKind::control) {
       output_.add(token);
       return true;
@@ -54,11 +61,46 @@ class Expander {
   bool pass(const Token& token) {
     if (token.kind == TokenKind::control) {
       if (const auto form = definition_form(token.text)) {
-        return read_definition(token, *form, stream_, macros_, diagnostics_);
+        return define(token, *form);
       }
+      if (token.text == "global" && next_defines()) return true;
     }
     output_.add(token);
     return true;
+  }
+
+  void open_group() {
+    if (scope_ == MacroScope::group) before_.emplace_back();
+  }
+
+  void close_group() {
+    if (before_.empty()) return;
+    if (before_.back()) macros_ = std::move(*before_.back());
+    before_.pop_back();
+  }
+
+  /// What is not global ends with the group in which it stands.
+  bool define(const Token& control, DefinitionForm form) {
+    const bool global = control.text == "gdef" || control.text == "xdef" || std::exchange(global_, false);
+    if (!global && !before_.empty() && !before_.back()) before_.back() = macros_;
+    if (!global) return read_definition(control, form, stream_, macros_, diagnostics_);
+    const MacroStream behind = stream_;
+    const bool read = read_definition(control, form, stream_, macros_, diagnostics_);
+    for (auto& table : before_) {
+      if (!table) continue;
+      MacroStream again = behind;
+      Diagnostics said_already;
+      read_definition(control, form, again, *table, said_already);
+    }
+    return read;
+  }
+
+  /// Behind `\global`.
+  bool next_defines() {
+    stream_.skip_spaces();
+    const auto next = stream_.peek();
+    global_ = next && next->kind == TokenKind::control && definition_form(next->text);
+    return global_;
   }
 
   bool call(const Token& control, const Macro& macro) {
@@ -156,6 +198,9 @@ class Expander {
   MacroStream stream_;
   MacroTable& macros_;
   Diagnostics& diagnostics_;
+  MacroScope scope_;
+  std::vector<std::optional<MacroTable>> before_;  // before the first definition in each group
+  bool global_ = false;                            // of the definition that follows
   MacroOutput output_;
   std::size_t expansions_ = 0;
   std::size_t produced_ = 0;  // tokens out of bodies
@@ -163,8 +208,9 @@ class Expander {
 
 }  // namespace
 
-std::optional<Tokens> expand(TokenView tokens, MacroTable& macros, Diagnostics& diagnostics) {
-  return Expander(tokens, macros, diagnostics).all();
+std::optional<Tokens> expand(TokenView tokens, MacroTable& macros, Diagnostics& diagnostics,
+                             MacroScope scope) {
+  return Expander(tokens, macros, diagnostics, scope).all();
 }
 
 }  // namespace rigor

@@ -33,6 +33,12 @@ struct Macro {
 
 using MacroTable = std::map<std::string, Macro, std::less<>>;
 
+/// How long what is defined in a stretch of tokens holds.
+enum class MacroScope : std::uint8_t {
+  lasting,  // the table keeps it
+  group,    // to the end of the stretch, or of the braces around it
+};
+
 /// The tokens with every macro of `macros` replaced, definitions in the stream carried out (and removed) in
 /// order. Tokens of an argument keep their own spans; tokens of a body get the span of the call (from the
 /// control to the last argument), of the outermost one where calls are nested. As in TeX, a macro that is the
@@ -41,6 +47,7 @@ using MacroTable = std::map<std::string, Macro, std::less<>>;
 /// returns nothing, as for a call without its arguments (`bad_macro`), so that a half-expanded equation is
 /// never judged. Definitions that cannot be read are `bad_macro`.
 [[nodiscard]] std::optional<std::vector<Token>> expand(std::span<const Token> tokens, MacroTable& macros,
-                                                       Diagnostics& diagnostics);
+                                                       Diagnostics& diagnostics,
+                                                       MacroScope scope = MacroScope::lasting);
 
 }  // namespace rigor

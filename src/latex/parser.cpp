@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "latex/box_operator.h"
 #include "latex/cover_tokens.h"
 #include "latex/differential.h"
 #include "latex/parse.h"
@@ -134,7 +135,10 @@ SyntaxId Parser::term(Cursor& cursor) {
       ++cursor.at;
       continue;
     }
-    factors.push_back({factor(cursor), joint, joint_span});
+    const std::size_t begin = cursor.at;
+    SyntaxId node = factor(cursor);
+    if (is_box_operator(cursor.tokens, begin, cursor.at)) node = box_operator(tree_[node].span);
+    factors.push_back({node, joint, joint_span});
     joint = Joint::juxtaposed;
     if (!cursor.done()) joint_span = cursor.token().span;
   }

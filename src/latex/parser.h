@@ -59,6 +59,7 @@ class Parser {
   SyntaxId restyle(SyntaxId inner, Style style, Span span);
   SyntaxId number(Cursor& cursor);
   SyntaxId asked(Cursor& cursor);  // `?`
+  SyntaxId box_operator(Span place);
 
   // parser_controls.cpp
   SyntaxId control(Cursor& cursor);

@@ -58,6 +58,13 @@ SyntaxId Parser::asked(Cursor& cursor) {
   return tree_.add_symbol(place, std::move(symbol));
 }
 
+SyntaxId Parser::box_operator(Span place) {
+  return opaque(
+      place,
+      "a square before an operand is d'Alembert's operator, which is not read; with `\\,` behind it "
+      "it stands for what is asked for");
+}
+
 SyntaxId Parser::letter(Cursor& cursor) {
   const Token token = cursor.token();
   if (starts_change(cursor.tokens, cursor.at)) return changed(cursor);

@@ -7,6 +7,7 @@
 
 #include "latex/document.h"
 #include "latex/macro_definition.h"
+#include "latex/scoped_macros.h"
 
 namespace rigor {
 namespace {
@@ -71,8 +72,12 @@ class NotesReader {
   }
   void take(const DirectiveLine& directive) { directives_.emplace_back(directive.span, in_force()); }
   void take(const MacroText& macro) {
-    static_cast<void>(expand(lex(sources_, macro.span), macros_, unheard_));
+    macros_.define(sources_, macro, unheard_);
     changed_ = true;
+  }
+  void take(const MacroGroup& group) {
+    macros_.pass(group);
+    changed_ = changed_ || !group.opens;
   }
   void take(const Display& display) {
     ShownEquation equation;
@@ -81,12 +86,22 @@ class NotesReader {
     equation.steps = queue_.take(display.span);
     if (!equation.steps.empty()) add_stated(queue_.take_before());
     const std::vector<Token> lexed = lex(sources_, display.body, display.quotes);
-    changed_ = changed_ || std::any_of(lexed.begin(), lexed.end(), [](const Token& token) {
-                 return token.kind == TokenKind::control && definition_form(token.text);
-               });
-    const auto tokens = expand(lexed, macros_, unheard_);
+    const bool defines = std::any_of(lexed.begin(), lexed.end(), [](const Token& token) {
+      return token.kind == TokenKind::control && definition_form(token.text);
+    });
+    if (defines) changed_ = true;
+    // What the display defines for itself is in force for its own steps.
+    MacroTable own;
+    if (defines) own = macros_.table();
+    const auto tokens = expand(lexed, defines ? own : macros_.table(), unheard_);
     if (tokens) equation.shown = layout_of_display(*tokens, display.environment);
-    equation.macros = in_force();
+    if (defines) {
+      notes_.macros.push_back(std::move(own));
+      equation.macros = notes_.macros.size() - 1;
+      static_cast<void>(macros_.expand_display(sources_, display, unheard_));
+    } else {
+      equation.macros = in_force();
+    }
     notes_.items.emplace_back(std::move(equation));
   }
 
@@ -98,7 +113,7 @@ class NotesReader {
  private:
   /// The number of the macros as they are now.
   std::size_t in_force() {
-    if (changed_) notes_.macros.push_back(macros_);
+    if (changed_) notes_.macros.push_back(macros_.table());
     changed_ = false;
     return notes_.macros.size() - 1;
   }
@@ -120,7 +135,7 @@ class NotesReader {
   SourceMap& sources_;
   StepQueue queue_;
   ShownNotes notes_;
-  MacroTable macros_;
+  ScopedMacros macros_;
   bool changed_ = true;                                        // since the last of `notes_.macros`
   std::vector<std::pair<Span, std::size_t>> directives_ = {};  // with the macros there
   Diagnostics unheard_;                                        // check has reported them

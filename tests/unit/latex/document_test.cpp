@@ -41,11 +41,36 @@ TEST_CASE("LaTeX: what is escaped, verbatim, commented out or inline is no displ
         "\\begin{verbatim}$$x$$\\end{verbatim}", "\\begin{lstlisting}\n\\[x\\]\n\\end{lstlisting}",
         "\\begin{comment}\\[x\\]\\end{comment}", "\\iffalse\\ifx a b\\fi \\[x\\]\\fi",
         "\\end{document}\\[x\\]", "$x$", "\\(x\\)", "$\\text{if $x$}$", "100\\% $x$",
-        "\\newenvironment{q}{\\begin{align}}{\\end{align}}"}) {
+        "\\newenvironment{q}{\\begin{align}}{\\end{align}}",
+        "\\begin{filecontents*}{a}\\[x\\]\\end{filecontents*}", "\\endinput\\[x\\]",
+        "\\excludecomment{q}\\begin{q}\\[x\\]\\end{q}"}) {
     INFO(text);
     CHECK(latex(text).empty());
     CHECK(latex_complaints(text).empty());
   }
+}
+
+TEST_CASE("LaTeX: a branch counts if the notes say so") {
+  CHECK(latex("\\iffalse\\[a\\]\\else\\[b\\]\\fi\\[c\\]") == "display <> b\ndisplay <> c\n");
+  CHECK(latex("\\iftrue\\[a\\]\\else\\iffalse\\else\\[b\\]\\fi\\fi") == "display <> a\n");
+  CHECK(latex("\\newif\\ifx \\ifx\\[a\\]\\fi \\xtrue\\ifx\\[b\\]\\fi \\xfalse\\ifx\\[c\\]\\fi") ==
+        "display <> b\n");
+  CHECK(latex("\\ifodd1 \\[a\\]\\else\\[b\\]\\fi") == "display <> a\n");
+  CHECK(latex_complaints("\\ifodd1 \\[a\\]\\else\\[b\\]\\fi") ==
+        "1:15 a display in a branch that may not be typeset is not read\n");
+  CHECK(latex_complaints("\\ifodd1 \\[a\\]\\else b\\fi").empty());
+  CHECK(latex_complaints("\\iffalse\\[a\\]") == "1:1 `\\iffalse` is not closed\n");
+  CHECK(latex("\\iftoggle{a}{\\[x\\]}{\\[y\\]}") == "display <> x\ndisplay <> y\n");
+}
+
+TEST_CASE("LaTeX: macros that are defined in a group stand between its marks") {
+  CHECK(latex("{\\def\\a{1}}\\[a\\]") == "{\nmacro \\def\\a{1}\n}\ndisplay <> a\n");
+  CHECK(latex("\\begin{x}{a}{{\\def\\a{1}\\end{x}") == "{\n{\n{\nmacro \\def\\a{1}\n}\n}\n}\n");
+  CHECK(latex("\\bgroup\\gdef\\a{1}\\egroup}") == "{\nglobal macro \\gdef\\a{1}\n}\n");
+  CHECK(latex("\\AtBeginDocument{\\def\\a{1}}") == "macro \\def\\a{1}\n");
+  CHECK(latex("\\footnote{\\def\\a{1}}") == "{\nmacro \\def\\a{1}\n}\n");
+  CHECK(latex("\\setup{\\def\\a{1}}\\begin{document}") == "macro \\def\\a{1}\n");
+  CHECK(latex("{\\newcommand{\\be}{\\[}}\\be a\\]") == "{\nmacro \\newcommand{\\be}{\\[}\n}\n");
 }
 
 TEST_CASE("LaTeX: headings have their balanced titles, the highest is level 1") {

@@ -47,8 +47,9 @@ struct ReadNotes {
     return "directive " + std::string(sources.text(directive.span)) + "\n";
   }
   [[nodiscard]] std::string line(const MacroText& macro) const {
-    return "macro " + std::string(sources.text(macro.span)) + "\n";
+    return (macro.global ? "global macro " : "macro ") + std::string(sources.text(macro.span)) + "\n";
   }
+  [[nodiscard]] static std::string line(const MacroGroup& group) { return group.opens ? "{\n" : "}\n"; }
   [[nodiscard]] std::string line(const Display& display) const {
     std::string body(sources.text(display.body));
     while (!body.empty() && (body.front() == ' ' || body.front() == '\n')) body.erase(0, 1);
