@@ -10,6 +10,17 @@
 
 namespace rigor {
 
+namespace {
+
+/// `derive ''`, `--at ' '`, `--sidecar=`: no file, statement or name is empty.
+bool is_empty(std::string_view word) {
+  const std::size_t sign = word.starts_with("--") ? word.find('=') : std::string_view::npos;
+  if (sign != std::string_view::npos) word.remove_prefix(sign + 1);
+  return word.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+}  // namespace
+
 CommandLine parse_command_line(int argc, const char* const* argv) {
   const std::string first = argc > 1 ? argv[1] : "";
   Grammar grammar;
@@ -25,6 +36,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     return {.text = text.str()};
   } catch (const CLI::ParseError& error) {
     return usage_error(error.what(), grammar.given());
+  }
+  for (int k = 1; k < argc; ++k) {
+    if (is_empty(argv[k])) return usage_error(fmt::format("argument {} is empty", k), grammar.given());
   }
   return grammar.line();
 }

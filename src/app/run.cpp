@@ -17,11 +17,11 @@
 namespace rigor {
 namespace {
 
-/// A code, unless what belongs to it could not be written.
+/// A code, unless what belongs to it could not be written: the output is full or closed.
 int written(ExitCode code, std::ostream& out, std::ostream& err) {
   if (out.flush()) return number_of(code);
-  err << "rigor: the report could not be written\n";
-  return number_of(ExitCode::internal);
+  err << "rigor: the standard output cannot be written\n";
+  return number_of(ExitCode::no_input);
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     if (line.cases) return written(write_cases(*line.cases, out, err), out, err);
     if (line.one_case) return written(tell_case(*line.one_case, out, err), out, err);
     (line.code == ExitCode::ok ? out : err) << line.text;
-    return number_of(line.code);
+    return written(line.code, out, err);
   });
 }
 

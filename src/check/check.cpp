@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/check.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -22,15 +24,36 @@ FileReport unreadable(SourceMap& sources, const std::string& path, const std::st
   return report;
 }
 
+struct Sidecar {
+  std::string path;
+  std::string refused = {};  // why it is not read
+};
+
+/// Nobody named a sidecar that is found beside the notes. A link could show any file's lines in diagnostics.
+std::string refusal(const std::filesystem::path& sidecar) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder =
+      fs::canonical(sidecar.has_parent_path() ? sidecar.parent_path() : fs::path("."), error);
+  const fs::path real = fs::weakly_canonical(sidecar, error);
+  const fs::path relative = real.lexically_relative(folder);
+  const char* const named = "a sidecar beside the notes";
+  if (error || relative.empty() || *relative.begin() == "..")
+    return fmt::format("{} must lie in their folder, and this link leads out of it", named);
+  if (!fs::is_regular_file(real, error)) return fmt::format("{} must be a regular file", named);
+  return {};
+}
+
 /// The named sidecar, or the one beside the notes if there is one.
-std::optional<std::string> sidecar_path(const std::string& notes, const CheckOptions& options) {
-  if (options.sidecar) return options.sidecar;
+std::optional<Sidecar> find_sidecar(const std::string& notes, const CheckOptions& options) {
+  if (options.sidecar) return Sidecar{*options.sidecar};
   if (notes.empty()) return std::nullopt;
   std::filesystem::path beside(notes);
   beside.replace_extension(".rigor");
   std::error_code error;
-  const bool there = beside.string() != notes && std::filesystem::is_regular_file(beside, error);
-  return there ? std::optional(beside.string()) : std::nullopt;
+  const bool there =
+      beside.string() != notes && std::filesystem::exists(std::filesystem::symlink_status(beside, error));
+  return there ? std::optional(Sidecar{beside.string(), refusal(beside)}) : std::nullopt;
 }
 
 /// The walk through the notes; with a request, it collects what that asks for.
@@ -52,12 +75,13 @@ FormsReading read_text(SourceMap& sources, const std::string& path, std::string 
   FileReport report;
   report.path = path;
   std::optional<FileId> sidecar;
-  if (const auto beside = sidecar_path(path, options)) {
-    auto content = read_file(*beside);
-    if (!content) return {.report = unreadable(sources, *beside, content.error().reason)};
-    report.sidecar = *beside;
+  if (const auto beside = find_sidecar(path, options)) {
+    if (!beside->refused.empty()) return {.report = unreadable(sources, beside->path, beside->refused)};
+    auto content = read_file(beside->path);
+    if (!content) return {.report = unreadable(sources, beside->path, content.error().reason)};
+    report.sidecar = beside->path;
     Diagnostics mended = mend_text(*content, 0);
-    sidecar = sources.add(*beside, std::move(*content));
+    sidecar = sources.add(beside->path, std::move(*content));
     for (Diagnostic& diagnostic : mended) diagnostic.span.file = *sidecar;
     report.diagnostics = std::move(mended);
   }

@@ -31,6 +31,18 @@ TEST_CASE("files and nothing else leave every option as it is") {
   CHECK(line.check->debug.empty());
 }
 
+TEST_CASE("a statement, a file or a name that is empty is a wrong command line") {
+  for (const auto& words : std::vector<std::vector<const char*>>{{"derive", ""},
+                                                                 {"derive", " "},
+                                                                 {"check", ""},
+                                                                 {"eval", "a.md", "--at", ""},
+                                                                 {"explain", "\t"},
+                                                                 {"check", "a.md", "--sidecar="},
+                                                                 {"derive", "x^2=4", "--solve-for", ""}}) {
+    CHECK(usage_error(words).find("is empty") != std::string::npos);
+  }
+}
+
 TEST_CASE("options are read before and after the files") {
   const CommandLine line = parse({"check", "--json", "--debug", "time", "a.md", "--strict", "--sidecar",
                                   "s.rigor", "--debug", "steps", "--color", "always"});

@@ -104,8 +104,8 @@ TEST_CASE("output that cannot be written is not passed over") {
   out.setstate(std::ios::badbit);
   std::ostringstream err;
   const std::vector<const char*> words{"rigor", "check", "docs/json.md"};
-  CHECK(run(static_cast<int>(words.size()), words.data(), out, err) == 70);
-  CHECK(err.str() == "rigor: the report could not be written\n");
+  CHECK(run(static_cast<int>(words.size()), words.data(), out, err) == 66);
+  CHECK(err.str() == "rigor: the standard output cannot be written\n");
 }
 
 TEST_CASE("every exception ends with 70 and its text") {

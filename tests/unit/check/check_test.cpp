@@ -2,6 +2,7 @@
 #include "check/check.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -49,6 +50,30 @@ std::string checked_file(const std::string& path, const CheckOptions& options = 
 const std::string symmetric = "$$T_{ij} = T_{ji} \\tag{1}$$\n";
 
 }  // namespace
+
+TEST_CASE("a sidecar that nobody named is a regular file in the notes' folder, or is refused") {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path / "notes");
+  const std::string notes = folder.write("notes/a.md", symmetric);
+  const std::filesystem::path beside = folder.path / "notes" / "a.rigor";
+  const auto put = [&](const std::string& target) {
+    std::filesystem::remove(beside);
+    std::filesystem::create_symlink(target, beside);
+  };
+  const std::string directive = "symmetric tensor T_{ij}\n";
+  put(folder.write("elsewhere", directive));
+  CHECK(checked_file(notes) == "unreadable-file ");
+  put("/dev/zero");
+  CHECK(checked_file(notes) == "unreadable-file ");
+  put("nowhere");
+  CHECK(checked_file(notes) == "unreadable-file ");
+  folder.write("notes/other", directive);
+  put("other");
+  CHECK(checked_file(notes) == "proved ");
+  std::filesystem::remove(beside);
+  REQUIRE(::mkfifo(beside.c_str(), 0600) == 0);
+  CHECK(checked_file(notes) == "unreadable-file ");
+}
 
 TEST_CASE("a missing file and a folder are unreadable, with the reason") {
   const Folder folder;
