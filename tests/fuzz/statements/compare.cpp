@@ -14,6 +14,9 @@ std::optional<std::string> wrong_in(const Answer& answer, const std::vector<Trut
   if (answer.steps.size() != truths.size())
     return fmt::format("{} steps were written, {} are reported", truths.size(), answer.steps.size());
   for (std::size_t k = 0; k < truths.size(); ++k) {
+    const bool twofold = truths[k] == Truth::twofold;
+    if (twofold && answer.steps[k] == Said::proved) return "proved, but it is false in another reading";
+    if (twofold && answer.steps[k] == Said::refuted) return "refuted, but it is true in another reading";
     if (answer.steps[k] == Said::proved && truths[k] == Truth::fails) return "proved, but it is false";
     if (answer.steps[k] == Said::refuted && truths[k] == Truth::holds) return "refuted, but it is true";
   }
@@ -49,7 +52,9 @@ std::optional<std::string> wrong_with_sample(const Claim& claim, const Statement
                                              const std::vector<Sampled>& sample, Random& random,
                                              Truth& truth) {
   const std::vector<Given> given = in_letters(sample, statement.letters);
-  if (given.empty()) return std::nullopt;
+  if (given.empty() || !same(read_otherwise(claim.left), claim.left) ||
+      !same(read_otherwise(claim.right), claim.right))
+    return std::nullopt;
   bool meets = true;
   const Truth there = truth_at(claim, statement.letters, statement.given, given, random, meets);
   if (!meets) return "refuted with a sample that breaks what is given";
@@ -57,6 +62,16 @@ std::optional<std::string> wrong_with_sample(const Claim& claim, const Statement
   if (truth == Truth::holds && there == Truth::fails) truth = Truth::fails;
   if (truth == Truth::holds && claim.relation != Relation::equal) truth = there;
   return std::nullopt;
+}
+
+/// `twofold`: a reading makes it true, another one false.
+Truth truth_in_all_readings(const Claim& claim, const Statement& statement, Random& random) {
+  const Truth first = truth_of(claim, statement.letters, statement.given, random);
+  const Claim other{read_otherwise(claim.left), read_otherwise(claim.right), claim.relation};
+  if (same(other.left, claim.left) && same(other.right, claim.right)) return first;
+  const Truth second = truth_of(other, statement.letters, statement.given, random);
+  if (first == second) return first;
+  return first == Truth::unclear || second == Truth::unclear ? Truth::unclear : Truth::twofold;
 }
 
 /// The beginning of a complaint, which stays when the notes become smaller.
@@ -108,10 +123,10 @@ Compared compare(const Statement& statement, const Style& style, std::uint64_t s
   compared.answer = ask(file_name(style), notes(statement, style), replay);
   Random random(seed);
   for (std::size_t k = 0; k < statement.steps(); ++k)
-    compared.truths.push_back(truth_of(statement.step(k), statement.letters, statement.given, random));
+    compared.truths.push_back(truth_in_all_readings(statement.step(k), statement, random));
   std::optional<std::string> wrong;
   for (std::size_t k = 0; k < std::min(statement.steps(), compared.answer.steps.size()); ++k) {
-    if (compared.answer.steps[k] != Said::refuted || wrong) continue;
+    if (compared.answer.steps[k] != Said::refuted || wrong || compared.truths[k] == Truth::twofold) continue;
     wrong = wrong_with_sample(statement.step(k), statement, compared.answer.samples[k], random,
                               compared.truths[k]);
   }
@@ -135,6 +150,58 @@ Disagreement shrunk(Statement statement, const Style& style, std::uint64_t seed,
     }
   }
   return {last, notes(statement, style), file_name(style)};
+}
+
+namespace {
+
+std::string page_of(const std::vector<Statement>& page, const Style& style) {
+  std::string text;
+  for (std::size_t k = 0; k < page.size(); ++k)
+    text += section(page[k], style, fmt::format("{} {}", page[k].kind, k + 1)) + "\n";
+  return text;
+}
+
+std::optional<Disagreement> wrong_on(const std::vector<Statement>& page, const std::vector<Truth>& truths,
+                                     const Style& style) {
+  const std::string text = page_of(page, style);
+  const auto wrong = wrong_in(ask(file_name(style), text, true), truths);
+  if (!wrong) return std::nullopt;
+  return Disagreement{*wrong, text, file_name(style)};
+}
+
+}  // namespace
+
+std::optional<Disagreement> compare_page(const std::vector<Statement>& page, const Style& style,
+                                         std::uint64_t seed) {
+  Random random(seed);
+  std::vector<std::vector<Truth>> truths;
+  for (const Statement& statement : page) {
+    truths.emplace_back();
+    for (std::size_t k = 0; k < statement.steps(); ++k)
+      truths.back().push_back(truth_in_all_readings(statement.step(k), statement, random));
+  }
+  std::vector<Statement> kept = page;
+  const auto flat = [&] {
+    std::vector<Truth> all;
+    for (const auto& some : truths) all.insert(all.end(), some.begin(), some.end());
+    return all;
+  };
+  auto found = wrong_on(kept, flat(), style);
+  for (std::size_t k = 0; found && k < kept.size();) {
+    const auto with = kept;
+    const auto with_truths = truths;
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
+    truths.erase(truths.begin() + static_cast<std::ptrdiff_t>(k));
+    const auto fewer = kept.empty() ? std::nullopt : wrong_on(kept, flat(), style);
+    if (fewer && kind_of(fewer->what) == kind_of(found->what)) {
+      found = fewer;
+      continue;
+    }
+    kept = with;
+    truths = with_truths;
+    ++k;
+  }
+  return found;
 }
 
 }  // namespace fuzz

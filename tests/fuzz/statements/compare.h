@@ -26,6 +26,11 @@ struct Compared {
 [[nodiscard]] Compared compare(const Statement& statement, const Style& style, std::uint64_t seed,
                                bool replay);
 
+/// Several statements on one page, each below its own heading: none may change another one's verdict for the
+/// worse. What is wrong, with the page reduced to the statements that it needs.
+[[nodiscard]] std::optional<Disagreement> compare_page(const std::vector<Statement>& page, const Style& style,
+                                                       std::uint64_t seed);
+
 /// The smallest statement found by leaving parts out with which something of the same kind stays wrong.
 [[nodiscard]] Disagreement shrunk(Statement statement, const Style& style, std::uint64_t seed,
                                   const std::string& wrong);

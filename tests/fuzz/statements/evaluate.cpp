@@ -96,6 +96,11 @@ class Evaluation {
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < i; ++j) value[3 * i + j] = value[3 * j + i];
     }
+    if (letter.antisymmetric) {
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+          value[3 * i + j] = i == j ? constant(0.0) : scaled(value[3 * j + i], -1.0);
+    }
     if (letter.nature == Nature::unit) {
       const Jet length = root(dot(value, value));
       for (Jet& jet : value) jet = jet / length;
@@ -118,7 +123,7 @@ class Evaluation {
     for (const auto& [key, value] : values_) {
       const Letter& letter = letters_[key.first];
       if (letter.rank == wanted.rank && letter.nature == wanted.nature &&
-          letter.symmetric == wanted.symmetric)
+          letter.symmetric == wanted.symmetric && letter.antisymmetric == wanted.antisymmetric)
         return value;
     }
     return std::nullopt;
@@ -412,7 +417,14 @@ JetSpace space_for(const Claim& claim, const std::vector<Letter>& letters) {
   };
   look(claim.left);
   look(claim.right);
+  int inside = 0;
+  for (const Letter& letter : letters) {
+    if (letter.value == nullptr) continue;
+    inside = std::max(inside, derivative_order(letter.value));
+    look(letter.value);
+  }
   int degree = std::max(derivative_order(claim.left), derivative_order(claim.right));
+  degree += inside;
   varies[small_variable] = claim.relation == Relation::nearly &&
                            std::any_of(letters.begin(), letters.end(),
                                        [](const Letter& letter) { return letter.nature == Nature::small; });

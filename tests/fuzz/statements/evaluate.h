@@ -8,7 +8,7 @@
 
 namespace fuzz {
 
-enum class Truth { holds, fails, unclear };
+enum class Truth { holds, fails, unclear, twofold };  // twofold: true in one reading, false in the other
 
 /// `fails` where one sample breaks the claim by far more than rounding; `holds` where all of at least some
 /// samples meet it up to 1e-11 of the largest number that occurred. Among the samples are those of 0, ±1 and

@@ -210,6 +210,79 @@ Statement small_statement(Random& random) {
   return statement;
 }
 
+/// cos k(x - y): a product may end the argument, or not.
+Statement readings_statement(Random& random) {
+  Statement statement;
+  statement.kind = "readings";
+  statement.letters = scalars_of(4, random);
+  const auto s = [&](std::size_t k) { return symbol(statement.letters, k); };
+  const auto bare = [&](Function function) {
+    const Term inner = sum({s(1), random.one_in(2) ? negative(s(2)) : s(2)});
+    Node node = *function_of(function, product({s(0), inner}));
+    node.bare = true;
+    return std::make_shared<const Node>(node);
+  };
+  const auto function = static_cast<Function>(random.below(7));
+  const Term whole = bare(function == Function::tan ? Function::sin : function);
+  const Term rest = random.one_in(2) ? s(3) : product({s(3), s(0)});
+  const Term start = random.one_in(2) ? sum({whole, rest}) : sum({product({rest, whole}), s(1)});
+  statement.sides = {start, rewritten(random.one_in(3) ? read_otherwise(start) : start, statement.letters,
+                                      random.between(1, 4), random)};
+  if (random.one_in(4)) statement.sides[1] = mistaken(statement.sides[1], statement.letters, random);
+  statement.relations = {Relation::equal};
+  return statement;
+}
+
+/// m dv/dt = F, p = m v: laws of motion, and a rate that follows from them or does not.
+Statement motion_statement(Random& random) {
+  Statement statement;
+  statement.kind = "motion";
+  auto& letters = statement.letters;
+  letters = scalars_of(2, random);
+  letters[0].nature = Nature::constant;
+  append(letters, vectors_of(4, random));
+  const auto s = [&](std::size_t k) { return symbol(letters, k); };
+  letters[3].value = product({s(0), symbol(letters, 2, "", 0, 1)});
+  Claim law{letters[3].value, s(3)};
+  if (random.one_in(2)) law = {symbol(letters, 2, "", 0, 1), make(Op::quotient, {s(3), s(0)})};
+  statement.given.push_back(law);
+  if (random.one_in(2)) {
+    letters[4].value = product({s(0), s(2)});
+    statement.given.push_back({s(4), letters[4].value});
+  }
+  Grammar grammar;
+  grammar.vectors = grammar.rates = true;
+  Grower grower(letters, grammar, random);
+  const bool vector = random.one_in(2);
+  const Term known = random.one_in(2) ? s(3) : s(4);
+  const Term of =
+      vector ? make(Op::cross, {grower.vector(1), known}) : make(Op::dot, {grower.vector(1), known});
+  add_sides(statement, sum({of, vector ? grower.vector(2) : grower.scalar(2)}), Relation::equal, random);
+  return statement;
+}
+
+/// F_ij = -F_ji, and a term in which it may matter.
+Statement antisymmetric_statement(Random& random) {
+  Statement statement;
+  statement.kind = "assumed";
+  statement.letters = scalars_of(1, random);
+  append(statement.letters, vectors_of(2, random));
+  add(statement.letters, "T", 2, Nature::free);
+  statement.letters.back().antisymmetric = true;
+  const auto t = [&](const char* slots) { return symbol(statement.letters, 3, slots); };
+  const auto v = [&](std::size_t k, const char* slot) { return symbol(statement.letters, k, slot); };
+  statement.given.push_back({t("ij"), negative(t("ji"))});
+  const Term left = contract("ij", product({t("ij"), v(1, "i"), v(2, "j")}));
+  const Term right = contract("kl", product({t("kl"), v(1, "l"), v(2, "k")}));
+  const Term zero =
+      random.one_in(2) ? sum({left, right}) : contract("ij", product({t("ij"), v(1, "i"), v(1, "j")}));
+  const Term extra = symbol(statement.letters, 0);
+  add_sides(statement, sum({product({number(2), extra}), zero}), Relation::equal, random);
+  statement.sides.back() =
+      random.one_in(2) ? product({extra, number(2)}) : sum({statement.sides.back(), negative(zero)});
+  return statement;
+}
+
 /// a + b + c = 0, A·B = 0, or T antisymmetric, and then something that may need it.
 Statement assumed_statement(Random& random) {
   Statement statement;
@@ -249,6 +322,7 @@ Statement assumed_statement(Random& random) {
   grammar.vectors = true;
   Grower grower(letters, grammar, random);
   const Term start = grower.scalar(2);
+  if (random.one_in(4)) return antisymmetric_statement(random);
   add_sides(statement, random.one_in(2) ? sum({start, zero}) : start, Relation::equal, random);
   Term& last = statement.sides.back();
   if (random.one_in(2)) last = sum({last, negative(rewritten(zero, letters, 2, random))});
@@ -272,9 +346,9 @@ std::vector<Letter> scalars_of(std::size_t count, Random& random) {
 }
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> all{"polynomials", "quotients", "roots",     "functions", "vectors",
-                                            "indices",     "tensors",   "particles", "rates",     "frames",
-                                            "fields",      "small",     "orders",    "assumed"};
+  static const std::vector<std::string> all{
+      "polynomials", "quotients", "roots",  "functions", "vectors", "indices", "tensors",  "particles",
+      "rates",       "frames",    "fields", "small",     "orders",  "assumed", "readings", "motion"};
   return all;
 }
 
@@ -284,6 +358,8 @@ Statement statement_of(const std::string& kind, Random& random) {
                           : kind == "particles" ? particle_statement(random)
                           : kind == "small"     ? small_statement(random)
                           : kind == "assumed"   ? assumed_statement(random)
+                          : kind == "readings"  ? readings_statement(random)
+                          : kind == "motion"    ? motion_statement(random)
                           : kind == "orders"    ? order_of(random)
                                                 : plain_statement(kind, random);
     const bool fits = std::all_of(statement.sides.begin(), statement.sides.end(), [](const Term& side) {

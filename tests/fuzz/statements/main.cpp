@@ -36,15 +36,22 @@ struct Options {
   bool show = false;
 };
 
-using Row = std::array<std::array<std::size_t, said_count>, 3>;  // by truth and answer
+using Row = std::array<std::array<std::size_t, said_count>, 4>;  // by truth and answer
 
 struct Run {
   std::map<std::string, Row> tally = {};
   std::size_t wrong = 0;
+  std::map<std::string, int> shown = {};  // by class
+  std::vector<Statement> page = {};       // what will be asked once more, together
 };
 
+/// Every fifth statement stands on a page with four others, too.
+constexpr int most_shown = 8;
+constexpr std::size_t every = 5;
+constexpr std::size_t on_a_page = 5;
+
 void print_tally(const Run& run) {
-  static const std::array truths{"true", "false", "unclear"};
+  static const std::array truths{"true", "false", "unclear", "twofold"};
   fmt::print("{:<13}{:<9}{:>8}{:>9}{:>11}{:>16}{:>7}\n", "class", "is", "proved", "refuted", "undecided",
              "not understood", "other");
   Row all{};
@@ -78,6 +85,16 @@ void show(const Compared& compared, const Statement& statement, const Style& sty
   }
 }
 
+void with_others(const Statement& statement, const Style& style, std::uint64_t seed, Run& run) {
+  run.page.push_back(statement);
+  if (run.page.size() < on_a_page) return;
+  const auto found = compare_page(run.page, style, seed);
+  run.page.clear();
+  if (!found) return;
+  ++run.wrong;
+  if (++run.shown["page"] <= most_shown) print(*found, "page");
+}
+
 void one(std::size_t number, const Options& options, Run& run) {
   Random random(options.seed * 0x100000001b3U + number);
   const std::string& kind = options.kind.empty() ? kinds()[number % kinds().size()] : options.kind;
@@ -89,9 +106,11 @@ void one(std::size_t number, const Options& options, Run& run) {
     ++run.tally[kind][static_cast<std::size_t>(compared.truths[k])]
                [static_cast<std::size_t>(compared.answer.steps[k])];
   if (options.show) show(compared, statement, style, options);
+  if (!compared.wrong && number % every == number / kinds().size() % every)
+    with_others(statement, style, seed, run);
   if (!compared.wrong) return;
   ++run.wrong;
-  if (run.wrong <= 40)
+  if (++run.shown[kind] <= most_shown)
     print(shrunk(statement, style, seed, *compared.wrong), fmt::format("{} {}", kind, number));
 }
 

@@ -213,13 +213,24 @@ Term to_first_order(const Term& term, Scene& scene) {
   return nullptr;
 }
 
+/// What is assumed of a letter, put in its place.
+Term substituted(const Term& term, Scene& scene) {
+  if (term->op != Op::symbol || !term->slots.empty() || term->dots > 0) return nullptr;
+  const Term& value = scene.letters[term->letter].value;
+  if (value == nullptr) return nullptr;
+  bool own = false;
+  visit(value,
+        [&](const Node& node) { own = own || (node.op == Op::symbol && node.letter == term->letter); });
+  return own ? nullptr : value;
+}
+
 }  // namespace
 
 const std::vector<Rule>& scalar_rules() {
   static const std::vector<Rule> rules{
-      commuted,       multiplied_out,  power_opened,       root_of_square,     one_denominator,
-      collected,      function_of_sum, function_by_others, one_as_squares,     to_first_order,
-      multiplied_out, power_opened,    function_of_sum,    with_nothing_added, doubled};
+      substituted,     substituted,  commuted,        multiplied_out,     power_opened,   root_of_square,
+      one_denominator, collected,    function_of_sum, function_by_others, one_as_squares, to_first_order,
+      multiplied_out,  power_opened, function_of_sum, with_nothing_added, doubled};
   return rules;
 }
 

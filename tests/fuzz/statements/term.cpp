@@ -226,6 +226,8 @@ Term rebuilt(const Term& term, std::vector<Term> parts) {
   if (term->op == Op::product) return product(std::move(parts));
   if (term->op == Op::negative) return negative(parts[0]);
   Node node = *term;
+  node.bare = node.bare && parts[0]->op == Op::product && parts[0]->parts.size() == 2 &&
+              parts[0]->parts[0]->op == Op::symbol && parts[0]->parts[1]->op == Op::sum;
   if (!parts.empty()) node.rank = rank_of(node.op, parts);
   node.parts = std::move(parts);
   return std::make_shared<const Node>(std::move(node));
@@ -333,8 +335,9 @@ std::size_t size(const Term& term) {
 
 bool same(const Term& a, const Term& b) {
   if (a == b) return true;
+  if (a->parts.size() != b->parts.size()) return false;
   const auto key = [](const Node& n) {
-    return std::tuple(n.op, n.letter, n.slots, n.particle, n.dots, n.function, n.p, n.q);
+    return std::tuple(n.bare, n.op, n.letter, n.slots, n.particle, n.dots, n.function, n.p, n.q);
   };
   return key(*a) == key(*b) &&
          std::equal(a->parts.begin(), a->parts.end(), b->parts.begin(), b->parts.end(), same);
@@ -369,6 +372,14 @@ bool well_formed(const Term& term, const std::vector<Letter>& letters, std::stri
     free += index;
   }
   return true;
+}
+
+Term read_otherwise(const Term& term) {
+  if (term->bare)
+    return product({function_of(term->function, term->parts[0]->parts[0]), term->parts[0]->parts[1]});
+  std::vector<Term> parts;
+  for (const Term& part : term->parts) parts.push_back(read_otherwise(part));
+  return parts.empty() ? term : rebuilt(term, std::move(parts));
 }
 
 int derivative_order(const Term& term) {

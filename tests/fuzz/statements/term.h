@@ -55,6 +55,7 @@ struct Node {
   int dots = 0;
   Function function = Function::sin;
   long p = 0, q = 1;
+  bool bare = false;  // `\\cos k(x - y)`: an argument a(b + c) is written without brackets around it
   int rank = 0;
 };
 
@@ -73,6 +74,7 @@ struct Letter {
   int rank = 0;
   Nature nature = Nature::free;
   bool symmetric = false;
+  bool antisymmetric = false;
   bool of_particles = false;
   std::string label = {};  // a subscript in words or digits
   Term value = nullptr;    // what the letter's own random number becomes: `|a|` for a positive a
@@ -107,6 +109,9 @@ void visit(const Term& term, const std::function<void(const Node&)>& see);
 /// Whether it is written by the rules: ranks fit, each summed index stands twice in its term and nowhere
 /// else, terms of a sum have the same free indices, particles are bound. `free`: the free indices, sorted.
 [[nodiscard]] bool well_formed(const Term& term, const std::vector<Letter>& letters, std::string& free);
+
+/// The other reading of what is written bare: cos(k)(x - y) for cos(k(x - y)).
+[[nodiscard]] Term read_otherwise(const Term& term);
 
 /// How many derivatives stand in one another.
 [[nodiscard]] int derivative_order(const Term& term);

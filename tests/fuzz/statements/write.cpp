@@ -42,6 +42,7 @@ class Writer {
   }
 
   bool needs_brackets(const Node& node, Place place) const {
+    if (node.bare) return place == Place::atom || place == Place::factor;
     if (place == Place::alone) return false;
     if (is_sum(node)) return true;
     if (place == Place::term) return node.op == Op::particle_sum || node.op == Op::rate;
@@ -164,13 +165,13 @@ class Writer {
     return fraction(at(node.parts[0], Place::alone), at(node.parts[1], Place::alone));
   }
 
-  std::string power(const Node& node) {
+  std::string power(const Node& node, Place place) {
     const Node& base = *node.parts[0];
     const std::string exponent =
         node.p < 0 || node.p > 9 ? "^{" + std::to_string(node.p) + "}" : "^" + std::to_string(node.p);
     if (base.op == Op::function && node.p > 1 && base.function != Function::exp &&
         base.function != Function::ln)
-      return function(base, Place::alone, exponent);
+      return function(base, place, exponent);
     if (base.op == Op::length && base.parts[0]->op == Op::symbol && base.parts[0]->dots == 0 &&
         style_.lengths_by_letter && letters_[base.parts[0]->letter].nature != Nature::unit) {
       Node plain = *base.parts[0];
@@ -185,9 +186,11 @@ class Writer {
   std::string function(const Node& node, Place place, const std::string& exponent = "") {
     static const std::array names{"\\sin", "\\cos", "\\tan", "\\exp", "\\sinh", "\\cosh", "\\tanh", "\\ln"};
     const Node& argument = *node.parts[0];
-    if (node.function == Function::exp && random_.one_in(2))
+    if (node.function == Function::exp && !node.bare && random_.one_in(2))
       return "e^{" + at(node.parts[0], Place::alone) + "}";
     const std::string name = names[static_cast<std::size_t>(node.function)] + exponent;
+    if (node.bare)
+      return name + " " + at(argument.parts[0], Place::atom) + bracketed(at(argument.parts[1], Place::alone));
     const bool bare = argument.op == Op::symbol && argument.dots == 0 && place != Place::factor;
     if (bare && random_.one_in(2)) return name + " " + at(node.parts[0], Place::alone);
     return name + bracketed(at(node.parts[0], Place::alone));
@@ -238,7 +241,7 @@ class Writer {
       case Op::quotient:
         return quotient(node);
       case Op::power:
-        return power(node);
+        return power(node, place);
       case Op::root:
         return "\\sqrt{" + at(node.parts[0], Place::alone) + "}";
       case Op::absolute:
