@@ -17,6 +17,14 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(GINAC REQUIRED IMPORTED_TARGET ginac>=1.8 cln>=1.3)
 add_library(rigor::ginac ALIAS PkgConfig::GINAC)
 
+# The blocks of Markdown. What pkg-config says links the extensions, too, which are not used.
+find_path(CMARK_GFM_INCLUDE_DIR cmark-gfm.h REQUIRED)
+find_library(CMARK_GFM_LIBRARY cmark-gfm REQUIRED)
+mark_as_advanced(CMARK_GFM_INCLUDE_DIR CMARK_GFM_LIBRARY)
+add_library(rigor::cmark-gfm INTERFACE IMPORTED)
+target_include_directories(rigor::cmark-gfm INTERFACE ${CMARK_GFM_INCLUDE_DIR})
+target_link_libraries(rigor::cmark-gfm INTERFACE ${CMARK_GFM_LIBRARY})
+
 # Double-double arithmetic. The library proper has the functions beyond + - * / and the roots.
 find_path(QD_INCLUDE_DIR qd/dd_real.h REQUIRED)
 find_library(QD_LIBRARY qd REQUIRED)

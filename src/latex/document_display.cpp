@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "latex/ascii.h"
+#include "latex/prose.h"
 
 namespace rigor {
 namespace {
@@ -16,23 +17,30 @@ using Outcome = DisplayEnd::Outcome;
 class DisplaySearch {
  public:
   DisplaySearch(const NotesText& text, const EnvironmentAliases& aliases, DisplayDelimiter delimiter,
-                std::string_view environment, std::size_t from)
-      : text_(text), aliases_(aliases), delimiter_(delimiter), environment_(environment), at_(from) {
+                std::string_view environment, std::size_t from, std::size_t limit)
+      : text_(text),
+        aliases_(aliases),
+        delimiter_(delimiter),
+        environment_(environment),
+        at_(from),
+        limit_(std::min(limit, text.size())) {
     const bool markdown = text.format() == Format::markdown;
-    stops_at_blank_line_ = delimiter == dollars || (markdown && delimiter != DisplayDelimiter::environment);
     // Markdown finds `$$` and `\]` before TeX sees a comment.
     has_comments_ = !markdown || delimiter == DisplayDelimiter::environment;
   }
 
   DisplayEnd result() {
-    while (!found_ && at_ < text_.size()) {
+    while (!found_ && at_ < limit_) {
       if (braces_of_words_ > 0) {
         step_in_words();
       } else {
         step();
       }
     }
-    if (!found_) stop(Outcome::open, text_.size());
+    if (!found_) {
+      at_ = blank_.value_or(limit_);
+      stop(Outcome::open, at_);
+    }
     return std::move(result_);
   }
 
@@ -91,17 +99,73 @@ class DisplaySearch {
   void read_dollar() {
     if (text_[at_ + 1] != '$') {
       ++at_;
+    } else if (delimiter_ == dollars && (!blank_ || surely_closes(at_ + 2))) {
+      stop(Outcome::closed, at_ + 2);
     } else {
-      stop(delimiter_ == dollars ? Outcome::closed : Outcome::open, at_ + 2);
+      at_ = blank_.value_or(at_);
+      stop(Outcome::open, at_ + 2);
     }
   }
 
   void read_line_break() {
     ++at_;
-    const bool blank = stops_at_blank_line_ && text_.is_blank_line(at_);
-    const bool block = text_.format() == Format::markdown && delimiter_ == DisplayDelimiter::environment &&
-                       (text_.has("```", at_) || text_.has("~~~", at_) || atx_level(text_, at_) > 0);
-    if (blank || block) stop(Outcome::open, at_);
+    const bool markdown = text_.format() == Format::markdown;
+    const bool blank = text_.is_blank_line(at_);
+    const bool block = markdown && begins_block(at_);
+    if (!block) {
+      if (!blank || delimiter_ == DisplayDelimiter::environment) return;
+      if (markdown ? goes_on_below(at_) : delimiter_ != dollars) return;
+    }
+    at_ = blank_.value_or(at_);
+    stop(Outcome::open, at_);
+  }
+
+  [[nodiscard]] bool begins_block(std::size_t line) const {
+    static constexpr auto marks =
+        std::to_array<std::string_view>({"```", "~~~", ":::", "---", "===", "***", "<!--"});
+    return atx_level(text_, line) > 0 || std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
+             return text_.has(mark, line);
+           });
+  }
+
+  /// At a blank line: mathematics goes on behind it, and is closed.
+  bool goes_on_below(std::size_t line) {
+    if (line < checked_) return true;
+    std::size_t next = line;
+    while (next < limit_ && text_.is_blank_line(next)) next = text_.next_line(next);
+    checked_ = next;
+    if (next >= limit_) return false;
+    const std::string_view paragraph = text_.between(next, std::min(text_.blank_line(next), limit_));
+    if (begins_block(next) || reads_as_prose(paragraph.substr(0, paragraph.find(closing())))) return false;
+    if (!blank_) blank_ = line;
+    return true;
+  }
+
+  [[nodiscard]] std::string_view closing() const {
+    return delimiter_ == dollars ? "$$" : delimiter_ == bracket ? "\\]" : "\\\\]";
+  }
+
+  /// `$$` before `behind`, with blank lines between it and the opening: it closes, unless what stands behind
+  /// it up to the next `$$` can be a display.
+  [[nodiscard]] bool surely_closes(std::size_t behind) const {
+    const Span rest = text_.trimmed(behind, text_.line_end(behind));
+    const char first = rest.empty() ? '.' : text_[rest.begin];
+    const bool alone = first == '{' || first == '(' || first == '.' || first == ',' || first == ';';
+    if (!alone) {
+      const std::string_view words = text_.between(rest.begin, rest.end);
+      return reads_as_prose(words.substr(0, words.find("$$")));
+    }
+    const std::size_t begin = text_.next_line(behind);
+    const std::size_t next = std::min(text_.find("$$", begin), limit_);
+    bool mathematics = false;
+    for (std::size_t line = begin; line < next && next < limit_;) {
+      const std::size_t end = std::min(text_.blank_line(line), next);
+      const std::string_view paragraph = text_.between(line, end);
+      if (begins_block(line) || reads_as_prose(paragraph)) return true;
+      mathematics = mathematics || has_mathematics(paragraph);
+      line = end;
+    }
+    return !mathematics;
   }
 
   void read_control() {
@@ -167,7 +231,9 @@ class DisplaySearch {
   DisplayDelimiter delimiter_;
   std::string_view environment_;
   std::size_t at_;
-  bool stops_at_blank_line_;
+  std::size_t limit_;
+  std::optional<std::size_t> blank_ = {};  // the first blank line behind which it goes on
+  std::size_t checked_ = 0;                // up to here it does
   bool has_comments_;
   int depth_ = 0;
   int braces_of_words_ = 0;
@@ -178,8 +244,9 @@ class DisplaySearch {
 }  // namespace
 
 DisplayEnd find_display_end(const NotesText& text, const EnvironmentAliases& aliases,
-                            DisplayDelimiter delimiter, std::string_view environment, std::size_t from) {
-  return DisplaySearch(text, aliases, delimiter, environment, from).result();
+                            DisplayDelimiter delimiter, std::string_view environment, std::size_t from,
+                            std::size_t limit) {
+  return DisplaySearch(text, aliases, delimiter, environment, from, limit).result();
 }
 
 int heading_rank(std::string_view control) {

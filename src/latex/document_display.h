@@ -31,13 +31,14 @@ struct DisplayEnd {
   std::optional<std::size_t> passed = {};  // where a first display opens in the words of an \intertext
 };
 
-/// Looks for the end from `from` on, behind the opening. Without one, the search stops at the next display or
-/// heading; in `$$` (where opening and closing look the same), and in Markdown outside environments, already
-/// at a blank line. Displays in the words of an \intertext are passed over. Cost: linear in what it passes
-/// over.
+/// Looks for the end from `from` on, behind the opening, and before `limit`. Without one, the search stops at
+/// the next display or heading, and for `$$` in LaTeX at a blank line. In Markdown `$$` and `\[` go on behind
+/// a blank line where mathematics does; they are open there where words follow, and where a later `$$` can
+/// just as well be the opening of another display. Displays in the words of an \intertext are passed over.
+/// Cost: linear in what it passes over, and up to the next `$$`.
 [[nodiscard]] DisplayEnd find_display_end(const NotesText& text, const EnvironmentAliases& aliases,
                                           DisplayDelimiter delimiter, std::string_view environment,
-                                          std::size_t from);
+                                          std::size_t from, std::size_t limit);
 
 /// The level of a LaTeX heading (`section`): 0 for \part, 1 for \chapter and so on; negative for other
 /// controls.

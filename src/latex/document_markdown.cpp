@@ -3,81 +3,107 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "latex/ascii.h"
 #include "latex/document_reader.h"
-#include "latex/markdown_lines.h"
+#include "latex/markdown_dialects.h"
+#include "latex/markdown_fences.h"
 
 namespace rigor {
 namespace {
 
 /// Searches for a closing mark that end in nothing, before they are given up.
 constexpr int failures_searched = 8;
+/// Readings of the blocks and the displays, each with what the other found.
+constexpr int most_passes = 6;
+
+/// What is known of a text before its displays are looked for.
+struct MarkdownText {
+  const LineStarts& lines;
+  const std::vector<MarkdownBlock>& blocks;
+  const std::set<std::size_t>& open_fences;
+};
 
 class MarkdownReader : NotesReader {
  public:
-  MarkdownReader(DocumentReading& reading, FileId file) : NotesReader(reading, file, Format::markdown) {}
+  MarkdownReader(DocumentReading& reading, FileId file, const MarkdownText& known)
+      : NotesReader(reading, file, Format::markdown), known_(known) {}
 
   void read() {
-    at_ = front_matter_end(text_);
-    while (goes_on()) read_line();
+    auto open_fence = known_.open_fences.begin();
+    for (const MarkdownBlock& block : known_.blocks) {
+      for (; open_fence != known_.open_fences.end() && *open_fence <= block.first; ++open_fence)
+        report_open_fence(*open_fence);
+      end_ = known_.lines[block.last + 1];
+      if (end_ <= at_ || !goes_on()) continue;
+      at_ = std::max(at_, known_.lines[block.first]);
+      limit_ = block.quotes > 0 ? known_.lines[block.quote_last + 1] : text_.size();
+      quotes_ = block.quotes;
+      open_code_spans_ = 0;
+      read_block(block);
+    }
+    for (; open_fence != known_.open_fences.end(); ++open_fence) report_open_fence(*open_fence);
   }
 
  private:
-  void read_line() {
-    const std::size_t line = at_;
-    line_ = line_start(text_, line);
-    const std::size_t above = std::exchange(text_above_, text_.size());
-    if (text_.is_blank_line(line)) {
-      at_ = text_.next_line(line);
-    } else if (const auto fence = fence_at(text_, line_.at)) {
-      read_fence(*fence);
-    } else if (const int level = atx_level(text_, line); level > 0) {
-      add_heading(line, text_.line_end(line), level, atx_title(text_, line));
-    } else if (const int setext = setext_level(text_, line); setext > 0 && above < line) {
-      add_heading(above, text_.line_end(line), setext, text_.trimmed(above, line));
+  void read_block(const MarkdownBlock& block) {
+    const bool whole = at_ == known_.lines[block.first];
+    line_ = line_start(text_, at_);
+    if (block.kind == MarkdownBlock::Kind::code) {
+      if (block.fenced && whole) read_fence(block);
+      at_ = std::max(at_, end_);
+    } else if (block.kind == MarkdownBlock::Kind::heading && whole && !line_.marked &&
+               !opens_display(text_.between(at_, end_))) {
+      read_heading(block);
     } else {
-      text_above_ = line_.marked ? text_.size() : line;
       read_text();
     }
   }
 
-  void add_heading(std::size_t begin, std::size_t end, int level, Span title) {
-    add(Heading{text_.span(begin, end), level, std::string(text_.between(title.begin, title.end))});
-    at_ = text_.next_line(end);
+  /// `## Title`, or a title above a line of `=` or `-`.
+  void read_heading(const MarkdownBlock& block) {
+    const Span title =
+        block.first == block.last ? atx_title(text_, at_) : text_.trimmed(at_, known_.lines[block.last]);
+    const Span whole = text_.trimmed(at_, end_);
+    std::string words(text_.between(title.begin, title.end));
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    add(Heading{text_.span(at_, whole.end), block.level, std::move(words)});
+    at_ = end_;
   }
 
-  /// To the end of the line, or of what reaches beyond it.
+  /// To the end of the block, or of what reaches beyond it.
   void read_text() {
-    do {
-      switch (text_[at_]) {
-        case '\n':
-          ++at_;
-          return;
-        case '\\':
-          read_backslash();
-          break;
-        case '$':
-          read_dollar();
-          break;
-        case '`':
-          read_code_span();
-          break;
-        case '<':
-          read_angle();
-          break;
-        default:
-          ++at_;
+    while (goes_on() && at_ < end_) {
+      if (at_ == 0 || text_[at_ - 1] == '\n') {
+        line_ = line_start(text_, at_);
+        if (read_colon_display()) continue;
       }
-    } while (goes_on() && text_[at_ - 1] != '\n');
+      read_sign();
+    }
   }
 
-  /// A display in the text: no heading is made of its lines.
+  void read_sign() {
+    switch (text_[at_]) {
+      case '\\':
+        return read_backslash();
+      case '$':
+        return read_dollar();
+      case '`':
+        return read_code_span();
+      case '<':
+        return read_angle();
+      case '%':
+        return read_percent();
+      default:
+        ++at_;
+    }
+  }
+
   void read_text_display(DisplayDelimiter delimiter, std::size_t length) {
-    text_above_ = text_.size();
-    read_display({delimiter, at_, at_ + length, {}, line_.quotes});
+    read_display({delimiter, at_, at_ + length, {}, quotes_, nullptr, limit_});
   }
 
   /// Markdown writes `\[` for a plain bracket: inside a line that is what stands there, unless it is closed.
@@ -85,11 +111,8 @@ class MarkdownReader : NotesReader {
     if (at_ == line_.at) return read_text_display(delimiter, length);
     std::size_t& not_before = no_bracket_before_[delimiter == DisplayDelimiter::bracket ? 0 : 1];
     if (at_ >= not_before) {
-      const auto end = read_closed_display({delimiter, at_, at_ + length, {}, line_.quotes});
-      if (end.outcome == DisplayEnd::Outcome::closed) {
-        text_above_ = text_.size();
-        return;
-      }
+      const auto end = read_closed_display({delimiter, at_, at_ + length, {}, quotes_, nullptr, limit_});
+      if (end.outcome == DisplayEnd::Outcome::closed) return;
       not_before = end.begin;
     }
     at_ += length;
@@ -98,11 +121,7 @@ class MarkdownReader : NotesReader {
   void read_backslash() {
     const std::string_view word = text_.control_word(at_);
     if (!word.empty()) {
-      if (read_environment(word, line_.quotes)) {
-        text_above_ = text_.size();
-      } else if (!read_definition(word)) {
-        at_ += 1 + word.size();
-      }
+      if (!read_environment(word, quotes_, limit_) && !read_definition(word)) at_ += 1 + word.size();
     } else if (text_.has("\\\\[", at_)) {
       read_bracket(DisplayDelimiter::double_bracket, 3);
     } else if (text_.has("\\[", at_)) {
@@ -120,7 +139,7 @@ class MarkdownReader : NotesReader {
   void read_parenthesis(std::size_t length, std::string_view closing) {
     const std::size_t begin = at_ + length;
     at_ = begin;
-    const std::size_t end = paragraph_end();
+    const std::size_t end = end_;
     if (begin < no_parenthesis_before_ || begin > end) return;
     const auto close = text_.between(begin, end).find(closing);
     if (close == std::string_view::npos) {
@@ -134,9 +153,10 @@ class MarkdownReader : NotesReader {
     if (text_[at_ + 1] == '$') return read_text_display(DisplayDelimiter::dollars, 2);
     const std::size_t begin = at_ + 1;
     at_ = begin;
+    if (text_[begin] == '`') return read_dollar_code(begin + 1);
     if (begin < no_dollar_before_ || begin >= text_.size() || is_white(text_[begin])) return;
     std::size_t at = begin;
-    for (const std::size_t end = paragraph_end(); at < end; ++at) {
+    for (; at < end_; ++at) {
       if (text_[at] == '\\') ++at;
       if (text_[at] != '$') continue;
       const bool after_blank = is_white(text_[at - 1]);
@@ -144,6 +164,26 @@ class MarkdownReader : NotesReader {
       if (!after_blank && !is_digit(text_[at + 1])) return pass_inline(begin, at, 1);
     }
     no_dollar_before_ = at;
+  }
+
+  /// GitHub's inline mathematics, `` $`…`$ ``.
+  void read_dollar_code(std::size_t begin) {
+    const auto close = text_.between(begin, std::max(begin, end_)).find("`$");
+    if (close != std::string_view::npos) pass_inline(begin, begin + close, 2);
+  }
+
+  /// Obsidian's comments: `%% … %%`, in a line or from the start of one over any number of lines.
+  void read_percent() {
+    const std::size_t begin = at_++;
+    const bool opens = text_[at_] == '%' && (begin == line_.at || is_blank(text_[begin - 1]));
+    if (!opens || begin < no_comment_before_) return;
+    const std::size_t until = begin == line_.at ? text_.size() : end_;
+    const auto close = text_.between(begin + 2, std::max(begin + 2, until)).find("%%");
+    if (close != std::string_view::npos) {
+      at_ = begin + 2 + close + 2;
+    } else {
+      no_comment_before_ = until;
+    }
   }
 
   /// Stands behind inline mathematics. Only definitions count in it: notes that KaTeX shows begin with
@@ -166,7 +206,7 @@ class MarkdownReader : NotesReader {
     const std::size_t begin = at_;
     while (text_[at_] == '`') ++at_;
     const std::size_t marks = at_ - begin;
-    const std::size_t end = paragraph_end();
+    const std::size_t end = end_;
     if (open_code_spans_ == failures_searched) return;
     for (std::size_t at = at_; at < end; ++at) {
       if (text_[at] != '`') continue;
@@ -181,29 +221,43 @@ class MarkdownReader : NotesReader {
     ++open_code_spans_;
   }
 
-  /// Where inline marks must have been closed; looked for once in a paragraph.
-  std::size_t paragraph_end() {
-    if (at_ >= paragraph_end_) {
-      paragraph_end_ = rigor::paragraph_end(text_, at_);
-      open_code_spans_ = 0;
-    }
-    return paragraph_end_;
+  void read_angle() {
+    if (text_.has("<!--", at_)) return read_comment();
+    const std::string_view name = raw_element_at(text_, at_);
+    if (!name.empty()) return read_element(name);
+    ++at_;
   }
 
-  void read_angle() {
+  /// `<pre> … </pre>`: nothing inside is a display. `<code>` is closed in its paragraph, or is text.
+  void read_element(std::string_view name) {
+    const std::size_t begin = at_;
+    const bool inside_line = name == "code";
+    const std::string closing = fmt::format("</{}", name);
+    const std::size_t until = inside_line ? end_ : text_.size();
+    const bool searched = endless_.contains(closing);
+    const auto close = searched ? std::string_view::npos : find_element_end(text_, closing, begin, until);
+    if (close != std::string_view::npos) {
+      at_ = close + closing.size();
+    } else if (inside_line) {
+      ++at_;
+    } else {
+      endless_.insert(closing);
+      report(begin, begin + 1 + name.size(), fmt::format("`<{}` is not closed", name),
+             fmt::format("close the element with `{}>`", closing));
+      at_ = text_.after_blank_line(begin);
+    }
+  }
+
+  void read_comment() {
     const std::string_view opening = "<!--";
     const std::string_view closing = "-->";
-    if (!text_.has(opening, at_)) {
-      ++at_;
-      return;
-    }
     const std::size_t begin = at_ + opening.size();
-    const std::size_t end = comments_close_ ? text_.find(closing, begin) : text_.size();
+    const std::size_t end = endless_.contains(closing) ? text_.size() : text_.find(closing, begin);
     if (end < text_.size()) {
       add_comment_directives(begin, end);
       at_ = end + closing.size();
     } else {
-      comments_close_ = false;
+      endless_.emplace(closing);
       report(at_, begin, "`<!--` is not closed", "close the comment with `-->`");
       at_ = text_.after_blank_line(at_);
     }
@@ -224,42 +278,115 @@ class MarkdownReader : NotesReader {
     }
   }
 
-  void read_fence(const Fence& fence) {
-    const std::size_t first = text_.next_line(fence.begin);
-    const auto closing = find_fence_end(text_, fence, first, open_fences_ >= failures_searched);
-    if (!closing) {
-      ++open_fences_;
-      const std::string_view marks = text_.between(fence.begin, fence.begin + fence.marks);
-      report(fence.begin, text_.trimmed(fence.begin, text_.line_end(fence.begin)).end,
-             "a fenced block is not closed", fmt::format("close it with a line `{}`", marks));
-      at_ = text_.after_blank_line(fence.begin);
-      return;
-    }
-    if (fence.math) {
-      add_directives(first, *closing);
-      const Span whole = text_.trimmed(fence.begin, text_.line_end(*closing));
-      const bool empty = text_.trimmed(first, *closing).empty();
-      if (!empty) {
-        const bool cyclic = text_.goes_on_cyclically(text_.line_end(*closing));
-        add(Display{whole, text_.span(first, *closing), {}, line_.quotes, cyclic});
-      }
-    }
-    at_ = text_.next_line(*closing);
+  void report_open_fence(std::size_t line) {
+    const auto fence = fence_at(text_, line_start(text_, known_.lines[line]).at);
+    if (!fence) return;
+    const std::string_view marks = text_.between(fence->begin, fence->begin + fence->marks);
+    report(fence->begin, text_.trimmed(fence->begin, text_.line_end(fence->begin)).end,
+           "a fenced block is not closed", fmt::format("close it with a line `{}`", marks));
   }
 
-  LineStart line_;                                         // of the line that is being read
-  std::size_t text_above_ = static_cast<std::size_t>(-1);  // a line of plain text directly above, or the end
-  std::size_t paragraph_end_ = 0;
+  void read_fence(const MarkdownBlock& block) {
+    const auto fence = fence_at(text_, line_.at);
+    const std::size_t last = known_.lines[block.last];
+    if (!fence) return;
+    if (!closes_fence(text_, *fence, last)) return report_open_fence(block.first);
+    const std::size_t words = fence->begin + fence->marks;
+    const std::size_t first = text_.next_line(words);
+    if (content_of_fence(text_.between(words, text_.line_end(words))) == FenceContent::math) {
+      add_fenced_display(fence->begin, words, last);
+    } else if (text_.between(first, std::max(first, last)).find(".. math::") != std::string_view::npos &&
+               text_.between(words, text_.line_end(words)).find("{eval-rst}") != std::string_view::npos) {
+      report_unread(text_.span(fence->begin, text_.line_end(words)),
+                    "displays of reStructuredText are not read", "write them as a fence `{math}`");
+    }
+  }
+
+  /// `:::{math}` … `:::`, for which CommonMark has no block.
+  bool read_colon_display() {
+    const auto mark = colon_mark_at(text_, line_.at);
+    if (!mark || mark->closes) return false;
+    if (content_of_colons(text_.between(mark->words, text_.line_end(mark->words))) != FenceContent::math)
+      return false;
+    const auto last = find_colon_end(text_, text_.next_line(mark->words), mark->colons, limit_);
+    if (!last) {
+      report(line_.at, text_.line_end(line_.at), "a fenced block is not closed",
+             fmt::format("close it with a line `{}`", text_.between(line_.at, line_.at + mark->colons)));
+      at_ = text_.after_blank_line(at_);
+      return true;
+    }
+    add_fenced_display(line_.at, mark->words, *last);
+    at_ = text_.next_line(*last);
+    return true;
+  }
+
+  /// From the fence at `begin`, whose words begin at `words`, to its last line.
+  void add_fenced_display(std::size_t begin, std::size_t words, std::size_t last) {
+    const std::size_t line_end = text_.line_end(words);
+    std::size_t body = text_.next_line(words);
+    const auto brace = text_.between(words, line_end).find('}');
+    if (brace !=
+        std::string_view::npos) {  // a directive, with its content on the first line or below its options
+      const Span beside = text_.trimmed(words + brace + 1, line_end);
+      body = beside.empty() ? behind_options(text_, body, last) : beside.begin;
+    }
+    add_directives(body, last);
+    if (body >= last || text_.trimmed(body, last).empty()) return;
+    const bool cyclic = text_.goes_on_cyclically(text_.line_end(last));
+    const Span whole = text_.trimmed(begin, text_.line_end(last));
+    add(Display{whole, text_.span(body, last), {}, quotes_, cyclic});
+  }
+
+  const MarkdownText& known_;
+  LineStart line_;                                  // of the line that is being read
+  std::size_t end_ = 0;                             // of the block that is being read
+  std::size_t limit_ = 0;                           // of the quotation around it
+  std::uint32_t quotes_ = 0;                        // how many there are
   std::size_t no_dollar_before_ = 0;                // nothing up to there closes inline mathematics
   std::size_t no_parenthesis_before_ = 0;           // the same for `\)`
+  std::size_t no_comment_before_ = 0;               // the same for `%%`
   std::array<std::size_t, 2> no_bracket_before_{};  // the same for `\]` and `\\]`
-  int open_code_spans_ = 0;                         // in this paragraph
-  int open_fences_ = 0;
-  bool comments_close_ = true;
+  int open_code_spans_ = 0;                         // in this block
+  std::set<std::string, std::less<>> endless_;      // closings that do not come any more
 };
+
+/// The lines of displays that would be something else without them. A fence is code to CommonMark, as it
+/// should.
+std::set<std::size_t> lines_of_displays(const NotesText& text, const Document& document,
+                                        const LineStarts& lines, const MarkdownShape& shape) {
+  std::set<std::size_t> covered;
+  for (const Item& item : document.items) {
+    const auto* const display = std::get_if<Display>(&item);
+    if (display == nullptr || text[display->span.begin] == '`' || text[display->span.begin] == '~') continue;
+    const std::size_t first = lines.line_at(display->span.begin) + 1;
+    const std::size_t last = lines.line_at(display->span.end - 1);
+    bool matter = false;
+    for (std::size_t line = first; line <= last; ++line) matter = matter || shape.could_matter(line);
+    for (std::size_t line = first; matter && line <= last; ++line) covered.insert(line);
+  }
+  return covered;
+}
 
 }  // namespace
 
-void read_markdown(DocumentReading& reading, FileId file) { MarkdownReader(reading, file).read(); }
+/// The blocks say where displays can be, and displays say where there are no blocks: until both agree.
+void read_markdown(DocumentReading& reading, FileId file) {
+  const NotesText text(reading.sources, file, Format::markdown);
+  const LineStarts lines(text);
+  MarkdownShape shape(text.between(0, text.size()));
+  const std::size_t front_matter = front_matter_end(text);
+  for (std::size_t line = 0; lines[line] < front_matter; ++line) shape.blank(line);
+  std::set<std::size_t> open_fences;
+  for (int pass = 1;; ++pass) {
+    const std::vector<MarkdownBlock> blocks = blocks_of_dialects(text, lines, shape, open_fences);
+    Diagnostics diagnostics;
+    DocumentReading trial{reading.sources, diagnostics};
+    MarkdownReader(trial, file, {lines, blocks, open_fences}).read();
+    if (pass < most_passes && shape.cover(lines_of_displays(text, trial.document, lines, shape))) continue;
+    reading.document.items = std::move(trial.document.items);
+    reading.diagnostics.insert(reading.diagnostics.end(), diagnostics.begin(), diagnostics.end());
+    return;
+  }
+}
 
 }  // namespace rigor

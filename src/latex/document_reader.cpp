@@ -44,7 +44,7 @@ DisplayEnd NotesReader::read_closed_display(const Opening& opening) {
   const std::size_t body = opening.own != nullptr ? skip_own_arguments(*opening.own, opening.behind)
                                                   : skip_environment_arguments(display, opening.behind);
   const DisplayEnd end =
-      find_display_end(text_, reading_.aliases, opening.delimiter, opening.environment, body);
+      find_display_end(text_, reading_.aliases, opening.delimiter, opening.environment, body, opening.limit);
   if (end.outcome != Outcome::closed) return end;
   display.span = text_.span(opening.begin, end.end);
   display.body = text_.span(body, end.begin);
@@ -121,7 +121,7 @@ void NotesReader::report_wrong(const Opening& opening, const DisplayEnd& end) {
             : std::min(end.begin, text_.after_blank_line(opening.begin));
 }
 
-bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes) {
+bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes, std::size_t limit) {
   const std::size_t begin = at_;
   std::size_t behind = at_ + 1 + word.size();
   std::string name;
@@ -144,7 +144,7 @@ bool NotesReader::read_environment(std::string_view word, std::uint32_t quotes) 
   if (report_if_unread(word, name, behind)) return true;
   if (own == nullptr && !is_display_environment(name)) return false;
   if (opens) {
-    read_display({DisplayDelimiter::environment, begin, behind, name, quotes, own});
+    read_display({DisplayDelimiter::environment, begin, behind, name, quotes, own, limit});
   } else {
     report(begin, behind, fmt::format("`{}` closes nothing", text_.between(begin, behind)),
            fmt::format("`\\begin{{{}}}` is missing before it", name));

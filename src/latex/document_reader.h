@@ -40,7 +40,8 @@ class NotesReader {
     std::size_t behind;  // the delimiter
     std::string environment = {};
     std::uint32_t quotes = 0;
-    const OwnDisplay* own = nullptr;  // what the author's own name for it means
+    const OwnDisplay* own = nullptr;                   // what the author's own name for it means
+    std::size_t limit = static_cast<std::size_t>(-1);  // where the text that it stands in ends
   };
   /// Adds the display and stands behind it, or says that it is not closed and stands where reading goes on.
   void read_display(const Opening& opening);
@@ -49,7 +50,8 @@ class NotesReader {
 
   /// At `\begin` or `\end` or an alias of one, a display begins or an end is stray. False: it is about
   /// something else.
-  bool read_environment(std::string_view word, std::uint32_t quotes);
+  bool read_environment(std::string_view word, std::uint32_t quotes,
+                        std::size_t limit = static_cast<std::size_t>(-1));
   /// At a control that defines a macro or an environment. False: it does neither.
   bool read_definition(std::string_view word);
 

@@ -2,6 +2,7 @@
 #include "latex/markdown_lines.h"
 
 #include <algorithm>
+#include <array>
 
 #include "latex/ascii.h"
 #include "latex/document_display.h"
@@ -24,6 +25,14 @@ std::size_t skip_list_mark(const NotesText& text, std::size_t at) {
 std::size_t skip_run(const NotesText& text, std::size_t at, char mark) {
   while (text[at] == mark) ++at;
   return at;
+}
+
+/// In letters of any size; `name` has small ones.
+bool has_name(const NotesText& text, std::string_view name, std::size_t at) {
+  for (const char letter : name) {
+    if ((text[at++] | 0x20) != letter) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -50,26 +59,16 @@ std::optional<Fence> fence_at(const NotesText& text, std::size_t at) {
   if (mark != '`' && mark != '~') return std::nullopt;
   const std::size_t behind = skip_run(text, at, mark);
   if (behind < at + fewest_marks) return std::nullopt;
-  const Span info = text.trimmed(behind, text.line_end(behind));
-  const std::string_view words = text.between(info.begin, info.end);
-  if (mark == '`' && words.find('`') != std::string_view::npos) return std::nullopt;
-  const std::string_view first = words.substr(0, words.find_first_of(" \t"));
-  return Fence{at, behind - at, first == "math" || first == "{math}"};
+  return Fence{at, behind - at};
 }
 
-std::optional<std::size_t> find_fence_end(const NotesText& text, const Fence& fence, std::size_t line,
-                                          bool in_paragraph) {
+bool closes_fence(const NotesText& text, const Fence& fence, std::size_t line) {
+  if (line <= fence.begin) return false;
   const char mark = text[fence.begin];
-  for (; line < text.size(); line = text.next_line(line)) {
-    if (in_paragraph && text.is_blank_line(line)) return std::nullopt;
-    std::size_t at = line;
-    while (is_blank(text[at]) || text[at] == '>') ++at;
-    const std::size_t behind = skip_run(text, at, mark);
-    if (behind < at + fence.marks) continue;
-    const Span rest = text.trimmed(behind, text.line_end(behind));
-    if (rest.empty()) return line;
-  }
-  return std::nullopt;
+  std::size_t at = line;
+  while (is_blank(text[at]) || text[at] == '>') ++at;
+  const std::size_t behind = skip_run(text, at, mark);
+  return behind >= at + fence.marks && text.trimmed(behind, text.line_end(behind)).empty();
 }
 
 Span atx_title(const NotesText& text, std::size_t line) {
@@ -83,28 +82,6 @@ Span atx_title(const NotesText& text, std::size_t line) {
   return title;
 }
 
-int setext_level(const NotesText& text, std::size_t line) {
-  std::size_t at = line;
-  while (at < line + 3 && text[at] == ' ') ++at;
-  const char mark = text[at];
-  if (mark != '=' && mark != '-') return 0;
-  std::size_t behind = skip_run(text, at, mark);
-  if (behind < at + fewest_marks) return 0;
-  while (is_blank(text[behind])) ++behind;
-  if (behind < text.size() && text[behind] != '\n') return 0;
-  return mark == '=' ? 1 : 2;
-}
-
-std::size_t paragraph_end(const NotesText& text, std::size_t at) {
-  std::size_t line = text.next_line(at);
-  while (line < text.size() && !text.is_blank_line(line) && atx_level(text, line) == 0) {
-    const std::size_t start = line_start(text, line).at;
-    if (text.has("```", start) || text.has("~~~", start)) break;
-    line = text.next_line(line);
-  }
-  return line;
-}
-
 std::size_t front_matter_end(const NotesText& text) {
   const auto line_is = [&](std::size_t line, std::string_view what) {
     return text.has(what, line) && text.trimmed(line + what.size(), text.line_end(line)).empty();
@@ -114,6 +91,34 @@ std::size_t front_matter_end(const NotesText& text) {
     if (line_is(line, "---") || line_is(line, "...")) return text.next_line(line);
   }
   return 0;
+}
+
+std::string_view raw_element_at(const NotesText& text, std::size_t at) {
+  static constexpr auto elements =
+      std::to_array<std::string_view>({"pre", "script", "style", "textarea", "code"});
+  for (const std::string_view name : elements) {
+    const char behind = text[at + 1 + name.size()];
+    if (text[at] == '<' && has_name(text, name, at + 1) && (behind == '>' || is_white(behind))) return name;
+  }
+  return {};
+}
+
+std::size_t find_element_end(const NotesText& text, std::string_view closing, std::size_t from,
+                             std::size_t until) {
+  for (std::size_t at = text.find("</", from); at < until; at = text.find("</", at + 1)) {
+    if (has_name(text, closing.substr(2), at + 2)) return at;
+  }
+  return std::string_view::npos;
+}
+
+LineStarts::LineStarts(const NotesText& text) {
+  for (std::size_t at = 0; at < text.size(); at = text.next_line(at)) starts_.push_back(at);
+  starts_.push_back(text.size());
+}
+
+std::size_t LineStarts::line_at(std::size_t offset) const {
+  const auto behind = std::upper_bound(starts_.begin(), starts_.end() - 1, offset);
+  return behind == starts_.begin() ? 0 : static_cast<std::size_t>(behind - starts_.begin()) - 1;
 }
 
 }  // namespace rigor

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the lines of Markdown are, one at a time: quotations, list items, fences, headings.
-// Source: CommonMark 0.31, except that lines indented by four blanks are text: in lists they mostly are.
+// What the lines of Markdown are, one at a time, where `markdown_blocks` has said to which block they belong.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "latex/document_text.h"
 
@@ -21,22 +23,37 @@ struct LineStart {
 struct Fence {
   std::size_t begin;
   std::size_t marks;  // how many, at least three
-  bool math;          // ```math
 };
 /// The fence that opens at `at`, where a line's own text starts.
 [[nodiscard]] std::optional<Fence> fence_at(const NotesText& text, std::size_t at);
-/// The start of the line that closes the fence, from the line `line` on; `in_paragraph`: before a blank line.
-[[nodiscard]] std::optional<std::size_t> find_fence_end(const NotesText& text, const Fence& fence,
-                                                        std::size_t line, bool in_paragraph);
+/// The line closes the fence.
+[[nodiscard]] bool closes_fence(const NotesText& text, const Fence& fence, std::size_t line);
 
 /// The title in `## Title ##`.
 [[nodiscard]] Span atx_title(const NotesText& text, std::size_t line);
-/// 1 for a line `===`, 2 for `---`, 0 for others. A heading only under a line of text.
-[[nodiscard]] int setext_level(const NotesText& text, std::size_t line);
-
-/// The start of the line behind `at` that ends the paragraph: a blank line, a fence or a heading.
-[[nodiscard]] std::size_t paragraph_end(const NotesText& text, std::size_t at);
 /// Behind `---` … `---` at the start of the text.
 [[nodiscard]] std::size_t front_matter_end(const NotesText& text);
+
+/// The HTML element that opens at `at`, if it shows what stands inside as it is typed, or not at all: `pre`,
+/// `code`, `script`, `style`, `textarea`. Empty for others.
+[[nodiscard]] std::string_view raw_element_at(const NotesText& text, std::size_t at);
+/// Where `closing`, as `</pre`, stands between the places, in letters of any size; npos if nowhere.
+[[nodiscard]] std::size_t find_element_end(const NotesText& text, std::string_view closing, std::size_t from,
+                                           std::size_t until);
+
+/// Where each line of a text starts.
+class LineStarts {
+ public:
+  explicit LineStarts(const NotesText& text);
+  [[nodiscard]] std::size_t count() const { return starts_.size() - 1; }
+  /// The end of the text for lines behind the last one.
+  [[nodiscard]] std::size_t operator[](std::size_t line) const {
+    return starts_[std::min(line, starts_.size() - 1)];
+  }
+  [[nodiscard]] std::size_t line_at(std::size_t offset) const;
+
+ private:
+  std::vector<std::size_t> starts_;
+};
 
 }  // namespace rigor

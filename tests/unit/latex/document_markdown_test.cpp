@@ -48,10 +48,35 @@ TEST_CASE("words right behind a display say it for the other axes, too") {
 }
 
 TEST_CASE("Markdown: code, comments and prices are no displays") {
-  for (const char* text :
-       {"`$$x$$`", "`` ` $$x$$ ``", "```\n$$x$$\n# no\n```", "~~~tex\n\\[x\\]\n~~~", "<!-- $$x$$ -->",
-        "costs $5", "$5 and $6", "from $5 to $10, or \\$\\$7", "$x$ and $y$", "\\(x\\)", "a \\[not a link]",
-        "a `` ` b", "\\\\(x\\\\)", "---\ntitle: $$x$$\n---\n", "$x $"}) {
+  for (const char* text : {"`$$x$$`",
+                           "`` ` $$x$$ ``",
+                           "```\n$$x$$\n# no\n```",
+                           "~~~tex\n\\[x\\]\n~~~",
+                           "<!-- $$x$$ -->",
+                           "costs $5",
+                           "$5 and $6",
+                           "from $5 to $10, or \\$\\$7",
+                           "$x$ and $y$",
+                           "\\(x\\)",
+                           "a \\[not a link]",
+                           "a `` ` b",
+                           "\\\\(x\\\\)",
+                           "---\ntitle: $$x$$\n---\n",
+                           "$x $",
+                           "a\n\n    $$x$$",
+                           "- a\n\n      $$x$$",
+                           "<pre>\n$$x$$\n\n$$y$$\n</pre>",
+                           "<PRE>$$x$$</PRE>",
+                           "<script>\nlet a = `$$x$$`\n</script>",
+                           "a <code>$$x$$</code> b",
+                           "%% $$x$$ %%",
+                           "%%\n$$x$$\n\n$$y$$\n%%",
+                           "$`x`$",
+                           "a $`b$c`$ d",
+                           "```{python}\n\"$$x$$\"\n```",
+                           "```{.python}\n$$x$$\n```",
+                           ":::{code-block} tex\n$$x$$\n\n$$y$$\n:::",
+                           "[a]: $$x$$"}) {
     INFO(text);
     CHECK(markdown(text).empty());
     CHECK(markdown_complaints(text).empty());
@@ -64,10 +89,79 @@ TEST_CASE("Markdown: a price does not hide the display behind it") {
 }
 
 TEST_CASE("Markdown: headings by marks and by lines beneath") {
-  CHECK(markdown("# A #\n## B#\n####### no\n#no\nC\n===\nD *e*\n---\n\n---\n- f\n---\n") ==
+  CHECK(markdown("# A #\n## B#\n####### no\n#no\n\nC\n===\nD *e*\n---\n\n---\n- f\n---\n") ==
         "h1 A\nh2 B#\nh1 C\nh2 D *e*\n");
   CHECK(markdown("---\ntitle: A\n---\nB\n---\n") == "h2 B\n");
   CHECK(markdown("$$x$$\n---\n") == "display <> x\n");
+  CHECK(markdown("A long\ntitle\n-----\n") == "h2 A long title\n");
+  CHECK(markdown("> # no\n\n- ## no\n").empty());
+}
+
+TEST_CASE("Markdown: lines of a display are no blocks") {
+  for (const char* body : {"a\n- b", "a\n= b", "a\n=\nb", "a\n+ b\n1. c", "a\n> b", "a\n\n    + b",
+                           "<div>\na", "a\n\n- b\n\n+ c"}) {
+    const std::string text = std::string("$$\n") + body + "\n$$\n";
+    INFO(text);
+    CHECK(markdown(text + "Words.\n\n    $$code$$\n\n$$z$$\n") ==
+          std::string("display <> ") + body + "\ndisplay <> z\n");
+  }
+}
+
+TEST_CASE("Markdown: a display goes on behind a blank line where mathematics does") {
+  CHECK(markdown("$$\n\na\n\n$$\n\n$$\n\nb\n\n$$\n") == "display <> a\ndisplay <> b\n");
+  CHECK(markdown("$$\na = b\n\n+ c\n$$\nwhere\n\n$$d$$") == "display <> a = b\n\n+ c\ndisplay <> d\n");
+  CHECK(markdown("\\[\na\n\n= b\n\\]") == "display <> a\n\n= b\n");
+  CHECK(markdown("> $$\n> a\n>\n> + b\n> $$\n") == "display <> > a\n>\n> + b\n>\n");
+  CHECK(markdown("$$\na\n\n\\text{if $b$ is so, and not otherwise}\n$$\n").find("otherwise}") !=
+        std::string::npos);
+}
+
+TEST_CASE("Markdown: an open display does not take in what is behind it") {
+  const auto found = [](const char* text) { return markdown(text) + markdown_complaints(text); };
+  CHECK(found("$$\na = b\n\nThen we have\n\n$$c = d$$\n") == "display <> c = d\n1:1 `$$` is not closed\n");
+  CHECK(found("$$\na = b\n\nWhere $c$ is\n\n$$\nd\n$$\n") == "display <> d\n1:1 `$$` is not closed\n");
+  CHECK(found("$$\na = b\n\n$$\nc = d\n$$\n\nEnd.") == "display <> c = d\n1:1 `$$` is not closed\n");
+  CHECK(found("$$\na = b\n\n$$c = d$$\n") == "display <> c = d\n1:1 `$$` is not closed\n");
+  CHECK(found("> $$\n> a = b\n\n$$\nc\n$$\n") == "display <> c\n1:3 `$$` is not closed\n");
+  CHECK(found("<pre>\na\n\n$$b$$") == "display <> b\n1:1 `<pre` is not closed\n");
+}
+
+TEST_CASE("Markdown: options of a fence are no mathematics") {
+  CHECK(markdown("```{math}\n:label: wave\n:nowrap:\n\nx\n```") == "display <> x\n");
+  CHECK(markdown("```{math}\n---\nlabel: wave\n---\nx\n```") == "display <> x\n");
+  CHECK(markdown("```{math} x = y\n```") == "display <> x = y\n");
+  CHECK(markdown(":::{math}\n:label: wave\nx\n\ny\n:::\n\n$$z$$") == "display <> x\n\ny\ndisplay <> z\n");
+  CHECK(markdown("```math\n: a\n```") == "display <> : a\n");
+  CHECK(markdown("```{math}\n:label: wave\n```").empty());
+}
+
+TEST_CASE("Markdown: containers of all dialects hold Markdown") {
+  for (const char* text : {"```{note}\n$$x$$\n```",
+                           "```{admonition} A title\n:class: tip\n\n$$x$$\n```",
+                           "````{tab-set}\n```{tab-item} A\n$$x$$\n```\n````",
+                           "~~~{dropdown}\n---\nopen: true\n---\n$$x$$\n~~~",
+                           ":::{warning}\n$$x$$\n:::",
+                           "::: {.callout-note}\n$$x$$\n:::",
+                           ":::tip\n$$x$$\n:::",
+                           "::::{grid}\n:::{card}\n$$x$$\n:::\n::::",
+                           "- a\n  ```{prf:theorem}\n  $$x$$\n  ```",
+                           "!!! note \"A\"\n\n    $$x$$",
+                           "=== \"Tab\"\n    $$x$$",
+                           "[^1]: a\n\n    $$x$$",
+                           "[^1]: $$x$$",
+                           "Term\n:   a\n\n    $$x$$",
+                           "<div>\n\n$$x$$\n\n</div>",
+                           "<details>$$x$$</details>",
+                           "> [!note]\n> $$x$$",
+                           "| a |\n|---|\n| $$x$$ |",
+                           "1. a\n   - b\n\n     $$x$$",
+                           "```{=latex}\n$$x$$\n```"}) {
+    INFO(text);
+    CHECK(markdown(text) == "display <> x\n");
+    CHECK(markdown_complaints(text).empty());
+  }
+  CHECK(markdown_complaints("```{eval-rst}\n.. math:: x\n```") ==
+        "1:1 displays of reStructuredText are not read\n");
 }
 
 TEST_CASE("Markdown: each line of a rigor comment is a directive") {
