@@ -232,8 +232,9 @@ bool is_finite(const PrincipalMoments& principal) {
   return std::isfinite(principal.gaps[0]) && std::isfinite(principal.gaps[1]);
 }
 
-/// Results of so many bits; false where what is not 0 does not stand out of the rounding errors. Those of the
-/// rotations are less than 2^10 units of the greatest entry, and 2^60 beyond them are wanted.
+/// Results of so many bits; false where what is not exactly 0 does not stand out of the rounding errors, also
+/// where it rounds to 0. Those of the rotations are less than 2^10 units of the greatest entry, and 2^60
+/// beyond them are wanted.
 template <unsigned bits>
 bool stands_out(const SharpTensor& tensor, const Zeros& zeros, PrincipalAxes& result) {
   Binary<bits> unit;
@@ -244,16 +245,20 @@ bool stands_out(const SharpTensor& tensor, const Zeros& zeros, PrincipalAxes& re
             [&](std::size_t i, std::size_t j) { return abs(r.a[i][i]) < abs(r.a[j][j]); });
   std::array<Binary<bits>, 2> gaps = {r.a[1][1] - r.a[0][0], r.a[2][2] - r.a[1][1]};
   const std::size_t smaller = gaps[0] <= gaps[1] ? 0 : 1;
-  if (zeros.gaps > 0) gaps[smaller] = 0;
-  if (zeros.gaps > 1) gaps[1 - smaller] = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     auto& value = r.a[by_size[k]][by_size[k]];
-    if (std::cmp_less(k, zeros.moments)) value = 0;
-    if (value != 0 && abs(value) < least) return false;
+    if (std::cmp_less(k, zeros.moments))
+      value = 0;
+    else if (abs(value) < least)
+      return false;
   }
   for (std::size_t k = 0; k < 2; ++k) {
-    if (gaps[k] != 0 && gaps[k] < least) return false;
-    if (gaps[k] == 0) r.a[k + 1][k + 1] = r.a[k][k];
+    const bool is_zero = zeros.gaps == 2 || (zeros.gaps == 1 && k == smaller);
+    if (!is_zero && gaps[k] < least) return false;
+    if (is_zero) {
+      gaps[k] = 0;
+      r.a[k + 1][k + 1] = r.a[k][k];
+    }
     result.principal.gaps[k] = static_cast<double>(gaps[k]);
   }
   for (std::size_t k = 0; k < 3; ++k) {

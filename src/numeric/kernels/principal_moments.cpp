@@ -51,6 +51,12 @@ void put(const MomentsColumns& c, std::size_t at, const std::optional<PrincipalA
   c.state[at] = solved ? MomentsState::mended : MomentsState::none;
 }
 
+/// All three moments are so alike that what the kernel works on is mostly the rounding of their mean, and its
+/// axes, which start from a rotation in doubles, are off by (2^-106/gap)².
+bool has_lost_axes(const MomentsColumns& c, std::size_t at) {
+  return c.axes[0][0] != nullptr && c.gaps[0][at] + c.gaps[1][at] < 0x1p-60 * std::abs(c.moments[2][at]);
+}
+
 /// The results that the kernel got wrong for being small, put right without rotations if that does.
 bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
   const double state = c.state[at];
@@ -194,8 +200,12 @@ void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& k
   check_columns(columns);
   kernels.principal_moments(columns);
   for (std::size_t at = 0; at < columns.count; ++at) {
-    if (columns.state[at] == MomentsState::good) continue;
+    if (columns.state[at] == MomentsState::good && !has_lost_axes(columns, at)) continue;
     const SharpTensor tensor = tensor_of(columns, at);
+    if (columns.state[at] == MomentsState::good) {
+      if (const auto turned = solved_in_many_digits(tensor)) put_axes(columns, at, turned->axes);
+      continue;
+    }
     if (mend(columns, at, tensor)) continue;
     const auto larger = solved_larger(tensor);
     put(columns, at, larger ? larger : solved_in_many_digits(tensor));
