@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The spin of torque_free.h at many times, from quotients of theta functions: DLMF 22.2, and 22.4 (Jacobi's
 // imaginary transformation) for the hyperbolic kind. Every component has a relative error of its own, of
-// about 8 u, next to its zeros too: the zeros are factors, and phases have two parts.
+// about 8 u: its zeros are factors, and phases have two parts, so that a zero is where it is to 1e-21.
 #pragma once
 
 #include "numeric/kernels/elliptic_lanes.h"

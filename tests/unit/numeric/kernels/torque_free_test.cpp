@@ -166,6 +166,75 @@ TEST_CASE("beyond 2^47 turns there is no number, and before the spin is right", 
   }
 }
 
+/// Is every component good to 16 u of itself and what it changes in 2^-62 of a period and 2^-93 of the time?
+/// Returns the worst error in units of 16 u of the component.
+double check_next_to_zeros(const FreeBody& body, const Digits70& period, double time) {
+  const auto motion = TorqueFree::make(body.moments, body.spin);
+  REQUIRE(motion);
+  const Digits70 rest = Digits70(time) - period * floor(Digits70(time) / period);
+  const ReferenceMotion exact = moved(body.moments, at_rest_of(body.spin), rest);
+  const Position found = motion->spin(time);
+  const Digits70 near = period * Digits70(0x1p-62) + Digits70(0x1p-93) * std::abs(time);
+  double worst = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    const Digits70 factor = (Digits70(body.moments[j]) - body.moments[k]) / body.moments[i];
+    const Digits70 change = abs(factor * exact.spin[j] * exact.spin[k]) * near;
+    const Digits70 error = abs(found[i] - exact.spin[i]);
+    INFO(time << " s, component " << i << ": " << found[i]);
+    CHECK(error <= bound * abs(exact.spin[i]) + change);
+    worst = std::max(worst, static_cast<double>(Digits70(error / (bound * abs(exact.spin[i])))));
+  }
+  return worst;
+}
+
+/// Times next to each other between which the component passes through 0, from `from` on.
+std::array<double, 2> zero_of(const TorqueFree& motion, std::size_t component, double from, double step) {
+  double low = from;
+  while (motion.spin(low)[component] * motion.spin(low + step)[component] > 0) low += step;
+  double high = low + step;
+  for (;;) {
+    const double middle = low / 2 + high / 2;
+    if (middle <= low || middle >= high) return {low, high};
+    (motion.spin(low)[component] * motion.spin(middle)[component] > 0 ? low : high) = middle;
+  }
+}
+
+TEST_CASE("where a component passes through 0 the spin is right for a time that is very near") {
+  double worst = 0;
+  for (const FreeBody& body :
+       {FreeBody{{1, 2, 2.5}, {.6, .7, .9}}, FreeBody{{3, 2, 1}, {.1, 1, -.2}},
+        FreeBody{{1, 5, 9}, {3, 1, 1 + 1e-3}}, FreeBody{{1e-3, 1, 1.0005}, {.6, -.7, .2}},
+        FreeBody{{1, 1.3, 2.2}, {1e-3, 2e-3, 1}}}) {
+    const Digits70 period = period_of(body.moments, body.spin);
+    const auto motion = TorqueFree::make(body.moments, body.spin);
+    REQUIRE(motion);
+    const auto turn = static_cast<double>(period);
+    for (const double count : {0., 3.5, 1e4, -1e6, 1e9, 0x1p40, -0x1p45}) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        bool passes = false;
+        for (int k = 0; k < 16; ++k)
+          passes = passes || motion->spin(turn * k / 16)[i] * motion->spin(0)[i] < 0;
+        if (!passes) continue;
+        for (const double time : zero_of(*motion, i, turn * count, turn / 64))
+          worst = std::max(worst, check_next_to_zeros(body, period, time));
+      }
+    }
+  }
+  CHECK(worst > 2);  // 16 u of the component alone does not hold
+}
+
+TEST_CASE("after any number of periods the spin is right for a time that is very near", "[torque free]") {
+  SplitMix random(23);
+  const auto number = [&] { return std::ldexp(static_cast<double>(random.next() >> 11), -53); };
+  for (int k = 0; k < 60; ++k) {
+    const FreeBody body{{1 + number(), 2 + number(), 3 + number()}, {number(), .1 + number(), number()}};
+    const Digits70 period = period_of(body.moments, body.spin);
+    check_next_to_zeros(body, period, static_cast<double>(period) * std::exp2(46 * number()));
+  }
+}
+
 TEST_CASE("needles are right until there is no number", "[torque free]") {
   for (const double thin : {1e-8, 1e-20, 1e-38, 1e-59}) {
     for (const Position& moments : {Position{thin, 1, 1.5}, Position{thin, 1.5 * thin, 1.5}}) {
@@ -266,6 +335,24 @@ TEST_CASE("the textbook's modulus misses the bound: next to the separatrix by fa
   CHECK(error({{1, 5, 9}, {3, 1, 1 + 1e-12}}, 30) > 1e6 * bound);
   CHECK(error({{1, 5, 9}, {3, 1, 1 + 1e-8}}, 30) > 1e3 * bound);
   CHECK(error({{1, 2, 2.5}, {.6, .7, .9}}, 300) > 2 * bound);
+}
+
+TEST_CASE("the rates of a free spin are right to 4 u of what their difference is of", "[torque free]") {
+  SplitMix random(29);
+  const auto number = [&] { return std::ldexp(static_cast<double>(random.next() >> 11), -53); };
+  for (int n = 0; n < 300; ++n) {
+    const double i1 = 1 + number();
+    const Position moments{i1, n % 2 == 0 ? i1 + 1e-12 * number() : 1 + number(), 1 + number()};
+    const Position spin{number() - .5, number() - .5, number() - .5};
+    const Position rates = free_spin_rates(moments, spin);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      const Digits70 size = abs(Digits70(spin[j]) * spin[k] / moments[i]);
+      const Digits70 exact = (Digits70(moments[j]) - moments[k]) * spin[j] * spin[k] / moments[i];
+      CHECK(abs(exact - rates[i]) <= 4 * unit * (moments[j] + moments[k]) * size);
+    }
+  }
 }
 
 TEST_CASE("energy and momentum are kept, and the motion runs on from any of its spins", "[torque free]") {
