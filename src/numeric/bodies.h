@@ -18,12 +18,21 @@ struct PlacedBody {
 };
 
 /// All particles of all parts, about the common centre of mass. Where the inertia of every part is known, so
-/// is the whole's, by the parallel-axis theorem: I = Σ I_p + m_p (d² 1 − d d). No digit is lost where the
-/// parts are far from the origin.
+/// is the whole's, by the parallel-axis theorem in double-double: I = Σ I_p + m_p (d² 1 − d d). No digit is
+/// lost where the parts are far from the origin.
 [[nodiscard]] Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts);
 
-/// Six particles of M/6 at ±√(3 λ_k) along the principal axes of the second moments ∫x_i x_j dm/M about the
-/// centre of mass, λ_k their eigenvalues: the same mass, centre and inertia tensor.
+/// ∫x_i x_j dm/M about the centre of mass, m², and a bound of the error of any of them.
+struct SecondMoments {
+  SharpTensor moments{};
+  double error = 0;
+};
+
+/// Six particles of M/6 at ±√(3 λ_k) along the principal axes of the second moments, λ_k their eigenvalues:
+/// the same mass, centre and inertia tensor. The errors of the body are those of its places from the places
+/// of six such particles of exactly these second moments; `mass_error`: beside the mass.
+[[nodiscard]] Result<Body> equimomental_body(std::string name, double mass, const SecondMoments& second,
+                                             double mass_error = 0);
 [[nodiscard]] Result<Body> equimomental_body(std::string name, double mass,
                                              const InertiaTensor& second_moments);
 

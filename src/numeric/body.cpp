@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +15,9 @@ namespace rigor {
 namespace {
 
 constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
+
+/// Of a centre of mass from sharp sums, beside the extent of its body.
+constexpr double centre_rounding = 0x1p-90;
 
 tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
 
@@ -57,15 +61,58 @@ double away_from(double x, const HighLow& centre) {
   return difference.high + (difference.low - centre.low);
 }
 
+MovedCoordinates moved_coordinates(const double* coordinates, std::size_t count, std::size_t stride,
+                                   const HighLow& centre, double unit) {
+  MovedCoordinates moved;
+  moved.values.resize(count);
+  moved.rounded = unit != 1;
+  double extent = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = coordinates[stride * k];
+    moved.rounded = moved.rounded || baseline::exact_difference(x, centre.high).low != centre.low;
+    moved.values[k] = away_from(x, centre) * unit;
+    extent = std::max(extent, std::abs(moved.values[k]));
+  }
+  moved.shift = centre_rounding * extent + 0x1p-103 * std::abs(centre.high * unit) + 0x1p-1073;
+  return moved;
+}
+
 Result<Body> centred(Body body) {
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
   const auto centre = sharp_centre_of_mass(points_of(body));
   if (!centre) return tl::unexpected(centre.error());
+  bool rounded = false;
+  double shift = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (double& x : body.positions[axis]) x = away_from(x, (*centre)[axis]);
+    auto moved = moved_coordinates(body.positions[axis].data(), body.size(), 1, (*centre)[axis]);
+    body.positions[axis] = std::move(moved.values);
+    rounded = rounded || moved.rounded;
+    shift = std::max(shift, moved.shift);
   }
+  // Errors that are relative to the coordinates before are to the coordinates now and to the shift.
+  const auto far = [](const HighLow& x) { return std::abs(x.high); };
+  const double moved_by = std::max({far((*centre)[0]), far((*centre)[1]), far((*centre)[2])});
+  body.errors.shift += shift + body.errors.place * moved_by * (1 + 0x1p-40);
+  if (rounded) body.errors.place += 0x1.01p-53;
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
   return body;
+}
+
+std::optional<KnownInertia> known_inertia(const SharpMassSums& sums, double unit) {
+  KnownInertia known{.mass = sums.mass.high, .is_sharp = true, .mass_error = 0x1p-53};
+  double greatest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const HighLow& entry = sums.inertia[i][j];
+      const auto moment = baseline::DoubleDouble<double>{entry.high, entry.low} * unit * unit;
+      known.inertia[i][j] = moment.high;
+      known.low[i][j] = moment.low;
+      greatest = std::max(greatest, std::abs(moment.high));
+    }
+  }
+  known.error = (sums.error + 0x1p-100) * greatest;
+  if (!std::isfinite(greatest) || !std::isfinite(known.error)) return std::nullopt;
+  return known;
 }
 
 Result<Body> point_masses(std::string name, const std::vector<double>& masses,
@@ -76,6 +123,7 @@ Result<Body> point_masses(std::string name, const std::vector<double>& masses,
   for (const Position& position : positions) {
     for (std::size_t axis = 0; axis < 3; ++axis) body.positions[axis].push_back(position[axis]);
   }
+  if (const auto sums = sharp_mass_sums(points_of(body))) body.known = known_inertia(*sums);
   return centred(std::move(body));
 }
 

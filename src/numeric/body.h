@@ -19,12 +19,23 @@ using Position = std::array<double, 3>;
 /// I_ij = Σ m (r² δ_ij − x_i x_j), row by row; products of inertia carry the minus.
 using InertiaTensor = std::array<Position, 3>;
 
-/// What is known of a body without summing over its particles.
+/// What is known of a body without summing over its particles as they are held.
 struct KnownInertia {
   double mass = 0;
   InertiaTensor inertia{};  // about the centre of mass, along the body's axes
   InertiaTensor low{};      // to be added to it
-  bool is_sharp = false;    // inertia + low is what is said of the body, to 100 bits
+  bool is_sharp = false;    // inertia + low is what is said of the body, to `error`
+  double error = 0;         // kg m², bound of the error of any entry
+  double mass_error = 0;    // bound, beside the mass
+};
+
+/// How far masses and places, as they are held, may be from those of the body that was described: bounds. The
+/// described body is that of the doubles that were given, in SI units.
+struct BodyErrors {
+  double mass = 0;                               // of each, beside itself
+  double place = 0;                              // of each coordinate, beside itself,
+  double shift = 0;                              // m, and on top of that,
+  std::array<std::vector<double>, 3> each = {};  // and of this one of this particle, unless it is empty
 };
 
 /// Made by the functions below, which guarantee what `check_body` asks for, and that the centre of mass is
@@ -33,8 +44,9 @@ struct Body {
   std::string name;
   std::vector<double> masses;
   std::array<std::vector<double>, 3> positions;  // x, y and z of all particles
-  std::optional<KnownInertia> known = {};        // of the solid that the particles stand for
-  std::string title = {};                        // in words, for reports; may be empty
+  std::optional<KnownInertia> known = {};  // of the solid that the particles stand for, or where they were
+  std::string title = {};                  // in words, for reports; may be empty
+  BodyErrors errors = {};
 
   [[nodiscard]] std::size_t size() const { return masses.size(); }
   [[nodiscard]] Position position(std::size_t particle) const {
@@ -55,11 +67,24 @@ struct Body {
 [[nodiscard]] double away_from(double x, const HighLow& centre);
 
 /// Checks a body and moves its centre of mass, known to 100 bits, to the origin: coordinates are rounded
-/// as `away_from` says. Residue: u times its mean distance from there at most, wherever it was before, as far
-/// as its coordinates had the digits. Cost: O(N).
+/// as `away_from` says, which is added to the errors. Residue: u times its mean distance from there at most,
+/// wherever it was before, as far as its coordinates had the digits. Cost: O(N).
 [[nodiscard]] Result<Body> centred(Body body);
 
-/// Point masses at given places, about their own centre of mass.
+/// x − centre for all coordinates x along an axis, times the unit, with bounds of what that rounds.
+struct MovedCoordinates {
+  std::vector<double> values;
+  bool rounded = false;  // by u of itself, or twice that if by the unit, too
+  double shift = 0;      // m
+};
+[[nodiscard]] MovedCoordinates moved_coordinates(const double* coordinates, std::size_t count,
+                                                 std::size_t stride, const HighLow& centre, double unit = 1);
+
+/// What is known of the inertia of points from their sharp sums, in units of which one is `unit` m; nothing
+/// where that overflows.
+[[nodiscard]] std::optional<KnownInertia> known_inertia(const SharpMassSums& sums, double unit = 1);
+
+/// Point masses at given places, about their own centre of mass; their inertia is known as it was there.
 [[nodiscard]] Result<Body> point_masses(std::string name, const std::vector<double>& masses,
                                         const std::vector<Position>& positions);
 

@@ -56,15 +56,24 @@ std::size_t threads_for(std::size_t points) {
 
 /// Points at (x − centre) unit, where `centre` is theirs: rounded as `away_from` says, and once by the unit.
 Result<Body> about_centre(std::string name, const PointColumns& points, double unit) {
-  const auto centre = sharp_centre_of_mass(points, {threads_for(points.count)});
-  if (!centre) return tl::unexpected(centre.error());
+  const SumOptions options{threads_for(points.count)};
   Body body{std::move(name), {}, {}, {}};
+  SharpPosition centre{};
+  if (const auto sums = sharp_mass_sums(points, options)) {
+    centre = sums->centre;
+    body.known = known_inertia(*sums, unit);
+  } else if (const auto alone = sharp_centre_of_mass(points, options)) {  // where the inertia overflows
+    centre = *alone;
+  } else {
+    return tl::unexpected(alone.error());
+  }
   body.masses.resize(points.count);
   for (std::size_t k = 0; k < points.count; ++k) body.masses[k] = points.mass[points.stride * k];
   for (std::size_t i = 0; i < 3; ++i) {
-    body.positions[i].resize(points.count);
-    for (std::size_t k = 0; k < points.count; ++k)
-      body.positions[i][k] = away_from(points.position[i][points.stride * k], (*centre)[i]) * unit;
+    auto moved = moved_coordinates(points.position[i], points.count, points.stride, centre[i], unit);
+    body.positions[i] = std::move(moved.values);
+    if (moved.rounded) body.errors.place = 0x1.01p-52;
+    body.errors.shift = std::max(body.errors.shift, moved.shift);
   }
   if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
   return body;

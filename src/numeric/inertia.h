@@ -13,8 +13,8 @@ namespace rigor {
 [[nodiscard]] Result<Position> centre_of_mass(const Body& body);
 
 /// About the body's centre of mass, along its axes, wherever the body is: see `mass_sums`. Cost: one pass,
-/// 0.6 ns a particle where there are lanes of 8. Error: 24 u relative to the greatest entry at most, 2 u as
-/// measured. Fails where a body is invalid or a sum overflows.
+/// 0.6 ns a particle where there are lanes of 8. Error: that of `mass_sums`, 24 u relative to the greatest
+/// entry but for underflow, 2 u as measured. Fails where a body is invalid or a sum overflows.
 [[nodiscard]] Result<InertiaTensor> inertia_tensor(const Body& body);
 
 /// The same as high + low, for differences of moments. Cost: 3 ns a particle. Error: 2^-100 relative to the

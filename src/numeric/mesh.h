@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "numeric/body.h"
+#include "numeric/kernels/mesh_sums.h"
 
 namespace rigor {
 
@@ -36,16 +37,26 @@ struct MeshMass {
   InertiaTensor second_moments{};  // ∫x_i x_j dV / V about the centre, m²: not an inertia tensor yet
   bool turned = false;             // the triangles were clockwise, all of them
   std::size_t degenerate = 0;      // triangles without an area, which do no harm
+  bool is_sharp = false;           // everything was summed in double-double: what follows is known
+  InertiaTensor low{};             // to be added to the second moments
+  double volume_error = 0;         // bounds of errors: beside the volume,
+  double error = 0;                // of any second moment, m²
 };
 
-/// Welds, checks and sums up (`kernels/mesh_sums.h`: formula, source and error). Where the volume is
-/// negative, all triangles are turned. Fails where a corner is no vertex, a coordinate is not finite, the
-/// surface is open, the volume cannot be told from 0, or something overflows. Cost: 37 ns a triangle up
-/// to 3e4 triangles, of which the sums are 5.5; 43 ns at 1e5 and 100 ns from 5e5 on, where its tables leave
-/// the caches.
-[[nodiscard]] Result<MeshMass> mesh_mass(const Mesh& mesh);
+/// In lengths of which one is `unit` of the mesh's. Fails where something overflows.
+[[nodiscard]] Result<MeshMass> in_unit(MeshMass enclosed, double unit);
 
-/// The homogeneous body of that mass as six particles (`equimomental_body`), along the axes of the mesh.
-[[nodiscard]] Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass);
+/// Welds, checks and sums up (`kernels/mesh_sums.h`: formula, source and error; where that loses digits,
+/// `mesh_parts.h`). Where the volume is negative, all triangles are turned. Fails where a corner is no
+/// vertex, a coordinate is not finite, the surface is open, the volume cannot be told from 0, or something
+/// overflows. Cost: 37 ns a triangle up to 3e4 triangles, of which the sums are 5.5; 43 ns at 1e5 and 100 ns
+/// from 5e5 on, where its tables leave the caches.
+[[nodiscard]] Result<MeshMass> mesh_mass(const Mesh& mesh,
+                                         MeshSharpness sharpness = MeshSharpness::if_needed);
+
+/// The homogeneous body of that mass as six particles (`equimomental_body`), along the axes of the mesh;
+/// `mass_error`: beside the mass.
+[[nodiscard]] Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass,
+                                     double mass_error = 0);
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -126,7 +127,7 @@ Result<void> check_shape(const Shape& shape) {
 Result<KnownInertia> inertia_of(const Shape& shape) {
   if (const auto checked = check_shape(shape); !checked) return tl::unexpected(checked.error());
   const ShapeInfo& kind = info(shape.kind);
-  KnownInertia known{.mass = shape.mass, .inertia = {}, .low = {}, .is_sharp = true};
+  KnownInertia known{.mass = shape.mass, .is_sharp = true};
   using Number = baseline::DoubleDouble<double>;
   const auto second_moment = [&](std::size_t k) {
     const Number square = baseline::exact_product(shape.extents[k], shape.extents[k]);
@@ -138,6 +139,7 @@ Result<KnownInertia> inertia_of(const Shape& shape) {
       return refuse(fmt::format("the {}'s moments of inertia overflow", kind.name));
     known.inertia[i][i] = moment.high;
     known.low[i][i] = moment.low;
+    known.error = std::max(known.error, 0x1p-100 * moment.high + 0x1p-1073);  // 45 v
   }
   return known;
 }
@@ -153,7 +155,9 @@ Result<Body> quadrature_body(std::string name, const Shape& shape) {
   Body body{std::move(name),
             std::vector<double>(points.size(), shape.mass / static_cast<double>(points.size())),
             {},
-            *known};
+            *known,
+            {},
+            {.place = 4 * 0x1p-53}};
   for (const Position& point : points) {
     for (std::size_t k = 0; k < 3; ++k) body.positions[k].push_back(point[k]);
   }
@@ -167,7 +171,9 @@ Result<Body> sampled_body(std::string name, const Shape& shape, std::size_t coun
   if (count > most_particles)
     return refuse(fmt::format("the body has {} particles, at most {}", count, most_particles));
   SplitMix bits(seed);
-  Body body{std::move(name), std::vector<double>(count, shape.mass / static_cast<double>(count)), {}, *known};
+  Body body{
+      std::move(name),  std::vector<double>(count, shape.mass / static_cast<double>(count)), {}, *known, {},
+      {.mass = 0x1p-53}};
   for (std::size_t i = 0; i < count; ++i) {
     const Position unit = draw(shape.kind, bits);
     for (std::size_t k = 0; k < 3; ++k) body.positions[k].push_back(unit[k] * shape.extents[k]);

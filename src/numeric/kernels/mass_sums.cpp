@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/check.h"
@@ -37,6 +38,7 @@ struct PointMoments {
   std::array<std::array<Number, 3>, 3> inertia;
   double greatest = 0;        // entry
   double error = 0;           // relative to it
+  double underflow = 0;       // the part of it that is due to underflow
   double moved_fraction = 0;  // greatest ε_i
 };
 
@@ -176,7 +178,8 @@ class MomentFinder {
       RIGOR_CHECK(is_finite(sums), scale_.length, scale_.mass);
     }
     PointMoments moments = moved_to_centre(sums, centre_, roundings);
-    if (scaled_ && !coincident_) moments.error += underflow_error(moments);
+    if (scaled_ && !coincident_) moments.underflow = underflow_error(moments);
+    moments.error += moments.underflow;
     return moments;
   }
 
@@ -219,9 +222,17 @@ SharpPosition unscaled_centre(const MomentFinder::FoundMoments& found) {
   return centre;
 }
 
+/// The bound of `SharpMassSums`, beside the greatest entry.
+double sharp_error(const PointMoments& moments, double greatest) {
+  if (moments.greatest == 0) return 0;  // all points are at one place
+  if (!(greatest >= 0x1p-900)) return std::numeric_limits<double>::infinity();
+  return 0x1p-91 + moments.underflow;
+}
+
 Result<SharpMassSums> unscaled(const MomentFinder::FoundMoments& found) {
   const auto& [moments, scale, compensated] = found;
   SharpMassSums result;
+  result.error = sharp_error(moments, std::ldexp(moments.greatest, -scale.mass - 2 * scale.length));
   result.mass = scaled(moments.mass, -scale.mass);
   if (!std::isfinite(result.mass.high)) return refuse("the sum of the masses overflows");
   result.centre = unscaled_centre(found);

@@ -70,6 +70,7 @@ struct SharpMassSums {
   HighLow mass;
   SharpPosition centre{};
   SharpTensor inertia{};  // about the centre of mass
+  double error = 0;  // bound on the error of every entry, relative to the greatest; infinite below 2^-900
 };
 
 /// The same as high + low. Cost: 152 operations a point where there is a fused multiply-add. Error: 2^-91

@@ -111,6 +111,33 @@ Scaled scaled_moments(const MeshTotals& totals) {
   return moments;
 }
 
+/// Rounding of everything but the sums: a dozen operations of at most 15 v, v = 2^-106.
+constexpr double later_rounding = 0x1p-97;
+
+/// Of the scaled moments; `rounding` is that of ΣD. For coordinates of at most 1 in size |s| ≤ 3 and |a_i a_j
+/// + …| ≤ 12, so that the sums with them lack at most 3 and 12 times as much.
+MeshErrors scaled_errors(const Scaled& moments, double six_volumes, double rounding) {
+  MeshErrors errors;
+  const double lost = rounding / (std::abs(six_volumes) - rounding);
+  errors.volume = lost + later_rounding;
+  for (std::size_t i = 0; i < 3; ++i)
+    errors.centre[i] = lost * (3 / 4. + std::abs(moments.centre[i].high)) +
+                       later_rounding * std::abs(moments.centre[i].high);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double fi = std::abs(moments.centre[i].high);
+      const double fj = std::abs(moments.centre[j].high);
+      const double sum = std::abs(moments.second[i][j].high) + fi * fj;  // ∫x_i x_j dV / V, or more
+      const double error = lost * (12 / 20. + sum) + fi * errors.centre[j] + fj * errors.centre[i] +
+                           errors.centre[i] * errors.centre[j] + later_rounding * (sum + fi * fj);
+      errors.second_moments[i][j] = errors.second_moments[j][i] = error * (1 + 0x1p-20);
+    }
+    errors.greatest =
+        std::max(errors.greatest, errors.second_moments[i][i] / std::abs(moments.second[i][i].high));
+  }
+  return errors;
+}
+
 /// Does the body fill 1/32 of its vertices' box, which has between 1 and 8 in the scaled axes? Then vertices
 /// that are no corners cost no digits.
 bool fills_box(const MeshTotals& totals) { return std::abs(totals.volume[0]) >= 6 * 8 / 32.; }
@@ -127,9 +154,12 @@ bool keeps_digits(const MeshTotals& totals, bool exact, const Scaled& moments) {
 }
 
 /// Back to metres. Fails where a number overflows.
-Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, const std::array<Axis, 3>& axes) {
+Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, const std::array<Axis, 3>& axes,
+                              const MeshErrors& errors) {
+  constexpr double last_place = 0x1p-1073;  // of two parts
   MeshMoments moments;
   moments.flat = totals.flat;
+  moments.errors = errors;
   const Sharp volume = sharp(totals.volume) / Sharp{6, 0};
   moments.volume = scaled(volume, axes[0].exponent + axes[1].exponent + axes[2].exponent);
   if (!std::isfinite(moments.volume.high)) return refuse("the volume overflows");
@@ -139,9 +169,13 @@ Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, cons
     const HighLow centre = scaled(from.centre[i], axes[i].exponent);
     const Sharp sum = Sharp{centre.high, centre.low} + axes[i].origin;
     moments.centre[i] = {sum.high, sum.low};
+    moments.errors.centre[i] =
+        std::ldexp(errors.centre[i], axes[i].exponent) + 0x1p-104 * std::abs(sum.high) + last_place;
     for (std::size_t j = 0; j <= i; ++j) {
       moments.second_moments[i][j] = scaled(from.second[i][j], axes[i].exponent + axes[j].exponent);
       moments.second_moments[j][i] = moments.second_moments[i][j];
+      moments.errors.second_moments[i][j] = moments.errors.second_moments[j][i] =
+          std::ldexp(errors.second_moments[i][j], axes[i].exponent + axes[j].exponent) + last_place;
       if (!std::isfinite(moments.second_moments[i][j].high)) return refuse("the second moments overflow");
     }
   }
@@ -149,6 +183,7 @@ Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, cons
 }
 
 constexpr std::size_t few_triangles = 256;
+constexpr double least_known = 0x1p-30;
 
 /// The vertices that are corners, in their order, and the triangles of them.
 Mesh without_unused(std::span<const Position> vertices, Triangles triangles) {
@@ -175,6 +210,20 @@ bool are_all_used(std::size_t vertices, Triangles triangles) {
 }
 
 }  // namespace
+
+Result<void> check_second_moments(const std::array<double, 3>& moments, const MeshErrors& errors) {
+  if (!(errors.greatest < least_known))
+    return refuse(
+        fmt::format("the mesh encloses too little of its box: a second moment is known to {:.0e} of itself "
+                    "only",
+                    errors.greatest));
+  for (const double moment : moments)
+    if (!(moment > 0))
+      return refuse(
+          "the second moments are not positive: the surface passes through itself, or one of several is "
+          "turned inside out");
+  return {};
+}
 
 Result<void> check_corners(std::size_t vertices, Triangles triangles, const LaneKernels& kernels) {
   if (triangles.empty()) return {};
@@ -227,13 +276,11 @@ Result<MeshMoments> mesh_moments(std::span<const Position> vertices, Triangles t
   for (const Axis& axis : axes)
     if (!axis.has_extent) return refuse("the mesh encloses no volume");
   if (std::abs(totals.volume[0]) <= rounding) return refuse("the mesh encloses no volume");
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!(moments.second[i][i].high > 0))
-      return refuse(
-          "the second moments are not positive: the surface passes through itself, or one of several is "
-          "turned "
-          "inside out");
-  Result<MeshMoments> result = in_metres(totals, moments, axes);
+  const MeshErrors errors = scaled_errors(moments, totals.volume[0], rounding);
+  const auto checked = check_second_moments(
+      {moments.second[0][0].high, moments.second[1][1].high, moments.second[2][2].high}, errors);
+  if (!checked) return tl::unexpected(checked.error());
+  Result<MeshMoments> result = in_metres(totals, moments, axes, errors);
   if (result) result->sharp = is_sharp;
   return result;
 }

@@ -2,6 +2,7 @@
 // Volume, centre and second moments of what a triangle mesh encloses, wherever the mesh is and however thin.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -11,6 +12,14 @@
 
 namespace rigor {
 
+/// Bounds of what the sums of a mesh in double-double lack, the last rounding to high + low included.
+struct MeshErrors {
+  double volume = 0;                                      // of itself
+  std::array<double, 3> centre{};                         // m
+  std::array<std::array<double, 3>, 3> second_moments{};  // m²
+  double greatest = 0;                                    // of the second moments ii, beside themselves
+};
+
 /// With a density of 1. The low parts are right if everything was summed in double-double (`sharp`), else 0
 /// but for the volume.
 struct MeshMoments {
@@ -19,7 +28,12 @@ struct MeshMoments {
   SharpTensor second_moments;  // ∫x_i x_j dV / V about the centre, m²
   bool sharp = false;
   std::size_t flat = 0;  // triangles in a plane with the point that the tetrahedra share, to 2^-99
+  MeshErrors errors;     // if `sharp`; else of what cancels in the determinants alone
 };
+
+/// Are the second moments ii those of a body, and known to 2^-30 of themselves?
+[[nodiscard]] Result<void> check_second_moments(const std::array<double, 3>& moments,
+                                                const MeshErrors& errors);
 
 /// Is every corner a vertex, and are there between 1 and 2^31 vertices? The reason names the first triangle
 /// of which one is not, from 1.
@@ -42,11 +56,13 @@ enum class MeshSharpness { if_needed, always };
 /// (a_i² + …) is more than 4 times what the second moment leaves of it: for hollow and for crooked thin
 /// bodies; 1 ns more where the body fills less than 1/32 of its vertices' box, to look for unused ones. Error
 /// for the coordinates as they are, at distances up to 1e12 and thicknesses down to 1e-8, measured by
-/// mesh_sums_test: volume 0.9 u; centre 1 u of each coordinate or of √(ii); second moment ij 3 u √(ii
-/// jj): 1.2 u on most, 1.7 u on small ellipsoids of unlike axes. Sharp: 2^-97 of that times the volume of the
-/// mesh's box over V. Fails where a corner is no vertex, a coordinate is not finite, the volume cannot be
-/// told from 0 (the bound is proved in mesh_sums.cpp and below 1e-24 of the box's volume for 1e4 triangles),
-/// a moment is not positive (a surface through itself, or one of several inside out), or something overflows.
+/// mesh_sums_test for surfaces of one part: volume 0.9 u; centre 1 u of each coordinate or of √(ii); second
+/// moment ij 3 u √(ii jj): 1.2 u on most, 1.7 u on small ellipsoids of unlike axes. Sharp: `errors`, proved
+/// in mesh_sums.cpp; some N 2^-97 of the volume of the mesh's box over V. Parts that are small beside the box
+/// are lost in it: `mesh_parts.h` takes each by itself. Fails where a corner is no vertex, a coordinate is
+/// not finite, the volume cannot be told from 0 (below 1e-24 of the box's volume for 1e4 triangles), a second
+/// moment ii is known to less than 2^-30 of itself or not positive (a surface through itself, or one of
+/// several inside out), or something overflows.
 [[nodiscard]] Result<MeshMoments> mesh_moments(std::span<const Position> vertices,
                                                std::span<const std::array<std::uint32_t, 3>> triangles,
                                                MeshSharpness sharpness = MeshSharpness::if_needed,

@@ -57,7 +57,7 @@ TEST_CASE("an offset along a diagonal makes products of inertia") {
 
 TEST_CASE("with a part whose inertia is not known, the whole's is not") {
   const Body ball = *quadrature_body("ball", {ShapeKind::sphere, 1, {1, 1, 1}});
-  const Body point = *point_masses("point", {1}, {{0, 0, 0}});
+  const Body point = *random_cloud("point", 1, 1);
   CHECK_FALSE(joined("both", {{ball, {1, 0, 0}}, {point, {0, 0, 0}}})->known);
   CHECK(joined("none", {}).error().reason == "the body has no parts");
 }

@@ -44,6 +44,13 @@ TEST_CASE("the sharp inertia tensor of a nearly symmetric body keeps the differe
   CHECK(sharp_inertia_tensor(Body{}).error().reason == "the body has no particles");
 }
 
+TEST_CASE("a total mass is rounded once, however unlike the masses are") {
+  Body body{"unlike", {1, 0x1p-53, 0x1p-53, 0x1p-60, 1e-30}, {}, {}};
+  CHECK(total_mass(body) == 1 + 0x1p-52);
+  body.masses = {1e16, 1, -0.0, 1, 1e-3};
+  CHECK(total_mass(body) == 1e16 + 2);
+}
+
 TEST_CASE("a total mass that overflows is infinite") {
   Body body{"heavy", {1e308, 1e308}, {}, {}};
   CHECK(total_mass(body) == std::numeric_limits<double>::infinity());

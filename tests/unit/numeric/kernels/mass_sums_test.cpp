@@ -178,6 +178,8 @@ TEST_CASE("sharp inertia of points keeps 100 bits in every family, plain inertia
       const auto sums = sharp_mass_sums(cloud.points());
       REQUIRE(sums);
       CHECK(exact.error_of(sums->inertia) <= sharp_bound);
+      CHECK(exact.error_of(sums->inertia) <= sums->error);
+      CHECK(sums->error <= 0x1p-90);
       CHECK(abs(exact.mass - sums->mass.high - sums->mass.low) <= sharp_bound * exact.mass);
       const WideFloat extent = sqrt(exact.greatest / exact.mass);
       for (std::size_t i = 0; i < 3; ++i)
@@ -289,6 +291,9 @@ TEST_CASE("the bound that comes with sums over points holds where masses and len
     REQUIRE(sums);
     CHECK(exact.error_of(sums->inertia) <= sums->error);
     CHECK(sums->error <= limit);
+    const auto sharp = sharp_mass_sums(cloud.points());
+    REQUIRE(sharp);
+    CHECK(exact.error_of(sharp->inertia) <= sharp->error);
   };
   PointCloud light = cube_cloud(500, 0, 7);
   light.name = "a mass among light ones";
