@@ -14,8 +14,9 @@ BoundedResults evaluate_with_bounds(const Program& program, const Samples& sampl
   std::vector<std::vector<Bounded>> columns(program.inputs().size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Column& column = *samples.find(program.inputs()[i].symbol, program.inputs()[i].component);
-    for (const double value : column.values) {
-      const double error = uncertainty * std::abs(value) + std::abs(column.low);
+    for (std::size_t n = 0; n < column.values.size(); ++n) {
+      const double value = column.values[n];
+      const double error = uncertainty * std::abs(value) + std::abs(column.low) + column.error(n);
       columns[i].push_back(error == 0.0 ? Bounded(value) : Bounded(value, error + Bounded::least));
     }
     engine.bind(i, {columns[i].data(), column.sample_stride, column.particle_stride});

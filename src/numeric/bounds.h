@@ -25,9 +25,17 @@ struct BoundedResults {
   std::vector<double> bounds;  // of |value − exact|
 };
 
-/// `uncertainty`: every input is known only to within this times its size; 0: the doubles are exact.
+/// `uncertainty`: every input is known only to within this times its size, on top of the samples' own errors;
+/// 0: the doubles are exact.
 [[nodiscard]] BoundedResults evaluate_with_bounds(const Program& program, const Samples& samples,
                                                   double uncertainty = 0.0,
                                                   std::span<const std::uint32_t> at = {});
+
+/// Bounds of |value − exact|, for values of any arithmetic and order of summation, and for any exact inputs
+/// within the errors of the samples (low parts included). From `evaluate_with_bounds`, and, where inputs have
+/// low parts and nothing is summed over particles, from 100 digits with a bound (`run_bounded_decimal.h`):
+/// the lesser one. Infinite where neither knows any.
+[[nodiscard]] std::vector<double> error_bounds(const Program& program, const Samples& samples,
+                                               std::span<const double> values);
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 // upwards, by 2^-49 at most.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -31,6 +32,15 @@ class Magnitude {
 
   [[nodiscard]] bool is_zero() const { return m_ == 0.0; }
   [[nodiscard]] bool is_finite() const { return m_ < std::numeric_limits<double>::infinity(); }
+
+  /// At least this, as a double.
+  [[nodiscard]] double rounded_up() const {
+    if (m_ == 0.0 || !is_finite()) return m_;
+    const int exponent = static_cast<int>(std::clamp<std::int64_t>(exponent_, -1100, 1100));
+    const double value = std::ldexp(m_, exponent);
+    return value < std::numeric_limits<double>::min() ? value + std::numeric_limits<double>::denorm_min()
+                                                      : value;
+  }
 
   friend bool operator<(const Magnitude& x, const Magnitude& y) {
     if (x.is_zero() || !y.is_finite()) return x.m_ < y.m_;

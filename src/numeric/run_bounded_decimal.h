@@ -23,6 +23,13 @@ struct BoundedDecimal {
   explicit BoundedDecimal(double exact) : undefined(!std::isfinite(exact)) {
     if (!undefined) value = exact;
   }
+  /// An input: high + low to within `error`.
+  [[nodiscard]] static BoundedDecimal with_error(double high, double low, double error) {
+    BoundedDecimal input(high);
+    if (!input.undefined && low != 0) input = BoundedDecimal(T(input.value + low), Magnitude());
+    if (error != 0) input.bound = input.bound + Magnitude(error);
+    return input;
+  }
   /// A rounded result, with the error that its operands bring along.
   BoundedDecimal(const T& rounded, const Magnitude& carried, int lost_bits = 0) {
     if (!boost::multiprecision::isfinite(rounded)) {

@@ -9,6 +9,16 @@
 
 namespace rigor {
 
+/// With its error, if the number has one.
+template <class T>
+T input_of(const Column& column, std::size_t n) {
+  const double value = column.values[n];
+  if constexpr (requires { T::with_error(value, value, value); })
+    return T::with_error(value, column.low, column.error(n));
+  else
+    return column.low == 0 ? T(value) : T(value) + T(column.low);
+}
+
 /// The columns of samples as inputs of an engine; those that are not doubles already are rounded here.
 template <class T>
 class BoundColumns {
@@ -23,8 +33,7 @@ class BoundColumns {
       } else {
         std::vector<T>& own = rounded_.emplace_back();
         own.reserve(column.values.size());
-        for (const double value : column.values)
-          own.push_back(column.low == 0 ? T(value) : T(value) + T(column.low));
+        for (std::size_t n = 0; n < column.values.size(); ++n) own.push_back(input_of<T>(column, n));
         data = own.data();
       }
       engine.bind(i, {data, column.sample_stride, column.particle_stride});

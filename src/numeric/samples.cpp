@@ -48,11 +48,19 @@ void Samples::set_particles_each(SymbolId symbol, std::uint32_t component, std::
   put(symbol, component, std::move(values), 1, samples_);
 }
 
+void Samples::set_errors(SymbolId symbol, std::uint32_t component, std::vector<double> errors) {
+  Column& column = columns_.at({symbol, component});
+  RIGOR_CHECK(errors.size() == 1 || errors.size() == column.values.size(), errors.size(),
+              column.values.size());
+  column.errors = std::make_shared<const std::vector<double>>(std::move(errors));
+}
+
 Samples Samples::only(std::span<const std::size_t> which) const {
   Samples chosen(which.size(), particles_);
   for (const auto& [key, column] : columns_) {
     if (column.sample_stride == 0) {
       chosen.columns_[key] = column;
+      chosen.columns_[key].errors = nullptr;
       continue;
     }
     const std::size_t particles = column.particle_stride == 0 ? 1 : particles_;
@@ -68,7 +76,10 @@ Samples Samples::only(std::span<const std::size_t> which) const {
 
 Samples Samples::rounded_to_double() const {
   Samples rounded = *this;
-  for (auto& [key, column] : rounded.columns_) column.low = 0;
+  for (auto& [key, column] : rounded.columns_) {
+    column.low = 0;
+    column.errors = nullptr;
+  }
   return rounded;
 }
 

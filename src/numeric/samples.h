@@ -34,8 +34,15 @@ struct Column {
   ColumnValues values;
   std::size_t sample_stride = 0;
   std::size_t particle_stride = 0;
-  std::shared_ptr<const std::vector<double>> owned = {};  // what `values` shows, unless it is borrowed
-  double low = 0;                                         // to be added to a value that is the same for all
+  std::shared_ptr<const std::vector<double>> owned = {};   // what `values` shows, unless it is borrowed
+  double low = 0;                                          // to be added to a value that is the same for all
+  std::shared_ptr<const std::vector<double>> errors = {};  // bounds, of each value or of all; none: exact
+
+  /// Of how far the exact number may be from value n and the low part.
+  [[nodiscard]] double error(std::size_t n) const {
+    if (errors == nullptr) return 0;
+    return errors->size() == 1 ? errors->front() : (*errors)[n];
+  }
 };
 
 class Samples {
@@ -58,9 +65,13 @@ class Samples {
   /// One for each particle of each sample: values[particle · samples + sample].
   void set_particles_each(SymbolId symbol, std::uint32_t component, std::vector<double> values);
 
-  /// Some of the samples, in the given order; one may be taken several times.
+  /// Bounds of the errors of what was put there: one for each value, or one for all. Arithmetic with bounds
+  /// reads them.
+  void set_errors(SymbolId symbol, std::uint32_t component, std::vector<double> errors);
+
+  /// Some of the samples, in the given order; one may be taken several times. Without errors.
   [[nodiscard]] Samples only(std::span<const std::size_t> which) const;
-  /// The same without low parts.
+  /// The same without low parts and errors.
   [[nodiscard]] Samples rounded_to_double() const;
   /// The same with every number as the nearest float.
   [[nodiscard]] Samples rounded_to_float() const;

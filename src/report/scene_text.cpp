@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "base/utf8.h"
@@ -24,11 +25,30 @@ std::string padded(const std::string& text, std::size_t width) {
 /// Ten digits: more than a body's data have.
 std::string number(double value) { return fmt::format("{:.10g}", value == 0 ? 0.0 : value); }
 
-std::string tuple(const std::vector<double>& values, std::size_t from, std::size_t count) {
-  if (count == 1) return number(values[from]);
+/// As many as it takes to read the same double again: for a number with a bound of its error.
+std::string all_digits(double value) { return fmt::format("{}", value == 0 ? 0.0 : value); }
+
+std::string tuple(const std::vector<double>& values, std::size_t from, std::size_t count,
+                  std::string (*digits)(double) = number) {
+  if (count == 1) return digits(values[from]);
   std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "(" : ", ") + number(values[from + i]);
+  for (std::size_t i = 0; i < count; ++i) text += (i == 0 ? "(" : ", ") + digits(values[from + i]);
   return text + ")";
+}
+
+/// With two digits, and never less.
+std::string rounded_up(double bound) {
+  const std::string nearest = fmt::format("{:.1e}", bound);
+  double printed = 0;
+  std::from_chars(nearest.data(), nearest.data() + nearest.size(), printed);
+  if (printed >= bound) return nearest;
+  return fmt::format("{:.1e}", bound + 0.5 * std::pow(10, std::floor(std::log10(bound)) - 1));
+}
+
+std::string print_error(const std::vector<double>& errors) {
+  const double worst = *std::max_element(errors.begin(), errors.end());
+  if (!std::isfinite(worst)) return "no bound of the rounding errors is known";
+  return "rounding errors are at most " + rounded_up(worst);
 }
 
 std::string unit_of(const SceneQuantity& quantity) {
@@ -40,13 +60,13 @@ std::string print_quantity(const SceneQuantity& quantity) {
   const std::size_t row = quantity.axes >= 2 ? 3 : quantity.value.size();
   std::string text;
   for (std::size_t from = 0; from < quantity.value.size(); from += row) {
-    text += "  " + padded(from == 0 ? quantity.source : "", name_width) + tuple(quantity.value, from, row);
+    text += "  " + padded(from == 0 ? quantity.source : "", name_width) +
+            tuple(quantity.value, from, row, quantity.error.empty() ? number : all_digits);
     if (from == 0) text += unit_of(quantity);
     text += '\n';
   }
   if (quantity.error.empty()) return text;
-  const double worst = *std::max_element(quantity.error.begin(), quantity.error.end());
-  return text + "  " + padded("", name_width) + fmt::format("rounding errors are at most {:.1e}\n", worst);
+  return text + "  " + padded("", name_width) + print_error(quantity.error) + '\n';
 }
 
 std::string print_rows(const SceneQuantity& quantity, const Motion& motion) {

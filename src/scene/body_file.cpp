@@ -165,15 +165,23 @@ class BodyReader {
     const Span span = reader_.find("mesh")->span;
     auto mesh = value_or_report(mesh_in(*file), DiagnosticKind::bad_mesh, span, diagnostics_);
     if (!mesh) return std::nullopt;
-    for (Position& vertex : mesh->vertices) {
-      for (double& x : vertex) x *= *unit;
-    }
-    const auto enclosed =
-        value_or_report(mesh_mass(*mesh).map_error([&](const Error& error) { return named(*file, error); }),
+    const auto in_file =
+        value_or_report(mesh_mass(*mesh, MeshSharpness::always).map_error([&](const Error& error) {
+          return named(*file, error);
+        }),
                         DiagnosticKind::bad_mesh, span, diagnostics_);
+    if (!in_file) return std::nullopt;
+    const auto enclosed =
+        *unit == 1
+            ? in_file
+            : value_or_report(
+                  in_unit(*in_file, *unit).map_error([&](const Error& error) { return named(*file, error); }),
+                  DiagnosticKind::bad_mesh, span, diagnostics_);
     if (!enclosed) return std::nullopt;
     const double mass = has_density ? *amount * enclosed->volume : *amount;
-    return value_or_report(mesh_body(name_, *enclosed, mass), DiagnosticKind::bad_body, span, diagnostics_);
+    const double mass_error = has_density ? enclosed->volume_error + 0x1p-53 : 0;
+    return value_or_report(mesh_body(name_, *enclosed, mass, mass_error), DiagnosticKind::bad_body, span,
+                           diagnostics_);
   }
 
   static Error named(const std::string& file, const Error& error) {

@@ -26,10 +26,14 @@ std::optional<ProgramInput> LetterValues::fill(const Program& program, Samples& 
     if (input.per_particle) {
       if (input.component >= value->particles.size()) return input;
       samples.borrow_particles(input.symbol, input.component, value->particles[input.component]);
+      if (!value->particle_errors.empty())
+        samples.set_errors(input.symbol, input.component, value->particle_errors[input.component]);
     } else {
       if (input.component >= value->components.size()) return input;
       const double low = value->lows.empty() ? 0 : value->lows[input.component];
       samples.set(input.symbol, input.component, HighLow{value->components[input.component], low});
+      if (!value->errors.empty())
+        samples.set_errors(input.symbol, input.component, {value->errors[input.component]});
     }
   }
   return std::nullopt;

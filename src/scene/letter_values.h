@@ -18,6 +18,10 @@ struct LetterValue {
   std::vector<double> components;                  // 3^rank, row by row; unless per particle
   std::vector<std::span<const double>> particles;  // of each component, one for each particle; not owned
   std::vector<double> lows = {};                   // of the components, where they are known to 106 bits
+  /// Bounds of the errors of the components, or of the values of each for all particles; empty: they are
+  /// exact.
+  std::vector<double> errors = {};
+  std::vector<std::vector<double>> particle_errors = {};
 };
 
 class LetterValues {
@@ -27,8 +31,9 @@ class LetterValues {
   /// Does the program read a value that is known to more than 53 bits?
   [[nodiscard]] bool are_sharp(const Program& program) const;
 
-  /// Puts what the program reads into the samples, the same for all of them. `left_out` are put in by the
-  /// caller. Particles' values are borrowed, not copied. Returns the first input that has no value.
+  /// Puts what the program reads into the samples, with its errors, the same for all of them. `left_out` are
+  /// put in by the caller. Particles' values are borrowed, not copied. Returns the first input that has no
+  /// value.
   [[nodiscard]] std::optional<ProgramInput> fill(const Program& program, Samples& samples,
                                                  const std::vector<SymbolId>& left_out = {}) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/scene_body.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rigor {
@@ -9,18 +10,36 @@ namespace {
 /// 64 u, beside the trace: what differs by less is the rounding of places.
 constexpr double alike = 64 * 0x1p-53;
 
+double size_of(double entry) { return std::abs(entry); }
+double size_of(const HighLow& entry) { return std::abs(entry.high); }
+
+template <class Tensor>
+double greatest_of(const Tensor& tensor) {
+  double greatest = 0;
+  for (const auto& row : tensor) {
+    for (const auto& entry : row) greatest = std::max(greatest, size_of(entry));
+  }
+  return greatest;
+}
+
 /// Of a tensor that is diagonal to rounding: each moment goes to the axis that its own is along. Where two
 /// moments are so close that their axes are not, what stands on the diagonal.
-Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor) {
+/// `left_out`: what that may be off by.
+Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor, Position& left_out) {
   constexpr double nearly_along = 1 - 1e-6;
   SharpPosition diagonal{tensor[0][0], tensor[1][1], tensor[2][2]};
   if (tensor[1][0].high == 0 && tensor[2][0].high == 0 && tensor[2][1].high == 0) return diagonal;
   const auto system = principal_axes(tensor);
   if (!system) return tl::unexpected(system.error());
   SharpPosition moments = diagonal;
+  const double products =
+      std::abs(tensor[1][0].high) + std::abs(tensor[2][0].high) + std::abs(tensor[2][1].high);
+  left_out = {2 * products, 2 * products, 2 * products};
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t i = 0; i < 3; ++i) {
-      if (std::abs(system->axes[k][i]) >= nearly_along) moments[i] = system->principal.moments[k];
+      if (std::abs(system->axes[k][i]) < nearly_along) continue;
+      moments[i] = system->principal.moments[k];
+      left_out[i] = 0;
     }
   }
   return moments;
@@ -37,7 +56,13 @@ SceneBody::SceneBody(const Body& body, SceneLedger& ledger) : body_(body), ledge
 
 const Result<InertiaTensor>& SceneBody::tensor() {
   if (!tensor_) {
-    tensor_ = ledger_.compute(tensor_node, "of the body's particles", [&] { return inertia_tensor(body_); });
+    tensor_ = ledger_.compute(tensor_node, "of the body's particles", [&]() -> Result<InertiaTensor> {
+      if (const auto checked = check_count(body_); !checked) return tl::unexpected(checked.error());
+      const auto sums = mass_sums(points_of(body_));
+      if (!sums) return tl::unexpected(sums.error());
+      tensor_rounding_ = sums->error == 0 ? 0 : sums->error * greatest_of(sums->inertia);
+      return sums->inertia;
+    });
   }
   return *tensor_;
 }
@@ -70,10 +95,17 @@ const Result<SharpTensor>& SceneBody::sharp_tensor() {
   if (!sharp_tensor_) {
     if (const auto said = said_inertia()) {
       ledger_.skip(sharp_tensor_node, "the body's file says it");
+      is_said_ = true;
       sharp_tensor_ = *said;
     } else {
-      sharp_tensor_ = ledger_.compute(sharp_tensor_node, "for the differences of principal moments",
-                                      [&] { return sharp_inertia_tensor(body_); });
+      const auto sum = [&]() -> Result<SharpTensor> {
+        if (const auto checked = check_count(body_); !checked) return tl::unexpected(checked.error());
+        const auto sums = sharp_mass_sums(points_of(body_));
+        if (!sums) return tl::unexpected(sums.error());
+        sharp_tensor_rounding_ = sums->error == 0 ? 0 : sums->error * greatest_of(sums->inertia);
+        return sums->inertia;
+      };
+      sharp_tensor_ = ledger_.compute(sharp_tensor_node, "for the differences of principal moments", sum);
     }
   }
   return *sharp_tensor_;
@@ -91,7 +123,7 @@ const Result<SharpPosition>& SceneBody::moments() {
     moments_ = tl::unexpected(inertia.error());
   } else if (*along) {
     moments_ = ledger_.compute(moments_node, "the body is along its principal axes",
-                               [&] { return moments_in_order_of_axes(*inertia); });
+                               [&] { return moments_in_order_of_axes(*inertia, left_out_); });
   } else {
     moments_ = ledger_.compute(moments_node, "values alone", [&] {
       return principal_moments(*inertia).map([](const PrincipalMoments& each) { return each.moments; });

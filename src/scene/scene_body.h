@@ -41,14 +41,30 @@ class SceneBody {
   using Places = std::array<std::vector<double>, 3>;
   [[nodiscard]] const Result<Places>& places_along_axes();
 
+  /// Bounds of the errors of what these give, for the body that was described (`BodyErrors`); infinite where
+  /// none is known, also where they fail. Of any entry of the tensor; of each moment, 64 v of the solver
+  /// taken for granted; of any component of each axis, and of each that particles are turned to.
+  [[nodiscard]] double tensor_error();
+  [[nodiscard]] Position moment_errors();
+  [[nodiscard]] Position axis_errors();
+  [[nodiscard]] Position turning_errors();
+  /// Of the coordinate along an axis, for each particle.
+  [[nodiscard]] std::vector<double> place_errors_along(std::size_t k);
+
  private:
   const Result<SharpTensor>& sharp_tensor();
+  /// Of any entry of that.
+  [[nodiscard]] double sharp_tensor_error();
   /// What the body's file says of it, where its particles stand for that and differ by their rounding alone.
   std::optional<SharpTensor> said_inertia();
 
   const Body& body_;
   SceneLedger& ledger_;
   std::optional<Result<InertiaTensor>> tensor_;
+  double tensor_rounding_ = 0;        // of its sums
+  double sharp_tensor_rounding_ = 0;  // kg m²
+  bool is_said_ = false;              // the sharp tensor is what the file says
+  Position left_out_{};               // of the moments: what a tensor has beside its diagonal
   std::optional<Result<SharpTensor>> sharp_tensor_;
   std::optional<Result<SharpPosition>> moments_;
   std::optional<Result<Axes>> axes_;

@@ -60,8 +60,6 @@ class SceneEvaluation {
   /// What a program reads, for each of the spins; everything else is the same for all.
   [[nodiscard]] Samples samples_for(const Program& program, std::span<const Vector3> spins);
   [[nodiscard]] Arithmetic arithmetic_for(const Program& program) const;
-  [[nodiscard]] std::vector<double> bounds_of(const Program& program, const Samples& samples,
-                                              const std::vector<double>& values) const;
   [[nodiscard]] std::vector<double> run_program(const Program& program, std::span<const Vector3> spins);
   void follow_motion(const Asked& asked, SceneQuantity& quantity);
   void note_drift(const SceneText& name, const SceneQuantity& quantity,

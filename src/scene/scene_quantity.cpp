@@ -22,6 +22,8 @@ constexpr double most_work = 1e9;
 constexpr double steps_allowed_for = 1e4;
 constexpr double most_change = 1e-4;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 using Rows = std::vector<std::vector<double>>;
 
 bool all_finite(const std::vector<double>& values) {
@@ -49,6 +51,13 @@ Rows by_row(const std::vector<double>& columns, std::size_t rows) {
     for (std::size_t row = 0; row < rows; ++row) table[row][c] = columns[c * rows + row];
   }
   return table;
+}
+
+/// Of moments of which the low parts are not shown.
+std::vector<double> own_errors(const Position& errors, const SharpPosition& moments) {
+  std::vector<double> all;
+  for (std::size_t k = 0; k < 3; ++k) all.push_back((errors[k] + std::abs(moments[k].low)) * (1 + 0x1p-50));
+  return all;
 }
 
 }  // namespace
@@ -86,7 +95,7 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
   }
   if (scene_.errors) {
     quantity.error = ledger_.compute("rounding errors of " + name, "asked for by `errors`",
-                                     [&] { return bounds_of(*asked.program, samples, quantity.value); });
+                                     [&] { return error_bounds(*asked.program, samples, quantity.value); });
   }
   if (result_.motion && (over_time || reads(*asked.program, spin_symbols_))) follow_motion(asked, quantity);
   result_.quantities.push_back(std::move(quantity));
@@ -111,20 +120,14 @@ Samples SceneEvaluation::samples_for(const Program& program, std::span<const Vec
     std::vector<double> column;
     for (const Vector3& each : source) column.push_back(each[input.component]);
     samples.set_each(input.symbol, input.component, std::move(column));
+    if (!scene_.errors) continue;
+    const bool is_spin = letter->role == SceneRole::spin;  // of rates no bound is known
+    const auto given =
+        is_spin ? values_.spin_value() : LetterValue{{}, {}, {}, {infinity, infinity, infinity}};
+    if (given && !given->errors.empty())
+      samples.set_errors(input.symbol, input.component, {given->errors[input.component]});
   }
   return samples;
-}
-
-/// Of the evaluation alone: what the values that it reads were rounded to before is not in it. For
-/// double-double, of which a rounding is less than 2^-100: 2^-40 of the bounds for double, and the last
-/// rounding.
-std::vector<double> SceneEvaluation::bounds_of(const Program& program, const Samples& samples,
-                                               const std::vector<double>& values) const {
-  std::vector<double> bounds = evaluate_with_bounds(program, samples.rounded_to_double()).bounds;
-  if (arithmetic_for(program) == Arithmetic::plain) return bounds;
-  for (std::size_t k = 0; k < bounds.size(); ++k)
-    bounds[k] = 0x1p-40 * bounds[k] + 0x1p-53 * std::abs(values[k]);
-  return bounds;
 }
 
 /// Differences of moments keep their digits in double-double. Sums over particles would take ten times as
@@ -189,6 +192,7 @@ void SceneEvaluation::evaluate_own_part(Asked& asked) {
     const auto& moments = body_.moments();
     if (!moments) return fail(asked, moments.error().reason);
     for (const HighLow& moment : *moments) quantity.value.push_back(moment.high);
+    if (scene_.errors) quantity.error = own_errors(body_.moment_errors(), *moments);
     const Dimension length = Dimension::of(BaseQuantity::length);
     quantity.dimension = Dimension::of(BaseQuantity::mass) + length + length;
   } else {
@@ -196,6 +200,9 @@ void SceneEvaluation::evaluate_own_part(Asked& asked) {
     if (!axes) return fail(asked, axes.error().reason);
     quantity.axes = 2;
     for (const Position& axis : *axes) quantity.value.insert(quantity.value.end(), axis.begin(), axis.end());
+    if (scene_.errors) {
+      for (const double error : body_.axis_errors()) quantity.error.insert(quantity.error.end(), 3, error);
+    }
     quantity.dimension = Dimension();
   }
   result_.quantities.push_back(std::move(quantity));

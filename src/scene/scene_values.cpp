@@ -3,10 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/body_errors.h"
 #include "scene/quantity_text.h"
 
 namespace rigor {
 namespace {
+
+/// Of components turned to axes that are off by so much: for each index that and 4 u of the size of all.
+std::vector<double> turning_errors_of(const std::vector<double>& components, const Position& axes) {
+  double size = 0;
+  for (const double each : components) size = std::hypot(size, each);
+  double of_index = std::max({axes[0], axes[1], axes[2]}) + 4 * 0x1p-53;
+  double all = 0;
+  for (std::size_t stride = components.size(); stride > 1; stride /= 3)
+    all = all * (1 + 2 * of_index) + of_index;
+  const double error = size == 0 ? 0 : size * all * (1 + 0x1p-20) + 0x1p-1060;
+  return std::vector<double>(components.size(), error);
+}
 
 Dimension moment_dimension() { return mass_dimension() + length_dimension() + length_dimension(); }
 
@@ -39,6 +55,7 @@ std::optional<MissingValue> SceneValues::provide(const Program& program) {
     if (letter == nullptr) return missing(input.symbol);
     if (letter->role == SceneRole::spin_rate) continue;
     auto value = value_of(*letter);
+    if (value && scene_.errors) add_particle_errors(*value, letter->role);
     if (!value) {
       const bool no_spin = letter->role == SceneRole::spin && !scene_.spin;
       return MissingValue{value.error().reason, no_spin ? "add `spin = [\"1 rad/s\", 0, 0]`, say" : ""};
@@ -48,14 +65,18 @@ std::optional<MissingValue> SceneValues::provide(const Program& program) {
   return std::nullopt;
 }
 
-Result<Vector3> SceneValues::spin() {
+Result<LetterValue> SceneValues::spin_value() {
   if (!scene_.spin) {
     return tl::unexpected(
         Error{fmt::format("`{}` is needed, and the scene has no spin", scene_.symbols.spin.text)});
   }
-  auto along = turned_value({scene_.spin->begin(), scene_.spin->end()});
-  if (!along) return tl::unexpected(along.error());
-  return Vector3{along->components[0], along->components[1], along->components[2]};
+  return turned_value({scene_.spin->begin(), scene_.spin->end()});
+}
+
+Result<Vector3> SceneValues::spin() {
+  return spin_value().map([](const LetterValue& value) {
+    return Vector3{value.components[0], value.components[1], value.components[2]};
+  });
 }
 
 Result<Quaternion> SceneValues::orientation() {
@@ -77,11 +98,8 @@ Result<LetterValue> SceneValues::value_of(const SceneLetter& letter) {
       if (!places) return tl::unexpected(places.error());
       return LetterValue{{}, {places->begin(), places->end()}};
     }
-    case SceneRole::spin: {
-      const auto along = spin();
-      if (!along) return tl::unexpected(along.error());
-      return LetterValue{{along->begin(), along->end()}, {}};
-    }
+    case SceneRole::spin:
+      return spin_value();
     case SceneRole::moment:
       return moment(letter.which);
     case SceneRole::tensor:
@@ -94,6 +112,21 @@ Result<LetterValue> SceneValues::value_of(const SceneLetter& letter) {
   return tl::unexpected(Error{"the rates of the spin follow from its law of motion"});
 }
 
+/// Of the body's particles, for whoever bounds errors.
+void SceneValues::add_particle_errors(LetterValue& value, SceneRole role) {
+  if (role == SceneRole::mass) {
+    const double error = body_.body().errors.mass;
+    if (error == 0) return;
+    value.particle_errors.emplace_back();
+    for (const double mass : body_.body().masses)
+      value.particle_errors[0].push_back(error * mass * (1 + 0x1p-20));
+  } else if (role == SceneRole::position) {
+    for (std::size_t k = 0; k < 3; ++k)
+      value.particle_errors.push_back(turn_places_ ? body_.place_errors_along(k)
+                                                   : place_errors(body_.body(), k));
+  }
+}
+
 Result<LetterValue> SceneValues::moment(std::size_t which) {
   if (turn_) {  // the axes are needed anyway, and their order is the moments'
     const auto& axes = body_.axes();
@@ -101,17 +134,21 @@ Result<LetterValue> SceneValues::moment(std::size_t which) {
   }
   const auto& moments = body_.moments();
   if (!moments) return tl::unexpected(moments.error());
-  return LetterValue{{(*moments)[which].high}, {}, {(*moments)[which].low}};
+  LetterValue value{{(*moments)[which].high}, {}, {(*moments)[which].low}};
+  if (scene_.errors) value.errors = {body_.moment_errors()[which]};
+  return value;
 }
 
 Result<LetterValue> SceneValues::tensor() {
   if (turn_places_) {
     const auto& moments = body_.moments();
     if (!moments) return tl::unexpected(moments.error());
-    LetterValue value{std::vector<double>(9), {}, std::vector<double>(9)};
+    const Position errors = scene_.errors ? body_.moment_errors() : Position{};
+    LetterValue value{std::vector<double>(9), {}, std::vector<double>(9), std::vector<double>(9)};
     for (std::size_t k = 0; k < 3; ++k) {
       value.components[4 * k] = (*moments)[k].high;
       value.lows[4 * k] = (*moments)[k].low;
+      value.errors[4 * k] = errors[k];
     }
     return value;
   }
@@ -120,6 +157,7 @@ Result<LetterValue> SceneValues::tensor() {
   LetterValue value;
   for (const Position& row : *inertia)
     value.components.insert(value.components.end(), row.begin(), row.end());
+  if (scene_.errors) value.errors.assign(9, body_.tensor_error());
   return value;
 }
 
@@ -128,6 +166,8 @@ Result<LetterValue> SceneValues::turned_value(std::vector<double> components) {
   if (!turn_ || components.size() == 1) return LetterValue{std::move(components), {}};
   const auto& axes = body_.axes();
   if (!axes) return tl::unexpected(axes.error());
+  std::vector<double> errors;
+  if (scene_.errors) errors = turning_errors_of(components, body_.turning_errors());
   // Each axis of the value in turn: new_k.. = Σ axes[k][i] old_i..
   for (std::size_t stride = components.size() / 3; stride > 0; stride /= 3) {
     std::vector<double> turned(components.size(), 0.0);
@@ -139,7 +179,7 @@ Result<LetterValue> SceneValues::turned_value(std::vector<double> components) {
     }
     components = std::move(turned);
   }
-  return LetterValue{std::move(components), {}};
+  return LetterValue{std::move(components), {}, {}, errors};
 }
 
 MissingValue SceneValues::missing(SymbolId symbol) const {

@@ -33,7 +33,8 @@ class SceneValues {
 
   /// Makes what the program reads, but for rates of the spin.
   [[nodiscard]] std::optional<MissingValue> provide(const Program& program);
-  /// The spin along the axes that were settled.
+  /// The spin along the axes that were settled, with bounds of its errors if they are asked for; it alone.
+  [[nodiscard]] Result<LetterValue> spin_value();
   [[nodiscard]] Result<Vector3> spin();
   /// At the time 0, of the axes that were settled.
   [[nodiscard]] Result<Quaternion> orientation();
@@ -43,6 +44,7 @@ class SceneValues {
 
  private:
   [[nodiscard]] Result<LetterValue> value_of(const SceneLetter& letter);
+  void add_particle_errors(LetterValue& value, SceneRole role);
   [[nodiscard]] Result<LetterValue> moment(std::size_t which);
   [[nodiscard]] Result<LetterValue> tensor();
   [[nodiscard]] Result<LetterValue> turned_value(std::vector<double> components);

@@ -43,6 +43,21 @@ TEST_CASE("a scene is printed with units, rows and what stayed constant", "[scen
         "  \\mathbf{L}(t)           constant in space to 2.0e-13\n");
 }
 
+TEST_CASE("a bound is rounded up, stands beside all digits, and none is printed where none is known") {
+  SceneResult result = example();
+  result.quantities[0].value = {162.0 + 1 / 3.0};
+  result.quantities[0].error = {1.6400001e-13};
+  CHECK(print_scene(result).find("162.33333333333334 kg m^2/s^2\n"
+                                 "                          rounding errors are at most 1.7e-13\n") !=
+        std::string::npos);
+  result.quantities[0].error = {std::numeric_limits<double>::infinity()};
+  CHECK(print_scene(result).find("no bound of the rounding errors is known\n") != std::string::npos);
+  result.quantities[0].error = {9.96e-5};
+  CHECK(print_scene(result).find("at most 1.0e-04\n") != std::string::npos);
+  result.quantities[0].error = {0};
+  CHECK(print_scene(result).find("at most 0.0e+00\n") != std::string::npos);
+}
+
 TEST_CASE("what was computed and what not is printed where it is asked for", "[scene]") {
   const std::string text = print_scene(example(), {.explain = true});
   CHECK(text.find("computed\n  particles                               0.2500 ms  read\n"
