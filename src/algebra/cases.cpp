@@ -143,7 +143,8 @@ Cases::Verdict Cases::decide(const ex& value, System system) {
   if (!simplify(rest, system)) return Verdict::empty;
   if (rest.is_zero()) return Verdict::vanishes;
   if (system.equations.empty()) return Verdict::open;
-  if (is_combination(rest, system.equations, domain_.indeterminates().all())) return Verdict::vanishes;
+  if (is_combination(rest, system.equations, domain_.indeterminates().all(), {.budget = domain_.budget()}))
+    return Verdict::vanishes;
   const auto linear = simplest_linear(system, false);
   return linear ? split(rest, system, *linear) : Verdict::open;
 }

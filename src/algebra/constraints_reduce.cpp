@@ -42,6 +42,7 @@ ex Constraints::reduced(const ex& value) {
     if (rest.is_zero()) return rest;
     if (!each.monic_in.is_zero() && is_divided(rest, each.equation) &&
         rest.degree(each.monic_in) >= each.equation.degree(each.monic_in)) {
+      domain_.count(static_cast<double>(term_count(rest) * term_count(each.equation)));
       rest = GiNaC::rem(rest, each.equation, each.monic_in).expand();
       use(each.from);
     }
@@ -60,7 +61,7 @@ bool Constraints::is_combination_times_nonzero(const ex& value, const System& sy
                                                const std::vector<std::size_t>& which) {
   const std::vector<ex>& all = domain_.indeterminates().all();
   const auto is_zero = [&](const ex& product) {
-    const auto taken = combination(product, system.equations, all);
+    const auto taken = combination(product, system.equations, all, {.budget = domain_.budget()});
     if (!taken) return false;
     for (const std::size_t each : *taken) use(remaining_[which[each]].from);
     return true;
@@ -76,7 +77,7 @@ bool Constraints::is_combination_times_nonzero(const ex& value, const System& sy
       product = expanded_polynomial(product * factor);
       alone = expanded_polynomial(alone * factor);
       if (!is_zero(product)) continue;
-      if (is_combination(alone, system.equations, all))
+      if (is_combination(alone, system.equations, all, {.budget = domain_.budget()}))
         throw Undecidable("the assumptions contradict each other");
       return true;
     }
@@ -119,7 +120,8 @@ bool Constraints::is_determinant(const ex& value) {
   return std::any_of(determinants_.begin(), determinants_.end(), [&](const Known& each) {
     const ex determinant = solved(each.equation);
     if (determinant.is_zero() ||
-        !is_combination(value, std::span(&determinant, 1), domain_.indeterminates().all()))
+        !is_combination(value, std::span(&determinant, 1), domain_.indeterminates().all(),
+                        {.budget = domain_.budget()}))
       return false;
     use(each.from);
     return true;

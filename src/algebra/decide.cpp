@@ -46,6 +46,28 @@ constexpr std::uint32_t cheap_terms = 3000;
   return false;
 }
 
+/// Does the statement, or an assumption, ask for more of its numbers than that they can be added and
+/// multiplied: for an order, or a root? Then a name that is defined by its square is a number of that kind
+/// only where its square is not negative, and not to be taken for one.
+[[nodiscard]] bool speaks_of_real_numbers(const Scope& scope) {
+  const auto speaks = [&](const Equation& equation) {
+    return equation.relation == Relation::less || equation.relation == Relation::less_or_equal ||
+           reach(scope, equation).roots;
+  };
+  const std::vector<Equation>& assumptions = scope.question().assumptions;
+  return speaks(scope.question().claim) || std::any_of(assumptions.begin(), assumptions.end(), speaks);
+}
+
+/// How the names of a question are taken while their definitions are not needed.
+[[nodiscard]] Scope::Definitions while_opaque(const Question& question) {
+  const bool squares = std::any_of(question.definitions.begin(), question.definitions.end(),
+                                   [](const Definition& each) { return each.by_square; });
+  if (!squares) return Scope::Definitions::opaque;
+  return speaks_of_real_numbers(Scope(question, Scope::Definitions::opaque))
+             ? Scope::Definitions::opaque_but_squares
+             : Scope::Definitions::opaque;
+}
+
 /// A proof, and under what it was found.
 struct Found {
   Proof proof;
@@ -60,7 +82,7 @@ class Decider {
   Decider(const Question& question, const Limits& limits)
       : limits_(limits),
         unfolded_(question, Scope::Definitions::unfolded),
-        opaque_(question, Scope::Definitions::opaque),
+        opaque_(question, while_opaque(question)),
         refuter_(unfolded_, limits) {}
 
   [[nodiscard]] Decision decide();
@@ -212,7 +234,7 @@ Decision Decider::proved(const Found& found) const {
   if (found.proof.rotations) decision.route += ", rotations at the generic point";
   if (found.proof.functions) decision.route += ", addition formulas";
   if (found.proof.radicals) decision.route += ", radicals";
-  if (found.unfolded) decision.unfolded = reach_of_sample(unfolded_, found.under.assumptions).unfolded;
+  decision.unfolded = reach_of_sample(found.unfolded ? unfolded_ : opaque_, found.under.assumptions).unfolded;
   decision.assumptions = found.under.assumptions;
   return decision;
 }
@@ -227,6 +249,7 @@ Decision Decider::proved_by_value() {
   return decision;
 }
 
+/// What is printed is put into the question again first, as its reader would do it.
 Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
   Decision decision;
   decision.outcome = Outcome::refuted;
@@ -235,7 +258,11 @@ Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
   decision.assumptions = refuter_.assumptions();
   decision.sample =
       limits_.simplest_sample ? refuter_.simplest(counterexample) : refuter_.to_sample(counterexample);
-  return decision;
+  const Replay again = replay_closely(unfolded_.question(), *decision.sample);
+  const bool confirmed = again.fault == Replay::Fault::none && again.differ &&
+                         again.sides.left == decision.sample->left &&
+                         again.sides.right == decision.sample->right;
+  return confirmed ? decision : undecided("a sample was found that does not hold when it is put in again");
 }
 
 std::string Decider::why_open() const {
@@ -290,6 +317,15 @@ Decision Decider::decide() {
 
 }  // namespace
 
-Decision decide(const Question& question, const Limits& limits) { return Decider(question, limits).decide(); }
+Decision decide(const Question& question, const Limits& limits) {
+  Budget own;
+  Limits counted = limits;
+  if (counted.budget == nullptr) counted.budget = &own;
+  try {
+    return Decider(question, counted).decide();
+  } catch (const Undecidable& reason) {
+    return undecided(reason.what());
+  }
+}
 
 }  // namespace rigor

@@ -2,6 +2,7 @@
 // The exact side: is a statement true for all values of its symbols?
 #pragma once
 
+#include "algebra/budget.h"
 #include "expr/statement.h"
 
 namespace rigor {
@@ -14,6 +15,7 @@ struct Limits {
   std::uint32_t sample_attempts = 400;
   bool fewest_assumptions = true;  // what a proof does not need is left out of what it names
   bool simplest_sample = true;     // a refutation's sample is made fit for a blackboard
+  Budget* budget = nullptr;        // of all that is asked about a step; none: each question has its own
 };
 
 /// Proved: every component of left − right has the normal form zero at the generic point. Refuted: an exact

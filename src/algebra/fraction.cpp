@@ -82,7 +82,12 @@ Fraction polynomial(const ex& expanded) {
   return {expanded, {}, static_cast<double>(term_count(expanded)), coefficient_bits(expanded)};
 }
 
+void FractionArithmetic::count(double units) {
+  if (limits_.budget != nullptr) limits_.budget->count(static_cast<std::uint64_t>(units));
+}
+
 void FractionArithmetic::step() {
+  count(1);
   if (++work_.steps > limits_.steps)
     throw Undecidable(fmt::format("more than {} steps of evaluation", limits_.steps));
 }
@@ -95,6 +100,7 @@ void FractionArithmetic::check(const Fraction& value) const {
 }
 
 ex FractionArithmetic::expanded(const ex& value, double estimated_terms) {
+  count(std::min<double>(estimated_terms, limits_.expanded_terms));
   work_.terms += estimated_terms;
   const double limit = attempts_share * limits_.expanded_terms;
   if (work_.terms > limit) throw too_many_terms(work_.terms, limit);

@@ -49,6 +49,8 @@ class FractionArithmetic {
 
   /// Counts a step of evaluation.
   void step();
+  /// Counts other work.
+  void count(double units);
 
  private:
   void check(const Fraction& value) const;

@@ -24,6 +24,7 @@ class GenericDomain {
 
   GenericDomain(const Scope& scope, const Limits& limits, Effort effort, Work& work, int angle_divisor = 1)
       : scope_(&scope),
+        budget_(limits.budget),
         arithmetic_(limits, work),
         signs_(indeterminates_),
         radicals_(indeterminates_, arithmetic_, signs_, effort),
@@ -67,6 +68,8 @@ class GenericDomain {
     note_sign(value, sign);
   }
   void step() { arithmetic_.step(); }
+  void count(double units) { arithmetic_.count(units); }
+  [[nodiscard]] Budget* budget() const { return budget_; }
 
   /// The numerator of left − right, expanded and reduced by the relations of radicals.
   [[nodiscard]] GiNaC::ex difference(const Fraction& left, const Fraction& right);
@@ -102,6 +105,7 @@ class GenericDomain {
   [[nodiscard]] Fraction rotation(SymbolId symbol, Frame frame, std::size_t component);
 
   const Scope* scope_;
+  Budget* budget_;  // may be none
   Indeterminates indeterminates_;
   FractionArithmetic arithmetic_;
   Signs signs_;

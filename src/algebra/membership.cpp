@@ -150,6 +150,7 @@ class Echelon {
   explicit Echelon(std::size_t operations) : left_(operations) {}
 
   [[nodiscard]] bool exhausted() const { return left_ == 0; }
+  [[nodiscard]] std::size_t left() const { return left_; }
   /// What is left of a row when the others are subtracted.
   [[nodiscard]] Multiple reduced(Multiple multiple) {
     Row& row = multiple.row;
@@ -202,6 +203,7 @@ std::optional<std::set<std::size_t>> combination(const ex& value, std::span<cons
   Echelon echelon(limits.operations);
   for (Multiple& each : Multiples(given, limits.multiples).around(*wanted)) echelon.insert(std::move(each));
   Multiple rest = echelon.reduced({*wanted});
+  if (limits.budget != nullptr) limits.budget->count(limits.operations - echelon.left());
   if (!rest.row.empty() || echelon.exhausted()) return std::nullopt;
   return std::move(rest.from);
 }

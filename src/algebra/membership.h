@@ -13,11 +13,14 @@
 #include <span>
 #include <vector>
 
+#include "algebra/budget.h"
+
 namespace rigor {
 
 struct MembershipLimits {
   std::size_t multiples = 60;  // of equations
   std::size_t operations = 100'000;
+  Budget* budget = nullptr;  // counts the operations, if there is one
 };
 
 /// The positions of the equations that take part in a combination; empty if none was found. All polynomials

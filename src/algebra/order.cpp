@@ -60,11 +60,12 @@ Sign Order::by_facts(const ex& value, const std::vector<Fact>& facts, int depth)
   if (direct == Sign::not_negative && depth == 0) return by_positive_facts(value, facts);
   if (direct != Sign::any || depth == largest_depth_of_facts) return direct;
   for (const Fact& fact : facts) {
-    if (!rigor::is_within(fact.sign, Sign::not_negative)) continue;
+    if (!is_surely(fact.sign, Sign::not_negative)) continue;
     for (const GiNaC::numeric& multiple : multiples(value, fact.value, &domain_.signs())) {
       if (++attempts_ > largest_attempts) return Sign::any;
+      domain_.count(static_cast<double>(term_count(value) + term_count(fact.value)));
       const Sign rest = by_facts((value - multiple * fact.value).expand(), facts, depth + 1);
-      if (rigor::is_within(rest, Sign::not_negative)) return sum(rest, fact.sign);
+      if (is_surely(rest, Sign::not_negative)) return sum(rest, fact.sign);
     }
   }
   return Sign::any;
@@ -73,11 +74,11 @@ Sign Order::by_facts(const ex& value, const std::vector<Fact>& facts, int depth)
 /// What is not negative is positive if it is a multiple of a positive fact and a rest that is not negative.
 Sign Order::by_positive_facts(const ex& value, const std::vector<Fact>& facts) {
   for (const Fact& fact : facts) {
-    if (!rigor::is_within(fact.sign, Sign::positive)) continue;
+    if (!is_surely(fact.sign, Sign::positive)) continue;
     for (const GiNaC::numeric& multiple : multiples(value, fact.value, nullptr)) {
       if (++attempts_ > largest_attempts) return Sign::not_negative;
       const ex rest = (value - multiple * fact.value).expand();
-      if (rigor::is_within(domain_.signs().of(rest), Sign::not_negative)) return Sign::positive;
+      if (is_surely(domain_.signs().of(rest), Sign::not_negative)) return Sign::positive;
     }
   }
   return Sign::not_negative;
@@ -93,14 +94,14 @@ Sign Order::by_squares(const ex& value, int depth) {
     if (++attempts_ > largest_attempts) return Sign::any;
     const ex p = value.coeff(x, 2);
     const Sign of_p = by_squares(p, depth + 1);
-    if (!rigor::is_within(of_p, Sign::not_negative)) continue;
+    if (!is_surely(of_p, Sign::not_negative)) continue;
     const ex q = value.coeff(x, 1) / 2;
     const ex r = value.coeff(x, 0);
     const auto terms = static_cast<double>(term_count(p) * term_count(r) + term_count(q) * term_count(q));
     if (terms > largest_substituted) continue;
     const Sign of_rest = by_squares((p * r - q * q).expand(), depth + 1);
-    if (!rigor::is_within(of_rest, Sign::not_negative)) continue;
-    if (of_p != Sign::positive && !rigor::is_within(by_squares(r, depth + 1), Sign::not_negative)) continue;
+    if (!is_surely(of_rest, Sign::not_negative)) continue;
+    if (of_p != Sign::positive && !is_surely(by_squares(r, depth + 1), Sign::not_negative)) continue;
     return of_p == Sign::positive && of_rest == Sign::positive ? Sign::positive : Sign::not_negative;
   }
   return Sign::any;
@@ -112,12 +113,12 @@ bool Order::parametrize(ex& value, std::vector<Fact>& facts, bool any_bound) {
   const std::vector<ex> all = domain_.indeterminates().all();
   for (std::size_t i = 0; i < facts.size(); ++i) {
     const Fact fact = facts[i];
-    if (!rigor::is_within(fact.sign, Sign::not_negative) || !GiNaC::is_a<GiNaC::add>(fact.value)) continue;
+    if (!is_surely(fact.sign, Sign::not_negative) || !GiNaC::is_a<GiNaC::add>(fact.value)) continue;
     for (auto x = all.rbegin(); x != all.rend(); ++x) {
       if (fact.value.degree(*x) != 1 || !is_positive(fact.value.coeff(*x, 1))) continue;
       const ex factor = fact.value.coeff(*x, 1);
       const ex bound = (-fact.value.coeff(*x, 0) / factor).expand();
-      if (!any_bound && !rigor::is_within(domain_.signs().of(bound), Sign::not_negative)) continue;
+      if (!any_bound && !is_surely(domain_.signs().of(bound), Sign::not_negative)) continue;
       const auto growth = static_cast<double>(term_count(bound) + 1);
       if (static_cast<double>(term_count(value)) * std::pow(growth, value.degree(*x)) > largest_substituted) {
         continue;
@@ -140,7 +141,7 @@ Sign Order::by_roots(const ex& value, const std::vector<Fact>& facts, int depth)
   if (depth == largest_depth_of_roots || term_count(value) > largest_root_sum) return Sign::any;
   GiNaC::exvector upper;
   for (const ex& term : terms_of(value)) {
-    if (rigor::is_within(domain_.signs().of(term), Sign::not_negative)) upper.push_back(term);
+    if (is_surely(domain_.signs().of(term), Sign::not_negative)) upper.push_back(term);
   }
   if (upper.empty()) return Sign::any;
   const ex u = GiNaC::add(upper);
@@ -149,7 +150,8 @@ Sign Order::by_roots(const ex& value, const std::vector<Fact>& facts, int depth)
       static_cast<double>(term_count(u) * term_count(u) + term_count(value) * term_count(value));
   const ex squares = domain_.reduced(u * u - v * v, terms);
   const Sign sign = best(squares, facts, depth + 1);
-  return rigor::is_within(sign, Sign::not_negative) ? sign : Sign::any;
+  if (is_surely(sign, Sign::positive)) return Sign::positive;
+  return is_surely(sign, Sign::not_negative) ? Sign::not_negative : Sign::any;
 }
 
 Sign Order::best(const ex& value, const std::vector<Fact>& facts, int depth) {
@@ -160,7 +162,7 @@ Sign Order::best(const ex& value, const std::vector<Fact>& facts, int depth) {
 
 bool Order::is_within(const ex& value, Sign allowed, const std::vector<Fact>& facts) {
   for (const auto& [root, square] : domain_.radicals().roots()) {
-    if (!value.has(root) || rigor::is_within(domain_.signs().of(root), Sign::positive)) continue;
+    if (!value.has(root) || is_surely(domain_.signs().of(root), Sign::positive)) continue;
     if (proves(square, Sign::positive, facts)) domain_.signs().know(root, Sign::positive);
   }
   return proves(value, allowed, facts);
@@ -169,8 +171,8 @@ bool Order::is_within(const ex& value, Sign allowed, const std::vector<Fact>& fa
 bool Order::proves(const ex& value, Sign allowed, const std::vector<Fact>& facts) {
   attempts_ = 0;
   const auto fits = [&](const ex& of, const std::vector<Fact>& with) {
-    return rigor::is_within(best(of, with, 0), allowed) ||
-           rigor::is_within(opposite(best((-of).expand(), with, 0)), allowed);
+    return is_surely(best(of, with, 0), allowed) ||
+           is_surely(opposite(best((-of).expand(), with, 0)), allowed);
   };
   if (fits(value, facts)) return true;
   for (const bool any_bound : {false, true}) {

@@ -17,7 +17,7 @@ namespace {
   const Sign allowed = relation == Relation::less            ? Sign::positive
                        : relation == Relation::less_or_equal ? Sign::not_negative
                                                              : Sign::not_zero;
-  if (is_within(domain.signs().of(difference), allowed)) return true;
+  if (is_surely(domain.signs().of(difference), allowed)) return true;
   const GiNaC::ex value = constraints.reduced(domain.with_sign_of(difference));
   return Order(domain).is_within(value, allowed, constraints.reduced_facts());
 }

@@ -18,7 +18,9 @@ namespace {
 using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
-constexpr std::size_t largest_factored = 32;  // terms; takes up to 30 ms
+constexpr std::size_t largest_factored = 32;      // terms; takes up to 30 ms
+constexpr double work_of_factoring = 1'000;       // for each term
+constexpr std::size_t largest_division = 20'000;  // terms times terms: takes up to 50 ms
 
 [[nodiscard]] Rational to_rational(const ex& value) {
   return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
@@ -68,8 +70,10 @@ Sign Radicals::sign_of(const ex& expanded) const {
   if (direct != Sign::any) return direct;
   for (const Signs::Fact& fact : signs_.facts()) {
     ex quotient;
-    if (term_count(fact.value) != term_count(expanded) || !GiNaC::divide(expanded, fact.value, quotient))
-      continue;
+    const bool divides = term_count(fact.value) == term_count(expanded) &&
+                         term_count(expanded) * term_count(expanded) <= largest_division &&
+                         GiNaC::divide(expanded, fact.value, quotient);
+    if (!divides) continue;
     if (is_number(quotient)) return product(fact.sign, signs_.of(quotient));
   }
   return Sign::any;
@@ -99,13 +103,22 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
       value = (value / common).expand();
     }
     ex quotient;
+    const auto divides = [&](const ex& base) {
+      const std::size_t terms = term_count(value) * term_count(base);
+      if (GiNaC::is_a<GiNaC::symbol>(base) || terms > largest_division) return false;
+      arithmetic_.count(static_cast<double>(terms));
+      return GiNaC::divide(value, base, quotient);
+    };
     for (const Divisor& each : known) {
-      while (!GiNaC::is_a<GiNaC::symbol>(each.base) && GiNaC::divide(value, each.base, quotient)) {
+      while (divides(each.base)) {
         note(found, each.base, exponent);
         value = quotient;
       }
     }
-    if (effort_ == Effort::factored && term_count(value) <= largest_factored) value = GiNaC::sqrfree(value);
+    if (effort_ == Effort::factored && term_count(value) <= largest_factored) {
+      arithmetic_.count(work_of_factoring * static_cast<double>(term_count(value)));
+      value = GiNaC::sqrfree(value);
+    }
   }
   for (const ex& factor : factors_of(value)) {
     const auto [base, power] = split_power(factor);

@@ -14,6 +14,22 @@ constexpr std::size_t most_zero_alone = 8;  // symbols
 
 }  // namespace
 
+/// Two points are the same where all numbers are, and mean the same.
+[[nodiscard]] std::string text_of(const SamplePoint& point) {
+  std::string text;
+  for (const SymbolId symbol : point.symbols()) {
+    const Meaning& meaning = point.meaning(symbol);
+    for (const Coordinate& at : point.coordinates_of(symbol)) {
+      if (!point.is_whole(at)) {
+        text += to_text(point[at], meaning) + ' ';
+        continue;
+      }
+      for (const Rational& each : point.values(symbol, at.particle)) text += to_text(each) + ' ';
+    }
+  }
+  return text + std::to_string(point.particles());
+}
+
 Reach reach_of_sample(const Scope& scope, const std::vector<std::size_t>& assumptions) {
   std::vector<ExprId> roots{scope.question().claim.left, scope.question().claim.right};
   for (const std::size_t position : assumptions) {
@@ -41,7 +57,7 @@ std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& draw
     if (below != nullptr && !(complexity(point) < *below)) return std::nullopt;
     evaluator_.look_at(point);
     std::optional<Difference> difference = evaluator_.difference(scope_->question().claim);
-    ++points_compared_;
+    if (below == nullptr && compared_.insert(text_of(point)).second) ++points_compared_;
     if (!difference) return std::nullopt;
     return Counterexample{drawn, point, attempt, *std::move(difference)};
   } catch (const PointRejected&) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "algebra/decide.h"
@@ -83,7 +85,8 @@ class Refuter {
   SampleEvaluator evaluator_;
   std::optional<SamplePoint> point_;  // the one that is being looked at
   SampleSequence sequence_;
-  std::uint32_t points_compared_ = 0;
+  std::uint32_t points_compared_ = 0;  // different ones
+  std::set<std::string> compared_;
   std::uint32_t looked_at_zero_ = 0;     // points
   std::uint64_t shrinks_until_ = 0;      // steps
   std::vector<SymbolId> claim_symbols_;  // free symbols that the claim reaches, in its order

@@ -2,6 +2,7 @@
 #include "algebra/sample_assumptions.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -63,6 +64,25 @@ class Residual {
     return false;
   }
 
+  /// The value of the number at which the residual is 0, and how it rises; none where it is not linear in it.
+  struct Zero {
+    Rational at;
+    Rational slope;
+  };
+  [[nodiscard]] std::optional<Zero> zero(const Coordinate& at) const {
+    const Rational before = point_[at];
+    std::optional<Zero> found;
+    try {
+      const Rational at_0 = with(at, 0);
+      const Rational slope = with(at, 1) - at_0;
+      if (!cln::zerop(slope) && with(at, 2) - at_0 == 2 * slope) found = Zero{-at_0 / slope, slope};
+    } catch (const PointRejected&) {
+      // not a polynomial in this number
+    }
+    point_.set(at, before);
+    return found;
+  }
+
   /// Changes the number's sign if that brings the sides into order.
   [[nodiscard]] bool reflect(const Coordinate& at) const {
     const Rational before = point_[at];
@@ -94,6 +114,9 @@ AssumptionSolver::AssumptionSolver(const Scope& scope, std::vector<std::size_t> 
     for (const SymbolId symbol : reached.symbols)
       order = std::max(order, order_of(scope.tree().symbols[symbol]));
     derivative_orders_.push_back(order);
+    has_tensors_ = has_tensors_ || (scope.question().assumptions[position].relation == Relation::equal &&
+                                    std::any_of(reached.symbols.begin(), reached.symbols.end(),
+                                                [&](SymbolId symbol) { return is_free_tensor(symbol); }));
     symbols_.push_back(std::move(reached.symbols));
     if (scope.question().assumptions[position].relation != Relation::equal) has_orders_ = true;
   }
@@ -304,10 +327,57 @@ bool AssumptionSolver::solve_equations(SampleEvaluator& evaluator, SamplePoint& 
   return false;
 }
 
-/// Puts the sides that are not in order yet at a small distance. The passes try the numbers in both
-/// directions.
-void AssumptionSolver::solve_orders(SampleEvaluator& evaluator, SamplePoint& point,
-                                    std::uint32_t turn) const {
+/// Where the orders leave a number: between what bounds it from below and from above, as far as they are
+/// linear in it; the two as far apart as they are, so that 0 < x < 10^{-8} has samples, and 0 < a < b.
+struct AssumptionSolver::Interval {
+  std::optional<Rational> below;
+  std::optional<Rational> above;
+
+  [[nodiscard]] bool is_empty() const { return below && above && !(*below < *above); }
+  /// In the part of it that the turn says; without two bounds, at a small distance from the one.
+  [[nodiscard]] Rational number(std::uint32_t turn) const {
+    constexpr std::uint32_t parts = 20;  // 1/2 first
+    if (below && above)
+      return *below + (*above - *below) * static_cast<int>((7 * turn + 9) % (parts - 1) + 1) / parts;
+    const Rational& distance = distances()[turn % distances().size()];
+    return below ? *below + distance : *above - distance;
+  }
+};
+
+AssumptionSolver::Interval AssumptionSolver::interval_of(SampleEvaluator& evaluator, SamplePoint& point,
+                                                         const Coordinate& at) const {
+  Interval interval;
+  for (std::size_t i = 0; i < assumptions_.size(); ++i) {
+    const Equation& order = equation(i);
+    const bool bounds = order.relation == Relation::less || order.relation == Relation::less_or_equal;
+    if (!bounds || !contains(symbols_[i], at.symbol)) continue;
+    evaluator.look_at(point);
+    for (const Place& place : evaluator.places(order)) {
+      const auto zero = Residual(evaluator, point, order, place).zero(at);
+      if (!zero) continue;  // left − right has to be negative
+      std::optional<Rational>& bound = cln::plusp(zero->slope) ? interval.above : interval.below;
+      const bool narrower = !bound || (cln::plusp(zero->slope) ? zero->at < *bound : *bound < zero->at);
+      if (narrower) bound = zero->at;
+    }
+  }
+  return interval;
+}
+
+/// Puts the number between the sides of all orders at once, if that can be.
+bool AssumptionSolver::put_between(SampleEvaluator& evaluator, SamplePoint& point, const Coordinate& at,
+                                   std::uint32_t turn) const {
+  const Interval interval = interval_of(evaluator, point, at);
+  if (interval.is_empty() || (!interval.below && !interval.above)) return false;
+  const Rational value = interval.number(turn);
+  if (bit_size(value) > largest_solved) return false;
+  point.set(at, value);
+  return true;
+}
+
+/// Puts the sides that are not in order yet at a small distance, or between those of all orders. The passes
+/// try the numbers in both directions.
+void AssumptionSolver::solve_orders(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t turn,
+                                    bool between) const {
   for (std::size_t i = 0; i < assumptions_.size(); ++i) {
     const Equation& order = equation(i);
     if (order.relation == Relation::equal) continue;
@@ -318,6 +388,7 @@ void AssumptionSolver::solve_orders(SampleEvaluator& evaluator, SamplePoint& poi
       std::vector<Coordinate> choices = candidates(point, i, 0);
       if (turn % 2 == 1) std::reverse(choices.begin(), choices.end());
       for (const Coordinate& at : choices) {
+        if (between && put_between(evaluator, point, at, turn)) break;
         if (symbols_[i].size() == 1 && residual.reflect(at)) break;
         if (residual.solve_for(at, -distances()[turn % distances().size()])) break;
       }
@@ -325,9 +396,48 @@ void AssumptionSolver::solve_orders(SampleEvaluator& evaluator, SamplePoint& poi
   }
 }
 
+/// The unit matrix, an exchange of two axes, a turn of 3, 4 and 5, nothing at all: what an equation between
+/// products of tensors is most often about, R_ik R_jk = δ_ij first of all.
+void AssumptionSolver::put_known_tensors(SamplePoint& point, std::uint32_t attempt) const {
+  const Rational three = Rational(3) / 5;
+  const Rational four = Rational(4) / 5;
+  const std::vector<std::vector<Rational>> known{
+      {1, 0, 0, 0, 1, 0, 0, 0, 1}, {three, -four, 0, four, three, 0, 0, 0, 1},
+      {0, 1, 0, 0, 0, 1, 1, 0, 0}, {1, 0, 0, 0, three, four, 0, four, -three},
+      {0, 1, 0, 1, 0, 0, 0, 0, 1}, {1, 0, 0, 0, -1, 0, 0, 0, 1},
+      {0, 0, 0, 0, 0, 0, 0, 0, 0}};
+  std::size_t turn = attempt;
+  for (const SymbolId symbol : point.symbols()) {
+    if (!is_free_tensor(symbol)) continue;
+    const std::vector<Rational>& entries = known[turn++ % known.size()];
+    for (const Coordinate& at : point.coordinates_of(symbol)) {
+      if (point.is_free(at)) point.set(at, entries[at.component]);
+    }
+  }
+}
+
+bool AssumptionSolver::is_free_tensor(SymbolId symbol) const {
+  const Symbol& named = scope_->tree().symbols[symbol];
+  return named.rank == 2 && !named.rotation;
+}
+
 bool AssumptionSolver::solve(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const {
+  if (!has_tensors_) return solve_as_drawn(evaluator, point, attempt);
+  SamplePoint known = point;
+  try {
+    if (solve_as_drawn(evaluator, point, attempt)) return true;
+  } catch (const PointRejected&) {
+    // the tensors that are known may do
+  }
+  put_known_tensors(known, attempt);
+  point = std::move(known);
+  return solve_as_drawn(evaluator, point, attempt);
+}
+
+bool AssumptionSolver::solve_as_drawn(SampleEvaluator& evaluator, SamplePoint& point,
+                                      std::uint32_t attempt) const {
   for (std::uint32_t pass = 0; pass < (has_orders_ ? order_passes : 1); ++pass) {
-    if (has_orders_) solve_orders(evaluator, point, attempt + pass);
+    if (has_orders_) solve_orders(evaluator, point, attempt + pass, pass >= order_passes / 2);
     if (solve_equations(evaluator, point, attempt) && holds(evaluator, point)) return true;
   }
   return false;

@@ -13,10 +13,11 @@ namespace rigor {
 /// equations of one order are solved together for the derivatives of that order, in which they are linear as
 /// a rule, lower orders before higher ones. Each other assumption that does not hold yet is solved for the
 /// numbers of one symbol, if it is linear in them: one that no other assumption has, then one that no earlier
-/// one has, then one that is a whole side, then a particle's. What an assumption was solved for is not
-/// touched by others; where it is broken by them, it is solved again, a few times. Sides that an order holds
-/// apart are put at a small distance first. In the end everything is verified. Not complete: where the search
-/// finds nothing, another sample or another order (`attempt`) may do.
+/// one has, then one that is a whole side, then a particle's. A number that several orders bound is put
+/// between them; tensors for which that does not do are tried as well-known matrices. What an assumption was
+/// solved for is not touched by others; where it is broken by them, it is solved again, a few times. Sides
+/// that an order holds apart are put at a small distance first. In the end everything is verified. Not
+/// complete: where the search finds nothing, another sample or another order (`attempt`) may do.
 class AssumptionSolver {
  public:
   AssumptionSolver(const Scope& scope, std::vector<std::size_t> assumptions);
@@ -56,7 +57,16 @@ class AssumptionSolver {
   }
   [[nodiscard]] bool is_side(std::size_t assumption, SymbolId symbol) const;
   void order_symbols(std::size_t assumption);
-  void solve_orders(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t turn) const;
+  void solve_orders(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t turn, bool between) const;
+  struct Interval;
+  [[nodiscard]] Interval interval_of(SampleEvaluator& evaluator, SamplePoint& point,
+                                     const Coordinate& at) const;
+  [[nodiscard]] bool put_between(SampleEvaluator& evaluator, SamplePoint& point, const Coordinate& at,
+                                 std::uint32_t turn) const;
+  [[nodiscard]] bool is_free_tensor(SymbolId symbol) const;
+  void put_known_tensors(SamplePoint& point, std::uint32_t attempt) const;
+  [[nodiscard]] bool solve_as_drawn(SampleEvaluator& evaluator, SamplePoint& point,
+                                    std::uint32_t attempt) const;
   [[nodiscard]] std::vector<Coordinate> candidates(const SamplePoint& point, std::size_t assumption,
                                                    std::uint32_t attempt) const;
 
@@ -65,6 +75,7 @@ class AssumptionSolver {
   std::vector<std::vector<SymbolId>> symbols_;  // of each, the first are the first to be solved for
   std::vector<int> derivative_orders_;          // of each, as a differential equation; 0: it is none
   bool has_orders_ = false;
+  bool has_tensors_ = false;  // an equation is about a tensor that is no rotation
   bool has_particle_sums_ = false;
 };
 

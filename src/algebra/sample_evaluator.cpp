@@ -9,6 +9,7 @@
 namespace rigor {
 
 void SampleDomain::step() {
+  if (budget_ != nullptr) budget_->count(1);
   if (++steps_ > largest_steps_)
     throw Undecidable(fmt::format("more than {} steps of evaluation", largest_steps_));
 }
@@ -23,20 +24,32 @@ ExactValue SampleDomain::value(SymbolId symbol, std::uint32_t particle, std::siz
   const Rational& number = point_->value(symbol, particle, component);
   const Meaning& meaning = point_->meaning(symbol);
   if (meaning.kind == Meaning::Kind::itself) return number;
+  if (meaning.kind == Meaning::Kind::logarithm && !cln::plusp(number))
+    throw PointRejected("a logarithm of what is not positive");
   ExactValue value;
   value.parts.push_back({1, number, meaning, point_->place(symbol, particle) + component});
   return value;
 }
 
+namespace {
+
+/// Numbers with more digits than these are worth no sample: each squaring doubles them.
+[[nodiscard]] ExactValue bounded(Rational value) {
+  if (bit_size(value) > largest_bits) throw PointRejected("a number has too many digits");
+  return value;
+}
+
+}  // namespace
+
 ExactValue SampleDomain::multiply(const ExactValue& a, const ExactValue& b) {
-  if (a.parts.empty() && b.parts.empty()) return a.rational * b.rational;
+  if (a.parts.empty() && b.parts.empty()) return bounded(a.rational * b.rational);
   return a.parts.empty() ? scaled(b, a.rational) : scaled(a, rational_of(b));
 }
 
 ExactValue SampleDomain::divide(const ExactValue& a, const ExactValue& b) {
   const Rational& divisor = rational_of(b);
   if (cln::zerop(divisor)) throw PointRejected("division by zero");
-  return a.parts.empty() ? ExactValue(a.rational / divisor) : scaled(a, 1 / divisor);
+  return a.parts.empty() ? bounded(a.rational / divisor) : scaled(a, 1 / divisor);
 }
 
 ExactValue SampleDomain::power(const ExactValue& base, int exponent) {

@@ -21,7 +21,7 @@ class SampleDomain {
  public:
   using Number = ExactValue;
 
-  explicit SampleDomain(std::uint64_t largest_steps) : largest_steps_(largest_steps) {}
+  explicit SampleDomain(const Limits& limits) : largest_steps_(limits.steps), budget_(limits.budget) {}
 
   void look_at(const SamplePoint& point) { point_ = &point; }
   [[nodiscard]] const SamplePoint& point() const { return *point_; }
@@ -33,7 +33,7 @@ class SampleDomain {
   }
   void add(ExactValue& total, const ExactValue& summand) {
     if (summand.parts.empty()) {
-      total.rational = total.rational + summand.rational;
+      total.rational = total.rational + summand.rational;  // a sum is hardly longer than its summands
     } else {
       rigor::add(total, summand);
     }
@@ -74,6 +74,7 @@ class SampleDomain {
   const SamplePoint* point_ = nullptr;
   std::unordered_map<std::string, Rational> numbers_;
   std::uint64_t largest_steps_;
+  Budget* budget_;  // may be none
   std::uint64_t steps_ = 0;
 };
 
@@ -93,7 +94,7 @@ struct Difference {
 class SampleEvaluator {
  public:
   SampleEvaluator(const Scope& scope, const Limits& limits)
-      : scope_(&scope), domain_(limits.steps), evaluator_(scope, domain_) {}
+      : scope_(&scope), domain_(limits), evaluator_(scope, domain_) {}
 
   /// The sample to evaluate on; to be called again when it has changed.
   void look_at(const SamplePoint& point);

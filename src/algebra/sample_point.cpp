@@ -70,8 +70,10 @@ std::vector<Coordinate> SamplePoint::coordinates_of(SymbolId symbol) const {
 void SamplePoint::set(const Coordinate& at, const Rational& value) {
   const Symbol& named = tree_->symbols[at.symbol];
   const std::size_t first = position(at.symbol, at.particle);
+  const bool lacks_logarithm = meaning(at.symbol).kind == Meaning::Kind::logarithm && !cln::plusp(value);
   for (std::size_t component = 0; component < component_count(named.rank); ++component) {
-    if (canonical_component(named, component) == at.component) values_[first + component] = value;
+    if (canonical_component(named, component) == at.component)
+      values_[first + component] = lacks_logarithm ? Rational(1) : value;
   }
 }
 

@@ -55,7 +55,8 @@ class SamplePoint {
   [[nodiscard]] const Rational& operator[](const Coordinate& at) const {
     return value(at.symbol, at.particle, at.component);
   }
-  /// Sets a number that is not whole, and the components that equal it by symmetry.
+  /// Sets a number that is not whole, and the components that equal it by symmetry. Where it is to have a
+  /// logarithm and is not positive, it becomes 1, whose logarithm is 0.
   void set(const Coordinate& at, const Rational& value);
   /// Sets all components as they are.
   void set_all(SymbolId symbol, std::uint32_t particle, std::span<const Rational> components);
@@ -120,8 +121,8 @@ void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random)
 /// take turns. Balanced: sums over particles are often to vanish.
 class SampleSequence {
  public:
-  SampleSequence(const ExprTree& tree, const Reach& reached, bool balanced)
-      : tree_(&tree), reach_(&reached), random_(seed), balanced_(balanced) {}
+  SampleSequence(const ExprTree& tree, const Reach& reached, bool balanced, std::uint64_t from = seed)
+      : tree_(&tree), reach_(&reached), random_(from), balanced_(balanced) {}
 
   [[nodiscard]] SamplePoint next();
   [[nodiscard]] std::uint32_t drawn() const { return drawn_; }

@@ -90,7 +90,10 @@ class Search {
 std::optional<Sample> satisfying_sample(const Question& question, const Sample& known, const Limits& limits) {
   if (question.assumptions.empty()) return Sample{};
   const Scope scope(question, Scope::Definitions::unfolded);
-  return Search(scope, limits).run(known);
+  Budget own;
+  Limits counted = limits;
+  if (counted.budget == nullptr) counted.budget = &own;
+  return Search(scope, counted).run(known);
 }
 
 }  // namespace rigor

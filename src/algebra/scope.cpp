@@ -72,7 +72,9 @@ Scope::Scope(const Question& question, Definitions definitions)
     RIGOR_CHECK(definition.particle == no_particle || named.per_particle, named.name);
     const auto symbol = static_cast<std::size_t>(definition.symbol);
     defined_[symbol] = true;
-    const bool unfold = definitions == Definitions::unfolded && !zeroed_[symbol];
+    const bool unfold = (definitions == Definitions::unfolded ||
+                         (definitions == Definitions::opaque_but_squares && definition.by_square)) &&
+                        !zeroed_[symbol];
     if (unfold && definition_[symbol] == nullptr) definition_[symbol] = &definition;
   }
 }

@@ -11,10 +11,11 @@
 namespace rigor {
 
 /// A question with its definitions found by symbol. The first definition of a symbol counts; a symbol that is
-/// taken as zero has none. Opaque: definitions are not unfolded, every symbol is free.
+/// taken as zero has none. Opaque: definitions are not unfolded, every symbol is free. But squares: a name
+/// that is defined by its square is unfolded all the same, since nothing says that it is a real number.
 class Scope {
  public:
-  enum class Definitions : std::uint8_t { unfolded, opaque };
+  enum class Definitions : std::uint8_t { unfolded, opaque, opaque_but_squares };
 
   Scope(const Question& question, Definitions definitions);
 

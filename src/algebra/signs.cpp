@@ -63,9 +63,10 @@ Sign power(Sign base, int exponent) {
 
 void Signs::know(const ex& indeterminate, Sign sign) {
   const Indeterminates::Origin& origin = indeterminates_.origin(indeterminate);
-  Sign& known = origin.kind == Indeterminates::Kind::coordinate
-                    ? coordinates_.try_emplace({origin.symbol, origin.component}, Sign::any).first->second
-                    : others_.try_emplace(indeterminate, Sign::any).first->second;
+  const bool of_each = origin.kind == Indeterminates::Kind::coordinate && origin.frame == template_frame;
+  Sign& known =
+      of_each ? of_each_particle_.try_emplace({origin.symbol, origin.component}, Sign::any).first->second
+              : known_.try_emplace(indeterminate, Sign::any).first->second;
   known = common(known, sign);
 }
 
@@ -112,12 +113,11 @@ void Signs::conclude() {
 
 Sign Signs::of_indeterminate(const ex& indeterminate) const {
   const Indeterminates::Origin& origin = indeterminates_.origin(indeterminate);
-  if (origin.kind == Indeterminates::Kind::coordinate) {
-    const auto known = coordinates_.find({origin.symbol, origin.component});
-    return known == coordinates_.end() ? Sign::any : known->second;
-  }
-  const auto known = others_.find(indeterminate);
-  return known == others_.end() ? Sign::any : known->second;
+  const auto known = known_.find(indeterminate);
+  const Sign own = known == known_.end() ? Sign::any : known->second;
+  if (origin.kind != Indeterminates::Kind::coordinate || origin.frame == common_frame) return own;
+  const auto each = of_each_particle_.find({origin.symbol, origin.component});
+  return each == of_each_particle_.end() ? own : common(own, each->second);
 }
 
 /// Recursion: as deep as the expression.

@@ -29,6 +29,10 @@ enum class Sign : std::uint8_t {
   return static_cast<Sign>(static_cast<unsigned>(a) & static_cast<unsigned>(b));
 }
 [[nodiscard]] constexpr bool is_within(Sign sign, Sign allowed) { return common(sign, allowed) == sign; }
+/// The same for a conclusion: of a value that has no sign at all, nothing follows.
+[[nodiscard]] constexpr bool is_surely(Sign sign, Sign allowed) {
+  return sign != Sign::impossible && is_within(sign, allowed);
+}
 [[nodiscard]] Sign opposite(Sign sign);
 [[nodiscard]] Sign sum(Sign a, Sign b);
 [[nodiscard]] Sign product(Sign a, Sign b);
@@ -39,7 +43,8 @@ class Signs {
  public:
   explicit Signs(Indeterminates& indeterminates) : indeterminates_(indeterminates) {}
 
-  /// From now on an indeterminate has this sign; a coordinate has it in every frame.
+  /// From now on an indeterminate has this sign. Of a particle's number it is known for that particle alone,
+  /// but of the template's for all: what is said of each particle is learnt there.
   void know(const GiNaC::ex& indeterminate, Sign sign);
   /// p has this sign, for a polynomial p. It is expanded.
   void add_fact(const GiNaC::ex& value, Sign sign);
@@ -61,8 +66,8 @@ class Signs {
   [[nodiscard]] bool conclude_from(const Fact& fact);
 
   Indeterminates& indeterminates_;
-  std::map<std::pair<SymbolId, std::uint32_t>, Sign> coordinates_;
-  std::map<GiNaC::ex, Sign, GiNaC::ex_is_less> others_;
+  std::map<GiNaC::ex, Sign, GiNaC::ex_is_less> known_;
+  std::map<std::pair<SymbolId, std::uint32_t>, Sign> of_each_particle_;
   std::vector<Fact> facts_;
 };
 

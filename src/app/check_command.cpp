@@ -40,7 +40,8 @@ FileReport check_one(const CheckCommand& command, const std::string& path, Sourc
   const CheckOptions options{.sidecar = command.sidecar,
                              .progress = progress,
                              .repairs = for_people ? Repairs::of_unexpected : Repairs::of_all,
-                             .cache = cache ? &*cache : nullptr};
+                             .cache = cache ? &*cache : nullptr,
+                             .effort = command.effort};
   FileReport report = check_file(sources, path, options);
   if (cache) {
     cache->save();

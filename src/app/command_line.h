@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "algebra/budget.h"
 #include "app/debug.h"
 #include "app/exit_code.h"
 
@@ -23,7 +24,8 @@ struct CheckCommand {
   ReportFormat format = ReportFormat::text;
   bool strict = false;
   bool dimensions = false;
-  std::size_t jobs = 1;              // 0: as many as there are processors
+  std::size_t jobs = 1;  // 0: as many as there are processors
+  std::uint64_t effort = default_effort;
   std::optional<std::string> cache;  // a folder
   std::optional<std::string> marks;  // a file for `rigor.sty`
   ColorWhen color = ColorWhen::automatic;

@@ -14,11 +14,13 @@ namespace {
 constexpr auto table = std::to_array<DebugTopicInfo>({
     {DebugTopic::time, "time", "milliseconds of each step"},
     {DebugTopic::steps, "steps", "verdict, route and uses of each step"},
+    {DebugTopic::work, "work", "units of work of each step, which `--effort` bounds"},
     {DebugTopic::cache, "cache", "how many decisions of each file were remembered"},
 });
 
 std::string line_of(DebugTopic topic, const Step& step) {
   if (topic == DebugTopic::time) return fmt::format("{:.3f} ms", step.milliseconds);
+  if (topic == DebugTopic::work) return fmt::format("{}", step.work);
   std::string text(name_of(step.verdict));
   if (!step.route.empty()) text += "; route: " + step.route;
   if (!step.uses.empty()) text += fmt::format("; uses: {}", fmt::join(step.uses, ", "));

@@ -12,7 +12,7 @@
 
 namespace rigor {
 
-enum class DebugTopic : std::uint8_t { time, steps, cache };
+enum class DebugTopic : std::uint8_t { time, steps, work, cache };
 
 struct DebugTopicInfo {
   DebugTopic topic;

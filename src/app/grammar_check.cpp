@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <string>
 
 #include "app/grammar.h"
 
@@ -54,6 +55,15 @@ std::string jobs_from(const std::string& word, std::size_t& jobs) {
   return fmt::format("`--jobs` is a number from 0 to {}, not `{}`", most, word);
 }
 
+/// Units of work; what is wrong with them, if they are none.
+std::string effort_from(const std::string& word, std::uint64_t& effort) {
+  constexpr std::uint64_t most = 1'000'000'000'000;
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), effort);
+  const bool whole = read.ec == std::errc() && read.ptr == word.data() + word.size();
+  if (whole && effort >= 1 && effort <= most) return "";
+  return fmt::format("`--effort` is a number of units from 1 to {}, not `{}`", most, word);
+}
+
 DebugTopic topic_of(const std::string& name) {
   const auto table = debug_topic_table();
   return std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.name == name; })
@@ -76,6 +86,7 @@ void add_check(Grammar& grammar) {
     std::optional<std::string> format;
     bool json = false;
     std::string jobs = "1";
+    std::string effort = std::to_string(default_effort);
   };
   const auto words = std::make_shared<Words>();
   CLI::App& app = grammar.command(
@@ -98,6 +109,8 @@ void add_check(Grammar& grammar) {
         command.format = format_of_name(words->json ? "json" : words->format.value_or("text"));
         if (const std::string wrong = jobs_from(words->jobs, command.jobs); !wrong.empty())
           return usage_error(wrong, "check");
+        if (const std::string wrong = effort_from(words->effort, command.effort); !wrong.empty())
+          return usage_error(wrong, "check");
         if (command.cache == "" || command.marks == "")
           return usage_error("`--cache` and `--marks` name a place, not nothing", "check");
         for (const std::string& name : words->topics) command.debug.push_back(topic_of(name));
@@ -115,6 +128,9 @@ void add_check(Grammar& grammar) {
   app.add_flag("--strict", check.strict, "Count warnings as errors");
   app.add_flag("--dimensions", check.dimensions, "Print what was found of each symbol's dimension");
   app.add_option("--jobs,-j", words->jobs, "Check so many files at once; 0: as many as there are processors")
+      ->type_name("N");
+  app.add_option("--effort", words->effort,
+                 fmt::format("Give up on a step after so many units of work ({})", default_effort))
       ->type_name("N");
   add_path(app, "--cache", check.cache, "FOLDER", "Remember decisions there, and decide nothing twice");
   add_path(app, "--marks", check.marks, "FILE", "Write what `rigor.sty` prints in the margin");

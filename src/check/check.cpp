@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "check/decision_cache.h"
 #include "check/form_record.h"
 #include "check/forms.h"
 #include "check/notes.h"
@@ -59,6 +60,8 @@ std::optional<Sidecar> find_sidecar(const std::string& notes, const CheckOptions
 /// The walk through the notes; with a request, it collects what that asks for.
 FormsReading walk(SourceMap& sources, const Notes& notes, FileReport& report, CheckOptions options,
                   const FormRequest* request) {
+  DecisionCache counting;
+  if (options.cache == nullptr) options.cache = &counting;
   if (request == nullptr) {
     Session(sources, notes, report, options).run();
     return {};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "algebra/budget.h"
 #include "check/recorded.h"
 #include "source/source_map.h"
 
@@ -23,7 +24,8 @@ struct CheckOptions {
   Repairs repairs = Repairs::of_unexpected;
   FormRecorder* forms = nullptr;      // collects for the floating-point side, and says what is needed
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
-  DecisionCache* cache = nullptr;     // decisions of earlier runs
+  DecisionCache* cache = nullptr;     // decisions of earlier runs; none: they are only counted
+  std::uint64_t effort = default_effort;  // for each step, and again for what helps where it is wrong
 };
 
 /// Never throws for anything that is in the notes. A file that cannot be read is reported as such.

@@ -17,7 +17,7 @@
 namespace rigor {
 namespace {
 
-constexpr std::string_view first_line = "rigor decisions 1\n";
+constexpr std::string_view first_line = "rigor decisions 2\n";
 constexpr std::size_t digest_size = 32;
 constexpr std::uint32_t oldest = 8;
 constexpr std::size_t largest_file = 48 * 1024 * 1024;
@@ -48,6 +48,12 @@ struct NumberedDecision {
   std::vector<std::uint64_t> unfolded;
   std::vector<std::uint64_t> assumptions;
   std::vector<NumberedSample> samples;  // at most one
+  std::uint64_t work = 0;               // that it took
+};
+
+struct NumberedSatisfaction {
+  std::vector<NumberedSample> samples;  // at most one
+  std::uint64_t work = 0;
 };
 
 struct SavedEntry {
@@ -75,7 +81,12 @@ template <class Archive>
 void fields(Archive& archive, NumberedDecision& decision) {
   archive.bounded(decision.outcome, 3);
   archive(decision.vanishes, decision.route, decision.reason, decision.no_real_value, decision.unfolded,
-          decision.assumptions, decision.samples);
+          decision.assumptions, decision.samples, decision.work);
+}
+
+template <class Archive>
+void fields(Archive& archive, NumberedSatisfaction& satisfaction) {
+  archive(satisfaction.samples, satisfaction.work);
 }
 
 template <class Archive>
@@ -132,7 +143,8 @@ std::optional<NumberedDecision> numbered(const Decision& decision, const Questio
                           decision.no_real_value,
                           {},
                           {},
-                          {}};
+                          {},
+                          0};
   for (const SymbolId symbol : decision.unfolded) {
     const auto number = asked.number_of.find(symbol);
     if (number == asked.number_of.end()) return std::nullopt;
@@ -181,7 +193,8 @@ bool still_refutes(const Question& question, const Decision& decision) {
 
 std::string limits_text(const Limits& limits) {
   const auto& [expanded_terms, steps, quick_points, quick_steps, sample_attempts, fewest_assumptions,
-               simplest_sample] = limits;
+               simplest_sample, budget] = limits;
+  static_cast<void>(budget);  // an answer counts what it took
   return fmt::format("limits {} {} {} {} {} {} {}\n", expanded_terms, steps, quick_points, quick_steps,
                      sample_attempts, fewest_assumptions, simplest_sample);
 }
@@ -238,43 +251,64 @@ void DecisionCache::remember(const std::string& question, std::string answer) {
   changed_ = true;
 }
 
+bool DecisionCache::takes(std::uint64_t work) {
+  if (work > budget_.left()) return false;
+  budget_.count(work);
+  return true;
+}
+
 Decision DecisionCache::decide(const Question& question, const Limits& limits) {
+  Limits counted = limits;
+  counted.budget = &budget_;
+  if (!remembers()) return rigor::decide(question, counted);
   const QuestionText asked = question_text(question);
   const std::string key = "decide\n" + limits_text(limits) + asked.text;
   if (const Entry* entry = find(key)) {
     const auto saved = unpacked<NumberedDecision>(entry->answer);
     auto decision = saved ? with_symbols(*saved, asked, question) : std::nullopt;
-    if (decision && still_refutes(question, *decision)) {
+    if (decision && still_refutes(question, *decision) && takes(saved->work)) {
       ++use_.reused;
       return *std::move(decision);
     }
   }
-  Decision decision = rigor::decide(question, limits);
-  if (const auto saved = numbered(decision, asked)) remember(key, packed(*saved));
+  const std::uint64_t before = budget_.used();
+  Decision decision = rigor::decide(question, counted);
+  auto saved = budget_.exhausted() ? std::nullopt : numbered(decision, asked);
+  if (saved) {
+    saved->work = budget_.used() - before;
+    remember(key, packed(*std::move(saved)));
+  }
   return decision;
 }
 
 std::optional<Sample> DecisionCache::satisfying_sample(const Question& question, const Sample& known,
                                                        const Limits& limits) {
+  Limits counted = limits;
+  counted.budget = &budget_;
+  if (!remembers()) return rigor::satisfying_sample(question, known, counted);
   std::vector<SymbolId> also;
   for (const SampleValue& value : known.values) also.push_back(value.symbol);
   const QuestionText asked = question_text(question, also);
   const std::string key =
       "satisfy\n" + limits_text(limits) + asked.text + "known\n" + sample_text(known, asked);
   if (const Entry* entry = find(key)) {
-    const auto saved = unpacked<std::vector<NumberedSample>>(entry->answer);
-    const bool none = saved && saved->empty();
+    const auto saved = unpacked<NumberedSatisfaction>(entry->answer);
+    const bool none = saved && saved->samples.empty();
     std::optional<Sample> sample;
-    if (saved && !none) sample = with_symbols(saved->front(), asked);
-    if (sample || none) {
+    if (saved && !none) sample = with_symbols(saved->samples.front(), asked);
+    if ((sample || none) && takes(saved->work)) {
       ++use_.reused;
       return sample;
     }
   }
-  std::optional<Sample> sample = rigor::satisfying_sample(question, known, limits);
-  std::vector<NumberedSample> saved;
-  if (const auto found = sample ? numbered(*sample, asked) : std::nullopt) saved.push_back(*found);
-  if (sample.has_value() != saved.empty()) remember(key, packed(saved));
+  const std::uint64_t before = budget_.used();
+  std::optional<Sample> sample = rigor::satisfying_sample(question, known, counted);
+  NumberedSatisfaction saved;
+  if (auto found = sample ? numbered(*sample, asked) : std::nullopt)
+    saved.samples.push_back(*std::move(found));
+  saved.work = budget_.used() - before;
+  if (!budget_.exhausted() && sample.has_value() != saved.samples.empty())
+    remember(key, packed(std::move(saved)));
   return sample;
 }
 

@@ -17,8 +17,16 @@ namespace rigor {
 /// throws.
 class DecisionCache {
  public:
+  /// Remembers nothing, and only counts.
+  DecisionCache() = default;
   /// `program`: what tells this program, with all that decides in it, from any other.
   DecisionCache(const std::string& folder, const std::string& notes, std::string program);
+
+  /// From now on all that is asked is about the next step, or about what would help it, for so much work.
+  /// What is remembered counts what it took when it was decided, so that it is the same with a cache and
+  /// without.
+  void begin(std::uint64_t effort) { budget_ = Budget(effort); }
+  [[nodiscard]] Budget& budget() { return budget_; }
 
   [[nodiscard]] Decision decide(const Question& question, const Limits& limits);
   [[nodiscard]] std::optional<Sample> satisfying_sample(const Question& question, const Sample& known,
@@ -36,12 +44,16 @@ class DecisionCache {
   void load();
   Entry* find(const std::string& question);
   void remember(const std::string& question, std::string answer);
+  [[nodiscard]] bool remembers() const { return !path_.empty(); }
+  /// Counts what an answer took before; false if there is not so much left.
+  [[nodiscard]] bool takes(std::uint64_t work);
 
   std::string folder_;
   std::string path_;
   std::string program_;
   std::map<std::string, Entry> entries_;  // by what was asked
   CacheUse use_;
+  Budget budget_;
   bool changed_ = false;
 };
 

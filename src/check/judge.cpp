@@ -13,8 +13,10 @@
 #include "check/divisors.h"
 #include "check/identity_reading.h"
 #include "check/law_diagnostic.h"
+#include "check/negative_squares.h"
 #include "check/question.h"
 #include "check/question_names.h"
+#include "check/sign_doubt.h"
 
 namespace rigor {
 namespace {
@@ -50,6 +52,7 @@ class Judging {
     }
     if (decision.outcome == Outcome::refuted)
       decision = where_nothing_is_divided_by_zero(std::move(decision));
+    if (decision.outcome == Outcome::refuted) decision = where_squares_are_squares(std::move(decision));
     judgement_.route = decision.route;
     switch (decision.outcome) {
       case Outcome::proved:
@@ -141,6 +144,36 @@ class Judging {
       decision.reason =
           fmt::format("it was found to fail only where one of {} is 0, by which the notes divide",
                       quoted_names(tree_, divisors));
+    return decision;
+  }
+
+  /// `(\Omega)^2 = k`: where k is negative, Ω is no number that the notes need mean. A sample of that kind
+  /// refutes only what fails without it as well, or what is said of a square that is negative in any case.
+  Decision where_squares_are_squares(Decision refuted) {
+    if (claim_.recorded != nullptr) return refuted;
+    const std::vector<NegativeSquare> negative =
+        negative_squares_of_sample(tree_, names_, prepared_.question, *refuted.sample);
+    if (negative.empty()) return refuted;
+    const Prepared before = prepared_;
+    for (const NegativeSquare& each : negative) {
+      prepared_.question.assumptions.push_back(each.not_negative);
+      prepared_.assumptions.push_back(nullptr);
+    }
+    prepared_.question.tree = &tree_;
+    Decision decision = decide_prepared(true);
+    if (decision.outcome == Outcome::refuted) return decision;
+    prepared_ = before;
+    const bool in_any_case = std::all_of(negative.begin(), negative.end(), [&](const NegativeSquare& each) {
+      Question question = prepared_.question;
+      question.tree = &tree_;
+      question.claim = each.negative;
+      return decide(cache_, question, {.simplest_sample = false}).outcome == Outcome::proved;
+    });
+    if (in_any_case) return refuted;
+    decision = Decision{};
+    decision.reason = fmt::format(
+        "it was found to fail only where `({})^2` is negative, and nothing says whether it can be",
+        tree_.symbols[negative.front().name].name);
     return decision;
   }
 
@@ -269,29 +302,6 @@ class Judging {
     return left.op == Op::symbol && names_.definition_of(left.symbol) != nullptr;
   }
 
-  /// `|m\mathbf v| = mv` fails for negative m, and a mass is none. Samples prefer positive scalars, so that a
-  /// negative one was needed.
-  std::optional<std::string> undeclared_negative(const Sample& sample) const {
-    const auto has_root = [&](ExprId root) {
-      std::vector<ExprId> pending{root};
-      for (const Definition& definition : prepared_.question.definitions) pending.push_back(definition.body);
-      while (!pending.empty()) {
-        const ExprId id = pending.back();
-        pending.pop_back();
-        const Op op = tree_[id].op;
-        if (op == Op::root || op == Op::length || op == Op::absolute) return true;
-        for (const ExprId child : tree_.children(id)) pending.push_back(child);
-      }
-      return false;
-    };
-    if (!has_root(claim_.equation.left) && !has_root(claim_.equation.right)) return std::nullopt;
-    for (const SampleValue& value : sample.values) {
-      const Symbol& symbol = tree_.symbols[value.symbol];
-      if (symbol.rank == 0 && !symbol.declared && value.components[0].starts_with('-')) return symbol.name;
-    }
-    return std::nullopt;
-  }
-
   /// `scalar I_1` beside `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
   std::optional<std::pair<std::string, std::string>> component_declared_alone() const {
     std::set<SymbolId> reached;
@@ -347,12 +357,11 @@ class Judging {
       judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law));
       return;
     }
-    if (const auto negative = undeclared_negative(*decision.sample)) {
+    prepared_.question.tree = &tree_;
+    if (const auto doubt = doubt_of_signs(tree_, prepared_.question, *decision.sample, cache_)) {
       judgement_.verdict = Verdict::undecided;
-      add(DiagnosticKind::undecided,
-          fmt::format("it was found to fail only where `{}` is negative, and nothing says whether it can be",
-                      *negative),
-          {fmt::format("`rigor: scalar {}` means it for all values", *negative)});
+      add(DiagnosticKind::undecided, doubt->reason,
+          {fmt::format("`rigor: scalar {}` means it for all values", doubt->name)});
       return;
     }
     judgement_.verdict = Verdict::refuted;

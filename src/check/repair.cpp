@@ -26,7 +26,10 @@ constexpr Limits brief{.expanded_terms = 10'000,
                        .quick_steps = 4'000,
                        .sample_attempts = 12,
                        .fewest_assumptions = false};
-constexpr Limits screening{.steps = 200'000};
+/// For samples that candidates are compared on.
+[[nodiscard]] Limits screening(DecisionCache* cache) {
+  return {.steps = 200'000, .budget = cache == nullptr ? nullptr : &cache->budget()};
+}
 constexpr int widest_choice = 20;    // how much further than the nearest another one may be
 constexpr long largest_number = 12;  // in a coefficient that is offered
 
@@ -210,7 +213,7 @@ class Search {
     Prepared prepared = prepare(tree_, names_, claim_.equation, 0, Precision::exact, 0, sides);
     if (speaks_of_derivatives(prepared))
       prepared = prepare(tree_, names_, claim_.equation, 1, Precision::exact, 0, sides);
-    SampleScreen screen(prepared.question, sides, screening);
+    SampleScreen screen(prepared.question, sides, screening(cache_));
     std::vector<RepairCandidate> holding;
     const std::vector<bool> passing = screen.passing(equations);
     for (std::size_t k = 0; k < rewritten.size(); ++k) {
@@ -220,7 +223,7 @@ class Search {
     if (!terms.empty() && holding.empty()) {
       const std::vector<ComparedTerm> longer = candidates_.longer_terms();
       const std::vector<Equation> longer_zeros = zeros_of(longer);
-      SampleScreen larger(prepared.question, sides, screening);  // of the tree that has grown
+      SampleScreen larger(prepared.question, sides, screening(cache_));  // of the tree that has grown
       compare(larger, longer, longer_zeros, holding);
     }
     return holding;
@@ -239,7 +242,7 @@ class Search {
       std::vector<Equation> parts;
       for (const Equation& equation : equations) parts.push_back(at_order(equation).claim);
       const Question question = at_order(claim_.equation);
-      const std::vector<bool> passing = SampleScreen(question, {}, screening).passing(parts);
+      const std::vector<bool> passing = SampleScreen(question, {}, screening(cache_)).passing(parts);
       for (std::size_t k = 0; k < holds.size(); ++k) holds[k] = holds[k] && passing[k];
     }
     std::vector<RepairCandidate> holding;

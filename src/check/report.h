@@ -84,6 +84,8 @@ struct Step {
   double repair_milliseconds = 0.0;     // the time that was taken to find them
   Diagnostics diagnostics;
   double milliseconds = 0.0;
+  std::uint64_t work =
+      0;  // units (`algebra/budget.h`) for its verdict or for what helps, whichever took more
 };
 
 /// What was found of one symbol's dimension.

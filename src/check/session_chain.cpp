@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "check/decision_cache.h"
 #include "check/missing_condition.h"
 #include "check/repair.h"
 #include "check/session.h"
@@ -107,9 +108,11 @@ void Session::suggest_repairs(const ParsedChain& parsed, const Context& context,
                           .left = trust(first_step + which - 1, which > 0),
                           .right = trust(first_step + which + 1, which + 1 < count),
                           .near = sides_near(parsed)};
+    options_.cache->begin(options_.effort);
     step.repairs = nearest_true_statements(tree_, names_, wrong, options_.cache);
     step.repair_milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     if (refuted) step.conditions = missing_conditions(tree_, names_, wrong, options_.cache);
+    step.work = std::max(step.work, options_.cache->budget().used());
   }
 }
 

@@ -175,7 +175,6 @@ bool Session::may_redefine(const Typed& left, const Typed& right) {
 /// definition. What can be compared with the earlier meaning is a claim, wherever it stands.
 bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
                         const Typed& right, Step& step) {
-  if (!may_redefine(left, right)) return false;
   const NamedDefinition* earlier = names_.definition_of(as_definition(left, right)->symbol);
   Question question;
   question.tree = &tree_;

@@ -6,6 +6,7 @@
 
 #include "base/utf8.h"
 #include "check/chain_ends.h"
+#include "check/decision_cache.h"
 #include "check/session.h"
 
 namespace rigor {
@@ -75,6 +76,7 @@ void Session::explain_slips(const ParsedChain& parsed, std::size_t first_step, C
   for (std::size_t k = 0; k < relations.size(); ++k)
     links.push_back(link_of(report_.steps[first_step + k], relations[k]));
   if (std::count(links.begin(), links.end(), Link::fails) == 0) return;
+  options_.cache->begin(options_.effort);
   const auto decide_across = [&](std::size_t i, std::size_t k) { return across(parsed, i, k, reading); };
   const auto places = places_in_chain(links, decide_across);
   for (std::size_t k = 0; k < places.size(); ++k) {

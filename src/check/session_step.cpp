@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "check/decision_cache.h"
 #include "check/session.h"
 #include "expr/differentiate.h"
 
@@ -54,6 +55,7 @@ bool only_asks(const Diagnostics& diagnostics) {
 void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& reading,
                    const Context& context) {
   const auto start = Clock::now();
+  options_.cache->begin(options_.effort);
   Step step = new_step(parsed, which, context);
   const WrittenRelation& relation = parsed.written.relations[which];
   const std::vector<Side>& sides = reading.sides;
@@ -83,6 +85,7 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
                        !directed, passing, report_.steps.size()});
   }
   step.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  step.work = options_.cache->budget().used();
   add(std::move(step));
 }
 
@@ -145,6 +148,9 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   const WrittenRelation& relation = parsed.written.relations[which];
   const bool may_define = which == 0 && !is_order(relation.kind) && relation.kind != RelationKind::nearly;
   if (may_define && defines(parsed, left, right, context, step)) return;
+  const bool bare_square =
+      tree_[left.typed->id].op == Op::power && !stands_in_brackets(parsed.sides[0]);  // a law, also anew
+  const bool may_replace = may_define && !bare_square && may_redefine(*left.typed, *right.typed);
   Diagnostics mismatches;
   auto claim = reading.claim(parsed, which, context.first_order, mismatches);
   step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
@@ -162,11 +168,11 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
                                 {"`rigor: given` assumes an equation"}});
     return;
   }
-  if (!decides() && !(may_define && may_redefine(*left.typed, *right.typed))) return;
+  if (!decides() && !may_replace) return;
   claim->explains = options_.forms != nullptr;
   Judgement judgement = judge(tree_, names_, *claim, {}, options_.cache);
   if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
-  if (may_define && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
+  if (may_replace && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
   const bool open = judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided ||
                     judgement.verdict == Verdict::not_understood;
   if (open && proves_with_dots_on_vectors(parsed, which, *claim, step)) return;

@@ -75,11 +75,11 @@ template <class Archive>
 void fields(Archive& archive, Step& step) {
   auto& [span, relation_span, tag, label, section, source, left, relation, right, verdict, expected_refuted,
          route, uses, counterexample, chain, repairs, conditions, repair_milliseconds, diagnostics,
-         milliseconds] = step;
+         milliseconds, work] = step;
   archive(span, relation_span, tag, label, section, source, left, relation, right);
   archive.bounded(verdict, verdict_count);
   archive(expected_refuted, route, uses, counterexample, chain, repairs, conditions, repair_milliseconds,
-          diagnostics, milliseconds);
+          diagnostics, milliseconds, work);
 }
 
 template <class Archive>

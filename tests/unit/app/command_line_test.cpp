@@ -122,7 +122,7 @@ TEST_CASE("what is wrong with a command line is said in one line") {
   CHECK(usage_error({"check", "a.md", "--color", "pink"}) ==
         "rigor: --color: unknown colour setting `pink`; known: auto, always, never");
   CHECK(usage_error({"check", "a.md", "--debug", "all"}) ==
-        "rigor: --debug: unknown topic `all`; known: time, steps, cache");
+        "rigor: --debug: unknown topic `all`; known: time, steps, work, cache");
   CHECK(usage_error({"check", "a.md", "b.md", "--sidecar", "s.rigor"}) ==
         "rigor: `--sidecar` belongs to one file, and 2 are given");
 }
