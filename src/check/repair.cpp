@@ -10,6 +10,7 @@
 
 #include "algebra/screen.h"
 #include "check/chain_reading.h"
+#include "check/decision_cache.h"
 #include "check/question.h"
 #include "latex/parse.h"
 
