@@ -8,7 +8,7 @@
 namespace rigor {
 
 /// Of one step of some notes, unless something else is asked for.
-inline constexpr std::uint64_t default_effort = 1'500'000;
+inline constexpr std::uint64_t default_effort = 5'000'000;
 
 /// One counter for all that is asked about a step: its proofs, samples, and the assumptions' samples. What
 /// counts beyond the end gives up, at once and each time, so that everything ends.

@@ -147,10 +147,11 @@ class Judging {
     return decision;
   }
 
-  /// `(\Omega)^2 = k`: where k is negative, Ω is no number that the notes need mean. A sample of that kind
-  /// refutes only what fails without it as well, or what is said of a square that is negative in any case.
+  /// `(\Omega)^2 = k`: where k is negative, Ω is no number that the notes need mean. For an order, a sample
+  /// of that kind refutes only what fails without it as well, or what is said of a square that is negative in
+  /// any case.
   Decision where_squares_are_squares(Decision refuted) {
-    if (claim_.recorded != nullptr) return refuted;
+    if (claim_.recorded != nullptr || claim_.equation.relation == Relation::equal) return refuted;
     const std::vector<NegativeSquare> negative =
         negative_squares_of_sample(tree_, names_, prepared_.question, *refuted.sample);
     if (negative.empty()) return refuted;
