@@ -66,13 +66,18 @@ std::optional<Typed> Elaborator::along_axes(Typed whole, const std::vector<Writt
   return sum_over(std::move(typed), to_sum);
 }
 
-/// `\lambda_{i'j}` and `\lambda_{ji'}` are the same cosine; where no prime is written, the first index is the
-/// primed one.
+/// `\lambda_{i'j}` and `\lambda_{ji'}` are the same cosine; where no prime is written in all of a statement,
+/// the first index is the primed one.
 std::optional<Typed> Elaborator::direction_cosine(const ExprNode& node, const std::vector<WrittenIndex>& axes,
                                                   Typed typed, Span span) {
   if (primed_twice(axes, span)) return std::nullopt;
   if (axes[0].primes > 0 && axes[1].primes > 0)
     return unsupported(span, "a direction cosine between two primed axes is not read");
+  if (reading_.primes_on_axes && axes[0].primes == 0 && axes[1].primes == 0)
+    return fail(
+        DiagnosticKind::ambiguous_reading, span,
+        "beside primed indices, this rotation has none, so which of its indices is the primed one is open",
+        {"write the prime on one of them"});
   std::vector<Slot> slots;
   std::vector<FreeIndex> known;
   if (!read_slots(axes, slots, known))

@@ -58,11 +58,30 @@ bool Elaborator::is_exponential(SyntaxId id) const {
          !integer(syntax_.child(id, 1)).has_value();
 }
 
+/// `H^0`, `E^1`: nobody writes such a power of a letter, but of Euler's number.
+bool Elaborator::reads_as_order(SyntaxId id) const {
+  const SyntaxId base = syntax_.child(id, 0);
+  if (syntax_[base].kind != SyntaxKind::symbol || syntax_[syntax_.child(id, 1)].kind != SyntaxKind::number)
+    return false;
+  const std::string& exponent = syntax_.text(syntax_.child(id, 1));
+  const WrittenSymbol& symbol = syntax_.symbol(base);
+  const bool euler = symbol.letter == "e" && symbol.lower.empty() && symbol.face == Face::plain &&
+                     !names_.is_declared({symbol.letter, 0, false});
+  return (exponent == "0" || exponent == "1") && !euler;
+}
+
 std::optional<Typed> Elaborator::power(SyntaxId id) {
   const Span span = syntax_[id].span;
   if (is_exponential(id)) {
     const Maybe argument = expression(syntax_.child(id, 1));
     return argument ? elementary("exp", *argument, span) : std::nullopt;
+  }
+  if (reads_as_order(id)) {
+    const WrittenSymbol& symbol = syntax_.symbol(syntax_.child(id, 0));
+    return fail(DiagnosticKind::ambiguous_reading, span,
+                fmt::format("a {} above `{}` can be a power, or say of which order it is",
+                            syntax_.text(syntax_.child(id, 1)), symbol.letter),
+                {"a power of a bracket is no label: `(a)^0`"});
   }
   squared_ = integer(syntax_.child(id, 1)) == 2 && syntax_[syntax_.child(id, 0)].kind == SyntaxKind::symbol;
   const Maybe base = expression(syntax_.child(id, 0));

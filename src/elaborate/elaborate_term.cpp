@@ -109,7 +109,21 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
     }
     const bool bare_d =
         symbol.letter == "d" && symbol.lower.empty() && symbol.face == Face::plain && symbol.primes == 0;
-    if (bare_d && syntax_[next].kind == SyntaxKind::symbol && !names_.is_declared({"d", 0, false})) {
+    SyntaxId changed = next;
+    if (syntax_[changed].kind == SyntaxKind::power) changed = syntax_.child(changed, 0);
+    const SyntaxKind of = syntax_[changed].kind;
+    const bool greek_d = (symbol.letter == "\\delta" || symbol.letter == "\\Delta") && symbol.lower.empty() &&
+                         symbol.face == Face::plain && symbol.accent == Accent::none && symbol.primes == 0;
+    if (greek_d && of == SyntaxKind::group && !names_.is_declared({symbol.letter, 0, false}) &&
+        !names_.is_small_scalar(tree_, symbol.letter)) {
+      fail(DiagnosticKind::ambiguous_reading, syntax_[id].span,
+           fmt::format("`{}` before a bracket can be a change of what is in it, a function, or a factor",
+                       symbol.letter),
+           {fmt::format("`rigor: scalar {}` makes it a factor", symbol.letter)});
+      return true;
+    }
+    if (bare_d && (of == SyntaxKind::symbol || of == SyntaxKind::group) &&
+        !names_.is_declared({"d", 0, false})) {
       fail(DiagnosticKind::ambiguous_reading, syntax_[id].span, "`d` can be a differential or a factor",
            {"`rigor: scalar d` makes it a factor"});
       return true;

@@ -213,6 +213,7 @@ class Elaborator {
 
   // elaborate_forms.cpp
   bool is_exponential(SyntaxId id) const;
+  bool reads_as_order(SyntaxId id) const;
   Maybe power(SyntaxId id);
   bool names_a_tensor(SyntaxId id) const;
   Maybe bars(SyntaxId id, bool norm);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "latex/accounting.h"
 #include "latex/blocks.h"
 #include "latex/differential.h"
 #include "latex/remarks.h"
@@ -52,6 +53,34 @@ std::string spoken(TokenView tokens) {
     at = argument.next;
   }
   return words;
+}
+
+std::set<std::string> symbols_in(TokenView tokens) {
+  std::set<std::string> symbols;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    if (is_words(tokens[at])) {
+      at = argument_at(tokens, at + 1).next - 1;
+    } else if (const std::string letter = letter_of(tokens[at]); !letter.empty()) {
+      symbols.insert(letter.size() > 1 ? letter.substr(1) : letter);  // `alpha` of α
+    }
+  }
+  return symbols;
+}
+
+bool lists_symbols(TokenView tokens) {
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const Token& token = tokens[at];
+    if (is_words(token)) {
+      const Argument words = argument_at(tokens, at + 1);
+      if (remark_of(text_of(words.content)) != Remark::connective) return false;
+      at = words.next - 1;
+      continue;
+    }
+    const bool symbol = !letter_of(token).empty() || token.kind == TokenKind::digit || style_of(token) ||
+                        token.kind == TokenKind::subscript || is_sign(token, "'");
+    if (!symbol && !is_layout(token) && !is_sign(token, ",") && !is_sign(token, ".")) return false;
+  }
+  return true;
 }
 
 std::size_t remark_end(TokenView tokens, const Argument& words) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 
 #include "latex/tokens.h"
@@ -12,6 +13,12 @@ namespace rigor {
 
 /// The words with what stands between them, without the controls around them.
 [[nodiscard]] std::string spoken(TokenView tokens);
+
+/// The letters and signs with a name that stand outside of words: `i`, `alpha`.
+[[nodiscard]] std::set<std::string> symbols_in(TokenView tokens);
+
+/// Nothing but symbols with commas between, as behind `\forall`.
+[[nodiscard]] bool lists_symbols(TokenView tokens);
 
 /// `\text{no sum over }i`: the place behind the letters that belong to the words.
 [[nodiscard]] std::size_t remark_end(TokenView tokens, const Argument& words);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "latex/acting.h"
 #include "latex/beside.h"
 #include "latex/chain.h"
 #include "latex/cover_tokens.h"
@@ -65,14 +66,13 @@ bool is_ornament(TokenView block) {
 
 class StatementSplitter {
  public:
-  explicit StatementSplitter(TokenView tokens) : tokens_(tokens) {}
+  StatementSplitter(TokenView tokens, TokenUses& uses) : tokens_(tokens), uses_(uses) {}
 
   std::vector<WrittenChain> split() {
     cut_into_blocks();
     for (const Block& block : blocks_) add_block(block);
     for (WrittenChain& chain : chains_) {
       chain.tag = tag_;
-      chain.doubt = doubt_;
       chain.no_sum = no_sum_;
       chain.cyclic = cyclic_;
       if (condition_) {
@@ -84,18 +84,12 @@ class StatementSplitter {
   }
 
  private:
-  void set_condition(Span span, std::string message) {
+  void set_condition(TokenView tokens, std::string message) {
+    uses_.mark(tokens, TokenUse::condition);
+    const Span span = span_of(tokens);
     if (condition_) return;
     condition_ = Obstacle{DiagnosticKind::unsupported, std::move(message), {}};
     condition_span_ = span;
-  }
-
-  void set_doubt(const std::string& words) {
-    if (doubt_) return;
-    doubt_ =
-        Obstacle{DiagnosticKind::unsupported,
-                 fmt::format("the words `{}` beside the equation may restrict it and are not read", words),
-                 {}};
   }
 
   /// Boundaries: wide space, words, implications; each only where an equation stands complete before it.
@@ -116,38 +110,33 @@ class StatementSplitter {
       }
       if (depth == 0 && is_words(token) && !is_script_argument(tokens_, at) && !wants_operand(block.tokens)) {
         const Argument words = argument_at(tokens_, at + 1);
-        const std::size_t behind = first_significant(tokens_, words.next);
-        const bool names_quantity = trim(block.tokens).empty() && behind < tokens_.size() &&
-                                    relation_kind(tokens_[behind]);  // \text{torque} = …
-        if (names_quantity || is_unit_behind(block.tokens, words.content)) {
+        if (is_inside(block, at, words)) {
           block.tokens.insert(block.tokens.end(), tokens_.begin() + static_cast<std::ptrdiff_t>(at),
                               tokens_.begin() + static_cast<std::ptrdiff_t>(words.next));
           at = words.next;
           continue;
         }
-        if (remark_of(text_of(words.content)) == Remark::quantifier &&
-            !has_relation(tokens_.subspan(words.next))) {
+        if (quantifies(at)) {
+          uses_.mark(tokens_.subspan(at), TokenUse::remark);
           cut();
           return;  // what follows only names the symbols
         }
         const std::size_t end = remark_end(tokens_, words);
-        const bool after_equation = block.related || !blocks_.empty();
-        note_words(cover(token.span, words.content), spoken(tokens_.subspan(at, end - at)), after_equation);
+        note_words(tokens_.subspan(at, end - at), block.related || !blocks_.empty());
         cut();
         at = end;
         continue;
       }
       const bool may_close = depth == 0 && !ends_open(block.tokens);
       if (const std::size_t end = may_close ? bracketed_remark_end(tokens_, at) : at; end != at) {
-        const TokenView whole = tokens_.subspan(at, end - at);
-        note_words(span_of(whole), spoken(whole), block.related || !blocks_.empty());
+        note_words(tokens_.subspan(at, end - at), block.related || !blocks_.empty());
         cut();
         while (++at < end) nesting.enter(tokens_[at]);
         continue;
       }
       if (depth == 0 && block.related) note_beside(block, at, cut);
       if (depth == 0 && relation_kind(token) == RelationKind::implies) {
-        set_condition(token.span,
+        set_condition(tokens_.subspan(at, 1),
                       fmt::format("`{}` between equations is not decided yet", text_of({&token, 1})));
         cut();
         ++at;
@@ -157,18 +146,17 @@ class StatementSplitter {
         cut();
         if (is_control(token, "forall")) {
           const TokenView rest = tokens_.subspan(at);
-          if (blocks_.empty() || has_relation(rest))
-            set_condition(span_of(rest), "what `\\forall` says of the equation is not read");
-          if (blocks_.empty()) {
-            ++at;
-            continue;
+          const bool names_only =
+              lists_symbols(rest.subspan(1)) && knows(symbols_in(rest.subspan(1)), tokens_.first(at));
+          if (!blocks_.empty() && names_only) {
+            uses_.mark(rest, TokenUse::remark);
+            return;  // what follows only names the symbols
           }
-          if (has_relation(rest)) {
-            at = next_wide_space(at);
-            continue;
-          }
-          return;  // what follows only names the symbols
+          set_condition(rest, "what `\\forall` says of the equation is not read");
+          at = blocks_.empty() ? at + 1 : next_wide_space(at);
+          continue;
         }
+        uses_.mark(tokens_.subspan(at, 1), TokenUse::remark);
         ++at;
         continue;
       }
@@ -235,41 +223,69 @@ class StatementSplitter {
            !is_stacked_relation(tokens_, at);
   }
 
-  void note_words(Span span, const std::string& words, bool after_equation) {
-    switch (remark_of(words)) {
-      case Remark::no_sum:
-        no_sum_ = true;
-        return;
-      case Remark::cyclic:
-        if (after_equation) {
-          cyclic_ = true;
-          return;
-        }
-        [[fallthrough]];
-      case Remark::condition:
-        set_condition(
-            span,
-            fmt::format("the words `{}` beside the equation change what it says and are not read", words));
-        return;
-      case Remark::doubt:
-        set_doubt(words);
-        return;
-      case Remark::connective:
-      case Remark::quantifier:
-      case Remark::remark:
-        return;
+  /// Do the words belong to the expression that they stand in? At the left end and within a side, what is no
+  /// remark does; so does what could be a factor behind the equation: `E = 2\,\text{energy}`.
+  bool is_inside(const Block& block, std::size_t at, const Argument& words) const {
+    if (writes_mathematics(tokens_, at) || is_unit_behind(block.tokens, words.content)) return true;
+    const std::string said = text_of(words.content);
+    const Remark kind = remark_of(said);
+    const TokenView before = trim(block.tokens);
+    const std::size_t behind = first_significant(tokens_, words.next);
+    if (kind == Remark::no_sum || kind == Remark::cyclic || kind == Remark::quantifier) return false;
+    const bool joins = kind == Remark::connective;
+    if (!block.related && (!before.empty() || blocks_.empty())) {
+      const bool opens = before.empty() && behind < tokens_.size() && !is_operator(tokens_[behind]);
+      return !(opens && (joins || (kind == Remark::remark && said.ends_with(":"))));
     }
+    const bool apart = before.empty() || is_wide_space(before.back()) || is_sign(before.back(), ",") ||
+                       is_sign(before.back(), ";") || is_sign(before.back(), ".") || stands_apart(said);
+    return kind == Remark::remark && !apart;
+  }
+
+  static bool is_operator(const Token& token) {
+    return is_sign(token, "+") || is_sign(token, "-") || factor_joint(token) != Joint::none ||
+           relation_kind(token).has_value();
+  }
+
+  /// Are all of these symbols of the statement?
+  static bool knows(const std::set<std::string>& symbols, TokenView statement) {
+    const std::set<std::string> known = symbols_in(statement);
+    return std::includes(known.begin(), known.end(), symbols.begin(), symbols.end());
+  }
+
+  /// `\text{for all } a, b` to the end of the statement, with symbols that stand before it.
+  bool quantifies(std::size_t at) const {
+    const Argument words = argument_at(tokens_, at + 1);
+    const TokenView rest = tokens_.subspan(words.next);
+    const std::string said = text_of(words.content);
+    const bool named = remark_of(said) == Remark::quantifier ||
+                       (!trim(rest).empty() && remark_of(said + " x") == Remark::quantifier);
+    return named && lists_symbols(rest) && knows(symbols_in(rest), tokens_.first(at)) &&
+           knows(symbols_in_words(said), tokens_.first(at));
+  }
+
+  void note_words(TokenView tokens, bool after_equation) {
+    const std::string words = spoken(tokens);
+    Remark kind = remark_of(words);
+    if (!knows(symbols_in_words(words), tokens_) || (kind == Remark::cyclic && !after_equation))
+      kind = Remark::unread;
+    no_sum_ = no_sum_ || kind == Remark::no_sum;
+    cyclic_ = cyclic_ || kind == Remark::cyclic;
+    if (kind != Remark::unread) return uses_.mark(tokens, TokenUse::remark);
+    set_condition(tokens, fmt::format("the words `{}` beside the equation are not read", words));
   }
 
   void add_block(const Block& block) {
     const TokenView tokens = trim(block.tokens);
-    if (tokens.empty() || is_ornament(tokens) || is_index_range(tokens)) return;
+    if (tokens.empty()) return;
+    if (is_ornament(tokens)) return uses_.mark(tokens, TokenUse::layout);
+    if (is_index_range(tokens) && ranges_over_known(tokens)) return uses_.mark(tokens, TokenUse::remark);
     if (is_tag(tokens)) {
       tag_ = text_of(tokens);
-      return;
+      return uses_.mark(tokens, TokenUse::name);
     }
     if (!chains_.empty() && relates_index_letters(tokens)) {
-      set_condition(block.span(),
+      set_condition(tokens,
                     fmt::format("the condition `{}` beside the equation is not read yet", text_of(tokens)));
       return;
     }
@@ -283,8 +299,7 @@ class StatementSplitter {
   /// `(\text{no sum})`, `(a, b constant)`: signs beside an equation that are no equation.
   void add_remark(TokenView tokens) {
     const Remark whole = remark_of(spoken(tokens));
-    if (whole == Remark::no_sum || whole == Remark::cyclic)
-      return note_words(span_of(tokens), spoken(tokens), true);
+    if (whole == Remark::no_sum || whole == Remark::cyclic) return note_words(tokens, true);
     std::string words;
     bool only_words = true;
     for (std::size_t at = 0; at < tokens.size();) {
@@ -299,12 +314,25 @@ class StatementSplitter {
                          is_sign(tokens[at], "]") || is_ornament(tokens.subspan(at, 1)));
       ++at;
     }
-    const Remark kind = remark_of(words);
-    if (only_words && kind == Remark::doubt) set_doubt(trim(tokens).empty() ? words : text_of(tokens));
-    if (only_words && kind != Remark::condition) return;
-    set_condition(
-        span_of(tokens),
-        fmt::format("`{}` beside the equation may change what it says and is not read", text_of(tokens)));
+    if (only_words && remark_of(words) != Remark::unread && knows(symbols_in_words(words), tokens_))
+      return uses_.mark(tokens, TokenUse::remark);
+    set_condition(tokens, fmt::format("`{}` beside the equation may change what it says and is not read",
+                                      text_of(tokens)));
+  }
+
+  /// Of `i, j = 1, 2, 3`: do the letters stand in the statement elsewhere, too?
+  bool ranges_over_known(TokenView range) const {
+    const auto equal =
+        std::find_if(range.begin(), range.end(), [](const Token& token) { return is_sign(token, "="); });
+    std::size_t known = 0;
+    for (const std::string& letter : symbols_in({range.begin(), equal})) {
+      const auto same = [&](const Token& token) { return token.text == letter; };
+      known += std::count_if(tokens_.begin(), tokens_.end(), same) >
+                       std::count_if(range.begin(), range.end(), same)
+                   ? 1
+                   : 0;
+    }
+    return known == symbols_in({range.begin(), equal}).size();
   }
 
   /// Commas separate equations where every piece is one; `a = b, i = 1, 2, 3` keeps its range out.
@@ -317,7 +345,9 @@ class StatementSplitter {
       if (!is_sign(tokens[at], ",") && !is_sign(tokens[at], ";")) continue;
       const TokenView rest = tokens.subspan(at + 1);
       const TokenView piece = trim(tokens.subspan(begin, at - begin));
-      if (!piece.empty() && has_relation(piece) && rest.size() <= 24 && is_index_range(rest)) {
+      if (!piece.empty() && has_relation(piece) && rest.size() <= 24 && is_index_range(rest) &&
+          ranges_over_known(rest)) {
+        uses_.mark(tokens.subspan(at), TokenUse::remark);
         tokens = tokens.first(at);
         break;
       }
@@ -328,22 +358,23 @@ class StatementSplitter {
     std::erase_if(pieces, [](TokenView piece) { return is_ornament(piece); });
     const bool separate = std::all_of(pieces.begin(), pieces.end(), has_relation);
     if (!separate) pieces = {tokens};
+    uses_.mark(tokens, TokenUse::layout);  // commas between; what stands between them follows
     for (const TokenView piece : pieces) {
       if (!chains_.empty() && relates_index_letters(piece)) {
-        set_condition(span_of(piece),
+        set_condition(piece,
                       fmt::format("the condition `{}` beside the equation is not read yet", text_of(piece)));
       } else {
-        chains_.push_back(chain_of(piece));
+        chains_.push_back(chain_of(piece, uses_));
       }
     }
   }
 
   TokenView tokens_;
+  TokenUses& uses_;
   std::vector<Block> blocks_;
   std::vector<WrittenChain> chains_;
   std::string tag_;
   std::optional<Obstacle> condition_;
-  std::optional<Obstacle> doubt_;
   Span condition_span_;
   bool no_sum_ = false;
   bool cyclic_ = false;
@@ -351,6 +382,8 @@ class StatementSplitter {
 
 }  // namespace
 
-std::vector<WrittenChain> split_statement(TokenView tokens) { return StatementSplitter(tokens).split(); }
+std::vector<WrittenChain> split_statement(TokenView tokens, TokenUses& uses) {
+  return StatementSplitter(tokens, uses).split();
+}
 
 }  // namespace rigor

@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "latex/accounting.h"
 #include "latex/split.h"
 
 namespace rigor {
 
 /// The chains of `a = b \quad\text{or}\quad c = d, e = f \quad (6)`.
-[[nodiscard]] std::vector<WrittenChain> split_statement(TokenView tokens);
+[[nodiscard]] std::vector<WrittenChain> split_statement(TokenView tokens, TokenUses& uses);
 
 /// The first place at or after `at` that is neither blank nor spacing; the size at the end.
 [[nodiscard]] std::size_t first_significant(TokenView tokens, std::size_t at);

@@ -26,14 +26,29 @@ struct RelationAt {
   std::size_t next;
 };
 
-/// The words in what is written on a relation; a `?` where there are other signs.
-std::string mark_words(TokenView mark) {
+/// What is written on a relation.
+enum class Mark : std::uint8_t { reference, defines, demanded, unread };
+
+/// `(3)`, `\eqref{eq:1}`, `\text{def}`, `!`; the words of remarks.
+Mark mark_of(TokenView mark) {
   mark = trim(mark);
-  if (mark.size() > 1 && is_words(mark[0])) {
+  const std::string text = text_of(mark);
+  if (text == "!" || text == "\\text{!}") return Mark::demanded;
+  if (text == "\\triangle" || text == "\\Delta") return Mark::defines;
+  if (!mark.empty() && mark.front().kind == TokenKind::control &&
+      (is_words(mark[0]) || is_control(mark[0], "mathrm") || is_control(mark[0], "rm"))) {
     const Argument words = argument_at(mark, 1);
-    if (words.next == mark.size()) return text_of(words.content);
+    const std::string said = text_of(is_control(mark[0], "rm") ? mark.subspan(1) : words.content);
+    if (said == "def" || said == "def." || said == "Def" || said == "Def." || said == "definition")
+      return Mark::defines;
+    const bool all = words.next == mark.size() && !is_control(mark[0], "rm");
+    return all && remark_of(said) == Remark::remark ? Mark::reference : Mark::unread;
   }
-  return "?unknown";
+  if (!mark.empty() && (is_control(mark[0], "eqref") || is_control(mark[0], "ref")))
+    return argument_at(mark, 1).next == mark.size() ? Mark::reference : Mark::unread;
+  if (text == "def") return Mark::defines;
+  const bool number = text.find_first_not_of("0123456789().ab") == std::string::npos;
+  return number ? Mark::reference : Mark::unread;
 }
 
 std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
@@ -44,17 +59,11 @@ std::optional<RelationAt> relation_at(TokenView tokens, std::size_t at) {
   if (is_stacked_relation(tokens, at)) {
     const Argument above = argument_at(tokens, at + 1);
     const Argument below = argument_at(tokens, above.next);
-    const std::string mark = text_of(above.content);
     RelationKind kind = relation_kind(trim(below.content).front()).value_or(RelationKind::equal);
-    if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
-    const bool harmless = mark.find_first_not_of("0123456789().ab") == std::string::npos ||
-                          remark_of(mark_words(above.content)) == Remark::remark;
-    if (!harmless && kind != RelationKind::identical && kind != RelationKind::defines &&
-        kind != RelationKind::implies)
-      kind = RelationKind::other;
-    if (mark.find('!') != std::string::npos) kind = RelationKind::demanded;
-    if (mark.find("def") != std::string::npos || mark.find("triangle") != std::string::npos)
-      kind = RelationKind::defines;
+    const Mark mark = mark_of(above.content);
+    if (mark == Mark::unread) kind = RelationKind::other;
+    if (mark == Mark::demanded) kind = RelationKind::demanded;
+    if (mark == Mark::defines) kind = RelationKind::defines;
     return RelationAt{{kind, cover(token.span, below.content), text_of(tokens.subspan(at, below.next - at))},
                       below.next};
   }
@@ -85,12 +94,14 @@ TokenView without_empty_end(TokenView tokens) {
   return tokens;
 }
 
-WrittenChain chain_of(TokenView tokens) {
+WrittenChain chain_of(TokenView tokens, TokenUses& uses) {
   WrittenChain chain;
   Nesting nesting(false);
   std::size_t begin = 0;
   const auto finish_side = [&](std::size_t end) {
     const TokenView side = without_punctuation(tokens.subspan(begin, end - begin));
+    uses.mark(tokens.subspan(begin, end - begin), TokenUse::layout);  // a full stop at the end
+    uses.mark(side, TokenUse::side);
     Span span = span_of(side);
     if (side.empty() && !chain.relations.empty()) {
       span = chain.relations.back().span;
@@ -110,6 +121,7 @@ WrittenChain chain_of(TokenView tokens) {
     }
     finish_side(at);
     chain.relations.push_back(found->relation);
+    uses.mark(tokens.subspan(at, found->next - at), TokenUse::relation);
     at = begin = found->next;
   }
   finish_side(tokens.size());

@@ -56,7 +56,7 @@ std::optional<Differential> differential_at(TokenView tokens, std::size_t at) {
   if (script >= tokens.size()) return found;
   if (tokens[script].kind == TokenKind::subscript || is_sign(tokens[script], "'")) return std::nullopt;
   if (tokens[script].kind == TokenKind::superscript) {
-    const ScriptArgument order = script_argument_at(tokens, script + 1);
+    const Argument order = script_argument_at(tokens, script + 1);
     found.order = order_of(order.content);
     found.next = order.next;
   } else if (tokens[at].kind == TokenKind::control) {  // \dd[3]{r}

@@ -120,7 +120,7 @@ std::optional<TokenView> LayoutReader::take_optional() {
 Box LayoutReader::argument(Typeface face) {
   at_ = skip_blank(tokens_, at_);
   if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::control) {
-    const ScriptArgument script = script_argument_at(tokens_, at_);
+    const Argument script = script_argument_at(tokens_, at_);
     at_ = script.next;
     return inner(script.content, face);
   }

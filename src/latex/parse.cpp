@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/parse.h"
 
+#include <fmt/format.h>
+
 #include "latex/parser.h"
 
 namespace rigor {
+namespace {
+
+bool holds_opaque(const SyntaxTree& tree, SyntaxId side) {
+  std::vector<SyntaxId> pending{side};
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    if (tree[id].kind == SyntaxKind::opaque) return true;
+    for (const SyntaxChild& child : tree.children(id)) pending.push_back(child.id);
+  }
+  return false;
+}
+
+}  // namespace
 
 SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree) {
-  return Parser(tree, 0).expression(tokens, place);
+  SideAccount account(tokens);
+  const SyntaxId side = Parser(tree, account, 0).expression(tokens, place);
+  const Token* left_over = account.left_over();
+  if (left_over == nullptr || holds_opaque(tree, side)) return side;
+  return tree.add_opaque(left_over->span,
+                         {DiagnosticKind::passed_over,
+                          fmt::format("`{}` has no part in what was read", text_of({left_over, 1}))});
 }
 
 }  // namespace rigor

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "latex/box_operator.h"
 #include "latex/cover_tokens.h"
@@ -22,6 +24,10 @@ std::optional<Joint> sign_joint(const Token& token) {
 
 bool is_script(const Token& token) {
   return token.kind == TokenKind::subscript || token.kind == TokenKind::superscript || is_sign(token, "'");
+}
+
+std::string_view again_name(TokenKind script) {
+  return script == TokenKind::subscript ? "subscripts" : "superscripts";
 }
 
 /// `v_x{}^2`: an empty group between a symbol and its script means nothing.
@@ -59,7 +65,7 @@ SyntaxId Parser::inner(TokenView tokens, Span place) {
     return opaque(place, fmt::format("brackets nest deeper than {} levels", max_nesting),
                   DiagnosticKind::nesting_too_deep);
   }
-  return Parser(tree_, depth_ + 1).expression(tokens, place);
+  return Parser(tree_, account_, depth_ + 1).expression(tokens, place);
 }
 
 SyntaxId Parser::expression(TokenView tokens, Span place) {
@@ -79,6 +85,7 @@ SyntaxId Parser::expression(TokenView tokens, Span place) {
       if (signed_term && *sign == Joint::minus) joint = joint == Joint::plus ? Joint::minus : Joint::plus;
       if (!signed_term) joint = *sign;
       signed_term = true;
+      read_sign(cursor);
       ++cursor.at;
       cursor.skip_spacing();
     }
@@ -132,6 +139,7 @@ SyntaxId Parser::term(Cursor& cursor) {
       }
       joint = sign;
       joint_span = cursor.token().span;
+      read_sign(cursor);
       ++cursor.at;
       continue;
     }
@@ -170,6 +178,7 @@ SyntaxId Parser::factor(Cursor& cursor) {
 SyntaxId Parser::signed_factor(Cursor& cursor) {
   const Span place = cursor.token().span;
   const Joint sign = *sign_joint(cursor.token());
+  read_sign(cursor);
   ++cursor.at;
   cursor.skip_spacing();
   if (cursor.done())
@@ -182,6 +191,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
   const Token& token = cursor.token();
   if (is_partial(token)) return partial(cursor);
   if (const auto slash = slash_derivative(cursor)) return *slash;
+  if (const auto acting = acts(cursor)) return *acting;
   switch (token.kind) {
     case TokenKind::digit:
       return number(cursor);
@@ -222,6 +232,8 @@ SyntaxId Parser::primary(Cursor& cursor) {
 }
 
 SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
+  bool below = false;  // a subscript stands there already
+  bool above = false;
   while (true) {
     if (auto bar = evaluation_bar(cursor)) {
       const bool field = tree_[base].kind == SyntaxKind::derivative && tree_.derivative(base).partial;
@@ -230,17 +242,26 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
     }
     Cursor ahead = cursor;
     while (!ahead.done() && (is_blank(ahead.token()) || is_control(ahead.token(), "limits"))) ++ahead.at;
+    const std::size_t apart = ahead.at;
     skip_group_before_script(ahead);
+    if (ahead.at != apart) below = above = false;  // `T_i{}_j`
     if (ahead.done() || !is_script(ahead.token())) return base;
     const Token script = ahead.token();
+    read_sign(ahead);
     cursor.at = ahead.at + 1;
     if (is_sign(script, "'")) {
       base = add_primes(base, 1, script.span);
       continue;
     }
-    const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at);
+    const Argument argument = script_argument_at(cursor.tokens, cursor.at);
     const Span place = cover(script.span, cursor.tokens.subspan(cursor.at, argument.next - cursor.at));
     cursor.at = argument.next;
+    bool& again = script.kind == TokenKind::subscript ? below : above;
+    if (std::exchange(again, true)) {
+      base = opaque(place, fmt::format("two {} on one base", again_name(script.kind)),
+                    DiagnosticKind::bad_syntax, {"`{}` between them says that the second comes behind"});
+      continue;
+    }
     base = script.kind == TokenKind::subscript ? add_indices(base, argument.content, place)
                                                : exponent(base, argument.content, place);
   }
@@ -267,6 +288,7 @@ SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
   IndexReading reading = read_indices(content);
   if (reading.obstacle) return tree_.add_opaque(place, *reading.obstacle);
   if (reading.indices.empty()) return opaque(place, "the subscript is empty", DiagnosticKind::bad_syntax);
+  read(content);
   if (tree_[base].kind == SyntaxKind::symbol) {
     WrittenSymbol symbol = tree_.symbol(base);
     symbol.lower.insert(symbol.lower.end(), reading.indices.begin(), reading.indices.end());
@@ -279,6 +301,7 @@ SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
   content = trim(content);
   const auto is_prime = [](const Token& token) { return is_control(token, "prime") || is_sign(token, "'"); };
   if (!content.empty() && std::all_of(content.begin(), content.end(), is_prime)) {
+    read(content);
     return add_primes(base, static_cast<std::uint8_t>(content.size()), place);
   }
   const Span span = cover(tree_[base].span, place);
@@ -287,6 +310,8 @@ SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
     for (const char* mark : {"*", "+"}) {
       if (is_sign(content[0], mark)) return opaque(place, "a conjugate or adjoint is not read yet");
     }
+    if (is_sign(content[0], "-") || is_control(content[0], "pm") || is_control(content[0], "mp"))
+      return opaque(place, "a sign above a letter is a label, which is not read yet");
     for (const char* mark : {"T", "dagger", "dag", "top", "intercal", "ast", "star"}) {
       if (content[0].text == mark) return opaque(place, "a transpose or adjoint is not read yet");
     }

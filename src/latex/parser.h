@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The recursive descent behind parse_side. Every method reads a stretch of tokens whose end is already known:
 // brackets are matched before their contents are read, so that a bracket left open spoils one node and not
-// the rest.
+// the rest. Each takes the tokens that it puts into the tree to the account; what nobody takes is reported.
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "latex/accounting.h"
 #include "latex/syntax.h"
 #include "latex/tokens.h"
 #include "latex/vocabulary.h"
@@ -16,7 +18,7 @@ namespace rigor {
 
 class Parser {
  public:
-  Parser(SyntaxTree& tree, int depth) : tree_(tree), depth_(depth) {}
+  Parser(SyntaxTree& tree, SideAccount& account, int depth) : tree_(tree), account_(account), depth_(depth) {}
 
   /// A sum of terms; `place` is where to point if there is nothing.
   SyntaxId expression(TokenView tokens, Span place);
@@ -46,6 +48,7 @@ class Parser {
   SyntaxId bars(Cursor& cursor);
   SyntaxId bracket_contents(TokenView content, Span span);
   SyntaxId environment(Cursor& cursor);
+  void read_between(TokenView body, std::span<const TokenView> cells);
   SyntaxId cases(TokenView body, Span span);
   SyntaxId matrix(TokenView body, Span span, bool determinant);
 
@@ -63,7 +66,8 @@ class Parser {
 
   // parser_controls.cpp
   SyntaxId control(Cursor& cursor);
-  SyntaxId annotated(Cursor& cursor);  // \underbrace, \overset
+  SyntaxId annotated(Cursor& cursor);  // \overset, \stackrel
+  SyntaxId braced(Cursor& cursor);     // \underbrace, \overbrace
   SyntaxId fraction(Cursor& cursor);
   SyntaxId root(Cursor& cursor);
   SyntaxId big_sum(Cursor& cursor);
@@ -77,7 +81,7 @@ class Parser {
   SyntaxId physics_derivative(Cursor& cursor, bool partial);
   SyntaxId partial(Cursor& cursor);
   std::optional<Obstacle> read_partial_index(TokenView content, std::vector<WrittenVariable>& by);
-  static std::optional<EvaluationBar> evaluation_bar(Cursor& cursor);
+  std::optional<EvaluationBar> evaluation_bar(Cursor& cursor);
   SyntaxId in_frame(SyntaxId node, bool partial, EvaluationBar bar);
 
   // parser_derivatives.cpp
@@ -102,8 +106,13 @@ class Parser {
   [[nodiscard]] bool has_unit(SyntaxId id) const;
   std::optional<SyntaxId> unit_behind(Cursor& cursor, SyntaxId before, bool spaced);
 
+  // parser_acting.cpp
+  std::optional<SyntaxId> acts(Cursor& cursor);
+  SyntaxId field_word(Cursor& cursor, const std::string& word, std::size_t behind);
+  SyntaxId words(Cursor& cursor);
+
   // parser_functions.cpp
-  SyntaxId function(Cursor& cursor, std::string_view name);
+  SyntaxId function(Cursor& cursor, std::string_view name, std::size_t behind);
   SyntaxId function_argument(Cursor& cursor, Span place, std::string_view name);
   SyntaxId bracket_argument(Cursor& cursor);
   SyntaxId plain_argument(Cursor& cursor, std::string_view name);
@@ -128,7 +137,15 @@ class Parser {
   /// Reads an inner stretch one level deeper.
   SyntaxId inner(TokenView tokens, Span place);
 
+  void read(TokenView tokens) { account_.read(tokens); }
+  void read_sign(const Cursor& cursor) { account_.read(cursor.tokens.subspan(cursor.at, 1)); }
+  /// The tokens from `begin` to where the cursor is.
+  void read_since(const Cursor& cursor, std::size_t begin) {
+    account_.read(cursor.tokens.subspan(begin, cursor.at - begin));
+  }
+
   SyntaxTree& tree_;
+  SideAccount& account_;
   int depth_;
   Measure* measure_ = nullptr;  // of the integral whose integrand is being read, outside its brackets
 };

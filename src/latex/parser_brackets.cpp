@@ -89,7 +89,31 @@ std::vector<Cell> cells_of(TokenView body) {
   return cells;
 }
 
+std::vector<TokenView> views_of(const std::vector<Cell>& cells) {
+  std::vector<TokenView> views;
+  for (const Cell& cell : cells) views.push_back(cell.tokens);
+  return views;
+}
+
+/// `[t]{|c|rl}`
+bool are_columns(TokenView tokens) {
+  static constexpr std::string_view signs = "clrtb|[]{}@ ";
+  return std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
+    return token.text.size() == 1 && signs.find(token.text) != std::string_view::npos;
+  });
+}
+
 }  // namespace
+
+/// Signs between the cells of a matrix.
+void Parser::read_between(TokenView body, std::span<const TokenView> cells) {
+  const Token* from = body.data();
+  for (const TokenView cell : cells) {
+    read({from, cell.data()});
+    from = cell.data() + cell.size();
+  }
+  read({from, body.data() + body.size()});
+}
 
 SyntaxId Parser::bracketed(Cursor& cursor) {
   const Token open = cursor.token();
@@ -101,6 +125,8 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
   const TokenView content = cursor.tokens.subspan(cursor.at + 1, close - cursor.at - 1);
   const Token closing = cursor.tokens[close];
   const Span span = cover(open.span, closing.span);
+  read_sign(cursor);
+  read(cursor.tokens.subspan(close, 1));
   cursor.at = close + 1;
   if (auto derivative = operator_in(content)) return bracketed_operator(cursor, std::move(*derivative), span);
   if (!are_a_pair(open, closing)) {
@@ -119,6 +145,7 @@ SyntaxId Parser::bracket_contents(TokenView content, Span span) {
     const bool end = at == content.size();
     if (!end && (nesting.enter(content[at]) != 0 || !is_sign(content[at], ","))) continue;
     entries.push_back({inner(content.subspan(begin, at - begin), span), Joint::comma, span});
+    if (!end) read(content.subspan(at, 1));
     begin = at + 1;
   }
   if (entries.size() == 1) entries[0].joint = Joint::none;
@@ -138,6 +165,8 @@ SyntaxId Parser::bars(Cursor& cursor) {
   const TokenView content = cursor.tokens.subspan(cursor.at + 1, close - cursor.at - 1);
   const Token closing = cursor.tokens[close];
   const Span span = cover(open.span, closing.span);
+  read_sign(cursor);
+  read(cursor.tokens.subspan(close, 1));
   cursor.at = close + 1;
   if (sized && !is_control(closing, norm ? "rVert" : "rvert")) {
     return opaque(closing.span, "this does not close the bar before it", DiagnosticKind::unbalanced);
@@ -157,9 +186,16 @@ SyntaxId Parser::environment(Cursor& cursor) {
   }
   TokenView body = cursor.tokens.subspan(name_argument.next, end - name_argument.next);
   const Span span = cover(begin.span, cursor.tokens[end].span);
+  read_since({cursor.tokens, name_argument.next}, cursor.at);
   cursor.at = argument_at(cursor.tokens, end + 1).next;
+  read_since(cursor, end);
   if (name == "cases" || name == "dcases" || name == "rcases") return cases(body, span);
-  if (name == "array") body = body.subspan(argument_at(body, optional_argument_at(body, 0).next).next);
+  if (name == "array") {
+    const TokenView columns = body.first(argument_at(body, optional_argument_at(body, 0).next).next);
+    if (!are_columns(columns)) return opaque(span, "the columns of this array are not read");
+    read(columns);
+    body = body.subspan(columns.size());
+  }
   const bool brackets = name == "pmatrix" || name == "bmatrix" || name == "matrix" || name == "smallmatrix" ||
                         name == "array" || name == "Bmatrix" || name == "psmallmatrix" ||
                         name == "bsmallmatrix";
@@ -171,13 +207,19 @@ SyntaxId Parser::environment(Cursor& cursor) {
 SyntaxId Parser::cases(TokenView body, Span span) {
   std::vector<SyntaxChild> children;
   bool value_next = true;
-  for (const Cell& cell : cells_of(body)) {
+  const std::vector<Cell> cells = cells_of(body);
+  read_between(body, views_of(cells));
+  for (const Cell& cell : cells) {
     TokenView tokens = trim(cell.tokens);
     if (value_next) {
       if (tokens.empty() && cell.ends_row) continue;
-      while (!tokens.empty() && is_sign(tokens.back(), ",")) tokens = trim(tokens.first(tokens.size() - 1));
+      while (!tokens.empty() && is_sign(tokens.back(), ",")) {
+        read(tokens.last(1));
+        tokens = trim(tokens.first(tokens.size() - 1));
+      }
       children.push_back({inner(tokens, span)});
     } else {
+      read(tokens);
       children.push_back(
           {tree_.add_text(SyntaxKind::text, tokens.empty() ? span : span_of(tokens), text_of(tokens))});
     }
@@ -193,7 +235,9 @@ SyntaxId Parser::matrix(TokenView body, Span span, bool determinant) {
   std::uint32_t columns = 0;
   std::uint32_t in_row = 0;
   bool ragged = false;
-  for (const Cell& cell : cells_of(body)) {
+  const std::vector<Cell> cells = cells_of(body);
+  read_between(body, views_of(cells));
+  for (const Cell& cell : cells) {
     entries.push_back({inner(cell.tokens, span), Joint::comma, span});
     ++in_row;
     if (!cell.ends_row) continue;

@@ -2,20 +2,44 @@
 // Controls: fractions, roots, sums, braces with words, and whatever is not read yet.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "latex/acting.h"
+#include "latex/beside.h"
 #include "latex/cover_tokens.h"
+#include "latex/differential.h"
 #include "latex/parse_indices.h"
 #include "latex/parser.h"
+#include "latex/remarks.h"
 
 namespace rigor {
+namespace {
+
+/// Under a brace: `F`, `\mathbf L_{\text{orb}}`, `\text{kinetic energy}`.
+bool only_names(TokenView label) {
+  const bool related = std::any_of(label.begin(), label.end(), [](const Token& token) {
+    return relation_kind(token).has_value() || is_control(token, "downarrow");
+  });
+  if (related) return false;
+  const bool worded = std::any_of(label.begin(), label.end(), is_words);
+  const bool symbol = !trim(label).empty() && symbol_end(label, skip_narrow(label, 0)) == label.size();
+  if (worded && !symbol) return remark_of(spoken(label)) == Remark::remark;
+  return std::any_of(label.begin(), label.end(),
+                     [](const Token& token) { return !letter_of(token).empty(); });
+}
+
+}  // namespace
+
 SyntaxId Parser::control(Cursor& cursor) {
   const Token token = cursor.token();
   const std::string_view name = token.text;
+  read_sign(cursor);
   if (is_fraction(token)) return fraction(cursor);
   if (name == "sqrt") return root(cursor);
   if (name == "dv" || name == "derivative") return physics_derivative(cursor, false);
   if (name == "pdv" || name == "partialderivative") return physics_derivative(cursor, true);
   if (name == "int" || name == "iiint") return integral(cursor);
-  if (const auto known = function_name(name); !known.empty()) return function(cursor, known);
+  if (const auto known = function_name(name); !known.empty()) return function(cursor, known, cursor.at + 1);
   if (field_operator(name)) return field_function(cursor, name);
   if (dots_of(token) > 0) return dotted(cursor);
   if (name == "sum") return big_sum(cursor);
@@ -39,14 +63,9 @@ SyntaxId Parser::control(Cursor& cursor) {
   }
   if (name == "underbrace" || name == "overbrace" || name == "underset" || name == "overset" ||
       name == "stackrel") {
-    return annotated(cursor);
+    return name.ends_with("brace") ? braced(cursor) : annotated(cursor);
   }
-  if (is_words(token)) {
-    const Argument words = argument_at(cursor.tokens, cursor.at + 1);
-    cursor.at = words.next;
-    return opaque(cover(token.span, words.content),
-                  fmt::format("the words `{}` stand for a quantity", text_of(words.content)));
-  }
+  if (is_words(token)) return words(cursor);
   ++cursor.at;
   if (name == "rvert" || name == "rVert" || name == "}" || name == "rbrace") {
     return opaque(token.span, "this bar or brace closes nothing");
@@ -59,26 +78,42 @@ SyntaxId Parser::control(Cursor& cursor) {
                 {"if it is a macro of your own, its definition was not seen"});
 }
 
-/// What is written under a brace never changes an expression. Arrows over a letter make a vector or a tensor;
-/// other signs over a letter are not read.
+/// What a brace says of the part that it holds: a name for it, kept as `text`. A number (`0`), a relation
+/// (`>0`) and words that are no remark say more than that.
+SyntaxId Parser::braced(Cursor& cursor) {
+  const Token token = cursor.token();
+  const Argument part = argument_at(cursor.tokens, cursor.at + 1);
+  cursor.at = part.next;
+  std::vector<SyntaxChild> children{{inner(part.content, token.span)}};
+  const Span span = tree_[children[0].id].span;
+  const std::size_t script = skip_blank(cursor.tokens, cursor.at);
+  const bool labelled =
+      script < cursor.tokens.size() && (cursor.tokens[script].kind == TokenKind::subscript ||
+                                        cursor.tokens[script].kind == TokenKind::superscript);
+  if (labelled) {
+    const Argument label = script_argument_at(cursor.tokens, script + 1);
+    cursor.at = label.next;
+    if (!only_names(label.content))
+      return opaque(
+          cover(span, span_of(label.content)),
+          fmt::format("what `{}` says of the part at its brace is not read", text_of(label.content)),
+          DiagnosticKind::passed_over);
+    read_since(cursor, script);
+    children.push_back({tree_.add_text(SyntaxKind::text, span_of(label.content), text_of(label.content))});
+  }
+  return tree_.add(SyntaxKind::group, span, children);
+}
+
+/// Arrows over a letter make a vector or a tensor; other signs over a letter are not read.
 SyntaxId Parser::annotated(Cursor& cursor) {
   const Token token = cursor.token();
   const Argument first = argument_at(cursor.tokens, cursor.at + 1);
-  if (token.text == "underbrace" || token.text == "overbrace") {
-    cursor.at = first.next;
-    const SyntaxId inside = inner(first.content, token.span);
-    const std::size_t script = skip_blank(cursor.tokens, cursor.at);
-    if (script < cursor.tokens.size() && (cursor.tokens[script].kind == TokenKind::subscript ||
-                                          cursor.tokens[script].kind == TokenKind::superscript)) {
-      cursor.at = script_argument_at(cursor.tokens, script + 1).next;
-    }
-    return tree_.add(SyntaxKind::group, tree_[inside].span, std::vector<SyntaxChild>{{inside}});
-  }
   const Argument second = argument_at(cursor.tokens, first.next);
   cursor.at = second.next;
   const SyntaxId inside = inner(second.content, token.span);
   const std::string sign = text_of(first.content);
   const Span span = cover(token.span, tree_[inside].span);
+  read(first.content);
   if (token.text != "underset" && sign == "\\leftrightarrow")
     return restyle(inside, {.face = Face::tensor}, span);
   if (token.text != "underset" && (sign == "\\rightarrow" || sign == "\\to"))
@@ -92,6 +127,8 @@ SyntaxId Parser::fraction(Cursor& cursor) {
   const Argument denominator = argument_at(cursor.tokens, numerator.next);
   Span span = cover(token.span, span_of(cursor.tokens.subspan(cursor.at, denominator.next - cursor.at)));
   cursor.at = denominator.next;
+  if (is_material(numerator.content, denominator.content))
+    return opaque(span, "the derivative `D/Dt` along a motion is not decided yet");
   if (is_derivative(numerator.content, denominator.content))
     return derivative_fraction(cursor, numerator.content, denominator.content, span);
   const SyntaxChild children[] = {{inner(numerator.content, span)}, {inner(denominator.content, span)}};
@@ -103,6 +140,7 @@ SyntaxId Parser::root(Cursor& cursor) {
   const Argument degree = optional_argument_at(cursor.tokens, cursor.at + 1);
   const Argument radicand = argument_at(cursor.tokens, degree.next);
   const Span span = cover(token.span, span_of(cursor.tokens.subspan(cursor.at, radicand.next - cursor.at)));
+  read(cursor.tokens.subspan(cursor.at, degree.next - cursor.at));
   cursor.at = radicand.next;
   if (!degree.content.empty() && text_of(degree.content) != "2")
     return opaque(span, "only square roots are read");
@@ -113,20 +151,25 @@ SyntaxId Parser::root(Cursor& cursor) {
 SyntaxId Parser::big_sum(Cursor& cursor) {
   const Token token = cursor.token();
   ++cursor.at;
-  Tokens lower;
-  Tokens upper;
+  TokenView lower;
+  TokenView upper;
+  bool again = false;  // two subscripts, or two superscripts
   while (true) {
     cursor.skip_spacing();  // \limits among them
     if (cursor.done()) break;
     const TokenKind kind = cursor.token().kind;
     if (kind != TokenKind::subscript && kind != TokenKind::superscript) break;
-    const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at + 1);
-    (kind == TokenKind::subscript ? lower : upper).assign(argument.content.begin(), argument.content.end());
+    const Argument argument = script_argument_at(cursor.tokens, cursor.at + 1);
+    TokenView& bound = kind == TokenKind::subscript ? lower : upper;
+    again = again || bound.data() != nullptr;
+    bound = argument.content;
+    read(cursor.tokens.subspan(cursor.at, argument.next - cursor.at));
     cursor.at = argument.next;
   }
   const SumReading reading = read_sum_bounds(lower, upper);
   if (cursor.done()) return opaque(token.span, "the sum has no summand", DiagnosticKind::bad_syntax);
   const SyntaxId body = term(cursor);
+  if (again) return opaque(token.span, "the sum has two bounds on one side", DiagnosticKind::bad_syntax);
   if (reading.obstacle) return tree_.add_opaque(token.span, *reading.obstacle);
   return tree_.add_big_sum(cover(token.span, tree_[body].span), reading.sum, body);
 }
@@ -134,7 +177,10 @@ SyntaxId Parser::big_sum(Cursor& cursor) {
 SyntaxId Parser::braced_bracket(Cursor& cursor) {
   const Token token = cursor.token();
   std::size_t at = skip_blank(cursor.tokens, cursor.at + 1);
-  if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) at = skip_blank(cursor.tokens, at + 1);
+  if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) {
+    read(cursor.tokens.subspan(at, 1));
+    at = skip_blank(cursor.tokens, at + 1);
+  }
   if (at < cursor.tokens.size() && cursor.tokens[at].kind != TokenKind::begin_group &&
       token.text.starts_with("q")) {
     cursor.at = at;

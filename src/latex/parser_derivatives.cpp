@@ -46,6 +46,7 @@ TokenView operand_above(TokenView above) {
 
 SyntaxId Parser::dotted(Cursor& cursor) {
   const Token token = cursor.token();
+  read_sign(cursor);
   const std::uint8_t dots = dots_of(token);
   const std::size_t at = skip_blank(cursor.tokens, cursor.at + 1);
   SyntaxId inside{};
@@ -128,6 +129,8 @@ SyntaxId Parser::derivative_fraction(Cursor& cursor, TokenView above, TokenView 
   auto derivative = written_derivative(above, below, obstacle);
   if (!derivative) return tree_.add_opaque(span, std::move(obstacle));
   const TokenView rest = operand_above(above);
+  read(above.first(above.size() - rest.size()));
+  read(below);
   if (rest.empty()) return operate(cursor, std::move(*derivative), span);
   const SyntaxId operand = inner(rest, span);
   if (!is_one_factor(operand)) return unclear_operand(span);
@@ -179,15 +182,18 @@ std::optional<WrittenDerivative> Parser::operator_in(TokenView content) {
   if (below.next != content.size() || !is_derivative(above.content, below.content)) return std::nullopt;
   if (!operand_above(above.content).empty()) return std::nullopt;
   Obstacle obstacle;
-  return written_derivative(above.content, below.content, obstacle);
+  auto derivative = written_derivative(above.content, below.content, obstacle);
+  if (derivative) read(content);
+  return derivative;
 }
 
 SyntaxId Parser::bracketed_operator(Cursor& cursor, WrittenDerivative derivative, Span span) {
   const std::size_t script = skip_blank(cursor.tokens, cursor.at);
   if (script >= cursor.tokens.size() || cursor.tokens[script].kind != TokenKind::subscript)
     return operate(cursor, std::move(derivative), span);
-  const ScriptArgument argument = script_argument_at(cursor.tokens, script + 1);
+  const Argument argument = script_argument_at(cursor.tokens, script + 1);
   IndexReading reading = read_indices(argument.content);
+  read(cursor.tokens.subspan(script, argument.next - script));
   cursor.at = argument.next;
   if (reading.obstacle) return tree_.add_opaque(span, *reading.obstacle);
   const SyntaxId node = operate(cursor, std::move(derivative), span);
@@ -213,6 +219,8 @@ std::optional<SyntaxId> Parser::slash_derivative(Cursor& cursor) {
   const std::size_t close = symbol_end(tokens, bottom->next);
   if (close == bottom->next) return std::nullopt;
   const Span span = span_of(tokens.subspan(cursor.at, close - cursor.at));
+  read(tokens.subspan(cursor.at, begin - cursor.at));
+  read(tokens.subspan(end, close - end));
   cursor.at = close;
   const auto by = variables(tokens.subspan(below, close - below), top->partial);
   if (!by || order_of(*by) != top->order) return opaque(span, "this derivative is not read");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "latex/differential.h"
 #include "latex/parse.h"
@@ -46,24 +47,20 @@ bool starts_differential(TokenView tokens, std::size_t at) {
   return mark && symbol_end(tokens, mark->next) != mark->next;
 }
 
-/// `\operatorname*`: behind the control and its star.
-std::size_t behind_star(const Parser::Cursor& cursor) {
-  const std::size_t at = cursor.at + 1;
-  return at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*") ? at + 1 : at;
-}
-
 }  // namespace
 
-SyntaxId Parser::function(Cursor& cursor, std::string_view name) {
+/// `behind`: the place behind the name as it is written.
+SyntaxId Parser::function(Cursor& cursor, std::string_view name, std::size_t behind) {
   const Token token = cursor.token();
-  const auto style = style_of(token);
-  cursor.at = style ? argument_at(cursor.tokens, behind_star(cursor)).next : cursor.at + 1;
+  const std::size_t begin = std::exchange(cursor.at, behind);
+  read_since(cursor, begin);
   std::size_t script = skip_blank(cursor.tokens, cursor.at);
-  std::optional<ScriptArgument> exponent;
+  std::optional<Argument> exponent;
   Span place;
   if (script < cursor.tokens.size() && cursor.tokens[script].kind == TokenKind::superscript) {
     exponent = script_argument_at(cursor.tokens, script + 1);
     place = span_of(cursor.tokens.subspan(script, exponent->next - script));
+    read(cursor.tokens.subspan(script, 1));
     cursor.at = exponent->next;
     script = skip_blank(cursor.tokens, cursor.at);
   }

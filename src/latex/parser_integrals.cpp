@@ -36,12 +36,17 @@ SyntaxId Parser::integral(Cursor& cursor) {
   std::string region;
   bool whole_body = true;
   bool limits = false;
+  bool bounded = false;  // has a subscript
+  bool again = false;    // has two
   while (true) {
     cursor.skip_spacing();
     if (cursor.done()) break;
     const TokenKind kind = cursor.token().kind;
     if (kind != TokenKind::subscript && kind != TokenKind::superscript) break;
-    const ScriptArgument argument = script_argument_at(cursor.tokens, cursor.at + 1);
+    const Argument argument = script_argument_at(cursor.tokens, cursor.at + 1);
+    read(cursor.tokens.subspan(cursor.at, argument.next - cursor.at));
+    again = again || (kind == TokenKind::subscript && bounded);
+    bounded = bounded || kind == TokenKind::subscript;
     limits = limits || kind == TokenKind::superscript;
     const auto known = std::find_if(
         std::begin(regions), std::end(regions),
@@ -57,6 +62,7 @@ SyntaxId Parser::integral(Cursor& cursor) {
   measure_ = outer;
   Span span = cover(token.span, tree_[body].span);
   if (measure.span) span = cover(span, *measure.span);
+  if (again) return opaque(span, "the integral has two subscripts", DiagnosticKind::bad_syntax);
   if (limits) return opaque(span, "an integral between limits is not read");
   if (!whole_body) return opaque(span, "an integral over a part, a surface or a curve is not read");
   if (measure.count == 0)
@@ -91,6 +97,7 @@ bool Parser::read_measure(Cursor& cursor) {
   const Span place = span_of(whole);
   measure_->span = place;
   measure_->name = measure_name(inner(written, place), mark->order);
+  read(whole);
   cursor.at = end;
   return true;
 }

@@ -41,6 +41,7 @@ SyntaxId Parser::number(Cursor& cursor) {
                           cursor.tokens[cursor.at + 1].kind == TokenKind::digit;
     if (token.kind != TokenKind::digit && !is_point) break;
     point = point || is_point;
+    read_sign(cursor);
     digits += token.text;
     span = cover(span, token.span);
     ++cursor.at;
@@ -51,6 +52,7 @@ SyntaxId Parser::number(Cursor& cursor) {
 
 SyntaxId Parser::asked(Cursor& cursor) {
   const Span place = cursor.token().span;
+  read_sign(cursor);
   ++cursor.at;
   WrittenSymbol symbol;
   symbol.letter = hole_letter;
@@ -67,6 +69,7 @@ SyntaxId Parser::box_operator(Span place) {
 
 SyntaxId Parser::letter(Cursor& cursor) {
   const Token token = cursor.token();
+  read_sign(cursor);
   if (starts_change(cursor.tokens, cursor.at)) return changed(cursor);
   ++cursor.at;
   const bool nabla = is_control(token, "nabla") || token.text == "∇";
@@ -123,6 +126,7 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
   const std::size_t begin = cursor.at;
   std::size_t at = cursor.at + 1;
   if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) ++at;  // \vb*{…}: italic bold
+  read(cursor.tokens.subspan(begin, at - begin));
   at = skip_blank(cursor.tokens, at);
   if (starts_accent(cursor.tokens, at)) {
     cursor.at = at;
@@ -140,13 +144,10 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
     return opaque(token.span, fmt::format("`\\{}` has no argument", token.text), DiagnosticKind::bad_syntax);
   if (all_plain_letters(content) && (style.face != Face::plain || style.upright)) {
     const std::string word = text_of(content);
-    if (const auto known = function_name(word); style.upright && !known.empty()) {
-      cursor.at = begin;
-      return function(cursor, known);
-    }
     if (style.upright) {
       return opaque(span, fmt::format("`{}` is a word, not a quantity that is known", word));
     }
+    read(content);
     WrittenSymbol symbol;
     symbol.letter = word;
     symbol.face = style.face;

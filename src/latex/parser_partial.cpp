@@ -48,6 +48,7 @@ SyntaxId Parser::physics_derivative(Cursor& cursor, bool partial) {
     if (arguments.size() == 2 && !partial) break;
     arguments.push_back(argument_at(tokens, open));
   }
+  read(tokens.subspan(begin, order.next - begin));
   cursor.at = arguments.back().next;
   const Span span = span_of(tokens.subspan(begin, cursor.at - begin));
   const bool acts = arguments.size() > 1 && !trim(arguments[0].content).empty();
@@ -73,11 +74,13 @@ SyntaxId Parser::partial(Cursor& cursor) {
   if (const auto slash = slash_derivative(cursor)) return *slash;
   const Token token = cursor.token();
   const std::size_t script = skip_blank(cursor.tokens, cursor.at + 1);
+  read_sign(cursor);
   ++cursor.at;
   if (script >= cursor.tokens.size() || cursor.tokens[script].kind != TokenKind::subscript)
     return opaque(token.span, "`\\partial` without an index or a fraction is not read");
-  const ScriptArgument argument = script_argument_at(cursor.tokens, script + 1);
+  const Argument argument = script_argument_at(cursor.tokens, script + 1);
   cursor.at = argument.next;
+  read(cursor.tokens.subspan(script, 1));
   const Span span = cover(token.span, span_of(cursor.tokens.subspan(script, argument.next - script)));
   std::vector<WrittenVariable> by;
   if (auto obstacle = read_partial_index(argument.content, by)) return tree_.add_opaque(span, *obstacle);
@@ -139,6 +142,7 @@ std::optional<Obstacle> Parser::read_partial_index(TokenView content, std::vecto
                       {"write `\\frac{\\partial}{\\partial r}` for a derivative by `r`"}};
     by.push_back(coordinate_of(index));
   }
+  read(content);
   return std::nullopt;
 }
 
@@ -151,8 +155,9 @@ std::optional<Parser::EvaluationBar> Parser::evaluation_bar(Cursor& cursor) {
     return std::nullopt;
   const std::size_t script = skip_blank(tokens, bar + 1);
   if (script >= tokens.size() || tokens[script].kind != TokenKind::subscript) return std::nullopt;
-  const ScriptArgument argument = script_argument_at(tokens, script + 1);
+  const Argument argument = script_argument_at(tokens, script + 1);
   cursor.at = argument.next;
+  read(tokens.subspan(bar, argument.next - bar));
   IndexReading reading = read_indices(argument.content);
   const bool named = !reading.obstacle && !reading.indices.empty() &&
                      std::none_of(reading.indices.begin(), reading.indices.end(),

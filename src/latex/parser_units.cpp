@@ -106,6 +106,7 @@ SyntaxId Parser::quantity(Cursor& cursor) {
     if (!read_unit(text, UnitNames::units, &problem)) return opaque(span, std::move(problem));
     factors.push_back({tree_.add_text(SyntaxKind::unit, span, text), Joint::juxtaposed, span});
   }
+  read_since(cursor, begin);
   if (factors.size() == 1 && tree_[factors[0].id].kind != SyntaxKind::sum) return factors[0].id;
   const SyntaxChild whole{factors.size() == 1 ? factors[0].id : tree_.add(SyntaxKind::term, span, factors)};
   return tree_.add(SyntaxKind::group, span, {&whole, 1});
@@ -147,6 +148,7 @@ std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, boo
   if (goes_on || !is_unit_word(text, apart)) return std::nullopt;
   const Span span =
       cover(cursor.token().span, span_of(cursor.tokens.subspan(cursor.at, word.next - cursor.at)));
+  read(cursor.tokens.subspan(cursor.at, word.next - cursor.at));
   cursor.at = word.next;
   return scripts(cursor, tree_.add_text(SyntaxKind::unit, span, text));
 }

@@ -5,10 +5,18 @@
 #include <array>
 #include <cctype>
 #include <string_view>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace rigor {
 namespace {
+
+using List = std::unordered_set<std::string_view>;
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
+}
 
 std::string lowered(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -16,63 +24,136 @@ std::string lowered(std::string text) {
   return text;
 }
 
-bool has_word(const std::string& text, std::string_view word) {
-  const auto letter = [&](std::size_t at) {
-    return at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0;
-  };
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    if ((at == 0 || !letter(at - 1)) && !letter(at + word.size())) return true;
-  }
-  return false;
+/// Words that restrict nothing: they name an equation, its parts, or where it comes from.
+const List& harmless() {
+  static const List words{
+      // what an equation is called
+      "identity", "identities", "theorem", "lemma", "corollary", "proposition", "axiom", "rule", "rules",
+      "law", "laws", "definition", "def", "property", "principle", "formula", "relation", "equation",
+      "equations", "eq", "eqs", "eqn", "eqns", "proof", "check", "qed", "result", "distributive",
+      "distributivity", "associative", "associativity", "commutative", "commutativity", "linearity",
+      "bilinearity", "antisymmetry", "binomial", "quadratic", "triangle", "parallelogram", "product",
+      "products", "quotient", "chain", "sum", "difference", "addition", "double", "half", "angle", "cosine",
+      "cosines", "sine", "sines", "triple", "scalar", "vector", "tensor", "dot", "cross", "inner", "first",
+      "second", "third",
+      // where it comes from
+      "by", "using", "use", "from", "see", "via", "cf", "recall", "note", "ref", "reference", "above",
+      "expand", "expanding", "expanded", "contract", "contracting", "rename", "renaming", "relabel",
+      "relabelling", "rearrange", "rearranging", "collect", "collecting", "simplify", "simplifying",
+      "integrating", "parts", "the", "a", "an", "of", "this", "that", "is", "are", "its", "we", "have", "get",
+      "find", "obtain",
+      // what its parts are called
+      "kinetic", "potential", "energy", "total", "mass", "torque", "momentum", "angular", "orbital", "spin",
+      "inertia", "moment", "force", "forces", "work", "power", "charge", "current", "field", "flux",
+      "velocity", "acceleration", "centrifugal", "centripetal", "gravity", "rotational", "translational",
+      "rotation", "translation", "intrinsic", "part", "parts", "term", "terms", "twice", "half", "once",
+      "vectors", "values", "indices", "numbers"};
+  return words;
 }
 
-/// Words that name an equation, its parts or its source, and restrict nothing. A capital begins a name:
-/// `Lagrange`.
-bool names_only(const std::string& words) {
-  static constexpr std::array harmless{
-      "identity", "theorem",  "rule",     "law",      "definition", "by",     "using",  "from",
-      "see",      "eq",       "eqs",      "equation", "proof",      "check",  "qed",    "the",
-      "a",        "of",       "this",     "is",       "we",         "have",   "get",    "find",
-      "recall",   "note",     "orbital",  "spin",     "kinetic",    "energy", "total",  "mass",
-      "torque",   "momentum", "angular",  "inertia",  "tensor",     "moment", "scalar", "vector",
-      "vectors",  "values",   "indices",  "numbers",  "and",        "dot",    "cross",  "triple",
-      "product",  "expand",   "contract", "rename",   "rearrange"};
+/// Of people whose names equations bear; with a capital.
+const List& names() {
+  static const List people{
+      "Ampere",     "Ampère",    "Archimedes", "Bernoulli", "Bessel",    "Bianchi",     "Binet",
+      "Biot",       "Bohr",      "Born",       "Carnot",    "Cauchy",    "Chasles",     "Civita",
+      "Clausius",   "Coriolis",  "Coulomb",    "Dirac",     "Doppler",   "Einstein",    "Euler",
+      "Faraday",    "Fourier",   "Galilei",    "Galileo",   "Gauss",     "Gibbs",       "Green",
+      "Hamilton",   "Helmholtz", "Hooke",      "Huygens",   "Jacobi",    "Kepler",      "Kirchhoff",
+      "Koenig",     "König",     "Kronecker",  "Lagrange",  "Laplace",   "Legendre",    "Leibniz",
+      "Levi",       "Lorentz",   "Maclaurin",  "Maxwell",   "Minkowski", "Moivre",      "Navier",
+      "Newton",     "Noether",   "Ohm",        "Parseval",  "Pauli",     "Poisson",     "Poynting",
+      "Pythagoras", "Rayleigh",  "Rodrigues",  "Savart",    "Schwarz",   "Schrödinger", "Steiner",
+      "Stokes",     "Taylor",    "Torricelli", "Vieta"};
+  return people;
+}
+
+/// Words between equations, of which none says more than that another one follows.
+const List& connectives() {
+  static const List words{"and",     "or",        "so",           "thus",       "hence",  "therefore",
+                          "ie",      "also",      "while",        "but",        "giving", "gives",
+                          "which",   "similarly", "it",           "likewise",   "now",    "again",
+                          "finally", "follows",   "consequently", "accordingly"};
+  return words;
+}
+
+/// What `for all` may take for granted.
+const List& quantified() {
+  static const List words{"vectors", "vector",  "scalars", "scalar", "values", "value", "indices",   "index",
+                          "numbers", "tensors", "times",   "points", "of",     "and",   "particles", "the"};
+  return words;
+}
+
+const List& greek() {
+  static const List letters{"alpha", "beta", "gamma", "delta",  "epsilon", "varepsilon", "zeta",  "eta",
+                            "theta", "iota", "kappa", "lambda", "mu",      "nu",         "xi",    "rho",
+                            "sigma", "tau",  "phi",   "varphi", "chi",     "psi",        "omega", "pi"};
+  return letters;
+}
+
+/// Words in a row, `'s` left out, `i.e.` as one; styles of letters and references are no words.
+struct Spoken {
+  std::vector<std::string> words;
+  bool foreign = false;  // a sign stands among them that no sentence has: `<`, `=`
+};
+
+std::string_view control_at(std::string_view text, std::size_t at) {
+  std::size_t end = at + 1;
+  while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) ++end;
+  return text.substr(at + 1, end - at - 1);
+}
+
+/// The place behind `\eqref{eq:1}`, `\mathbf`, `\,`; `at` itself for the control of a letter.
+std::size_t behind_silent_control(std::string_view text, std::size_t at) {
+  static const List references{"eqref", "ref", "cite", "cref", "autoref"};
+  static const List styles{"mathbf", "boldsymbol", "bm", "vec", "hat",  "mathrm", "text", "textbf", "textit",
+                           "emph",   "rm",         "it", "bf",  "quad", "qquad",  "mbox", "mathsf"};
+  const std::string_view name = control_at(text, at);
+  const std::size_t behind = at + 1 + name.size();
+  if (name.empty()) return std::min(at + 2, text.size());
+  if (styles.contains(name)) return behind;
+  if (!references.contains(name)) return at;
+  const auto close = text.find('}', behind);
+  return close == std::string_view::npos ? behind : close + 1;
+}
+
+Spoken spoken_in(std::string_view text) {
+  static constexpr std::string_view signs = " .,;:()[]{}-+'`!?$~_&\"/";
+  Spoken spoken;
   std::string word;
-  bool harmless_noun =
-      false;  // a capital begins a name only beside a noun: `Lagrange's identity`, not `Orthogonal`
-  bool any_name = false;
-  const auto is_harmless = [&] {
-    if (word.size() < 2) return true;
-    if (std::isupper(static_cast<unsigned char>(word[0])) != 0) {
-      any_name = true;
-      return true;
-    }
-    const bool known = std::find(harmless.begin(), harmless.end(), word) != harmless.end();
-    harmless_noun = harmless_noun || known;
-    return known;
+  const auto finish = [&] {
+    if (!word.empty()) spoken.words.push_back(std::exchange(word, {}));
   };
-  for (const char c : words + " ") {
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-      word += c;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == '\\') {
+      finish();
+      const std::size_t behind = behind_silent_control(text, at);
+      at = behind == at ? at + 1 : behind;
       continue;
     }
-    if (!is_harmless()) return false;
-    word.clear();
+    const bool letter = is_letter(text[at]);
+    const bool digit = std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+    if (letter || digit) {
+      word += text[at++];
+      continue;
+    }
+    spoken.foreign = spoken.foreign || signs.find(text[at]) == std::string_view::npos;
+    const bool abbreviated =
+        text[at] == '.' && word.size() == 1 && at + 1 < text.size() && is_letter(text[at + 1]);  // i.e., e.g.
+    const bool possessive =
+        text[at] == '\'' && text.substr(at, 2) == "'s" && (at + 2 == text.size() || !is_letter(text[at + 2]));
+    if (!abbreviated) finish();
+    at += possessive ? 2 : 1;
   }
-  return harmless_noun || !any_name;
+  finish();
+  return spoken;
 }
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> words(1);
-  for (const char c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      words.back() += c;
-    } else if (!words.back().empty()) {
-      words.emplace_back();
-    }
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
+bool is_number(const std::string& word) {
+  return std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_symbol(const std::string& word) {
+  return (word.size() == 1 && !is_number(word)) || greek().contains(word);
 }
 
 template <std::size_t N>
@@ -84,10 +165,9 @@ bool is_among(const std::string& word, const std::array<std::string_view, N>& li
 bool says_no_sum(const std::vector<std::string>& words) {
   static constexpr std::array<std::string_view, 4> negations{"no", "not", "without", "never"};
   static constexpr std::array<std::string_view, 5> sums{"sum", "sums", "summed", "summation", "summing"};
-  static constexpr std::array<std::string_view, 22> rest{
-      "over",  "on", "in",   "for",     "the",      "index",      "indices", "repeated",
-      "and",   "or", "here", "implied", "intended", "convention", "alpha",   "beta",
-      "gamma", "mu", "nu",   "kappa",   "lambda",   "sigma"};
+  static constexpr std::array<std::string_view, 14> rest{"over",  "on",      "in",       "for",       "the",
+                                                         "index", "indices", "repeated", "and",       "or",
+                                                         "here",  "implied", "intended", "convention"};
   std::size_t at = 0;
   if (words.size() > 1 && (words[0] == "with" || words[0] == "but" || words[0] == "and")) ++at;
   if (at + 1 >= words.size() || !is_among(words[at], negations)) return false;
@@ -95,7 +175,7 @@ bool says_no_sum(const std::vector<std::string>& words) {
   at += implied ? 2 : 1;
   if (at >= words.size() || !is_among(words[at], sums)) return false;
   return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(at) + 1, words.end(),
-                     [](const std::string& word) { return word.size() == 1 || is_among(word, rest); });
+                     [](const std::string& word) { return is_symbol(word) || is_among(word, rest); });
 }
 
 /// "and cyclic permutations of 1, 2, 3", "plus cyclic", "etc."; other letters than those of the axes are
@@ -115,36 +195,52 @@ bool says_cyclic(const std::vector<std::string>& words) {
          });
 }
 
+/// "for all vectors", "for every $i$".
+bool says_for_all(const std::vector<std::string>& words) {
+  static constexpr std::array<std::string_view, 4> all{"all", "any", "every", "each"};
+  if (words.size() < 3 || words[0] != "for" || !is_among(words[1], all)) return false;
+  return std::all_of(words.begin() + 2, words.end(),
+                     [](const std::string& word) { return is_symbol(word) || quantified().contains(word); });
+}
+
 }  // namespace
 
 Remark remark_of(const std::string& words) {
-  const std::string text = lowered(words);
-  static constexpr std::array conditions{
-      "if",         "when",    "where",         "whenever", "unless",       "provided", "only",      "no sum",
-      "not summed", "with",    "since",         "given",    "assuming",     "limit",    "sum",       "summed",
-      "let",        "suppose", "except",        "as",       "near",         "until",    "otherwise", "modulo",
-      "mod",        "not",     "approximately", "cyclic",   "permutations", "etc"};
-  static constexpr std::array<std::string_view, 4> quantifiers{"for all", "for any", "for every", "for each"};
-  static constexpr std::array connectives{"and",    "or",      "so",        "thus",    "hence", "therefore",
-                                          "i.e",    "that is", "also",      "while",   "but",   "so that",
-                                          "giving", "gives",   "similarly", "likewise"};
-  const std::vector<std::string> spoken = words_of(text);
-  if (says_no_sum(spoken)) return Remark::no_sum;
-  if (says_cyclic(spoken)) return Remark::cyclic;
-  for (const std::string_view phrase : quantifiers) {
-    const auto at = text.find(phrase);
-    if (at == std::string::npos) continue;
-    return names_only(words.substr(0, at) + words.substr(at + phrase.size())) ? Remark::quantifier
-                                                                              : Remark::doubt;
+  const Spoken spoken = spoken_in(words);
+  if (spoken.foreign) return Remark::unread;
+  std::vector<std::string> low;
+  for (const std::string& word : spoken.words) low.push_back(lowered(word));
+  if (says_no_sum(low)) return Remark::no_sum;
+  if (says_cyclic(low)) return Remark::cyclic;
+  if (says_for_all(low)) return Remark::quantifier;
+  bool joins = false;
+  bool names_it = low.empty();
+  for (std::size_t k = 0; k < low.size(); ++k) {
+    const bool joint = connectives().contains(low[k]);
+    const bool known = harmless().contains(low[k]) || names().contains(spoken.words[k]);
+    if (!joint && !known && !is_number(low[k]) && !is_symbol(spoken.words[k])) return Remark::unread;
+    joins = joins || joint;
+    names_it = names_it || known || is_number(low[k]);
   }
-  for (const char* word : conditions) {
-    if (has_word(text, word)) return Remark::condition;
+  if (joins) return Remark::connective;
+  return names_it ? Remark::remark : Remark::unread;
+}
+
+bool stands_apart(const std::string& words) {
+  static constexpr std::string_view openings = "([,;:";
+  const auto first = words.find_first_not_of(" ~");
+  if (first == std::string::npos || openings.find(words[first]) != std::string_view::npos) return true;
+  const Spoken spoken = spoken_in(words);
+  static const List sources{"by", "using", "from", "see", "via", "cf", "for"};
+  return !spoken.words.empty() && sources.contains(lowered(spoken.words[0]));
+}
+
+std::set<std::string> symbols_in_words(const std::string& words) {
+  std::set<std::string> symbols;
+  for (const std::string& word : spoken_in(words).words) {
+    if (is_symbol(word) && word != "a" && word != "A") symbols.insert(word);
   }
-  if (has_word(text, "for") || has_word(text, "at") || has_word(text, "about")) return Remark::condition;
-  for (const char* word : connectives) {
-    if (has_word(text, word)) return Remark::connective;
-  }
-  return names_only(words) ? Remark::remark : Remark::doubt;
+  return symbols;
 }
 
 }  // namespace rigor

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Words in displays. Only what stands in the lists of remarks.cpp is a remark; docs/notation.md shows them.
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 
 namespace rigor {
@@ -9,15 +11,20 @@ namespace rigor {
 /// What words beside an equation do to it.
 enum class Remark : std::uint8_t {
   connective,  // "and", "therefore": another equation follows
-  condition,   // "if", "with": the equation says something else, and is not judged
   no_sum,      // "no sum over i": repeated indices in it are not summed
   cyclic,      // "and cyclic permutations", "etc.": it is said for the other axes, too
   quantifier,  // "for all vectors": says what is taken for granted
   remark,      // names it, its parts or its source: nothing
-  doubt,       // any other words: it may be proved, never refuted
+  unread,      // any other words: what they do is not known, and the equation is not judged
 };
 
-/// English words; the equation's signs among them are not looked at.
+/// English words. A letter among them stands for the symbol of that name.
 [[nodiscard]] Remark remark_of(const std::string& words);
+
+/// Words that tell at once that they are beside the equation: "by Jacobi", "(definition)", ", as above".
+[[nodiscard]] bool stands_apart(const std::string& words);
+
+/// The symbols that are named among words: `i` of "no sum over $i$", `alpha` of "for all $\alpha$".
+[[nodiscard]] std::set<std::string> symbols_in_words(const std::string& words);
 
 }  // namespace rigor

@@ -55,7 +55,8 @@ std::string tag_at(TokenView tokens, std::size_t at) {
 
 class RowReader {
  public:
-  RowReader(TokenView tokens, Diagnostics& diagnostics) : tokens_(tokens), diagnostics_(diagnostics) {}
+  RowReader(TokenView tokens, Diagnostics& diagnostics, TokenUses& uses)
+      : tokens_(tokens), diagnostics_(diagnostics), uses_(uses) {}
 
   std::vector<Row> read() {
     while (at_ < tokens_.size()) step();
@@ -76,6 +77,12 @@ class RowReader {
   };
 
   Tokens& cell() { return row_.cells.back(); }
+
+  /// To the place behind what means nothing more than `use`.
+  void leave(std::size_t next, TokenUse use = TokenUse::layout) {
+    uses_.mark(tokens_.subspan(at_, std::min(next, tokens_.size()) - at_), use);
+    at_ = next;
+  }
 
   /// Nested in braces or in an environment that is one piece of an expression (a matrix, cases).
   bool inside() const {
@@ -98,14 +105,12 @@ class RowReader {
   void step() {
     const Token& token = tokens_[at_];
     if (const int count = vanishing_arguments(token); count > 0) {
-      ++at_;
-      at_ = skip_star(at_);
-      for (int i = 0; i < count; ++i) at_ = argument_at(tokens_, at_).next;
-      return;
+      std::size_t next = skip_star(at_ + 1);
+      for (int i = 0; i < count; ++i) next = argument_at(tokens_, next).next;
+      return leave(next, TokenUse::aside);
     }
     if (takes_bare_length(token)) {
-      at_ = behind_length(tokens_, at_ + 1);
-      return;
+      return leave(behind_length(tokens_, at_ + 1), TokenUse::aside);
     }
     if (token.kind == TokenKind::control && control(token)) return;
     if (token.kind == TokenKind::align && !inside()) {
@@ -127,27 +132,28 @@ class RowReader {
     if (is_transparent(token)) {
       const Argument argument = argument_at(tokens_, at_ + 1);
       if (!has_relation(argument.content)) return false;
+      uses_.mark(tokens_.subspan(at_, 1), TokenUse::layout);
       cell().insert(cell().end(), argument.content.begin(), argument.content.end());  // \\boxed{a = b}
       at_ = argument.next;
       return true;
     }
     if (token.text == "intertext" || token.text == "shortintertext") {
-      at_ = argument_at(tokens_, at_ + 1).next;
+      leave(argument_at(tokens_, at_ + 1).next, TokenUse::aside);
       finish_row();
       row_.after_text = true;
       return true;
     }
     if (token.text == "hspace" || token.text == "hphantom") {
-      at_ = argument_at(tokens_, skip_star(at_ + 1)).next;
+      leave(argument_at(tokens_, skip_star(at_ + 1)).next, TokenUse::aside);
       Token space = token;
       space.text = "quad";
       cell().push_back(space);
       return true;
     }
     if ((token.text == "\\" || token.text == "cr" || token.text == "newline") && !inside()) {
-      at_ = skip_star(at_ + 1);
-      const Argument length = optional_argument_at(tokens_, at_);
-      if (is_length(length.content)) at_ = length.next;
+      const std::size_t next = skip_star(at_ + 1);
+      const Argument length = optional_argument_at(tokens_, next);
+      leave(is_length(length.content) ? length.next : next);
       finish_row();
       return true;
     }
@@ -165,7 +171,7 @@ class RowReader {
     } else {
       row_.label = text_of(argument.content);
     }
-    at_ = argument.next;
+    leave(argument.next, TokenUse::name);
     return true;
   }
 
@@ -173,6 +179,7 @@ class RowReader {
     const bool opens = token.text == "left" || token.text.back() == 'l';
     const bool closes = token.text == "right" || token.text.back() == 'r';
     std::size_t at = skip_blank(tokens_, at_ + 1);
+    uses_.mark(tokens_.subspan(at_, 1), TokenUse::layout);
     if (at >= tokens_.size()) {
       at_ = at;
       return true;
@@ -184,7 +191,7 @@ class RowReader {
     const bool brace = is_control(bracket, "{") || is_control(bracket, "lbrace");
     const std::size_t behind = skip_blank(tokens_, at + 1);
     if (opens && brace && behind < tokens_.size() && is_control(tokens_[behind], "begin")) {
-      at_ = behind;  // the brace of a system of equations, which `\\right.` ends
+      leave(behind);  // the brace of a system of equations, which `\\right.` ends
       return true;
     }
     if ((plain_bar || double_bar) && (opens || closes)) {
@@ -197,7 +204,11 @@ class RowReader {
       if (plain_bar && script) hold_together(lefts_.back(), bracket);
       lefts_.pop_back();
     }
-    if (!is_sign(bracket, ".")) cell().push_back(bracket);
+    if (is_sign(bracket, ".")) {
+      uses_.mark(tokens_.subspan(at, 1), TokenUse::layout);
+    } else {
+      cell().push_back(bracket);
+    }
     at_ = at + 1;
     return true;
   }
@@ -232,14 +243,14 @@ class RowReader {
       const bool transparent = !inside() && (is_transparent_environment(name) || system);
       open_.push_back({name, transparent, cover(token.span, argument.content)});
       if (transparent) {
-        next = optional_argument_at(tokens_, next).next;
+        next = behind_position(next);
         if (name.starts_with("alignat") || name == "alignedat") next = argument_at(tokens_, next).next;
       }
     } else if (!open_.empty() && open_.back().name == name) {
       const bool transparent = open_.back().transparent;
       open_.pop_back();
       if (transparent) {
-        at_ = next;
+        leave(next);
         return true;
       }
       copy_until(next);
@@ -249,11 +260,18 @@ class RowReader {
           {DiagnosticKind::unbalanced, token.span, fmt::format("`\\end{{{}}}` closes nothing here", name)});
     }
     if (!open_.empty() && token.text == "begin" && open_.back().transparent) {
-      at_ = next;
+      leave(next);
     } else {
       copy_until(next);
     }
     return true;
+  }
+
+  /// `\begin{aligned}[t]`: nothing but a letter of position, so that `[A, B]` stays.
+  std::size_t behind_position(std::size_t at) const {
+    const Argument position = optional_argument_at(tokens_, at);
+    const std::string text = text_of(position.content);
+    return text == "t" || text == "b" || text == "c" ? position.next : at;
   }
 
   void copy_until(std::size_t next) {
@@ -282,6 +300,7 @@ class RowReader {
 
   TokenView tokens_;
   Diagnostics& diagnostics_;
+  TokenUses& uses_;
   std::size_t at_ = 0;
   int braces_ = 0;
   std::vector<Open> open_;
@@ -292,8 +311,8 @@ class RowReader {
 
 }  // namespace
 
-std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics) {
-  return RowReader(tokens, diagnostics).read();
+std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics, TokenUses& uses) {
+  return RowReader(tokens, diagnostics, uses).read();
 }
 
 std::vector<std::string> tags_in(TokenView tokens) {

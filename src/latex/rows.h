@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "latex/accounting.h"
 #include "latex/tokens.h"
 #include "source/diagnostic.h"
 
@@ -22,7 +23,7 @@ struct Row {
 /// Rows of `aligned`, `split` and their kind inside the display become rows of the display, and so does a
 /// `cases` that is a whole row (a system). `\left|` becomes the control `lvert`, `\left.` vanishes. Unmatched
 /// environments are `unbalanced`.
-[[nodiscard]] std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics);
+[[nodiscard]] std::vector<Row> read_rows(TokenView tokens, Diagnostics& diagnostics, TokenUses& uses);
 
 /// All tags, as they would be printed: what is known of a display that cannot be split. Cost: linear.
 [[nodiscard]] std::vector<std::string> tags_in(TokenView tokens);

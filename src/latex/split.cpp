@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "latex/blocks.h"
+#include "latex/chain.h"
 
 namespace rigor {
 namespace {
@@ -131,6 +132,7 @@ class RowJoiner {
       Token space = tokens.front();
       space.kind = TokenKind::control;
       space.text = "quad";
+      space.place = 0;
       tokens.insert(tokens.begin(), space);
       column = column - 1;
     } else {
@@ -179,18 +181,39 @@ void share_single_tag(std::vector<WrittenChain>& chains) {
   share(&WrittenChain::label);
 }
 
+/// Signs that nobody read keep what stands around them from being judged.
+void refuse(std::vector<WrittenChain>& chains, const Token& left_over) {
+  for (WrittenChain& chain : chains) {
+    if (chain.condition) continue;
+    chain.condition = Obstacle{DiagnosticKind::passed_over,
+                               fmt::format("`{}` has no part in what was read", text_of({&left_over, 1})),
+                               {}};
+    chain.condition_span = left_over.span;
+  }
+}
+
 }  // namespace
 
 std::vector<WrittenChain> split_display(TokenView tokens, std::string_view environment,
                                         Diagnostics& diagnostics) {
+  return split_and_count(tokens, environment, diagnostics).chains;
+}
+
+SplitDisplay split_and_count(TokenView tokens, std::string_view environment, Diagnostics& diagnostics) {
   std::string name(environment);
   if (!name.empty() && name.back() == '*') name.pop_back();
-  std::vector<WrittenChain> chains;
-  const std::vector<Row> rows = read_rows(tokens, diagnostics);
+  SplitDisplay split{{}, counted(tokens), TokenUses(tokens.size())};
+  std::vector<WrittenChain>& chains = split.chains;
+  const std::vector<Row> rows = read_rows(split.tokens, diagnostics, split.uses);
   std::size_t number = 0;
   for (Statement& statement : RowJoiner(rows, name).join()) {
     ++number;
-    for (WrittenChain& chain : split_statement(statement.tokens)) {
+    std::vector<WrittenChain> own = split_statement(statement.tokens, split.uses);
+    if (const Token* left_over = split.uses.left_over(statement.tokens)) {
+      if (own.empty()) own.push_back(chain_of(statement.tokens, split.uses));
+      refuse(own, *left_over);
+    }
+    for (WrittenChain& chain : own) {
       if (chain.tag.empty()) chain.tag = statement.tag;
       chain.label = statement.label;
       chain.statement = number;
@@ -202,7 +225,8 @@ std::vector<WrittenChain> split_display(TokenView tokens, std::string_view envir
     }
   }
   share_single_tag(chains);
-  return chains;
+  if (const Token* left_over = split.uses.left_over(split.tokens)) refuse(chains, *left_over);
+  return split;
 }
 
 }  // namespace rigor

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "latex/accounting.h"
 #include "latex/rows.h"
 #include "latex/syntax.h"
 #include "latex/vocabulary.h"
@@ -46,8 +47,19 @@ struct WrittenChain {
   Span span;
 };
 
+/// The chains of a display, and what each of its tokens is to them.
+struct SplitDisplay {
+  std::vector<WrittenChain> chains;
+  Tokens tokens;  // with their places
+  TokenUses uses;
+};
+
 /// A stretch without a relation that is neither a tag nor a remark makes a chain with one side and no
-/// relation. `environment` is the display's own (empty for `$$`): it says what `&` separates.
+/// relation. `environment` is the display's own (empty for `$$`): it says what `&` separates. Where a token
+/// is left over, the chains of its statement get a condition.
+[[nodiscard]] SplitDisplay split_and_count(TokenView tokens, std::string_view environment,
+                                           Diagnostics& diagnostics);
+/// The same without the accounts.
 [[nodiscard]] std::vector<WrittenChain> split_display(TokenView tokens, std::string_view environment,
                                                       Diagnostics& diagnostics);
 

@@ -32,6 +32,7 @@ struct Token {
   TokenKind kind;
   std::string_view text;
   Span span;
+  std::uint32_t place = 0;  // which token of its display it is, from 1; 0: it was not typed, or nobody counts
 };
 
 /// All tokens of `span`. Comments (% to the end of the line, with the line break and the blanks that follow)

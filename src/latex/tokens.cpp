@@ -41,9 +41,8 @@ Argument argument_at(TokenView tokens, std::size_t at) {
   return {tokens.subspan(at + 1), tokens.size()};
 }
 
-ScriptArgument script_argument_at(TokenView tokens, std::size_t at) {
-  const Argument first = argument_at(tokens, at);
-  ScriptArgument script{Tokens(first.content.begin(), first.content.end()), first.next};
+Argument script_argument_at(TokenView tokens, std::size_t at) {
+  Argument script = argument_at(tokens, at);
   at = skip_blank(tokens, at);
   if (at >= tokens.size() || tokens[at].kind != TokenKind::control) return script;
   const std::string_view name = tokens[at].text;
@@ -52,9 +51,7 @@ ScriptArgument script_argument_at(TokenView tokens, std::size_t at) {
                    name == "bm" || name == "boldsymbol" || name == "vec" || name == "hat" ||
                    name == "operatorname" || name == "bar" || name == "tilde" || name == "vb";
   for (int k = 0; k < (two ? 2 : one ? 1 : 0); ++k) script.next = argument_at(tokens, script.next).next;
-  script.content.assign(tokens.begin() + static_cast<std::ptrdiff_t>(at),
-                        tokens.begin() + static_cast<std::ptrdiff_t>(script.next));
-  if (!two && !one) script.content.resize(1);
+  script.content = tokens.subspan(at, two || one ? script.next - at : 1);
   return script;
 }
 

@@ -31,11 +31,7 @@ struct Argument {
 [[nodiscard]] Argument argument_at(TokenView tokens, std::size_t at);
 /// The argument of `_` or `^`: as above, but a control that takes arguments comes with them (`_\mathrm{c}`,
 /// `^\frac12`).
-struct ScriptArgument {
-  Tokens content;
-  std::size_t next;
-};
-[[nodiscard]] ScriptArgument script_argument_at(TokenView tokens, std::size_t at);
+[[nodiscard]] Argument script_argument_at(TokenView tokens, std::size_t at);
 /// The contents of `[…]` if one stands there (blanks skipped), else nothing and next = at.
 [[nodiscard]] Argument optional_argument_at(TokenView tokens, std::size_t at);
 

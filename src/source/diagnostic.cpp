@@ -33,6 +33,7 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {bad_syntax, "bad-syntax", error,
      "an expression breaks off or has a sign in a place where it cannot stand"},
     {unsupported, "unsupported", not_understood, "a notation that is not read yet"},
+    {passed_over, "passed-over", not_understood, "a word or sign that has no part in what was read"},
 
     {unknown_directive, "unknown-directive", error, "a directive starts with an unknown word"},
     {bad_directive, "bad-directive", error, "a directive's text cannot be read"},

@@ -34,6 +34,7 @@ enum class DiagnosticKind : std::uint8_t {
   nesting_too_deep,
   bad_syntax,
   unsupported,
+  passed_over,
   // directives
   unknown_directive,
   bad_directive,

@@ -9,13 +9,13 @@ namespace {
 using namespace rigor;
 
 std::string statement(const std::string& text) {
-  const Stretch stretch(text);
-  return dump_chains(split_statement(stretch.tokens));
+  Stretch stretch(text);
+  return dump_chains(split_statement(stretch.tokens, stretch.uses));
 }
 
 RelationKind first_relation(const std::string& text) {
-  const Stretch stretch(text);
-  return split_statement(stretch.tokens).at(0).relations.at(0).kind;
+  Stretch stretch(text);
+  return split_statement(stretch.tokens, stretch.uses).at(0).relations.at(0).kind;
 }
 
 template <class Question>
@@ -142,17 +142,32 @@ TEST_CASE("words that only name an equation or join two change nothing") {
   }
 }
 
-TEST_CASE("words that are not known may restrict an equation") {
-  for (const char* words : {"to first order", "iffy", "a sumptuous result", "nearly"}) {
+TEST_CASE("words that are not in the lists leave an equation unjudged") {
+  for (const char* words : {"to first order", "iffy", "a sumptuous result", "nearly", "Newtom's law",
+                            "for all $q$", "no sum over $q$", "if $a > 0$", "(mass $= 2$)"}) {
     INFO(words);
-    CHECK(statement(std::string("a = b \\quad\\text{") + words + "}") == "a = b ~");
-    CHECK(statement(std::string("a = b \\quad (\\text{") + words + "})") == "a = b ~");
+    CHECK(statement(std::string("a = b \\quad\\text{") + words + "}") == "a = b ?unsupported");
+    CHECK(statement(std::string("a = b \\quad (\\text{") + words + "})") == "a = b ?unsupported");
   }
+}
+
+TEST_CASE("words at the left end, and words that act, belong to the side") {
+  for (const char* text :
+       {"\\text{grad}(u) = u", "\\text{mass} + a = a", "\\textbf{a} + b = b", "\\text{$a$} + b = b",
+        "a = b\\,\\text{sin}(x)", "a = 2\\,\\text{energy}", "a \\text{foo} b = c",
+        "\\text{kinetic energy} = T", "\\text{d}x/\\text{d}t = v"}) {
+    INFO(text);
+    CHECK(statement(text) == text);
+  }
+  CHECK(statement("\\text{Hence } a = b") == "a = b");
+  CHECK(statement("\\text{Newton: } a = b") == "a = b");
 }
 
 TEST_CASE("a quantifier over everything changes nothing") {
   CHECK(statement("a = b \\quad\\text{for all values}") == "a = b");
-  CHECK(statement("a = b \\quad\\forall\\, x") == "a = b");
+  CHECK(statement("a = b \\quad\\forall\\, a, b") == "a = b");
+  CHECK(statement("a = b \\quad\\text{for all } a, b") == "a = b");
+  CHECK(statement("a = b \\quad\\forall\\, x") == "a = b ?unsupported");
 }
 
 TEST_CASE("signs beside an equation that are not understood leave it unjudged") {

@@ -23,6 +23,7 @@ struct Stretch {
   MacroTable macros;
   Diagnostics diagnostics;
   Tokens tokens;
+  TokenUses uses{0};  // nobody counts
 
   explicit Stretch(std::string text) {
     const auto size = static_cast<std::uint32_t>(text.size());
@@ -33,7 +34,7 @@ struct Stretch {
   Stretch& operator=(const Stretch&) = delete;
 
   /// The one cell of the one row, with `\left` and `\right` worked in.
-  [[nodiscard]] Tokens side() { return read_rows(tokens, diagnostics).front().cells.front(); }
+  [[nodiscard]] Tokens side() { return read_rows(tokens, diagnostics, uses).front().cells.front(); }
   [[nodiscard]] std::string written(Span span) const { return std::string(sources.text(span)); }
   /// `3 unbalanced`: the column and the kind of each diagnostic, with commas between.
   [[nodiscard]] std::string complaints() const {
@@ -48,7 +49,7 @@ struct Stretch {
 };
 
 /// `a = b = c`, then its tag and label in brackets, then `?` and the kind of what stands beside it and is not
-/// read, or `~` for words that only may restrict it; `!no-sum` and `!cyclic` where words say so.
+/// read; `!no-sum` and `!cyclic` where words say so.
 [[nodiscard]] inline std::string dump_chain(const WrittenChain& chain) {
   std::string text;
   for (std::size_t k = 0; k < chain.sides.size(); ++k) {
@@ -58,8 +59,7 @@ struct Stretch {
   for (const std::string& name : {chain.tag, chain.label}) text += name.empty() ? "" : " [" + name + "]";
   if (chain.no_sum) text += " !no-sum";
   if (chain.cyclic) text += " !cyclic";
-  if (chain.condition) return text + " ?" + std::string(info(chain.condition->kind).name);
-  return chain.doubt ? text + " ~" : text;
+  return chain.condition ? text + " ?" + std::string(info(chain.condition->kind).name) : text;
 }
 
 /// One chain after the other, with ` // ` between.

@@ -6,11 +6,11 @@
 namespace rigor {
 namespace {
 
-TEST_CASE("words that restrict an equation are conditions") {
-  CHECK(remark_of("if ") == Remark::condition);
-  CHECK(remark_of("cyclic in i") == Remark::condition);
-  CHECK(remark_of("cyclic permutations") == Remark::condition);
-  CHECK(remark_of("when the axes are principal") == Remark::condition);
+TEST_CASE("words that restrict an equation are not read") {
+  CHECK(remark_of("if ") == Remark::unread);
+  CHECK(remark_of("cyclic in i") == Remark::unread);
+  CHECK(remark_of("cyclic permutations") == Remark::unread);
+  CHECK(remark_of("when the axes are principal") == Remark::unread);
 }
 
 TEST_CASE("words that take the sum from repeated indices are told apart") {
@@ -20,8 +20,8 @@ TEST_CASE("words that take the sum from repeated indices are told apart") {
     INFO(words);
     CHECK(remark_of(words) == Remark::no_sum);
   }
-  CHECK(remark_of("no sum if i is small") == Remark::condition);
-  CHECK(remark_of("sum over i") == Remark::condition);
+  CHECK(remark_of("no sum if i is small") == Remark::unread);
+  CHECK(remark_of("sum over i") == Remark::unread);
 }
 
 TEST_CASE("words that say an equation for the other axes are told apart") {
@@ -31,8 +31,8 @@ TEST_CASE("words that say an equation for the other axes are told apart") {
     INFO(words);
     CHECK(remark_of(words) == Remark::cyclic);
   }
-  CHECK(remark_of("and cyclic permutations of i, j, k") == Remark::condition);
-  CHECK(remark_of("and cyclic in i") == Remark::condition);
+  CHECK(remark_of("and cyclic permutations of i, j, k") == Remark::unread);
+  CHECK(remark_of("and cyclic in i") == Remark::unread);
 }
 
 TEST_CASE("words that name an equation or its source say nothing about it") {
@@ -41,14 +41,30 @@ TEST_CASE("words that name an equation or its source say nothing about it") {
   CHECK(remark_of("by Jacobi") == Remark::remark);
 }
 
-TEST_CASE("any other words leave a doubt") {
-  CHECK(remark_of("to first order") == Remark::doubt);
-  CHECK(remark_of("in vacuo") == Remark::doubt);
+TEST_CASE("any other words are not read, and no sign among them is passed over") {
+  CHECK(remark_of("to first order") == Remark::unread);
+  CHECK(remark_of("in vacuo") == Remark::unread);
+  for (const char* words :
+       {"grad", "Re", "det", "Newtom's law", "by Jacobj", "energy = 2", "no sum over i<j", "and if so"}) {
+    INFO(words);
+    CHECK(remark_of(words) == Remark::unread);
+  }
+}
+
+TEST_CASE("the symbols among words are known by name") {
+  CHECK(symbols_in_words("for all $\\alpha$ and $x_i$") == std::set<std::string>{"alpha", "i", "x"});
+  CHECK(symbols_in_words("Newton's second law").empty());
+}
+
+TEST_CASE("words in brackets or with their source stand apart from the equation") {
+  CHECK(stands_apart(" (distributive law)"));
+  CHECK(stands_apart("by Jacobi"));
+  CHECK_FALSE(stands_apart("energy"));
 }
 
 TEST_CASE("a quantifier over everything is harmless, one over some is not") {
   CHECK(remark_of("for all vectors") == Remark::quantifier);
-  CHECK(remark_of("for all perpendicular vectors") == Remark::doubt);
+  CHECK(remark_of("for all perpendicular vectors") == Remark::unread);
 }
 
 TEST_CASE("words between two equations join them") {

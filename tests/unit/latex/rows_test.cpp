@@ -13,7 +13,7 @@ using namespace rigor;
 std::string rows(const std::string& text) {
   Stretch stretch(text);
   std::string result;
-  for (const Row& row : read_rows(stretch.tokens, stretch.diagnostics)) {
+  for (const Row& row : read_rows(stretch.tokens, stretch.diagnostics, stretch.uses)) {
     if (!result.empty()) result += " // ";
     if (row.after_text) result += "text: ";
     for (const Tokens& cell : row.cells) {
@@ -93,7 +93,7 @@ TEST_CASE("sizes before a bracket vanish, and a sized bar knows its side") {
 
 TEST_CASE("a sized bar has the span of its size as well") {
   Stretch stretch("\\left| a \\right|");
-  const std::vector<Row> read = read_rows(stretch.tokens, stretch.diagnostics);
+  const std::vector<Row> read = read_rows(stretch.tokens, stretch.diagnostics, stretch.uses);
   CHECK(stretch.written(read[0].cells[0].front().span) == "\\left|");
 }
 

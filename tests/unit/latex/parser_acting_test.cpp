@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "catch.h"
+#include "latex/acting.h"
+#include "latex/dump_syntax.h"
+
+namespace {
+
+using namespace rigor;
+
+std::string parsed(const std::string& text) {
+  Stretch stretch(text);
+  SyntaxTree tree;
+  const Tokens tokens = stretch.side();
+  return dump_syntax(tree, parse_side(tokens, {}, tree));
+}
+
+}  // namespace
+
+TEST_CASE("operators written as words act on a bracket or on the one factor behind them") {
+  for (const char* word :
+       {"\\operatorname{grad}", "\\mathrm{grad}", "\\text{grad}", "\\mathop{\\rm grad}\\nolimits",
+        "\\textrm{grad }", "{\\rm grad}", "\\mathop{\\mathrm{grad}}"}) {
+    INFO(word);
+    CHECK(parsed(std::string(word) + "\\,f") == "(grad f)");
+    CHECK(parsed(std::string(word) + "(f + g)") == "(grad (sum +f +g))");
+  }
+  CHECK(parsed("\\operatorname{rot}\\operatorname{rot}\\mathbf A") == "(curl (curl vector:A))");
+  CHECK(parsed("\\operatorname{div}(f\\mathbf A) + 1") == "(sum +(div (term f vector:A)) +1)");
+  CHECK(parsed("\\text{det}(A)") == "(det A)");
+  CHECK(parsed("\\text{sin}(x)") == "(sin x)");
+}
+
+TEST_CASE("how far an operator written as a word acts is not guessed") {
+  for (const char* text :
+       {"\\text{grad} f g", "\\text{div} f\\mathbf A", "\\text{rot}\\mathbf A\\times\\mathbf B",
+        "\\text{grad} f^2", "\\text{grad}(f)^2"}) {
+    INFO(text);
+    CHECK(parsed(text).find("<ambiguous-reading>") != std::string::npos);
+  }
+  CHECK(parsed("\\text{div} A") == "<unsupported>");
+  CHECK(parsed("\\text{grad} + a") == "(sum +<unsupported> +a)");
+}
+
+TEST_CASE("other words are no quantities") {
+  for (const char* text :
+       {"\\text{Re } z", "\\operatorname{sgn} x", "\\mathrm{Var}(x)", "\\text{foo} x", "{\\rm Re} z"}) {
+    INFO(text);
+    CHECK(parsed(text).starts_with("(term <"));
+  }
+}
+
+TEST_CASE("letters in text are letters, in their face") {
+  CHECK(parsed("\\textbf{a}\\times\\textbf{b}") == "(term vector:a ×vector:b)");
+  CHECK(parsed("\\textit{a} + \\emph{b}") == "(sum +a +b)");
+  CHECK(parsed("\\text{$a + b$} c") == "(term (sum +a +b) c)");
+  CHECK(parsed("\\text{a}") == "\\mathrm{a}");
+}
+
+TEST_CASE("a Landau symbol is no letter, and a group's name is none") {
+  for (const char* text : {"O(a^2)", "\\mathcal O(x^3)", "\\mathcal{O}\\left(x\\right)", "o(x)",
+                           "O\\!\\left(h\\right)", "\\order{x^2}", "\\mathrm{O}(x)", "{\\cal O}(x)"}) {
+    INFO(text);
+    CHECK(parsed(text) == "<unsupported>");
+  }
+  CHECK(parsed("O_1(a)") == "(term O[1] (group a))");
+  CHECK(parsed("2O") == "(term 2 O)");
+}
+
+TEST_CASE("the derivative along a motion is no quotient") {
+  for (const char* text :
+       {"\\frac{Df}{Dt}", "\\frac{\\mathrm D f}{\\mathrm D t}", "\\frac{D\\mathbf v}{Dt}", "Df/Dt",
+        "\\frac{D(fg)}{Dt}", "\\frac{\\mathrm{D}^2 x}{\\mathrm{D}t^2}", "\\frac{D V}{D\\tau}"}) {
+    INFO(text);
+    CHECK(parsed(text) == "<unsupported>");
+  }
+  CHECK(parsed("\\frac{D}{D_0}") == "(fraction D D[0])");
+  CHECK(parsed("\\frac{Da}{b}") == "(fraction (term D a) b)");
+  CHECK(parsed("\\frac{D + a}{Dt}") == "(fraction (sum +D +a) (term D t))");
+}
+
+TEST_CASE("a differential by itself is no factor") {
+  for (const char* text : {"\\mathrm dx", "\\mathrm{d}(xy)", "\\text{d}x"}) {
+    INFO(text);
+    CHECK(parsed(text).find("<unsupported>") != std::string::npos);
+  }
+  CHECK(parsed("\\frac{\\mathrm dx}{\\mathrm dt}") == "(d/dt x)");
+}
