@@ -13,13 +13,13 @@ namespace rigor {
 
 /// What a token is to the statements of its display.
 enum class TokenUse : std::uint8_t {
-  none,       // nothing: it would be passed over
-  side,       // part of a side of a chain; what becomes of it there, a `SideAccount` knows
-  relation,   // between two sides
-  name,       // a tag or a label
-  layout,     // spacing, columns, sizes of brackets, punctuation at an end
-  aside,      // what only sets a space or a colour with its argument; prose between rows: nothing of it is read
-  remark,     // words from the list of remarks
+  none,      // nothing: it would be passed over
+  side,      // part of a side of a chain; what becomes of it there, a `SideAccount` knows
+  relation,  // between two sides
+  name,      // a tag or a label
+  layout,    // spacing, columns, sizes of brackets, punctuation at an end
+  aside,   // what only sets a space or a colour with its argument; prose between rows: nothing of it is read
+  remark,  // words from the list of remarks
   condition,  // it keeps its statement from being judged
 };
 
