@@ -12,6 +12,7 @@
 #include "check/chain_reading.h"
 #include "check/decision_cache.h"
 #include "check/question.h"
+#include "check/trivial_statement.h"
 #include "latex/parse.h"
 
 namespace rigor {
@@ -276,6 +277,7 @@ class Search {
 
   /// As it would be read in the place of what was written.
   bool is_proved(const RepairCandidate& candidate) {
+    if (trim(candidate.tokens).empty()) return false;
     ParsedChain chain = chain_;
     const std::size_t place = wrong_.which + candidate.side;
     chain.written.sides[place].tokens = candidate.tokens;
@@ -285,6 +287,7 @@ class Search {
     Diagnostics mismatches;
     const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
     if (!claim || !mismatches.empty()) return false;
+    if (is_trivial(tree_, claim->equation.left, claim->equation.right)) return false;
     const Judgement judgement = judge(tree_, names_, *claim, brief, cache_);
     return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
   }

@@ -83,8 +83,11 @@ RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& chang
   const std::string to = text_of(shown_after(side(which), change));
   const bool inside = change.slip == Slip::sign || change.slip == Slip::factor;
   const int further = change.slip == Slip::order && to < from ? -1 : (inside ? 2 : 0);
-  return made(which, change.slip, rewritten(side(which), change),
-              fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]), further);
+  const std::string words =
+      to.empty()     ? fmt::format("`{}` is one too many on the {} side", from, side_names[which])
+      : from.empty() ? fmt::format("`{}` is missing on the {} side", to, side_names[which])
+                     : fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]);
+  return made(which, change.slip, rewritten(side(which), change), words, further);
 }
 
 std::vector<RepairCandidate> RepairCandidates::rewritten_sides(bool whole_side) const {

@@ -288,11 +288,26 @@ class Rewriter {
   std::set<std::tuple<std::size_t, std::size_t, std::string>> known_;
 };
 
+/// `\mathbf`, `\dot`, `_`: what stands behind it without braces is one token.
+bool takes_one_token(const Token& token) {
+  return token.kind == TokenKind::superscript || token.kind == TokenKind::subscript || is_fraction(token) ||
+         is_control(token, "sqrt") || dots_of(token) > 0 || style_of(token).has_value();
+}
+
+/// In braces where it takes the place of the one token that is an argument: `\mathbf{\dot a}`.
+void append_in_place(Tokens& tokens, const Tokens& text) {
+  const bool braced = text.size() != 1 && !tokens.empty() && takes_one_token(tokens.back()) &&
+                      (text.empty() || text.front().kind != TokenKind::begin_group);
+  if (braced) tokens.push_back({TokenKind::begin_group, "{", tokens.back().span});
+  tokens.insert(tokens.end(), text.begin(), text.end());
+  if (braced) tokens.push_back({TokenKind::end_group, "}", tokens.back().span});
+}
+
 }  // namespace
 
 Tokens rewritten(TokenView side, const Rewriting& rewriting) {
   Tokens result(side.begin(), side.begin() + static_cast<std::ptrdiff_t>(rewriting.begin));
-  result.insert(result.end(), rewriting.text.begin(), rewriting.text.end());
+  append_in_place(result, rewriting.text);
   result.insert(result.end(), side.begin() + static_cast<std::ptrdiff_t>(rewriting.end), side.end());
   return result;
 }
@@ -304,7 +319,7 @@ Tokens shown_after(TokenView side, const Rewriting& rewriting) {
   const TokenView before = part(rewriting.shown_begin, rewriting.begin);
   const TokenView behind = part(rewriting.end, rewriting.shown_end);
   Tokens result(before.begin(), before.end());
-  result.insert(result.end(), rewriting.text.begin(), rewriting.text.end());
+  append_in_place(result, rewriting.text);
   result.insert(result.end(), behind.begin(), behind.end());
   return result;
 }

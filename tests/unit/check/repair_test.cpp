@@ -113,6 +113,25 @@ TEST_CASE("what is true already is not offered: a = a, 0 = 0") {
   }
 }
 
+TEST_CASE("what is offered says something, and TeX can set it") {
+  for (const std::string statement : {"$$\\mathbf v = 0$$", "$$\\mathbf u - \\mathbf v = 0$$",
+                                      "$$\\mathbf v + \\mathbf v = 0$$", "$$\\mathbf u = \\dot{\\mathbf u}$$",
+                                      "$$\\mathbf u\\cdot\\mathbf v = \\dot{\\mathbf u}\\cdot\\mathbf v$$",
+                                      "$$\\mathbf A\\times\\mathbf B = \\mathbf B\\times\\mathbf A$$"}) {
+    const Checked checked(rigor_says("vector \\mathbf u, \\mathbf v") + statement);
+    for (const Step& step : checked.report.steps) {
+      for (const Repair& repair : step.repairs) {
+        INFO(repair.statement << ": " << repair.change);
+        CHECK(repair.statement.find("\\mathbf v - \\mathbf v") == std::string::npos);
+        CHECK(repair.statement.find("\\mathbf\\dot") == std::string::npos);
+        CHECK(repair.change.find("``") == std::string::npos);
+        CHECK(!repair.statement.starts_with(" "));
+        CHECK(!repair.statement.ends_with("= "));
+      }
+    }
+  }
+}
+
 TEST_CASE("brackets make nothing else of a side") {
   const Checked checked(rigor_says("scalar a, b") + "$$|a - b| = a - b$$");
   for (const Repair& repair : refuted_step(checked).repairs) CHECK(repair.statement != "(a - b) = a - b");

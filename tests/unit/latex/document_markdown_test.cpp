@@ -75,8 +75,7 @@ TEST_CASE("Markdown: code, comments and prices are no displays") {
                            "a $`b$c`$ d",
                            "```{python}\n\"$$x$$\"\n```",
                            "```{.python}\n$$x$$\n```",
-                           ":::{code-block} tex\n$$x$$\n\n$$y$$\n:::",
-                           "[a]: $$x$$"}) {
+                           ":::{code-block} tex\n$$x$$\n\n$$y$$\n:::"}) {
     INFO(text);
     CHECK(markdown(text).empty());
     CHECK(markdown_complaints(text).empty());
