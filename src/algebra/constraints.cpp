@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "algebra/components.h"
+#include "algebra/contradiction.h"
 #include "algebra/kernel.h"
 #include "algebra/terms.h"
 
@@ -72,7 +73,7 @@ void Constraints::learn_signs(const Equation& assumption) {
                          const bool nonzero = rigor::is_within(sign, Sign::not_zero);
                          if (nonzero && (!each_particle || frame != template_frame)) note_nonzero(value);
                          if (is_number(value) && !rigor::is_within(domain_.signs().of(value), sign)) {
-                           throw Undecidable("the assumptions contradict each other");
+                           throw Contradiction();
                          }
                          return true;
                        });
@@ -87,7 +88,7 @@ std::vector<Signs::Fact> Constraints::reduced_facts() {
     const ex value = reduced(fact.value);
     if (!is_number(value)) facts.push_back({value, fact.sign});
     if (is_number(value) && !rigor::is_within(domain_.signs().of(value), fact.sign)) {
-      throw Undecidable("the assumptions contradict each other");
+      throw Contradiction();
     }
   }
   return facts;
@@ -227,7 +228,7 @@ void Constraints::eliminate() {
     again = false;
     std::erase_if(open, [](const Known& each) { return each.equation.is_zero(); });
     for (std::size_t i = 0; i < open.size() && !again; ++i) {
-      if (is_number(open[i].equation)) throw Undecidable("the assumptions contradict each other");
+      if (is_number(open[i].equation)) throw Contradiction();
       const ex x = linear_indeterminate(open[i].equation);
       if (x.is_zero()) continue;
       const Solution solution{x, solved_for(open[i].equation, x), open[i].from};

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "algebra/constraints.h"
+#include "algebra/contradiction.h"
 #include "algebra/expansion.h"
 #include "algebra/membership.h"
 #include "algebra/terms.h"
@@ -77,8 +78,7 @@ bool Constraints::is_combination_times_nonzero(const ex& value, const System& sy
       product = expanded_polynomial(product * factor);
       alone = expanded_polynomial(alone * factor);
       if (!is_zero(product)) continue;
-      if (is_combination(alone, system.equations, all, {.budget = domain_.budget()}))
-        throw Undecidable("the assumptions contradict each other");
+      if (is_combination(alone, system.equations, all, {.budget = domain_.budget()})) throw Contradiction();
       return true;
     }
     return false;
@@ -145,7 +145,7 @@ bool Constraints::vanishes(const ex& value) {
   const ex rest = reduced(open);
   if (rest.is_zero()) return true;
   const Cases::Verdict verdict = Cases(domain_).decide(without_factors(rest, system.nonzero), system);
-  if (verdict == Cases::Verdict::empty) throw Undecidable("the assumptions contradict each other");
+  if (verdict == Cases::Verdict::empty) throw Contradiction();
   for (const std::size_t each : which) use(remaining_[each].from);
   return verdict == Cases::Verdict::vanishes;
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "algebra/contradiction.h"
 #include "algebra/undecidable.h"
 
 namespace rigor {
@@ -96,7 +97,7 @@ bool Signs::conclude_from(const Fact& fact) {
       sign = common(sign, product(multiple, of_number(factor)));
     }
     if (sign == before) continue;
-    if (sign == Sign::impossible) throw Undecidable("the assumptions contradict each other");
+    if (sign == Sign::impossible) throw Contradiction();
     know(x, sign);
     any = true;
   }

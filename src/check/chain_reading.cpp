@@ -99,6 +99,7 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
   return Claim{.equation = *equation,
                .nearly = nearly,
                .swapped = swapped,
+               .for_all = for_all,
                .as_a_whole = as_a_whole,
                .relation = relation.span,
                .left = parsed.written.sides[which].span,

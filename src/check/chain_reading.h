@@ -40,6 +40,7 @@ class ChainReading {
   [[nodiscard]] const Reading& how() const { return how_; }
 
   std::vector<Side> sides;
+  bool for_all = false;  // the author says so: `claim`, `expect refuted`
 
  private:
   ExprTree& tree_;

@@ -30,14 +30,18 @@ constexpr std::array directive_words{
     DirectiveWord{"frame", DirectiveKind::frame},       DirectiveWord{"small", DirectiveKind::small},
     DirectiveWord{"variable", DirectiveKind::variable}, DirectiveWord{"where", DirectiveKind::where},
     DirectiveWord{"order", DirectiveKind::first_order}, DirectiveWord{"allow", DirectiveKind::allow},
-    DirectiveWord{"warn", DirectiveKind::warn},         DirectiveWord{"units", DirectiveKind::units}};
+    DirectiveWord{"warn", DirectiveKind::warn},         DirectiveWord{"units", DirectiveKind::units},
+    DirectiveWord{"for all", DirectiveKind::for_all}};
 
 /// Those of symbols, before or behind the kind.
 bool describes_symbols(const std::string& word) {
   return word == "symmetric" || word == "unit" || word == "polar" || word == "axial";
 }
 
-bool is_adjective(const std::string& word) { return describes_symbols(word) || word == "first"; }
+/// Of two words, the first: it opens a line and says nothing yet.
+bool is_half(const std::string& word) { return word == "first" || word == "for"; }
+
+bool is_adjective(const std::string& word) { return describes_symbols(word) || is_half(word); }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -65,7 +69,7 @@ Opening read_opening(const SourceMap& sources, Span line) {
   while (true) {
     const std::size_t before = at;
     const std::string word = next_word(text, at);
-    const bool adjective = describes_symbols(word) || (word == "first" && opening.words.empty());
+    const bool adjective = describes_symbols(word) || (is_half(word) && opening.words.empty());
     const bool kind_known = std::any_of(opening.words.begin(), opening.words.end(),
                                         [](const std::string& known) { return !is_adjective(known); });
     if (kind_known && !adjective) {
@@ -73,7 +77,8 @@ Opening read_opening(const SourceMap& sources, Span line) {
       break;
     }
     if (word.empty()) break;
-    opening.words.push_back(word);
+    const bool second = word == "all" && opening.words == std::vector<std::string>{"for"};
+    opening.words.push_back(second ? "for all" : word);
   }
   opening.rest = {line.file, line.begin + static_cast<std::uint32_t>(at), line.end};
   return opening;

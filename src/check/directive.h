@@ -17,6 +17,7 @@ enum class DirectiveKind : std::uint8_t {
   vector,
   scalar,
   tensor,
+  for_all,  // what is stated is meant for all values of these
   particles,
   constant,
   variable,

@@ -56,11 +56,11 @@ std::size_t term_count(const ExprTree& tree, ExprId id) {
   return tree[id].op == Op::add ? tree.children(id).size() : 1;
 }
 
-std::vector<SymbolId> undeclared(const ExprTree& tree, const std::set<SymbolId>& symbols) {
+std::vector<SymbolId> not_for_all(const ExprTree& tree, const std::set<SymbolId>& symbols) {
   std::vector<SymbolId> open;
   std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open), [&](SymbolId symbol) {
-    const auto& derivation = tree.symbols[symbol].derivation;
-    return !tree.symbols[derivation ? derivation->base : symbol].declared;
+    const Symbol& base = tree.symbols[base_of(tree.symbols, symbol)];
+    return !base.for_all && !base.unit_of_measure && !base.rotation;  // axes are no claim
   });
   return open;
 }
@@ -147,7 +147,7 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates, Decis
   const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
   std::set<SymbolId> all = left;
   all.insert(right.begin(), right.end());
-  const std::vector<SymbolId> open = undeclared(tree, all);
+  const std::vector<SymbolId> open = not_for_all(tree, all);
   if (open.empty()) return {};
   if (question.claim.relation != Relation::equal) return without_bounds(question, open);
   if (tree.is_zero_literal(question.claim.right))
@@ -163,7 +163,7 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates, Decis
                       std::inserter(only_right, only_right.end()));
   std::set<SymbolId> own = only_left;
   own.insert(only_right.begin(), only_right.end());
-  const std::vector<SymbolId> open_own = undeclared(tree, own);
+  const std::vector<SymbolId> open_own = not_for_all(tree, own);
   if (!open_own.empty()) {
     const bool one_sided = only_left.empty() || only_right.empty();
     const bool term_too_many =

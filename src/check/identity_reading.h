@@ -4,8 +4,8 @@
 // false alarm. `|\mathbf A\times\mathbf B|^2 = A^2B^2 + (\mathbf A\cdot\mathbf B)^2` is claimed for all A and
 // B.
 //
-// Symbols that a directive declares are meant for all values. For the others the form decides. An equation
-// reads as an identity if
+// What a letter is makes no claim: only `for all` says that a statement is meant for all values of a symbol.
+// For the others the form decides. An equation reads as an identity if
 //  - both sides have the same symbols (one symbol alone, to the first power on both sides, is a condition:
 //  T_ij = T_ji),
 //  - or one side has symbols of its own and the equation becomes a true identity, not 0 = 0, when they are 0:
@@ -22,9 +22,9 @@ namespace rigor {
 
 class DecisionCache;
 
-/// The undeclared symbols for which the equation reads as a law or condition; none if it reads as an
-/// identity. `restates`: the left side is a defined symbol alone, so one common symbol makes no condition of
-/// it.
+/// The symbols, not meant for all values, for which the equation reads as a law or condition; none if it
+/// reads as an identity. `restates`: the left side is a defined symbol alone, so one common symbol makes no
+/// condition of it.
 [[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, bool restates = false,
                                                 DecisionCache* cache = nullptr);
 

@@ -17,6 +17,7 @@
 #include "check/question.h"
 #include "check/question_names.h"
 #include "check/sign_doubt.h"
+#include "check/unread.h"
 
 namespace rigor {
 namespace {
@@ -219,13 +220,15 @@ class Judging {
     for (const std::string& convention : claim_.reading->conventions()) add_use("convention: " + convention);
   }
 
-  /// Under assumptions that no sample was found to satisfy, nothing is proved or refuted.
+  /// Under assumptions that no sample was found to satisfy, nothing is proved or refuted. They are all those
+  /// that bear on the claim: which of them is wrong is not known.
   bool rests_on_the_impossible(const Decision& decision, const char* consequence) {
-    const bool rests =
-        std::any_of(decision.assumptions.begin(), decision.assumptions.end(), [this](std::size_t which) {
-          return prepared_.assumptions[which] != nullptr && prepared_.assumptions[which]->without_sample;
-        });
-    if (!rests) return false;
+    const bool doubted =
+        std::any_of(prepared_.assumptions.begin(), prepared_.assumptions.end(),
+                    [](const NamedAssumption* each) { return each != nullptr && each->without_sample; });
+    const bool alone = decision.outcome == Outcome::proved && decision.assumptions.empty() &&
+                       prepared_.question.definitions.empty();
+    if (!doubted || alone) return false;
     judgement_.verdict = Verdict::undecided;
     add(DiagnosticKind::undecided, consequence);
     return true;
@@ -237,6 +240,7 @@ class Judging {
             "it follows from assumptions that no sample was found to satisfy, and from the "
             "impossible anything follows"))
       return;
+    if (takes_another_order()) return;
     judgement_.verdict = Verdict::proved;
     if (first_order_) note_neglected();
     const bool zero_written =
@@ -245,6 +249,20 @@ class Judging {
     judgement_.route += ", 0 = 0";
     add(DiagnosticKind::zero_equals_zero,
         "both sides are zero for all values, so the step says less than it seems to");
+  }
+
+  /// E is declared small, which means of first order, and E = v² makes it the square of a quantity.
+  bool takes_another_order() {
+    if (!claim_.nearly) return false;
+    for (const SymbolId symbol : symbols_of(prepared_.question)) {
+      if (!names_.is_of_other_order(base_of(tree_.symbols, symbol))) continue;
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided,
+          fmt::format("`{}` is declared small, of first order, and another order follows from what it is",
+                      tree_.symbols[base_of(tree_.symbols, symbol)].name));
+      return true;
+    }
+    return false;
   }
 
   /// The order of the first term that "nearly equal" leaves out.
@@ -336,6 +354,7 @@ class Judging {
     if (rests_on_the_impossible(
             decision, "no sample was found that satisfies all assumptions in force, so none can refute it"))
       return;
+    if (may_be_excused()) return;
     if (claim_.reading->guess() || claim_.doubt != nullptr) {
       const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
       judgement_.verdict = Verdict::not_understood;
@@ -351,7 +370,8 @@ class Judging {
           {fmt::format("without a declaration of `{}` it is the component", both->first)});
       return;
     }
-    const std::vector<SymbolId> law = law_symbols(prepared_.question, restates_definition(), cache_);
+    std::vector<SymbolId> law;
+    if (!claim_.for_all) law = law_symbols(prepared_.question, restates_definition(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
       judgement_.verdict = Verdict::not_understood;
@@ -359,10 +379,12 @@ class Judging {
       return;
     }
     prepared_.question.tree = &tree_;
-    if (const auto doubt = doubt_of_signs(tree_, prepared_.question, *decision.sample, cache_)) {
+    std::optional<SignDoubt> doubt;
+    if (!claim_.for_all) doubt = doubt_of_signs(tree_, prepared_.question, *decision.sample, cache_);
+    if (doubt) {
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided, doubt->reason,
-          {fmt::format("`rigor: scalar {}` means it for all values", doubt->name)});
+          {fmt::format("`rigor: for all {}` means it for all values", doubt->name)});
       return;
     }
     judgement_.verdict = Verdict::refuted;
@@ -375,6 +397,24 @@ class Judging {
                                       claim_.relation,
                                       difference() + (claim_.as_a_whole ? "" : sides),
                                       {{claim_.left, ""}, {claim_.right, ""}}});
+  }
+
+  /// An assumption could not be read, or not all that it says was looked at: it may make the claim true.
+  bool may_be_excused() {
+    if (const UnreadAssumption* unread = unread_assumption(tree_, names_, prepared_.question)) {
+      names_.mark_used(unread->directive);
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided,
+          fmt::format("it was found to fail, and `{}`, which could not be read, may make it true",
+                      unread->text));
+      return true;
+    }
+    if (prepared_.unmatched == nullptr) return false;
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided,
+        fmt::format("`{}` holds at all times and places, and was compared at a few only",
+                    prepared_.unmatched->origin.text));
+    return true;
   }
 
   std::string difference() const {

@@ -35,6 +35,7 @@ struct Claim {
   Equation equation;
   bool nearly = false;      // equal to first order in what is small
   bool swapped = false;     // `a > b` is asked as b < a
+  bool for_all = false;     // its author says that it is meant for all values
   bool as_a_whole = false;  // ≠ of vectors or tensors, asked as |left − right|² ≠ 0
   Span relation = {};
   Span left = {};

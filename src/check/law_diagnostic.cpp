@@ -61,7 +61,8 @@ Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim&
   Diagnostic diagnostic{
       DiagnosticKind::undeclared_symbol, claim.relation,
       fmt::format(
-          "{} {} neither declared nor defined, so this reads as a law or a condition, not as an identity",
+          "nothing says that {} {} meant for all values, so this reads as a law or a condition, not as an "
+          "identity",
           quoted_names(tree, symbols), symbols.size() == 1 ? "is" : "are")};
   const std::vector<std::string> known = names.known_names(tree);
   std::set<std::string> in_statement;
@@ -75,8 +76,8 @@ Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim&
       diagnostic.help.push_back(fmt::format("is `{}` meant for `{}`?", *near, name));
   }
   diagnostic.help.push_back(
-      "`rigor: given` makes it an assumption, `rigor: let` a definition; declared symbols are meant for all "
-      "values");
+      "`rigor: given` makes it an assumption, `rigor: let` a definition, `rigor: for all …` an identity in "
+      "what it names");
   return diagnostic;
 }
 

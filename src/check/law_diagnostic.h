@@ -16,7 +16,7 @@ namespace rigor {
 /// A symbol's name without face and braces: `\boldsymbol{\omega}` is `\omega`.
 [[nodiscard]] std::string bare_name(std::string name);
 
-/// The claim depends on these symbols, which are neither declared nor defined.
+/// The claim depends on these symbols, of which nothing says that all values are meant.
 [[nodiscard]] Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
                                         const std::vector<SymbolId>& symbols);
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "check/declared_first.h"
 #include "check/demand.h"
 #include "latex/parse.h"
 #include "latex/rows.h"
@@ -32,6 +33,7 @@ class NotesReader {
     if (sidecar != nullptr) insert_sidecar(*sidecar);
     for (const FileId each : asked) notes_.asked.push_back(read_asked(each));
     if (added != nullptr) insert(*added);
+    notes_.events = with_declarations_first(std::move(notes_.events), notes_.syntax);
     return std::move(notes_);
   }
 
@@ -105,8 +107,19 @@ class NotesReader {
 
   std::optional<Directive> read(Span line) {
     auto directive = read_directive(sources_, line, macros_.table(), notes_.syntax, diagnostics_);
+    if (!directive) directive = unread_assumption(line);
     if (directive) directive->number = notes_.directive_count++;
     return directive;
+  }
+
+  /// An assumption of which not even an equation was read says something of its letters all the same.
+  [[nodiscard]] std::optional<Directive> unread_assumption(Span line) const {
+    Directive directive;
+    directive.span = without_comment(sources_, line);
+    directive.text = std::string(sources_.text(directive.span));
+    directive.kind = directive.text.starts_with("where ") ? DirectiveKind::where : DirectiveKind::given;
+    const bool assumes = directive.text.starts_with("given ") || directive.text.starts_with("where ");
+    return assumes ? std::optional(std::move(directive)) : std::nullopt;
   }
 
   /// Each line goes before the event that its anchor names; lines of one anchor keep their order.

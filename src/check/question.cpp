@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "check/at_all_times.h"
 #include "expr/differentiate.h"
 
 namespace rigor {
@@ -15,6 +16,9 @@ namespace {
 
 /// Of a derivative for which a definition is made: no smaller than what `Differentiator` makes.
 constexpr int largest_order = 2 * most_rates + most_axes;
+
+/// So many derivatives compare the coefficients of what is assumed at all times or places.
+constexpr int most_compared = 3;
 
 /// A definition that the notes give, or that follows for a derivative.
 struct Found {
@@ -45,32 +49,121 @@ class Preparation {
     if (precision_ == Precision::small_order) add_small();
     for (const int beyond : {0, slack_}) {
       beyond_ = beyond;
-      for (bool grew = true; grew;) grew = add_assumptions();
+      for (bool grew = true; grew;) {
+        grew = beyond > 0 && follow_rules();
+        grew = add_assumptions() || grew;
+      }
       if (beyond == 0) prepared_.without_slack = prepared_.question.assumptions.size();
     }
     add_lengths();
     prepared_.too_large = budget_.exceeded;
+    prepared_.has_rates_or_times = has_rate() || has_rule() || speaks_of_time_or_place();
+    if (slack_ > 0) prepared_.unmatched = unmatched_assumption(tree_, names_, prepared_);
     return std::move(prepared_);
   }
 
  private:
-  void follow(const Equation& equation) {
-    std::vector<ExprId> pending{equation.left, equation.right};
+  void follow(const Equation& equation) { follow(std::vector{equation.left, equation.right}); }
+
+  void follow(std::vector<ExprId> pending) {
     while (!pending.empty()) {
       const ExprId id = pending.back();
       pending.pop_back();
-      for (const SymbolId symbol : symbols_in(tree_, id)) {
-        if (!reached_.insert(symbol).second) continue;
-        const auto found = definition_of(symbol, 0);
-        if (found) {
-          prepared_.question.definitions.push_back(found->definition);
-          prepared_.definitions.push_back(found->origin);
-          pending.push_back(found->definition.body);
-        } else if (is_constant(symbol) || vanishes_to_zeroth_order(symbol)) {
-          prepared_.question.zeroed.push_back(symbol);
-        }
-      }
+      for (const SymbolId symbol : symbols_in(tree_, id)) reach(symbol, pending);
     }
+  }
+
+  void reach(SymbolId symbol, std::vector<ExprId>& pending) {
+    if (!reached_.insert(symbol).second) return;
+    const auto found = definition_of(symbol, 0);
+    if (found) {
+      prepared_.question.definitions.push_back(found->definition);
+      prepared_.definitions.push_back(found->origin);
+      pending.push_back(found->definition.body);
+    } else if (is_constant(symbol) || vanishes_to_zeroth_order(symbol)) {
+      prepared_.question.zeroed.push_back(symbol);
+    }
+  }
+
+  // --- rates that are given
+
+  /// A rate that is given stands for what it is, wherever it is met. It is also an assumption on what it is
+  /// the rate of, as soon as another one speaks of that.
+  bool follow_rules() {
+    bool grew = false;
+    for (const NamedDefinition& rule : names_.definitions()) {
+      const SymbolId rate = rule.definition.symbol;
+      if (reached_.contains(rate) || !bears(rule)) continue;
+      highest_law_ = std::max(highest_law_, orders_of(rate).total());
+      std::vector<ExprId> pending;
+      reach(rate, pending);
+      follow(std::move(pending));
+      grew = true;
+    }
+    return grew;
+  }
+
+  [[nodiscard]] bool has_rule() {
+    const auto& rules = names_.definitions();
+    return std::any_of(rules.begin(), rules.end(),
+                       [this](const NamedDefinition& rule) { return bears(rule); });
+  }
+
+  /// Does an assumption speak of what the rate is of, and the question of either?
+  bool bears(const NamedDefinition& rule) {
+    const SymbolId rate = rule.definition.symbol;
+    if (orders_of(rate).total() == 0 || !is_assumed_of(base_of(rate), nullptr)) return false;
+    const std::vector<SymbolId> body = symbols_in(tree_, rule.definition.body);
+    return is_reached(base_of(rate)) ||
+           std::any_of(body.begin(), body.end(), [this](SymbolId each) { return is_reached(base_of(each)); });
+  }
+
+  [[nodiscard]] bool is_reached(SymbolId base) const {
+    return std::any_of(reached_.begin(), reached_.end(),
+                       [&](SymbolId each) { return base_of(each) == base; });
+  }
+
+  // --- times and places
+
+  [[nodiscard]] bool has_rate() const {
+    const auto is_rate = [this](SymbolId symbol) { return orders_of(symbol).total() > 0; };
+    return std::any_of(prepared_.question.assumptions.begin(), prepared_.question.assumptions.end(),
+                       [&](const Equation& equation) {
+                         const std::vector<SymbolId> left = symbols_in(tree_, equation.left);
+                         const std::vector<SymbolId> right = symbols_in(tree_, equation.right);
+                         return std::any_of(left.begin(), left.end(), is_rate) ||
+                                std::any_of(right.begin(), right.end(), is_rate);
+                       });
+  }
+
+  [[nodiscard]] bool speaks_of_time_or_place() {
+    return std::any_of(
+        prepared_.assumptions.begin(), prepared_.assumptions.end(), [this](const NamedAssumption* named) {
+          return named != nullptr &&
+                 (runs_with_time(tree_, names_, named->equation) || speaks_of_place(named->equation));
+        });
+  }
+
+  bool speaks_of_place(const Equation& equation) {
+    if (equation.relation != Relation::equal) return false;
+    const std::vector<SymbolId>& symbols = symbols_of(equation);
+    return std::any_of(symbols.begin(), symbols.end(),
+                       [&](SymbolId each) { return names_.is_free_variable(tree_, each, By::space); });
+  }
+
+  /// What speaks of the time itself says something of each moment: how often it is differentiated, so that
+  /// as many constants as it has can be found, or what it shares with another assumption.
+  int orders_to_compare(const NamedAssumption& assumption) {
+    const Equation& equation = assumption.equation;
+    if (!runs_with_time(tree_, names_, equation)) return 0;
+    int constants = 0;
+    for (const SymbolId symbol : symbols_of(equation)) {
+      const auto kind = names_.dependence(tree_, symbol, By::time).kind;
+      if (kind == Dependence::Kind::varies && !definition_of(symbol, 0))
+        return is_assumed_of(base_of(symbol), &assumption) ? beyond_ : 0;
+      constants += kind == Dependence::Kind::constant ? 1 : 0;
+    }
+    return std::clamp(constants - 1, beyond_, most_compared);
   }
 
   // --- definitions
@@ -258,6 +351,9 @@ class Preparation {
     // Derivatives beyond what was reached can speak of it, as the second one of x² = 0 does of ẋ.
     if (wanted.time >= 0 && highest.time > 0) wanted.time += beyond_;
     if (wanted.space >= 0 && highest.space > 0) wanted.space += beyond_;
+    int compared = 0;
+    if (beyond_ > 0 && named != nullptr) compared = orders_to_compare(*named);
+    wanted.time = std::max(wanted.time, compared);
     if (equation.relation != Relation::equal) wanted = {0, 0};
     if (named != nullptr && named->at_instant) {
       wanted = {0, 0};
@@ -268,7 +364,7 @@ class Preparation {
     highest_law_ = std::max(highest_law_, own_order);
     const int highest_wanted =
         beyond_ > 0 ? std::max(highest_order_ + beyond_, highest_law_) : highest_order_;
-    const int more = std::max(highest_wanted - own_order, 0);
+    const int more = std::max({highest_wanted - own_order, compared, 0});
     for (int time = 0; time <= std::clamp(wanted.time, 0, more); ++time) {
       for (int space = 0; space <= std::clamp(wanted.space, 0, more - time); ++space)
         grew = take(equation, named, {time, space}, own_order) || grew;
@@ -278,8 +374,11 @@ class Preparation {
 
   /// By the claim, so far as was followed, or by an assumption other than this one.
   bool is_spoken_of(SymbolId symbol, const NamedAssumption* by_this) {
+    return is_reached(symbol) || is_assumed_of(symbol, by_this);
+  }
+
+  bool is_assumed_of(SymbolId symbol, const NamedAssumption* by_this) {
     const auto is_it = [&](SymbolId each) { return base_of(each) == symbol; };
-    if (std::any_of(reached_.begin(), reached_.end(), is_it)) return true;
     return std::any_of(names_.assumptions().begin(), names_.assumptions().end(),
                        [&](const NamedAssumption& other) {
                          if (&other == by_this) return false;
@@ -295,6 +394,7 @@ class Preparation {
     for (int k = 0; k < orders.time; ++k) changed = derived(changed, By::time);
     for (int k = 0; k < orders.space; ++k) changed = derived(changed, By::space);
     push(changed, named);
+    if (beyond_ > 0 && named != nullptr) push_at_zero(changed, named);
     const bool at_zero_only = named == nullptr;  // what is small vanishes to zeroth order only
     for (int k = 0; k < order_ && !at_zero_only && changed.relation == Relation::equal; ++k) {
       changed = derived(changed, By::small);
@@ -310,6 +410,11 @@ class Preparation {
     prepared_.question.assumptions.push_back(equation);
     prepared_.assumptions.push_back(named);
     follow(equation);
+  }
+
+  /// What holds at all times holds at t = 0, too.
+  void push_at_zero(const Equation& equation, const NamedAssumption* named) {
+    if (auto at_zero = at_time_zero(tree_, names_, equation)) push(*at_zero, named);
   }
 
   Equation derived(const Equation& equation, By by) {
@@ -397,18 +502,6 @@ Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack,
   return Preparation(tree, names, slack, precision, order).prepare(claim, also);
 }
 
-bool speaks_of_derivatives(const Prepared& prepared) {
-  const ExprTree& tree = *prepared.question.tree;
-  return std::any_of(prepared.question.assumptions.begin(), prepared.question.assumptions.end(),
-                     [&](const Equation& equation) {
-                       for (const ExprId side : {equation.left, equation.right}) {
-                         for (const SymbolId symbol : symbols_in(tree, side)) {
-                           const auto& derivation = tree.symbols[symbol].derivation;
-                           if (derivation && derivation->time + derivation->space > 0) return true;
-                         }
-                       }
-                       return false;
-                     });
-}
+bool speaks_of_derivatives(const Prepared& prepared) { return prepared.has_rates_or_times; }
 
 }  // namespace rigor

@@ -19,6 +19,10 @@ struct Prepared {
   std::size_t without_slack = 0;                    // so many of the assumptions would be there without slack
   std::optional<std::string> too_large = {};        // why derivatives are missing: then nothing is decided
   std::vector<SymbolId> unknown_changes;            // differentiated, though nothing says whether they change
+  bool has_rates_or_times = false;  // something in the assumptions has a rate, or speaks of the time or place
+  /// Taken, speaks of the time or place itself, and leaves no quantity free to follow it: what it says at all
+  /// times would have to be compared coefficient by coefficient.
+  const NamedAssumption* unmatched = nullptr;
 };
 
 /// How a claim is meant: exactly, or order by order in what is small.
@@ -32,7 +36,8 @@ enum class Precision : std::uint8_t { exact, small_order };
                                Precision precision = Precision::exact, int order = 0,
                                std::span<const ExprId> also = {});
 
-/// Do the assumptions that a question took speak of derivatives, so that more slack may show more?
+/// Do the assumptions that bear on a question speak of derivatives, times or places, so that more slack may
+/// show more?
 [[nodiscard]] bool speaks_of_derivatives(const Prepared& prepared);
 
 }  // namespace rigor

@@ -9,6 +9,7 @@
 #include "check/frame.h"
 #include "check/lint_scopes.h"
 #include "check/sidecar_places.h"
+#include "check/unread.h"
 
 namespace rigor {
 
@@ -84,7 +85,7 @@ void Session::sight_all() {
 void Session::follow(const Heading& heading) {
   end_section();
   leave_frames(tree_, names_, heading.level);
-  names_.open_section(heading.level);
+  names_.open_section(tree_.symbols, heading.level);
   dimensions_.enter_section();
   section_ = heading.title;
 }
@@ -93,6 +94,11 @@ void Session::follow(const PlacedDirective& placed) {
   const Directive& directive = placed.directive;
   directives_.push_back(&directive);
   Context context{.role = Role::claim, .place = placed.place, .directive = directive.number};
+  const bool assumes = directive.kind == DirectiveKind::given || directive.kind == DirectiveKind::where;
+  if (assumes && directive.chains.empty()) {
+    names_.note_unread({directive.text, letters_of(directive.text), directive.number});
+    names_.mark_used(directive.number);  // that it was not read is said
+  }
   switch (directive.kind) {
     case DirectiveKind::expect:
       expectations_.push_back(&directive);

@@ -99,6 +99,9 @@ class Session {
   bool is_in_doubt() const;
   bool find_sample();  // of all assumptions in force
   static Diagnostic no_sample(Span span);
+  static Diagnostic changing_constant(Span span, const std::string& name);
+  void mark_all_given();
+  void compare_orders(const Equation& equation, Span span, Diagnostics& diagnostics);
   bool is_rule(const Typed& left, const Typed& right);
   bool is_determined(SymbolId symbol) const;
   void assume_rules_above(SymbolId symbol);
@@ -129,6 +132,7 @@ class Session {
   DimensionRecorder dimensions_{tree_, names_};
   std::vector<const Directive*> directives_;
   std::vector<std::pair<std::size_t, SymbolId>> constants_;  // directive, symbol
+  std::vector<std::pair<std::size_t, SymbolId>> for_all_;    // the same
   Sample sample_;                                            // the last one that met the assumptions in force
   std::map<SymbolId, bool> mirrored_;                        // declared polar (true) or axial
   std::vector<StatedEquation> stated_;                       // for the lints

@@ -36,6 +36,8 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
     return;
   }
   const std::unique_ptr<ChainReading> reading = read_chain(notes_.syntax, tree_, names_, parsed);
+  reading->for_all =
+      context.role == Role::claim || !expectations_.empty() || (parsed.image > 0 && !in_force_.empty());
   for (const std::string& letter : reading->how().unsummed) {
     reading->sides[0].diagnostics.push_back(
         {DiagnosticKind::unsummed_index,
@@ -166,7 +168,11 @@ void Session::mark_seen(const std::vector<Side>& sides) {
     if (!side.typed) continue;
     for (const SymbolId symbol : symbols_in(tree_, side.typed->id)) {
       names_.mark_seen(symbol);
-      if (const auto& derivation = tree_.symbols[symbol].derivation) names_.mark_seen(derivation->base);
+      const SymbolId base = base_of(tree_.symbols, symbol);
+      names_.mark_seen(base);
+      for (const auto& [directive, meant] : for_all_) {
+        if (meant == base) names_.mark_used(directive);
+      }
     }
   }
 }

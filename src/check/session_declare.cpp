@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "check/contradiction.h"
 #include "check/frame.h"
 #include "check/session.h"
 #include "expr/differentiate.h"
@@ -39,6 +40,7 @@ void Session::declare(const Directive& directive) {
       case DirectiveKind::constant:
       case DirectiveKind::variable:
       case DirectiveKind::small:
+      case DirectiveKind::for_all:
       case DirectiveKind::frame:
         declare_elaborated(directive, id);
         break;
@@ -103,6 +105,10 @@ void Session::declare_read(const Directive& directive, const Typed& typed) {
       constants_.emplace_back(directive.number, symbol);
       names_.declare_variable(symbol);
       return;
+    case DirectiveKind::for_all:
+      for_all_.emplace_back(directive.number, symbol);
+      names_.mean_for_all(tree_.symbols, symbol);
+      return;
     default:
       declare_small(directive, typed);
   }
@@ -113,7 +119,7 @@ void Session::declare_small(const Directive& directive, const Typed& typed) {
   SmallQuantity small{.quantity = typed.free.empty() ? typed.id : whole_symbol(typed),
                       .directive = directive.number};
   for (const FreeParticle& particle : typed.particles) small.particles.push_back(particle.id);
-  tree_.symbols[tree_[typed.id].symbol].declared = true;
+  names_.mean_for_all(tree_.symbols, tree_[typed.id].symbol);
   names_.declare_small(std::move(small));
 }
 
@@ -170,12 +176,24 @@ void Session::assume_rates_vanish(const Directive& directive, SymbolId symbol) {
   }
 }
 
-/// What is constant, and yet changes by the assumptions, makes all of them impossible.
+/// What is constant, and yet changes by its definition above or by the assumptions.
 void Session::check_constant(const Directive& directive) {
-  if (!decides() || names_.assumptions().empty() || is_in_doubt() || find_sample()) return;
-  for (const NamedAssumption& each : names_.assumptions()) {
-    if (each.origin.directive) names_.mark_used(*each.origin.directive);
+  if (!decides()) return;
+  const SymbolId symbol = constants_.back().second;
+  if (const NamedDefinition* named = names_.definition_of(symbol)) {
+    const NamedDefinition changing = *named;
+    if (definition_contradicts(tree_, names_, changing.definition)) {
+      names_.forget_definition(symbol);
+      names_.assume({as_equation(tree_, changing.definition), changing.origin, 0});
+      names_.doubt_last_assumption();
+      names_.withdraw_constant(symbol);
+      names_.mark_used(directive.number);
+      report_.diagnostics.push_back(changing_constant(directive.span, tree_.symbols[symbol].name));
+      return;
+    }
   }
+  if (names_.assumptions().empty() || is_in_doubt() || find_sample()) return;
+  mark_all_given();
   Equation impossible;
   impossible.left = tree_.add_number(directive.span, "0");
   impossible.right = tree_.add_number(directive.span, "1");
@@ -230,8 +248,9 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
   const WrittenName name = take_apart(symbol, Letters{}, names_);
   const bool digits = std::all_of(name.axes.begin(), name.axes.end(),
                                   [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; });
-  NameKey key{digits ? with_labels(name.base, name.axes) : name.base, 0, name.per_particle()};
-  const int axes = digits ? 0 : static_cast<int>(name.axes.size());
+  const bool labels = digits || directive.kind == DirectiveKind::scalar;  // `scalar \omega_n`
+  NameKey key{labels ? with_labels(name.base, name.axes) : name.base, 0, name.per_particle()};
+  const int axes = labels ? 0 : static_cast<int>(name.axes.size());
   switch (directive.kind) {
     case DirectiveKind::vector:
       key.rank = 1;
@@ -255,7 +274,7 @@ void Session::declare_symbol(const Directive& directive, SyntaxId id) {
   const SymbolId declared_symbol = names_.declare(tree_, key, std::move(declared), directive.number);
   if (directive.polar) mirrored_[declared_symbol] = *directive.polar;
   if (directive.kind == DirectiveKind::rotation) declare_rotation(directive, key, declared_symbol);
-  const bool whole = symbol.face == Face::plain && symbol.accent == Accent::none && axes == 0;
+  const bool whole = symbol.face == Face::plain && symbol.accent != Accent::hat && axes == 0;
   if (whole && key.rank > 0) names_.declare_plain(key);
 }
 

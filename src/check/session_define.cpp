@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "check/contradiction.h"
 #include "check/identity_reading.h"
 #include "check/session.h"
 
@@ -144,10 +145,47 @@ void Session::add_definition(const Typed& left, const Typed& right, const Parsed
     origin.text = fmt::format("let {}", name);
     origin.directive = context.directive;
   }
+  if (names_.is_declared_constant(definition->symbol) && decides() &&
+      definition_contradicts(tree_, names_, *definition)) {
+    names_.assume({as_equation(tree_, *definition), std::move(origin), 0});
+    names_.doubt_last_assumption();
+    for (const auto& [directive, constant] : constants_) {
+      if (constant == definition->symbol) names_.mark_used(directive);
+    }
+    withdraw_constants_of_last(tree_, names_);
+    step.verdict = Verdict::definition;
+    step.route = "definition";
+    step.diagnostics.push_back(changing_constant(step.relation_span, name));
+    return;
+  }
   assume_rules_above(definition->symbol);
   names_.define({*definition, std::move(origin), 0});
+  if (!names_.small().empty() && decides())
+    compare_orders(as_equation(tree_, *definition), step.relation_span, step.diagnostics);
   step.verdict = Verdict::definition;
   step.route = "definition";
+}
+
+Diagnostic Session::changing_constant(Span span, const std::string& name) {
+  return {DiagnosticKind::no_sample,
+          span,
+          fmt::format("`{}` is declared constant, and changes by what it is here", name),
+          {},
+          {"a proof from what cannot be proves nothing"}};
+}
+
+/// What is declared small is of first order, whatever else is said of it.
+void Session::compare_orders(const Equation& equation, Span span, Diagnostics& diagnostics) {
+  const auto small = small_of_other_order(tree_, names_, equation, options_.cache);
+  if (!small) return;
+  names_.note_other_order(*small);
+  diagnostics.push_back({DiagnosticKind::no_sample,
+                         span,
+                         fmt::format("`{}` is declared small, which means of first order, and is of another "
+                                     "order by what it is here",
+                                     tree_.symbols[*small].name),
+                         {},
+                         {"declare small what its powers are taken of"}});
 }
 
 /// What is now defined has derivatives of its own: rules for them are equations from here on.
@@ -256,18 +294,39 @@ void Session::add_assumption(const Typed& left, const Typed& right, const Equati
                             text_of(written.sides[which + 1].tokens))};
   step.verdict = Verdict::given;
   step.route = "assumption";
+  const bool is_doubted = is_in_doubt();  // then that was said where it began
   if (equation.relation == Relation::equal && is_rule(left, right)) {
     const Definition rule = *as_definition(left, right);
-    assume_rules_above(rule.symbol);
-    names_.define({rule, std::move(origin), 0});
-    return;
+    if (is_doubted || !decides() || !definition_contradicts(tree_, names_, rule)) {
+      assume_rules_above(rule.symbol);
+      names_.define({rule, std::move(origin), 0});
+      return;
+    }
+    names_.assume({equation, std::move(origin), 0});
+  } else {
+    names_.assume({equation, std::move(origin), 0});
+    if (join_component_rules(left) || !decides()) return;
+    if (!is_doubted && find_sample() && !last_assumption_contradicts(tree_, names_)) {
+      if (!names_.small().empty()) compare_orders(equation, step.relation_span, step.diagnostics);
+      return;
+    }
   }
-  names_.assume({equation, std::move(origin), 0});
-  if (join_component_rules(left) || !decides()) return;
-  const bool is_doubted = is_in_doubt();  // then that was said where it began
-  if (!is_doubted && find_sample()) return;
   names_.doubt_last_assumption();
-  if (!is_doubted) step.diagnostics.push_back(no_sample(parsed.written.span));
+  withdraw_constants_of_last(tree_, names_);
+  if (is_doubted) return;
+  mark_all_given();
+  step.diagnostics.push_back(no_sample(parsed.written.span));
+}
+
+/// What cannot hold together is used: it is why nothing is decided.
+void Session::mark_all_given() {
+  for (const NamedAssumption& each : names_.assumptions()) {
+    if (each.origin.directive) names_.mark_used(*each.origin.directive);
+  }
+  for (const NamedDefinition& each : names_.definitions()) {
+    const bool rule = tree_.symbols[each.definition.symbol].derivation.has_value();
+    if (rule && each.origin.directive) names_.mark_used(*each.origin.directive);
+  }
 }
 
 bool Session::is_in_doubt() const {

@@ -7,6 +7,7 @@
 
 #include "check/decision_cache.h"
 #include "check/session.h"
+#include "check/unread.h"
 #include "expr/differentiate.h"
 
 namespace rigor {
@@ -78,6 +79,12 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
     decide_step(parsed, which, reading, context, step);
   }
   if (only_asks(step.diagnostics)) step.verdict = Verdict::undecided;
+  const bool assumes = context.role == Role::given || context.role == Role::let;
+  if (assumes && step.verdict == Verdict::not_understood) {
+    std::string text = step.source;
+    std::set<std::string> letters = letters_of(text);
+    names_.note_unread({std::move(text), std::move(letters), context.directive});
+  }
   if (readable && parsed.image == 0) {
     const bool directed = context.role == Role::let || context.role == Role::given;
     const bool passing = is_for_now(context);

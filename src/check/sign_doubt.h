@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claims with a root that fail by a sign of something undeclared: whether its author means such values,
-// nothing says.
+// Claims with a root that fail by a sign of something that is not meant for all values: whether its author
+// means such values, nothing says.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 namespace rigor {
 
 struct SignDoubt {
-  std::string name;    // of what is undeclared
+  std::string name;    // of what is not meant for all values
   std::string reason;  // why its values do not refute
 };
 

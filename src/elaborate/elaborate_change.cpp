@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "elaborate/elaborator.h"
@@ -58,6 +59,45 @@ bool Elaborator::is_total_rate_of_field(const Typed& typed, Span span) {
   return false;
 }
 
+/// Does a definition lead to the place?
+bool Elaborator::reaches_place(ExprId id) const {
+  std::set<SymbolId> seen;
+  std::vector<ExprId> pending{id};
+  while (!pending.empty()) {
+    const ExprId at = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(tree_, at)) {
+      if (!seen.insert(symbol).second) continue;
+      if (names_.dependence(tree_, symbol, By::space).kind == Dependence::Kind::variable) return true;
+      const NamedDefinition* named = names_.definition_of(base_of(tree_.symbols, symbol));
+      if (named != nullptr) pending.push_back(named->definition.body);
+    }
+  }
+  return false;
+}
+
+/// A partial rate holds the place, also that in a definition: U = r² does not change by itself.
+std::optional<Typed> Elaborator::with_places_open(Typed typed, Span span) {
+  bool open = true;
+  const auto by = [&](ExprId id) -> std::optional<ExprId> {
+    const ExprNode node = tree_[id];
+    const NamedDefinition* named = names_.definition_of(base_of(tree_.symbols, node.symbol));
+    if (named == nullptr || !reaches_place(named->definition.body)) return std::nullopt;
+    const Definition& definition = named->definition;
+    const bool plain = definition.symbol == node.symbol && definition.indices.empty() &&
+                       definition.particle == no_particle && !definition.by_square;
+    open = open && plain;
+    if (!plain) return std::nullopt;
+    const std::vector<Slot> slots(tree_.slots(id).begin(), tree_.slots(id).end());
+    return component_of(tree_, definition.body, slots);
+  };
+  for (ExprId before = typed.id; open; before = typed.id) {
+    typed.id = replaced(tree_, typed.id, by);
+    if (typed.id == before) return typed;
+  }
+  return unsupported(span, "the partial rate of what is defined through the place is not decided");
+}
+
 /// `\dot x`. A dot on the length r of a vector is d|r|/dt, to the letter; on that of a particle's vector,
 /// squared, a missing bold face may be meant, as in ½ Σ m ṙ².
 std::optional<Typed> Elaborator::rate(const WrittenSymbol& written, Span span) {
@@ -89,6 +129,8 @@ std::optional<Typed> Elaborator::derivative(SyntaxId id) {
     if (is_time(variable.symbol)) {
       if (frame_is_open(*operand, span) || (!partial && is_total_rate_of_field(*operand, span)))
         return std::nullopt;
+      if (partial) operand = with_places_open(*std::move(operand), span);
+      if (!operand) return operand;
       operand = rate_of(std::move(*operand), variable.times, partial);
       continue;
     }

@@ -63,9 +63,21 @@ std::optional<Typed> Elaborator::elementary(const std::string& name, const Typed
   return over(name == "cosh" ? sum : difference, two);
 }
 
+/// `\det A` where A_{ij} is a tensor.
+std::optional<Typed> Elaborator::whole_tensor(SyntaxId id) {
+  if (syntax_[id].kind != SyntaxKind::symbol) return std::nullopt;
+  const WrittenSymbol& written = syntax_.symbol(id);
+  if (!is_undecorated(written) || !written.lower.empty()) return std::nullopt;
+  const bool tensor = is_known(written.letter, 2, false) && !names_.is_declared({written.letter, 0, false});
+  if (!tensor) return std::nullopt;
+  return make_symbol(written, written.letter, 2, {.base = written.letter, .axes = {}, .particles = {}}, {},
+                     syntax_[id].span);
+}
+
 std::optional<Typed> Elaborator::trace_or_determinant(SyntaxId id, bool trace) {
   const Span span = syntax_[id].span;
-  const Maybe inside = expression(id);
+  const Maybe whole = whole_tensor(id);
+  const Maybe inside = whole ? whole : expression(id);
   if (!inside) return inside;
   if (!trace) return determinant_of(id, *inside, span);
   if (inside->rank != 2) return unsupported(span, "a trace is read of a second-rank tensor only");

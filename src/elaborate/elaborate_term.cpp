@@ -41,11 +41,17 @@ std::optional<Typed> Elaborator::term(SyntaxId id) {
                : product(std::move(operands), syntax_[id].span);
 }
 
+/// Is it declared, as it stands or without its subscripts? Then it is a quantity, and no function.
+bool Elaborator::is_declared_letter(const WrittenSymbol& symbol) const {
+  const std::string labelled = with_labels(symbol.letter, symbol.lower);
+  return names_.is_declared({symbol.letter, 0, false}) || names_.is_declared({symbol.letter, 1, false}) ||
+         names_.is_declared({labelled, 0, false});
+}
+
 /// `f(x-ct)`, `V(2r)`: a bracket of plain coordinates behind a letter that is no usual coefficient.
 bool Elaborator::looks_like_argument(const WrittenSymbol& symbol, SyntaxId bracket) const {
   if (syntax_[bracket].kind != SyntaxKind::group || is_usual_coefficient(symbol.letter)) return false;
-  if (names_.is_declared({symbol.letter, 0, false}) || names_.is_declared({symbol.letter, 1, false}))
-    return false;
+  if (is_declared_letter(symbol)) return false;
   bool coordinate = false;
   std::vector<SyntaxId> pending{syntax_.child(bracket, 0)};
   while (!pending.empty()) {

@@ -156,6 +156,8 @@ class Elaborator {
   Differentiator& differentiator(By by, Slot axis = {}, bool partial = false);
   bool frame_is_open(const Typed& typed, Span span);
   bool is_total_rate_of_field(const Typed& typed, Span span);
+  [[nodiscard]] bool reaches_place(ExprId id) const;
+  std::optional<Typed> with_places_open(Typed typed, Span span);
   const WrittenSymbol& nabla_of(SyntaxId id) const;
   Maybe apply_operator(std::span<const SyntaxChild> factors, std::size_t at, std::size_t& next);
   Maybe apply_nabla(FieldOperator what, const Typed& operand, Span span);
@@ -168,6 +170,7 @@ class Elaborator {
   Maybe function(SyntaxId id);
   Maybe elementary(const std::string& name, const Typed& argument, Span span);
   Maybe trace_or_determinant(SyntaxId id, bool trace);
+  Maybe whole_tensor(SyntaxId id);
   Maybe determinant_of(SyntaxId id, const Typed& inside, Span span);
   Maybe integral(SyntaxId id);
 
@@ -186,6 +189,7 @@ class Elaborator {
   };
   bool reads_as_application(std::span<const SyntaxChild> factors);
   bool looks_like_argument(const WrittenSymbol& symbol, SyntaxId bracket) const;
+  [[nodiscard]] bool is_declared_letter(const WrittenSymbol& symbol) const;
   bool repeats_greek(std::span<const SyntaxChild> factors);
   bool runs_numbers_together(std::span<const SyntaxChild> factors);
   void guess_dyad(const std::vector<Operand>& vectors, Span span);

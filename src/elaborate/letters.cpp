@@ -136,6 +136,11 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
   }
 }
 
+/// Is it declared with its subscripts as one letter: `scalar \omega_n`?
+bool is_declared_with_labels(const WrittenSymbol& symbol, const Names& names) {
+  return !symbol.lower.empty() && names.is_declared({with_labels(bare_base(symbol), symbol.lower), 0, false});
+}
+
 void sight_crossed(const SyntaxTree& syntax, SyntaxId term, Sightings& sightings) {
   const std::span<const SyntaxChild> factors = syntax.children(term);
   for (std::size_t k = 1; k < factors.size(); ++k) {
@@ -162,6 +167,7 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   for_each_node(syntax, sides, [&](SyntaxId id) { read_repetition(syntax, id, letters); });
   for_each_node(syntax, sides, [&](SyntaxId id) {
     if (syntax[id].kind != SyntaxKind::symbol) return;
+    if (is_declared_with_labels(syntax.symbol(id), names)) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
     if (syntax.symbol(id).face == Face::vector) {
       letters.bold_vectors.insert(bare_base(syntax.symbol(id)));
@@ -221,6 +227,10 @@ void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
 
 WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Names& names) {
   WrittenName name;
+  if (symbol.face == Face::plain && is_declared_with_labels(symbol, names)) {
+    name.base = with_labels(bare_base(symbol), symbol.lower);
+    return name;
+  }
   std::vector<WrittenIndex> labels;
   std::vector<WrittenIndex> labels_behind;  // behind an axis: `T_{i\text{x}}` is not `T_{\text{x}i}`
   bool bare_label = false;                  // a digit or letter that is no axis

@@ -101,7 +101,12 @@ void Names::forget_definition(SymbolId symbol) {
                 [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
 }
 
-void Names::open_section(int level) {
+void Names::mean_for_all(SymbolTable& symbols, SymbolId symbol) {
+  symbols[symbol].for_all = true;
+  for_all_.emplace_back(symbol, depth_);
+}
+
+void Names::open_section(SymbolTable& symbols, int level) {
   const auto closed = [&](const auto& entry) { return entry.depth >= level; };
   while (!frames_.empty() && closed(frames_.back())) {
     restore(before_frames_.back());
@@ -115,7 +120,12 @@ void Names::open_section(int level) {
   std::erase_if(assumptions_, closed);
   std::erase_if(constants_, closed);
   std::erase_if(variables_, [&](const auto& entry) { return entry.second >= level; });
+  for (const auto& [symbol, depth] : for_all_) symbols[symbol].for_all = false;
+  std::erase_if(for_all_, [&](const auto& entry) { return entry.second >= level; });
+  for (const auto& [symbol, depth] : for_all_) symbols[symbol].for_all = true;
   std::erase_if(small_, closed);
+  std::erase_if(of_other_order_, [&](const auto& entry) { return entry.second >= level; });
+  std::erase_if(unread_, closed);
   std::erase_if(seen_, [&](const auto& entry) { return entry.second >= level; });
   depth_ = level;
 }
@@ -145,6 +155,7 @@ void Names::forget(std::size_t directive) {
   std::erase_if(entries_, [&](const auto& entry) { return entry.second.directive == directive; });
   std::erase_if(definitions_, brought);
   std::erase_if(assumptions_, brought);
+  std::erase_if(unread_, [&](const UnreadAssumption& each) { return each.directive == directive; });
   for (Scene& scene : before_frames_) {
     std::erase_if(scene.definitions, brought);
     std::erase_if(scene.assumptions, brought);
@@ -153,6 +164,25 @@ void Names::forget(std::size_t directive) {
 
 void Names::declare_constant(SymbolId symbol, std::size_t directive) {
   constants_.push_back({symbol, directive, depth_, frames_.size()});
+}
+
+bool Names::is_declared_constant(SymbolId symbol) const {
+  return std::any_of(constants_.begin(), constants_.end(),
+                     [&](const Constant& each) { return each.symbol == symbol; });
+}
+
+void Names::withdraw_constant(SymbolId symbol) {
+  std::erase_if(constants_, [&](const Constant& each) { return each.symbol == symbol; });
+}
+
+bool Names::is_of_other_order(SymbolId small) const {
+  return std::any_of(of_other_order_.begin(), of_other_order_.end(),
+                     [&](const auto& each) { return each.first == small; });
+}
+
+void Names::note_unread(UnreadAssumption unread) {
+  unread.depth = depth_;
+  unread_.push_back(std::move(unread));
 }
 
 void Names::declare_frame(Frame frame, Scene before) {
@@ -227,8 +257,31 @@ bool Names::is_principal_value(const SymbolTable& symbols, SymbolId symbol) cons
 
 bool Names::is_field(const ExprTree& tree, SymbolId symbol) const {
   const auto& derivation = tree.symbols[symbol].derivation;
-  const NameKey* key = key_of(derivation ? derivation->base : symbol);
-  return key != nullptr && !key->per_particle && sightings.fields.contains(key->base);
+  if (derivation && derivation->space > 0) return true;
+  const SymbolId base = derivation ? derivation->base : symbol;
+  const NameKey* key = key_of(base);
+  if (key == nullptr || key->per_particle) return false;
+  const std::pair face{key->base, key->rank > 0};
+  if (is_differentiated_by_place(*key) || sightings.partial_rates.contains(face)) return true;
+  const NamedDefinition* named = definition_of(base);
+  if (named == nullptr) return false;
+  const std::vector<SymbolId> inside = symbols_in(tree, named->definition.body);
+  return std::any_of(inside.begin(), inside.end(), [&](SymbolId each) {
+    const auto& by = tree.symbols[each].derivation;
+    return by && by->space > 0;
+  });
+}
+
+/// The Lagrangian L is not the vector **L**: of one letter, numbers and vectors are told apart.
+bool Names::is_differentiated_by_place(const NameKey& key) const {
+  if (sightings.fields.contains({key.base, key.rank > 0})) return true;
+  return key.rank > 0 && is_plain(key) && sightings.fields.contains({key.base, false});
+}
+
+bool Names::is_free_variable(const ExprTree& tree, SymbolId symbol, By by) {
+  if (dependence(tree, symbol, by).kind != Dependence::Kind::variable) return false;
+  const NameKey* key = key_of(symbol);
+  return by == By::time || (sightings.places && key != nullptr && !sightings.rates.contains(*key));
 }
 
 bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
@@ -241,7 +294,7 @@ bool Names::knows_change(const ExprTree& tree, SymbolId symbol, By by) const {
   if (std::any_of(constants_.begin(), constants_.end(), constant)) return true;
   const NameKey* key = key_of(base);
   if (key == nullptr || by == By::small) return true;
-  if (by == By::space) return sightings.fields.contains(key->base);
+  if (by == By::space) return is_differentiated_by_place(*key);
   if (sightings.rates.contains(*key)) return true;
   const bool principal_values = key->rank == 1 && sightings.diagonal.contains(key->base);
   return principal_values && sightings.rates.contains({key->base, 2, key->per_particle});

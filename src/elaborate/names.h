@@ -28,14 +28,16 @@ struct NameKey {
 
 /// How a symbol was written somewhere in the file.
 struct Sightings {
-  std::set<std::pair<std::string, bool>> bold;  // base, per particle: `\mathbf{A}` without a letter index
-  std::set<std::string> bold_indexed;           // `\boldsymbol\omega_i`
-  std::set<NameKey> indexed;                    // rank = number of letter indices: `I_{ij}`
-  std::set<std::string> summed_greek;           // `\alpha` of some \sum_\alpha
-  std::set<std::string> crossed;                // bases of bold factors of a cross product
-  std::set<NameKey> rates;                      // a time derivative of it is written
-  std::set<std::string> fields;                 // bases that a ∂ or ∇ stands directly before
-  std::set<std::string> mixed_axes;             // `\lambda_{i'j}`: two indices, one of them primed
+  std::set<std::pair<std::string, bool>> bold;    // base, per particle: `\mathbf{A}` without a letter index
+  std::set<std::string> bold_indexed;             // `\boldsymbol\omega_i`
+  std::set<NameKey> indexed;                      // rank = number of letter indices: `I_{ij}`
+  std::set<std::string> summed_greek;             // `\alpha` of some \sum_\alpha
+  std::set<std::string> crossed;                  // bases of bold factors of a cross product
+  std::set<NameKey> rates;                        // a time derivative of it is written
+  std::set<std::pair<std::string, bool>> fields;  // that a ∂ or ∇ stands directly before: base, vector?
+  std::set<std::pair<std::string, bool>> partial_rates;  // that a ∂/∂t stands directly before
+  bool places = false;                                   // some derivative by place is written
+  std::set<std::string> mixed_axes;                      // `\lambda_{i'j}`: two indices, one of them primed
   std::set<std::string>
       diagonal;            // X where `X_i = X_{ii}` or `X_{ij} = X_i\delta_{ij}` is said: principal values
   bool hatted_ij = false;  // \hat\imath or \hat\jmath: then \hat k is an axis as well
@@ -63,6 +65,14 @@ struct NamedAssumption {
   bool at_instant = false;            // as above
   std::optional<SymbolId> rate_of{};  // all it says is how this changes: nothing, where nothing else has it
   bool without_sample = false;  // nothing was found that satisfies it: what is proved from it proves nothing
+};
+
+/// An assumption that could not be read: what it would say of its letters is not known.
+struct UnreadAssumption {
+  std::string text;
+  std::set<std::string> letters;
+  std::size_t directive = 0;
+  int depth = 0;
 };
 
 /// `frame rot rotates with \boldsymbol{\omega} in in`: components are along the axes of `rotating`; the
@@ -131,6 +141,11 @@ class Names {
   };
   void declare_constant(SymbolId symbol, std::size_t directive);
   [[nodiscard]] const std::vector<Constant>& constants() const { return constants_; }
+  [[nodiscard]] bool is_declared_constant(SymbolId symbol) const;
+  /// What else is said of it makes it change: then nothing is known of how.
+  void withdraw_constant(SymbolId symbol);
+  /// Statements are meant for all values of the symbol, to the end of the section.
+  void mean_for_all(SymbolTable& symbols, SymbolId symbol);
   void declare_variable(SymbolId symbol) { variables_.emplace_back(symbol, depth_); }
   /// How a symbol (or a derivative) changes; marks the directive that says so as used. What nothing is said
   /// of varies.
@@ -145,19 +160,26 @@ class Names {
   [[nodiscard]] bool is_made_in_frame(const NamedDefinition& definition) const;
   /// I_i where `I_{ij} = I_i\delta_{ij}` is said: three numbers that belong to axes, no vector.
   [[nodiscard]] bool is_principal_value(const SymbolTable& symbols, SymbolId symbol) const;
-  /// Does a ∂ or ∇ stand before it somewhere in the file?
+  /// Does a ∂ or ∇ stand before it, or in what defines it, somewhere in the file?
   [[nodiscard]] bool is_field(const ExprTree& tree, SymbolId symbol) const;
+  /// Is it the time, or the place where the notes speak of places and not of a body that moves?
+  [[nodiscard]] bool is_free_variable(const ExprTree& tree, SymbolId symbol, By by);
   /// As if the last frame had not been declared; its definitions stay.
   void withdraw_frame();
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
   void declare_small(SmallQuantity small);
   [[nodiscard]] const std::vector<SmallQuantity>& small() const { return small_; }
+  /// A quantity that is declared small, and is of another order by what else is said of it.
+  void note_other_order(SymbolId small) { of_other_order_.emplace_back(small, depth_); }
+  [[nodiscard]] bool is_of_other_order(SymbolId small) const;
   /// Is the scalar of this name small by a directive?
   [[nodiscard]] bool is_small_scalar(const ExprTree& tree, const std::string& base) const;
   /// The rotation whose first axis is primed, if primed axes were spoken of.
   [[nodiscard]] std::optional<SymbolId> primed_axes() const { return primed_axes_; }
   void set_primed_axes(SymbolId rotation) { primed_axes_ = rotation; }
 
+  void note_unread(UnreadAssumption unread);
+  [[nodiscard]] const std::vector<UnreadAssumption>& unread() const { return unread_; }
   void doubt_last_assumption() { assumptions_.back().without_sample = true; }
   /// `vector A`: the plain letter is the vector itself, not its length.
   void declare_plain(const NameKey& key) { plain_.insert(key); }
@@ -168,7 +190,7 @@ class Names {
   void forget_definition(SymbolId symbol);
 
   /// A heading of this level closes all sections of its level and below, with what their directives declared.
-  void open_section(int level);
+  void open_section(SymbolTable& symbols, int level);
 
   /// Was the symbol part of an equation before, in this section or one around it? (A declaration alone is
   /// not.)
@@ -185,6 +207,7 @@ class Names {
   [[nodiscard]] std::vector<std::string> known_names(const ExprTree& tree) const;
 
  private:
+  [[nodiscard]] bool is_differentiated_by_place(const NameKey& key) const;
   [[nodiscard]] Dependence change_of(const ExprTree& tree, SymbolId symbol, By by);
   struct Entry {
     SymbolId symbol{};
@@ -200,9 +223,12 @@ class Names {
   std::map<SymbolId, NameKey> keys_;
   std::vector<Constant> constants_;
   std::vector<std::pair<SymbolId, int>> variables_;  // and the depth
+  std::vector<std::pair<SymbolId, int>> for_all_;    // the same
   std::vector<Frame> frames_;
   std::vector<Scene> before_frames_;  // one for each
   std::vector<SmallQuantity> small_;
+  std::vector<std::pair<SymbolId, int>> of_other_order_;  // and the depth
+  std::vector<UnreadAssumption> unread_;
   std::optional<SymbolId> primed_axes_;
   std::map<NameKey, SymbolId>
       declared_before_;  // a declaration that says the same again means the same symbol

@@ -2,6 +2,9 @@
 // What a file says by the way: which quantities it differentiates, which axes it primes, whose diagonal it
 // names.
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "elaborate/letters.h"
 #include "latex/vocabulary.h"
@@ -29,11 +32,25 @@ SyntaxId differentiated(const SyntaxTree& syntax, SyntaxId id) {
   return id;
 }
 
+/// Its base, and whether it is a vector.
+std::optional<std::pair<std::string, bool>> face_of(const SyntaxTree& syntax, SyntaxId operand,
+                                                    Names& names) {
+  const SyntaxId id = differentiated(syntax, operand);
+  if (syntax[id].kind != SyntaxKind::symbol) return std::nullopt;
+  const WrittenSymbol& symbol = syntax.symbol(id);
+  const WrittenName name = take_apart(symbol, Letters{}, names);
+  const bool vector = symbol.face != Face::plain || symbol.accent == Accent::hat || !name.axes.empty();
+  return std::pair(name.base, vector);
+}
+
 /// A factor of a product need not be a field.
 void sight_field(const SyntaxTree& syntax, SyntaxId operand, Names& names) {
-  const SyntaxId id = differentiated(syntax, operand);
-  if (syntax[id].kind != SyntaxKind::symbol) return;
-  names.sightings.fields.insert(take_apart(syntax.symbol(id), Letters{}, names).base);
+  names.sightings.places = true;
+  if (auto face = face_of(syntax, operand, names)) names.sightings.fields.insert(*std::move(face));
+}
+
+void sight_partial_rate(const SyntaxTree& syntax, SyntaxId operand, Names& names) {
+  if (auto face = face_of(syntax, operand, names)) names.sightings.partial_rates.insert(*std::move(face));
 }
 
 bool is_by_time(const WrittenDerivative& derivative) {
@@ -102,6 +119,7 @@ void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
         const bool time = is_by_time(syntax.derivative(id));
         if (time && syntax[operand].kind == SyntaxKind::symbol) sight_rate(syntax.symbol(operand), names);
         if (!time) sight_field(syntax, operand, names);
+        if (time && syntax.derivative(id).partial) sight_partial_rate(syntax, operand, names);
         break;
       }
       case SyntaxKind::function:

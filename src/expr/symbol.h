@@ -41,7 +41,8 @@ struct Symbol {
   bool symmetric = false;     // rank 2: equal to its transpose
   bool unit = false;          // rank 1: length 1
   bool rotation = false;      // rank 2: orthogonal with determinant 1; the first axis is the rotated one
-  bool declared = false;      // by a directive: a statement holds for all its values
+  bool declared = false;      // a directive says what it is
+  bool for_all = false;       // a directive says that statements are meant for all its values
   std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes
   Span first_seen = {};
   std::optional<Derivation> derivation = {};  // of a derivative; its last `space` axes can be exchanged

@@ -12,6 +12,7 @@ const std::string declared = R"(<!-- rigor:
 particles \alpha, \beta, \gamma
 scalar m_\alpha, q_\alpha
 vector \mathbf{r}_\alpha
+for all m_\alpha, q_\alpha, \mathbf{r}_\alpha
 -->
 
 )";

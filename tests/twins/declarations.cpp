@@ -97,4 +97,21 @@ std::set<std::string> declarations(const Notes& notes, const std::vector<Step>& 
   return declarations;
 }
 
+std::set<std::string> meant_for_all(const SourceMap& sources, const Notes& notes,
+                                    const std::set<std::string>& declarations) {
+  std::set<std::string> lines;
+  const auto mean = [&](std::string_view symbol) { lines.insert(fmt::format("for all {}", symbol)); };
+  for (const std::string_view declaration : declarations)
+    mean(declaration.substr(declaration.rfind(' ') + 1));
+  for (const Event& event : notes.events) {
+    const auto* placed = std::get_if<PlacedDirective>(&event);
+    if (placed == nullptr) continue;
+    const DirectiveKind kind = placed->directive.kind;
+    if (kind != DirectiveKind::vector && kind != DirectiveKind::scalar && kind != DirectiveKind::tensor)
+      continue;
+    for (const SyntaxId symbol : placed->directive.symbols) mean(sources.text(notes.syntax[symbol].span));
+  }
+  return lines;
+}
+
 }  // namespace rigor::twins

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an author would add to notes whose vectors go undeclared: a directive that a statement is meant for
-// all of them.
+// What an author would add to notes whose letters go undeclared: what they are, and that a statement is meant
+// for all their values.
 #pragma once
 
 #include <set>
@@ -9,6 +9,7 @@
 
 #include "check/notes.h"
 #include "check/report.h"
+#include "source/source_map.h"
 
 namespace rigor::twins {
 
@@ -16,5 +17,9 @@ namespace rigor::twins {
 /// `scalar k` for the other letters that stand alone. Not for axes, and not for what the notes define, since
 /// a declaration would forget the definition.
 [[nodiscard]] std::set<std::string> declarations(const Notes& notes, const std::vector<Step>& steps);
+
+/// `for all k` for each letter that these declare, or that the notes do.
+[[nodiscard]] std::set<std::string> meant_for_all(const SourceMap& sources, const Notes& notes,
+                                                  const std::set<std::string>& declarations);
 
 }  // namespace rigor::twins

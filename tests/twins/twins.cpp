@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 #include "base/check.h"
 #include "check/check.h"
@@ -66,7 +67,9 @@ class Mutations {
     Diagnostics ignored;
     document_ = read_document(sources_, whole_.file, ignored);
     const Notes notes = read_notes(sources_, whole_.file, nullptr, ignored);
-    for (const std::string& line : declarations(notes, whole_.steps)) declarations_ += directive(line);
+    const std::set<std::string> declared = declarations(notes, whole_.steps);
+    for (const std::string& line : declared) declarations_ += directive(line);
+    for (const std::string& line : meant_for_all(sources_, notes, declared)) meant_ += directive(line);
   }
 
   Twins all() {
@@ -202,7 +205,7 @@ class Mutations {
         if (judged.outcome == Outcome::failed || judged.outcome == Outcome::undecided)
           judged = judge(with_edit(text_, 0, edit), relation);
         if (judged.open) {
-          const std::string declared = declarations_ + before;
+          const std::string declared = declarations_ + before + meant_;
           Judged again = judge(declared + edited, declared.size() + relation - display.begin);
           if (again.outcome == Outcome::refuted) again.outcome = Outcome::refuted_declared;
           if (again.outcome == Outcome::refuted_declared || again.outcome == Outcome::malformed)
@@ -225,6 +228,7 @@ class Mutations {
   SourceMap sources_;
   FileReport whole_;
   std::string declarations_;
+  std::string meant_;  // for all values
   Document document_;
   Twins result_;
 };

@@ -90,9 +90,9 @@ TEST_CASE("a defined symbol alone on the left side makes no condition of its def
   CHECK(law_symbols(on.claim(on.m, pow(on.x, 2) + on.number("1")), true).empty());
 }
 
-TEST_CASE("declared symbols are meant for all values") {
+TEST_CASE("only what is said to be meant for all values is") {
   Equations on;
-  for (const Named& named : {on.a, on.b, on.m}) on.tree.symbols[named.symbol].declared = true;
+  for (const Named& named : {on.a, on.b, on.m}) on.tree.symbols[named.symbol].for_all = true;
   CHECK(on.law(on.m * on.a, on.b) == "");
   CHECK(on.law(dot(on.a, on.b), on.zero()) == "");
   CHECK(on.law(on.m * on.a, on.c) == "c");

@@ -83,17 +83,17 @@ TEST_CASE("a declaration is of the symbol that only a directive spoke of") {
 TEST_CASE("a declaration holds to the end of its section and in those inside it") {
   ExprTree tree;
   Names names;
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   names.declare(tree, scalar_a, named("A"), 0);
   names.declare_particles("\\alpha", 1);
-  names.open_section(2);
+  names.open_section(tree.symbols, 2);
   CHECK(names.is_declared(scalar_a));
   CHECK(names.labels_particles("\\alpha"));
   names.declare(tree, vector_a, named("A"), 2);
-  names.open_section(2);
+  names.open_section(tree.symbols, 2);
   CHECK_FALSE(names.is_declared(vector_a));
   CHECK(names.is_declared(scalar_a));
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   CHECK_FALSE(names.is_declared(scalar_a));
   CHECK_FALSE(names.labels_particles("\\alpha"));
 }
@@ -102,8 +102,8 @@ TEST_CASE("what is declared before the first heading holds everywhere") {
   ExprTree tree;
   Names names;
   names.declare(tree, scalar_a, named("A"), 0);
-  names.open_section(1);
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
+  names.open_section(tree.symbols, 1);
   CHECK(names.is_declared(scalar_a));
 }
 
@@ -112,11 +112,11 @@ TEST_CASE("a definition by an equation outlives its section, one by a directive 
   Names names;
   const SymbolId by_equation = names.resolve(tree, scalar_a, "A", {});
   const SymbolId by_directive = names.resolve(tree, vector_a, "A", {});
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   names.define(definition_of(by_equation, std::nullopt));
   names.define(definition_of(by_directive, 3));
   REQUIRE(names.definition_of(by_directive) != nullptr);
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   CHECK(names.definition_of(by_equation) != nullptr);
   CHECK(names.definition_of(by_directive) == nullptr);
 }
@@ -135,14 +135,14 @@ TEST_CASE("a second definition takes the place of the first") {
 
 TEST_CASE("an assumption ends with its section") {
   Names names;
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   names.assume({});
-  names.open_section(2);
+  names.open_section(tree.symbols, 2);
   names.assume({});
   CHECK(names.assumptions().size() == 2);
-  names.open_section(2);
+  names.open_section(tree.symbols, 2);
   CHECK(names.assumptions().size() == 1);
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   CHECK(names.assumptions().empty());
 }
 
@@ -158,12 +158,12 @@ TEST_CASE("an assumption that no sample satisfies is remembered as such") {
 TEST_CASE("a vector declared by its plain letter is that letter while the declaration holds") {
   ExprTree tree;
   Names names;
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   names.declare(tree, vector_a, named("A"), 0);
   CHECK_FALSE(names.is_plain(vector_a));
   names.declare_plain(vector_a);
   CHECK(names.is_plain(vector_a));
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   CHECK_FALSE(names.is_plain(vector_a));
 }
 
@@ -172,11 +172,11 @@ TEST_CASE("a symbol was seen in an equation of this section or one around it") {
   Names names;
   const SymbolId symbol = names.resolve(tree, scalar_a, "A", {});
   CHECK_FALSE(names.seen_in_equation(symbol));
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   names.mark_seen(symbol);
-  names.open_section(2);
+  names.open_section(tree.symbols, 2);
   CHECK(names.seen_in_equation(symbol));
-  names.open_section(1);
+  names.open_section(tree.symbols, 1);
   CHECK_FALSE(names.seen_in_equation(symbol));
 }
 
