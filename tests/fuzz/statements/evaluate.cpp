@@ -353,6 +353,23 @@ Truth related(Relation relation, double difference) {
   return Truth::unclear;
 }
 
+/// Half of the last digit of the only decimal in a claim; 0: it has none.
+double last_digit(const Claim& claim) {
+  double unit = 0.0;
+  for (const Term& side : {claim.left, claim.right})
+    visit(side,
+          [&](const Node& node) { unit = node.decimals > 0 ? 1.0 / static_cast<double>(node.q) : unit; });
+  return unit;
+}
+
+/// A rounded number: ≈ to its digits; = may be meant so, but not further off.
+Truth rounded(Relation relation, double difference, double unit) {
+  if (std::abs(difference) > 1.001 * unit) return Truth::fails;
+  if (relation == Relation::nearly)
+    return std::abs(difference) < 0.499 * unit ? Truth::holds : Truth::unclear;
+  return std::abs(difference) < 1e-14 ? Truth::holds : Truth::unclear;
+}
+
 Truth worse(Truth a, Truth b) {
   if (a == Truth::fails || b == Truth::fails) return Truth::fails;
   return a == Truth::unclear || b == Truth::unclear ? Truth::unclear : Truth::holds;
@@ -366,8 +383,10 @@ Truth on_components(const Claim& claim, Evaluation& evaluation, const JetSpace& 
   Truth all = claim.relation == Relation::unequal ? Truth::fails : Truth::holds;
   for (std::size_t c = 0; c < left.size(); ++c) {
     const Jet difference = left[c] - right[c];
+    if (const double unit = last_digit(claim); unit > 0.0)
+      return rounded(claim.relation, difference.value(), unit);
     Truth here = related(claim.relation, difference.value() / largest);
-    if (claim.relation == Relation::nearly) {
+    if (claim.relation == Relation::nearly && has_small(space)) {
       Exponents first{};
       first[small_variable] = 1;
       here = worse(here, related(Relation::equal, difference.coefficients[space.find(first)] / largest));

@@ -2,6 +2,7 @@
 #include "generate.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "rewrite.h"
 
@@ -210,6 +211,40 @@ Statement small_statement(Random& random) {
   return statement;
 }
 
+/// √2 ≈ 1.41: numbers with their first digits, or a few units beside.
+Statement decimal_statement(Random& random) {
+  Statement statement;
+  statement.kind = "decimals";
+  double value = 0.0;
+  Term exact;
+  while (!(std::abs(value) > 0.01 && std::abs(value) < 500.0)) {
+    const auto part = [&] {
+      return number(random.between(1, 19), random.one_in(2) ? random.between(2, 13) : 1);
+    };
+    const Term a = part();
+    const Term b = random.one_in(2) ? make(Op::root, {number(random.between(2, 30))}) : part();
+    const auto numeric = [](const Term& term) {
+      const Node& node = term->op == Op::root ? *term->parts[0] : *term;
+      const double plain = static_cast<double>(node.p) / static_cast<double>(node.q);
+      return term->op == Op::root ? std::sqrt(plain) : plain;
+    };
+    const std::size_t how = random.below(4);
+    exact = how == 0 ? sum({a, b}) : how == 1 ? product({a, b}) : how == 2 ? make(Op::quotient, {b, a}) : b;
+    value = how == 0   ? numeric(a) + numeric(b)
+            : how == 1 ? numeric(a) * numeric(b)
+            : how == 2 ? numeric(b) / numeric(a)
+                       : numeric(b);
+  }
+  const int digits = random.between(1, 4);
+  const double unit = std::pow(10.0, -digits);
+  const double shown =
+      random.one_in(2) ? value : value + unit * random.between(2, 30) * (random.one_in(2) ? 1 : -1);
+  statement.sides = {exact, decimal(shown, digits)};
+  if (random.one_in(4)) std::swap(statement.sides[0], statement.sides[1]);
+  statement.relations = {random.one_in(4) ? Relation::equal : Relation::nearly};
+  return statement;
+}
+
 /// cos k(x - y): a product may end the argument, or not.
 Statement readings_statement(Random& random) {
   Statement statement;
@@ -346,9 +381,10 @@ std::vector<Letter> scalars_of(std::size_t count, Random& random) {
 }
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> all{
-      "polynomials", "quotients", "roots",  "functions", "vectors", "indices", "tensors",  "particles",
-      "rates",       "frames",    "fields", "small",     "orders",  "assumed", "readings", "motion"};
+  static const std::vector<std::string> all{"polynomials", "quotients", "roots",     "functions", "vectors",
+                                            "indices",     "tensors",   "particles", "rates",     "frames",
+                                            "fields",      "small",     "orders",    "assumed",   "readings",
+                                            "motion",      "decimals"};
   return all;
 }
 
@@ -358,6 +394,7 @@ Statement statement_of(const std::string& kind, Random& random) {
                           : kind == "particles" ? particle_statement(random)
                           : kind == "small"     ? small_statement(random)
                           : kind == "assumed"   ? assumed_statement(random)
+                          : kind == "decimals"  ? decimal_statement(random)
                           : kind == "readings"  ? readings_statement(random)
                           : kind == "motion"    ? motion_statement(random)
                           : kind == "orders"    ? order_of(random)

@@ -2,6 +2,7 @@
 #include "term.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -240,6 +241,14 @@ Term number(long p, long q) {
   return std::make_shared<const Node>(std::move(node));
 }
 
+Term decimal(double value, int decimals) {
+  Node node;
+  node.decimals = decimals;
+  for (int k = 0; k < decimals; ++k) node.q *= 10;
+  node.p = std::lround(value * static_cast<double>(node.q));
+  return std::make_shared<const Node>(std::move(node));
+}
+
 Term zero(int rank) {
   Node node;
   node.rank = rank;
@@ -337,7 +346,7 @@ bool same(const Term& a, const Term& b) {
   if (a == b) return true;
   if (a->parts.size() != b->parts.size()) return false;
   const auto key = [](const Node& n) {
-    return std::tuple(n.bare, n.op, n.letter, n.slots, n.particle, n.dots, n.function, n.p, n.q);
+    return std::tuple(n.bare, n.decimals, n.op, n.letter, n.slots, n.particle, n.dots, n.function, n.p, n.q);
   };
   return key(*a) == key(*b) &&
          std::equal(a->parts.begin(), a->parts.end(), b->parts.begin(), b->parts.end(), same);

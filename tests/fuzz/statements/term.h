@@ -55,6 +55,7 @@ struct Node {
   int dots = 0;
   Function function = Function::sin;
   long p = 0, q = 1;
+  int decimals = 0;   // a number that is written with so many digits behind the point
   bool bare = false;  // `\\cos k(x - y)`: an argument a(b + c) is written without brackets around it
   int rank = 0;
 };
@@ -82,6 +83,7 @@ struct Letter {
 
 [[nodiscard]] Term number(long p, long q = 1);
 [[nodiscard]] Term zero(int rank);
+[[nodiscard]] Term decimal(double value, int decimals);  // rounded
 [[nodiscard]] Term symbol(const std::vector<Letter>& letters, std::size_t letter, std::string slots = {},
                           char particle = 0, int dots = 0);
 [[nodiscard]] Term delta(std::string slots);

@@ -51,7 +51,7 @@ class Writer {
       return is_product(node) && op != Op::product && op != Op::rate && op != Op::cross;
     }
     if (place == Place::vector) return is_product(node) || node.op == Op::quotient;
-    if (node.op == Op::number) return node.q != 1;
+    if (node.op == Op::number) return node.q != 1 && node.decimals == 0;
     if (node.op == Op::symbol) return node.dots > 0 && style_.dots_as_fractions;
     return node.op != Op::absolute && node.op != Op::length && node.op != Op::component;
   }
@@ -109,6 +109,12 @@ class Writer {
   }
 
   std::string number(const Node& node) {
+    if (node.decimals > 0) {
+      std::string digits = std::to_string(std::abs(node.p));
+      const auto behind = static_cast<std::size_t>(node.decimals);
+      if (digits.size() <= behind) digits.insert(0, behind + 1 - digits.size(), '0');
+      return (node.p < 0 ? "-" : "") + digits.insert(digits.size() - behind, ".");
+    }
     if (node.q == 1) return std::to_string(node.p);
     const std::string sign = node.p < 0 ? "-" : "";
     return sign + fraction(std::to_string(std::abs(node.p)), std::to_string(node.q));
@@ -327,6 +333,13 @@ std::vector<std::string> declarations(const Statement& statement, const Style& s
   return lines;
 }
 
+/// What may stand at the end of a display and changes nothing.
+std::string ending(Random& random) {
+  static const std::vector<std::string> endings{".",    ",",           " \\tag{7}", " \\label{eq:it}",
+                                                "\\,.", " \\nonumber", "\\;,"};
+  return random.one_in(3) ? random.of(endings) : "";
+}
+
 std::string display(const Statement& statement, const Style& style) {
   Random random(style.seed + 1);
   std::vector<std::string> sides;
@@ -337,6 +350,9 @@ std::string display(const Statement& statement, const Style& style) {
     if (rows && k > 1) body += " \\\\\n  ";
     body += (rows ? " &" : " ") + sign_of(statement.relations[k - 1]) + (style.spaced ? " " : "") + sides[k];
   }
+  const bool starred = random.one_in(2);
+  body += ending(random);
+  if (rows && style.latex_notes && !starred) return "\\begin{align}\n  " + body + "\n\\end{align}\n";
   if (rows && style.latex_notes) return "\\begin{align*}\n  " + body + "\n\\end{align*}\n";
   if (rows) return "$$\\begin{aligned}\n  " + body + "\n\\end{aligned}$$\n";
   if (style.latex_notes && random.one_in(2)) return "\\begin{equation}\n  " + body + "\n\\end{equation}\n";
