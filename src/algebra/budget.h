@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much work deciding may take, counted and not timed: the same in every run and on every machine. A unit
-// is about a microsecond: a step of evaluation, a term that is expanded, an operation of linear algebra.
+// is a step of evaluation, a term that is expanded, or an operation of linear algebra: 0.05 µs at a sample,
+// and up to 7 µs where roots are taken at the generic point.
 #pragma once
 
 #include <cstdint>
