@@ -183,7 +183,7 @@ Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, cons
 }
 
 constexpr std::size_t few_triangles = 256;
-constexpr double least_known = 0x1p-30;
+constexpr double least_known = 0x1p-26;
 
 /// The vertices that are corners, in their order, and the triangles of them.
 Mesh without_unused(std::span<const Position> vertices, Triangles triangles) {

@@ -31,7 +31,7 @@ struct MeshMoments {
   MeshErrors errors;     // if `sharp`; else of what cancels in the determinants alone
 };
 
-/// Are the second moments ii those of a body, and known to 2^-30 of themselves?
+/// Are the second moments ii those of a body, and known to 2^-26 of themselves?
 [[nodiscard]] Result<void> check_second_moments(const std::array<double, 3>& moments,
                                                 const MeshErrors& errors);
 
@@ -61,7 +61,7 @@ enum class MeshSharpness { if_needed, always };
 /// in mesh_sums.cpp; some N 2^-97 of the volume of the mesh's box over V. Parts that are small beside the box
 /// are lost in it: `mesh_parts.h` takes each by itself. Fails where a corner is no vertex, a coordinate is
 /// not finite, the volume cannot be told from 0 (below 1e-24 of the box's volume for 1e4 triangles), a second
-/// moment ii is known to less than 2^-30 of itself or not positive (a surface through itself, or one of
+/// moment ii is known to less than 2^-26 of itself or not positive (a surface through itself, or one of
 /// several inside out), or something overflows.
 [[nodiscard]] Result<MeshMoments> mesh_moments(std::span<const Position> vertices,
                                                std::span<const std::array<std::uint32_t, 3>> triangles,

@@ -89,7 +89,7 @@ TEST_CASE("parts of any sizes anywhere keep the bounds that come with them", "[m
     return std::pow(10, least + (most - least) * uniform(bits));
   };
   double worst = 0;
-  for (int n = 0; n < 200; ++n) {
+  for (int n = 0; n < 80; ++n) {
     Mesh mesh;
     const std::uint64_t parts = 2 + bits.below(4);
     for (std::uint64_t k = 0; k < parts; ++k) {

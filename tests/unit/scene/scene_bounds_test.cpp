@@ -2,6 +2,7 @@
 // The bounds that scenes print, against the exact values for the points as they were given.
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/splitmix.h"
 #include "catch.h"
@@ -49,7 +50,7 @@ struct Points {
 
 constexpr const char* all_of_it =
     "spin = [1, 2, 3]\nat = \"A thrown racket\"\naxes = \"principal\"\n[ask]\nerrors = true\nquantities = "
-    "['(\\Omega_1)^2', '(\\Omega_2)^2', '(\\Omega_3)^2', 'principal moments']\n";
+    "['(\\Omega_1)^2', '(\\Omega_2)^2', '(\\Omega_3)^2', 'principal moments', 'principal axes']\n";
 
 /// What was printed holds for the moments I, in their order.
 void check_frequencies(const Played& played, const std::array<Digits, 3>& moments) {
@@ -102,14 +103,19 @@ TEST_CASE("bounds of frequencies hold for points whose moments are alike to any 
     const Played played(all_of_it, points.body());
     CHECK(played.messages() == "");
     const PrincipalReference exact = principal_reference_of_digits(points.inertia());
-    if (!played.result.along_principal_axes) continue;
-    const auto& shown = played.quantity("principal moments").value;
-    std::array<Digits, 3> moments{exact.moments[0], exact.moments[1], exact.moments[2]};
-    std::array<std::size_t, 3> order{0, 1, 2};  // that of the axes, where the body is along them
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t i, std::size_t j) { return shown[i] < shown[j]; });
-    std::array<Digits, 3> in_order;
-    for (std::size_t k = 0; k < 3; ++k) in_order[order[k]] = moments[k];
+    // Where the body is along the axes of the file to 64 u, a moment belongs to the axis that its own is
+    // nearest to; else they ascend.
+    const bool along =
+        played.quantity("principal axes").value == std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    std::array<Digits, 3> in_order{};
+    std::array<bool, 3> taken{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::size_t nearest = 3;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!taken[i] && (nearest == 3 || abs(exact.axes[k][i]) > abs(exact.axes[k][nearest]))) nearest = i;
+      taken[nearest] = true;
+      in_order[along ? nearest : k] = exact.moments[k];
+    }
     check_frequencies(played, in_order);
   }
 }
