@@ -31,7 +31,7 @@ constexpr std::array directive_words{
     DirectiveWord{"variable", DirectiveKind::variable}, DirectiveWord{"where", DirectiveKind::where},
     DirectiveWord{"order", DirectiveKind::first_order}, DirectiveWord{"allow", DirectiveKind::allow},
     DirectiveWord{"warn", DirectiveKind::warn},         DirectiveWord{"units", DirectiveKind::units},
-    DirectiveWord{"for all", DirectiveKind::for_all}};
+    DirectiveWord{"for all", DirectiveKind::for_all},   DirectiveWord{"use", DirectiveKind::use}};
 
 /// Those of symbols, before or behind the kind.
 bool describes_symbols(const std::string& word) {
@@ -123,6 +123,7 @@ class DirectiveReader {
       return read_warning_names(sources_, opening.rest, directive, diagnostics_) ? std::optional(directive)
                                                                                  : std::nullopt;
     if (directive.kind == DirectiveKind::frame) return frame(opening.rest, std::move(directive));
+    if (directive.kind == DirectiveKind::use) return use(opening.rest, std::move(directive));
     if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
     const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
@@ -198,6 +199,27 @@ class DirectiveReader {
     const auto tokens = expand(lex(sources_, velocity), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
     return with_symbols(*tokens, std::move(directive));
+  }
+
+  /// `use (2.1), line 12, \mathbf{p}`
+  std::optional<Directive> use(Span rest, Directive directive) {
+    const auto tokens = expand(lex(sources_, rest), macros_, diagnostics_);
+    if (!tokens) return std::nullopt;
+    for (const TokenView part : split_at_commas(*tokens)) {
+      const std::string text(sources_.text(span_of(part)));
+      const bool tag = text.size() > 2 && text.front() == '(' && text.back() == ')';
+      const bool label = text.find(':') != std::string::npos;
+      if (tag || label || text.starts_with("line ")) {
+        directive.places.push_back(text);
+        continue;
+      }
+      const SyntaxId symbol = parse_side(part, span_of(part), syntax_);
+      if (syntax_[symbol].kind != SyntaxKind::symbol)
+        return bad(span_of(part), fmt::format("`{}` is no tag, no line and no symbol", text),
+                   "e.g. `use (2.1), line 12, \\mathbf{p}`");
+      directive.symbols.push_back(symbol);
+    }
+    return directive;
   }
 
   std::optional<Directive> with_symbols(TokenView tokens, Directive directive) {

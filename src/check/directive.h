@@ -33,6 +33,7 @@ enum class DirectiveKind : std::uint8_t {
   claim,
   expect,
   skip,
+  use,    // a definition that is said elsewhere holds here, too
   allow,  // silences warnings
   warn    // asks for them
 };
@@ -56,6 +57,7 @@ struct Directive {
   std::vector<Dimension> dimensions = {};     // units: one for each symbol
   std::vector<ParsedChain> chains;            // let, given, where, claim
   std::vector<DiagnosticKind> warnings = {};  // allow, warn
+  std::vector<std::string> places = {};       // use: tags, `line 12`
   bool here = false;                          // allow, warn: of the next statement only
   std::string rotating;                       // frame: the labels
   std::string fixed;

@@ -34,6 +34,7 @@ class NotesReader {
     for (const FileId each : asked) notes_.asked.push_back(read_asked(each));
     if (added != nullptr) insert(*added);
     notes_.events = with_declarations_first(std::move(notes_.events), notes_.syntax);
+    add_prose();
     return std::move(notes_);
   }
 
@@ -86,6 +87,27 @@ class NotesReader {
     add(Display{.span = all, .body = all, .environment = {}});
     const auto where = notes_.events.begin() + static_cast<std::ptrdiff_t>(behind);
     std::rotate(where, notes_.events.end() - 1, notes_.events.end());
+  }
+
+  /// What the prose says beside the displays, with the relations in its lines read as far as syntax goes.
+  void add_prose() {
+    std::vector<ProseEvent> events;
+    for (const Event& event : notes_.events) {
+      ProseEvent seen{.span = rigor::span_of(event)};
+      if (std::holds_alternative<ParsedDisplay>(event)) seen.kind = ProseEvent::Kind::display;
+      if (const auto* heading = std::get_if<Heading>(&event)) {
+        seen.kind = ProseEvent::Kind::heading;
+        seen.level = heading->level;
+      }
+      events.push_back(seen);
+    }
+    notes_.prose = read_prose(sources_, events);
+    for (SaidInLine& said : notes_.prose.said) {
+      Diagnostics none;
+      const auto tokens = expand(lex(sources_, said.span), macros_, none);
+      if (tokens && unbalanced_brace(*tokens) == nullptr)
+        said.chains = parse_chains(*tokens, "", notes_.syntax, none);
+    }
   }
 
   SyntaxId read_asked(FileId text) {

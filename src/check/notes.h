@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "check/directive.h"
+#include "check/prose.h"
 #include "check/sidecar.h"
 #include "latex/document.h"
 
@@ -37,6 +38,7 @@ struct Notes {
   SyntaxTree syntax;
   std::vector<Event> events;
   std::size_t directive_count = 0;
+  Prose prose = {};
   std::vector<SyntaxId> asked = {};  // expressions that a reader of the notes asks for
 };
 

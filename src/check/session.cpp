@@ -8,6 +8,7 @@
 
 #include "check/frame.h"
 #include "check/lint_scopes.h"
+#include "check/local_kinds.h"
 #include "check/sidecar_places.h"
 #include "check/unread.h"
 
@@ -22,6 +23,7 @@ void Session::run() {
   if (options_.forms != nullptr) options_.forms->plan(names_);
   for (std::size_t k = 0; k < notes_.events.size(); ++k) {
     if (options_.forms != nullptr) options_.forms->enter(k);
+    event_ = k;
     std::visit([this](const auto& event) { follow(event); }, notes_.events[k]);
     if (options_.forms != nullptr) options_.forms->ask(k, tree_, names_);
     if (options_.progress) options_.progress(k + 1, notes_.events.size());
@@ -47,38 +49,7 @@ void Session::report_lints() {
 
 /// How symbols are written anywhere in the file decides what their letters mean everywhere.
 void Session::sight_all() {
-  std::vector<std::vector<SyntaxId>> statements;
-  std::vector<std::string> latin_particles;
-  for (const Event& event : notes_.events) {
-    const auto take = [&](const std::vector<ParsedChain>& chains) {
-      for (const ParsedChain& chain : chains) statements.push_back(chain.sides);
-    };
-    if (const auto* display = std::get_if<ParsedDisplay>(&event)) take(display->chains);
-    if (const auto* placed = std::get_if<PlacedDirective>(&event)) {
-      take(placed->directive.chains);
-      if (placed->directive.kind == DirectiveKind::particles) {
-        for (const SyntaxId symbol : placed->directive.symbols)
-          latin_particles.push_back(notes_.syntax.symbol(symbol).letter);
-      } else {
-        for (const SyntaxId symbol : placed->directive.symbols) statements.push_back({symbol});
-      }
-    }
-  }
-  auto& summed = names_.sightings.summed_greek;
-  for (const auto& sides : statements) {
-    for (const SyntaxId side : sides) sight_sums(notes_.syntax, side, names_.sightings);
-  }
-  const std::set<std::string> greek_only = summed;
-  summed.insert(latin_particles.begin(), latin_particles.end());
-  for (const auto& sides : statements) {
-    for (const SyntaxId side : sides) sight_faces(notes_.syntax, side, names_);
-  }
-  for (const auto& sides : statements) sight_indices(notes_.syntax, sides, names_);
-  for (const auto& sides : statements) {
-    for (const SyntaxId side : sides) sight_changes(notes_.syntax, side, names_);
-    sight_diagonals(notes_.syntax, sides, names_.sightings);
-  }
-  summed = greek_only;
+  sight_events(notes_, names_, [](std::size_t) { return true; });
   imply_primed_axes();
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "check/borrowed.h"
 #include "check/chain_ends.h"
 #include "check/chain_reading.h"
 #include "check/check.h"
@@ -90,12 +91,24 @@ class Session {
   bool defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context,
                Step& step);
   bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right,
-                 Step& step);
+                 const Context& context, Step& step);
   std::vector<Label> earlier_place(const NamedDefinition& earlier) const;
   void add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
                       const Context& context, Step& step);
   void add_assumption(const Typed& left, const Typed& right, const Equation& equation,
                       const ParsedChain& parsed, std::size_t which, const Context& context, Step& step);
+  [[nodiscard]] Standpoint standpoint(const ParsedChain& parsed);
+  void add_said(const SaidInLine& said, const ParsedChain& parsed, Standpoint& at);
+  void declare_use(const Directive& directive);
+  void heed(const ParsedChain& parsed, std::size_t which, const Claim& claim, const Side& left,
+            const Side& right, const Context& context, Judgement& judgement);
+  [[nodiscard]] bool is_late_definition(const Typed& left, const Typed& right) const;
+  std::optional<std::string> letter_borrowed_for(const ParsedChain& parsed, std::size_t which,
+                                                 const Claim& claim);
+  [[nodiscard]] bool is_conditional() const;
+  [[nodiscard]] bool is_alternative(const ParsedChain& parsed) const;
+  [[nodiscard]] std::vector<const ParsedChain*> conditions_beside(const ParsedChain& parsed) const;
+  [[nodiscard]] bool is_condition_beside(const ParsedChain& parsed) const;
   bool is_in_doubt() const;
   bool find_sample();  // of all assumptions in force
   static Diagnostic no_sample(Span span);
@@ -135,7 +148,10 @@ class Session {
   std::vector<std::pair<std::size_t, SymbolId>> for_all_;    // the same
   Sample sample_;                                            // the last one that met the assumptions in force
   std::map<SymbolId, bool> mirrored_;                        // declared polar (true) or axial
-  std::vector<StatedEquation> stated_;                       // for the lints
+  std::size_t event_ = 0;                                    // that is followed
+  std::vector<Use> uses_;
+  std::vector<Fact> laws_;              // and definitions behind their first use
+  std::vector<StatedEquation> stated_;  // for the lints
   // for the next statement; forgotten when it is over, whatever became of it
   std::vector<const Directive*> expectations_;
   const Directive* skip_ = nullptr;

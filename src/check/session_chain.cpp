@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "check/decision_cache.h"
+#include "check/local_kinds.h"
 #include "check/missing_condition.h"
 #include "check/repair.h"
 #include "check/session.h"
@@ -24,6 +25,16 @@ bool is_malformed(const Step& step) {
          });
 }
 
+/// Are all sides read, and does each step's pair of sides fit?
+bool fits(const ParsedChain& parsed, ChainReading& reading) {
+  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) {
+    Diagnostics mismatches;
+    if (!reading.sides[k].typed || !reading.sides[k + 1].typed) return false;
+    if (!reading.claim(parsed, k, false, mismatches)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
@@ -35,7 +46,19 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
                                    "no relation stands here, so there is nothing to decide"});
     return;
   }
-  const std::unique_ptr<ChainReading> reading = read_chain(notes_.syntax, tree_, names_, parsed);
+  std::unique_ptr<ChainReading> reading = read_chain(notes_.syntax, tree_, names_, parsed);
+  std::optional<LocalKinds> local;  // where only kinds of another section make it wrong
+  if (context.role == Role::display && !fits(parsed, *reading)) {
+    local.emplace(notes_, names_, event_);
+    auto own = local->borrowed_letter(notes_.syntax, parsed)
+                   ? read_chain(notes_.syntax, tree_, names_, parsed)
+                   : nullptr;
+    if (own && fits(parsed, *own)) {
+      reading = std::move(own);
+    } else {
+      local.reset();
+    }
+  }
   reading->for_all =
       context.role == Role::claim || !expectations_.empty() || (parsed.image > 0 && !in_force_.empty());
   for (const std::string& letter : reading->how().unsummed) {

@@ -32,6 +32,7 @@ void Session::imply_primed_axes() {
 
 void Session::declare(const Directive& directive) {
   if (directive.kind == DirectiveKind::units) return declare_units(directive);
+  if (directive.kind == DirectiveKind::use) return declare_use(directive);
   for (const SyntaxId id : directive.symbols) {
     switch (directive.kind) {
       case DirectiveKind::particles:

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "check/contradiction.h"
-#include "check/identity_reading.h"
+#include "check/prose_words.h"
 #include "check/session.h"
 
 namespace rigor {
@@ -145,6 +145,9 @@ void Session::add_definition(const Typed& left, const Typed& right, const Parsed
     origin.text = fmt::format("let {}", name);
     origin.directive = context.directive;
   }
+  origin.place = notes_.prose.beside[event_].place;
+  origin.event = event_;
+  origin.conditional = context.role == Role::display && is_conditional();
   if (names_.is_declared_constant(definition->symbol) && decides() &&
       definition_contradicts(tree_, names_, *definition)) {
     names_.assume({as_equation(tree_, *definition), std::move(origin), 0});
@@ -201,33 +204,37 @@ void Session::assume_rules_above(SymbolId symbol) {
   names_.replace(std::move(scene));
 }
 
-/// Another section said what the symbol on the left is.
+/// Another display said what the symbol on the left is.
 bool Session::may_redefine(const Typed& left, const Typed& right) {
   const auto definition = as_definition(left, right);
   if (!definition) return false;
   const NamedDefinition* earlier = names_.definition_of(definition->symbol);
-  return earlier != nullptr && !earlier->origin.directive && earlier->origin.section != section_;
+  return earlier != nullptr && !earlier->origin.directive && earlier->origin.event != event_;
 }
 
-/// Another section gives a symbol another meaning, in other symbols or as another number: a warning and a new
-/// definition. What can be compared with the earlier meaning is a claim, wherever it stands.
+/// What does not agree with an earlier meaning is a new one: a warning and a new definition. It is a claim
+/// where it is announced as a conclusion, where a `use` says that the earlier meaning holds, and where words
+/// may make a case of it. In other symbols it is a new meaning only in another section, else a law.
 bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
-                        const Typed& right, Step& step) {
+                        const Typed& right, const Context& context, Step& step) {
+  if (context.role != Role::display || !expectations_.empty()) return false;
   const NamedDefinition* earlier = names_.definition_of(as_definition(left, right)->symbol);
-  Question question;
-  question.tree = &tree_;
-  for (const NamedDefinition& named : names_.definitions()) question.definitions.push_back(named.definition);
-  const bool numbers =
-      primitive_symbols(question, left.id).empty() && primitive_symbols(question, right.id).empty();
   const bool law = std::any_of(
       judgement.diagnostics.begin(), judgement.diagnostics.end(),
       [](const Diagnostic& diagnostic) { return diagnostic.kind == DiagnosticKind::undeclared_symbol; });
-  if (!law && !(numbers && judgement.verdict == Verdict::refuted)) return false;
+  const std::string& lead = notes_.prose.beside[event_].lead;
+  const bool stated = !announces_a_conclusion(lead) && !word_that_demands(lead) && !word_of_a_case(lead);
+  const bool elsewhere = law && earlier->origin.section != section_;
+  if (!elsewhere && !(judgement.verdict == Verdict::refuted && stated)) return false;
+  if (is_used_here(standpoint(parsed), names_, earlier->origin, earlier->definition.symbol)) return false;
   step.diagnostics.push_back(
-      {DiagnosticKind::redefinition, step.relation_span,
+      {DiagnosticKind::redefinition,
+       step.relation_span,
        fmt::format("`{}` has another meaning than in `{}`, which is forgotten from here on",
                    written(tree_[left.id].span), earlier->origin.text),
-       earlier_place(*earlier)});
+       earlier_place(*earlier),
+       {fmt::format("`rigor: use {}` says that the earlier meaning holds",
+                    use_of(names_, tree_, earlier->definition.symbol))}});
   add_definition(left, right, parsed, {}, step);
   return true;
 }

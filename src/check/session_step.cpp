@@ -153,7 +153,8 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   const Side& left = reading.sides[which];
   const Side& right = reading.sides[which + 1];
   const WrittenRelation& relation = parsed.written.relations[which];
-  const bool may_define = which == 0 && !is_order(relation.kind) && relation.kind != RelationKind::nearly;
+  const bool may_define = which == 0 && !is_order(relation.kind) && relation.kind != RelationKind::nearly &&
+                          !is_alternative(parsed);
   if (may_define && defines(parsed, left, right, context, step)) return;
   const bool bare_square =
       tree_[left.typed->id].op == Op::power && !stands_in_brackets(parsed.sides[0]);  // a law, also anew
@@ -179,10 +180,16 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   claim->explains = options_.forms != nullptr;
   Judgement judgement = judge(tree_, names_, *claim, {}, options_.cache);
   if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
-  if (may_replace && redefines(judgement, parsed, *left.typed, *right.typed, step)) return;
+  if (context.role == Role::display && judgement.verdict != Verdict::proved && is_condition_beside(parsed)) {
+    step.verdict = Verdict::given;
+    step.route = "condition of the equation beside it";
+    return;
+  }
   const bool open = judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided ||
                     judgement.verdict == Verdict::not_understood;
   if (open && proves_with_dots_on_vectors(parsed, which, *claim, step)) return;
+  if (may_replace && redefines(judgement, parsed, *left.typed, *right.typed, context, step)) return;
+  heed(parsed, which, *claim, left, right, context, judgement);
   if (judgement.verdict == Verdict::refuted && !reading.how().unsummed.empty()) {
     step.diagnostics = {{DiagnosticKind::free_index_mismatch, relation.span,
                          fmt::format("index `{}` is free on one side and summed on the other",

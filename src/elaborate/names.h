@@ -49,6 +49,9 @@ struct Origin {
   std::string section;                     // of an equation
   std::optional<std::size_t> directive{};  // number of the directive, to mark it as used
   std::string expanded = {};               // of an assumption: `text` without macros of the notes
+  std::size_t place = 0;                   // of an equation: its section, as `Sections` counts them
+  std::size_t event = 0;                   // and its display
+  bool conditional = false;                // it stands behind "if", "suppose", "for small …"
 };
 
 struct NamedDefinition {

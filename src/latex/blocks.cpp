@@ -64,6 +64,13 @@ bool is_ornament(TokenView block) {
   });
 }
 
+/// "or", "or else".
+bool says_or(const std::string& words) {
+  std::string letters = " ";
+  for (const char c : words + " ") letters += std::isalpha(static_cast<unsigned char>(c)) != 0 ? c : ' ';
+  return letters.find(" or ") != std::string::npos;
+}
+
 class StatementSplitter {
  public:
   StatementSplitter(TokenView tokens, TokenUses& uses) : tokens_(tokens), uses_(uses) {}
@@ -75,6 +82,8 @@ class StatementSplitter {
       chain.tag = tag_;
       chain.no_sum = no_sum_;
       chain.cyclic = cyclic_;
+      if (alternatives_)
+        chain.doubt = Obstacle{DiagnosticKind::restricted, "it is one of several alternatives", {}};
       if (condition_) {
         chain.condition = condition_;
         chain.condition_span = condition_span_;
@@ -269,6 +278,7 @@ class StatementSplitter {
     Remark kind = remark_of(words);
     if (!knows(symbols_in_words(words), tokens_) || (kind == Remark::cyclic && !after_equation))
       kind = Remark::unread;
+    alternatives_ = alternatives_ || (kind == Remark::connective && after_equation && says_or(words));
     no_sum_ = no_sum_ || kind == Remark::no_sum;
     cyclic_ = cyclic_ || kind == Remark::cyclic;
     if (kind != Remark::unread) return uses_.mark(tokens, TokenUse::remark);
@@ -378,6 +388,7 @@ class StatementSplitter {
   Span condition_span_;
   bool no_sum_ = false;
   bool cyclic_ = false;
+  bool alternatives_ = false;
 };
 
 }  // namespace

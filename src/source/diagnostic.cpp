@@ -90,6 +90,9 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
 
     {refuted, "refuted", Severity::refuted, "the sides differ on an exact sample"},
     {undecided, "undecided", Severity::undecided, "neither a proof nor a counterexample was found"},
+    {borrowed, "borrowed", Severity::undecided,
+     "an equation fails only with what is said elsewhere, or may hold with it"},
+    {restricted, "restricted", Severity::undecided, "words of its sentence may restrict an equation"},
     {hole, "hole", Severity::undecided, "a square stands for what is to be derived"},
     {zero_equals_zero, "zero-equals-zero", warning,
      "both sides vanish identically, so the step says nothing"},

@@ -81,6 +81,8 @@ enum class DiagnosticKind : std::uint8_t {
   // verdicts
   refuted,
   undecided,
+  borrowed,
+  restricted,
   hole,
   zero_equals_zero,
   no_sample,

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/borrowed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "check/decision_cache.h"
+#include "check/prose_words.h"
+#include "expr/differentiate.h"
+
+namespace rigor {
+namespace {
+
+bool is_open(const Judgement& judgement) {
+  const bool law = judgement.verdict == Verdict::not_understood &&
+                   std::any_of(judgement.diagnostics.begin(), judgement.diagnostics.end(),
+                               [](const Diagnostic& diagnostic) {
+                                 return diagnostic.kind == DiagnosticKind::undeclared_symbol;
+                               });
+  return law || judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided;
+}
+
+/// Puts the names back as they were.
+class Rehearsal {
+ public:
+  explicit Rehearsal(Names& names) : names_(names), before_(names.scene()) {}
+  ~Rehearsal() { names_.replace(std::move(before_)); }
+  Rehearsal(const Rehearsal&) = delete;
+  Rehearsal& operator=(const Rehearsal&) = delete;
+
+ private:
+  Names& names_;
+  Names::Scene before_;
+};
+
+class Heeding {
+ public:
+  Heeding(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement, const Standpoint& at,
+          DecisionCache* cache)
+      : tree_(tree),
+        names_(names),
+        claim_(claim),
+        judgement_(std::move(judgement)),
+        at_(at),
+        sentence_(at.beside().lead + " " + at.beside().tail),
+        cache_(cache) {}
+
+  Judgement heed() {
+    if (!is_open(judgement_) || claim_.recorded != nullptr) return std::move(judgement_);
+    const std::vector<const Fact*> bearing = facts_that_bear();
+    if (proves_with(bearing) || judgement_.verdict != Verdict::refuted) return std::move(judgement_);
+    if (restricted_by_words() || holds_with(bearing) || rests_on_borrowed()) return std::move(judgement_);
+    return std::move(judgement_);
+  }
+
+ private:
+  std::set<SymbolId> letters_of(const Equation& equation) const {
+    std::set<SymbolId> letters;
+    std::vector<ExprId> pending{equation.left, equation.right};
+    while (!pending.empty()) {
+      const ExprId id = pending.back();
+      pending.pop_back();
+      for (const SymbolId symbol : symbols_in(tree_, id)) {
+        const SymbolId base = base_of(tree_.symbols, symbol);
+        if (!letters.insert(base).second) continue;
+        if (const NamedDefinition* named = names_.definition_of(base))
+          pending.push_back(named->definition.body);
+      }
+    }
+    return letters;
+  }
+
+  std::vector<const Fact*> facts_that_bear() const {
+    std::set<SymbolId> reached = letters_of(claim_.equation);
+    std::vector<const Fact*> bearing;
+    for (bool grew = true; grew;) {
+      grew = false;
+      for (const Fact& fact : at_.facts) {
+        if (std::find(bearing.begin(), bearing.end(), &fact) != bearing.end()) continue;
+        const std::set<SymbolId> letters = letters_of(fact.equation);
+        const bool meets = std::any_of(letters.begin(), letters.end(),
+                                       [&](SymbolId letter) { return reached.contains(letter); });
+        if (!meets) continue;
+        bearing.push_back(&fact);
+        reached.insert(letters.begin(), letters.end());
+        grew = true;
+      }
+    }
+    return bearing;
+  }
+
+  void take_for_granted(const Fact& fact) {
+    const ExprNode left = tree_[fact.equation.left];
+    const bool names_it = fact.proves && fact.equation.relation == Relation::equal && left.op == Op::symbol &&
+                          left.slot_count == 0 && left.rank == 0 && left.particle == no_particle &&
+                          names_.definition_of(left.symbol) == nullptr &&
+                          !tree_.symbols[left.symbol].derivation;
+    Equation right = fact.equation;
+    right.left = right.right;
+    Origin origin{fact.text, {}, std::nullopt};
+    if (names_it && !letters_of(right).contains(left.symbol)) {
+      names_.define({{left.symbol, {}, no_particle, fact.equation.right}, std::move(origin), 0});
+    } else {
+      names_.assume({fact.equation, std::move(origin), 0});
+    }
+  }
+
+  Judgement judge_with(const std::vector<const Fact*>& facts) {
+    const Rehearsal rehearsal(names_);
+    for (const Fact* fact : facts) take_for_granted(*fact);
+    Judgement judgement = judge(tree_, names_, claim_, {}, cache_);
+    // From what cannot be, anything follows.
+    if (judgement.verdict == Verdict::proved && !sample_of_assumptions(tree_, names_, {}, {}, cache_))
+      judgement.verdict = Verdict::undecided;
+    return judgement;
+  }
+
+  bool proves_with(const std::vector<const Fact*>& bearing) {
+    std::vector<const Fact*> proving;
+    std::copy_if(bearing.begin(), bearing.end(), std::back_inserter(proving),
+                 [](const Fact* fact) { return fact->proves; });
+    if (proving.empty()) return false;
+    Judgement other = judge_with(proving);
+    if (other.verdict != Verdict::proved) return false;
+    judgement_ = std::move(other);
+    return true;
+  }
+
+  void withdraw(DiagnosticKind kind, std::string message, std::vector<Label> labels,
+                std::vector<std::string> help) {
+    judgement_.verdict = Verdict::undecided;
+    judgement_.counterexample.reset();
+    judgement_.sample.reset();
+    judgement_.diagnostics = {
+        {kind, claim_.relation, std::move(message), std::move(labels), std::move(help)}};
+  }
+
+  bool restricted_by_words() {
+    auto word = word_that_demands(at_.beside().lead);
+    if (!word) word = word_of_a_special_case(sentence_);
+    if (word) {
+      withdraw(
+          DiagnosticKind::restricted,
+          fmt::format("it does not hold for all values, and `{}` in its sentence may restrict it", *word), {},
+          {"`rigor: claim …` states it for itself"});
+      return true;
+    }
+    if (at_.unread.empty()) return false;
+    withdraw(DiagnosticKind::restricted,
+             fmt::format("it does not hold for all values, and `{}` in its sentence is not read", at_.unread),
+             {}, {});
+    return true;
+  }
+
+  /// What is stated nearby, as a law or in a line, would make it true, or leave it open.
+  bool holds_with(const std::vector<const Fact*>& bearing) {
+    if (bearing.empty()) return false;
+    Judgement other = judge_with(bearing);
+    if (other.verdict == Verdict::refuted) {
+      judgement_ = std::move(other);  // on a sample that meets what is stated
+      return false;
+    }
+    std::vector<Label> labels;
+    for (const Fact* fact : bearing) labels.push_back({fact->span, "stated here"});
+    withdraw(DiagnosticKind::borrowed,
+             fmt::format("it does not hold for all values, and may hold with `{}`", bearing.front()->text),
+             std::move(labels), {"`rigor: given …` takes it for granted"});
+    return true;
+  }
+
+  /// A definition that is not said for this place, and without which it would not fail.
+  bool rests_on_borrowed() {
+    const auto case_word = word_of_a_case(sentence_);
+    std::vector<NamedDefinition> borrowed;
+    for (const NamedDefinition& named : names_.definitions()) {
+      const bool asked = std::any_of(judgement_.question.definitions.begin(),
+                                     judgement_.question.definitions.end(), [&](const Definition& each) {
+                                       return base_of(tree_.symbols, each.symbol) ==
+                                              base_of(tree_.symbols, named.definition.symbol);
+                                     });
+      if (!asked || named.origin.directive) continue;
+      const bool in_between = case_word && named.origin.event != at_.event;
+      if (is_said_for(at_, named.origin) && !in_between) continue;
+      if (!is_used_here(at_, names_, named.origin, named.definition.symbol)) borrowed.push_back(named);
+    }
+    if (borrowed.empty()) return false;
+    {
+      const Rehearsal rehearsal(names_);
+      for (const NamedDefinition& named : borrowed) names_.forget_definition(named.definition.symbol);
+      if (judge(tree_, names_, claim_, {}, cache_).verdict == Verdict::refuted) return false;
+    }
+    std::vector<Label> labels;
+    std::vector<std::string> help;
+    for (const NamedDefinition& named : borrowed) {
+      labels.push_back({tree_[named.definition.body].span, "borrowed from here"});
+      help.push_back(fmt::format("`rigor: use {}` says that it holds here, too",
+                                 use_of(names_, tree_, named.definition.symbol)));
+    }
+    const bool elsewhere = !is_said_for(at_, borrowed.front().origin);
+    withdraw(DiagnosticKind::borrowed,
+             elsewhere ? fmt::format("it fails only with `{}`, which is not said for this section",
+                                     borrowed.front().origin.text)
+                       : fmt::format("it fails only with `{}`, which may mean another case than `{}` in its "
+                                     "sentence",
+                                     borrowed.front().origin.text, *case_word),
+             std::move(labels), std::move(help));
+    return true;
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  const Claim& claim_;
+  Judgement judgement_;
+  const Standpoint& at_;
+  std::string sentence_;
+  DecisionCache* cache_;
+};
+
+}  // namespace
+
+bool is_said_for(const Standpoint& at, const Origin& origin) {
+  if (origin.conditional && origin.event != at.event) return false;
+  return at.prose.sections.reaches(origin.place, at.beside().place);
+}
+
+bool is_used_here(const Standpoint& at, Names& names, const Origin& origin, SymbolId symbol) {
+  const NameKey* key = names.key_of(symbol);
+  for (const Use& use : at.uses) {
+    if (!at.prose.sections.reaches(use.place, at.beside().place)) continue;
+    const bool by_letter =
+        key != nullptr && std::find(use.letters.begin(), use.letters.end(), key->base) != use.letters.end();
+    const bool by_place = std::any_of(use.places.begin(), use.places.end(), [&](const std::string& place) {
+      return origin.text.ends_with(" " + place);
+    });
+    if (!by_letter && !by_place) continue;
+    names.mark_used(use.directive);
+    return true;
+  }
+  return false;
+}
+
+std::string use_of(const Names& names, const ExprTree& tree, SymbolId symbol) {
+  const SymbolId base = base_of(tree.symbols, symbol);
+  const NameKey* key = names.key_of(base);
+  return key == nullptr ? tree.symbols[base].name : key->base;
+}
+
+Judgement heed_place(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement,
+                     const Standpoint& at, DecisionCache* cache) {
+  return Heeding(tree, names, claim, std::move(judgement), at, cache).heed();
+}
+
+}  // namespace rigor

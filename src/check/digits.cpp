@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/digits.h"
+
+#include <algorithm>
+#include <string>
+
+#include "check/decision_cache.h"
+#include "check/question.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t most_digits = 15;
+
+/// M · 10^-places, of which the last `unsure` digits are zeros that may count or not.
+struct Shown {
+  ExprId number{};
+  std::int64_t mantissa = 0;
+  int places = 0;
+  int unsure = 0;
+  int digits = 0;
+  bool negative = false;
+};
+
+bool is_power_of_ten(const ExprTree& tree, ExprId id) {
+  return tree[id].op == Op::power && tree[tree.children(id)[0]].op == Op::number &&
+         tree.digits(tree.children(id)[0]) == "10";
+}
+
+/// `1.69`, `-1.69`, `1.11 \times 10^{-16}`.
+std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
+  Shown shown;
+  while (tree[side].op == Op::negate) {
+    shown.negative = !shown.negative;
+    side = tree.children(side)[0];
+  }
+  ExprId number = side;
+  if (tree[side].op == Op::multiply && tree.children(side).size() == 2 &&
+      is_power_of_ten(tree, tree.children(side)[1]))
+    number = tree.children(side)[0];
+  if (tree[number].op != Op::number) return std::nullopt;
+  std::string digits(tree.digits(number));
+  const auto point = digits.find('.');
+  if (point == std::string::npos && !nearly) return std::nullopt;
+  if (point != std::string::npos) {
+    shown.places = static_cast<int>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  if (digits.empty() || digits.size() > most_digits) return std::nullopt;
+  if (point == std::string::npos) {
+    for (std::size_t k = digits.size(); k > 1 && digits[k - 1] == '0'; --k) ++shown.unsure;
+  }
+  shown.number = number;
+  shown.digits = static_cast<int>(digits.size());
+  shown.mantissa = std::stoll(digits);
+  return shown;
+}
+
+/// The decimal number value · 10^-places.
+std::string decimal(std::int64_t value, int places) {
+  std::string digits = std::to_string(value);
+  if (places == 0) return digits;
+  const auto width = static_cast<std::size_t>(places);
+  if (digits.size() <= width) digits.insert(0, width + 1 - digits.size(), '0');
+  digits.insert(digits.size() - width, 1, '.');
+  return digits;
+}
+
+class Comparison {
+ public:
+  Comparison(ExprTree& tree, Names& names, ExprId value, ExprId side, const Shown& shown,
+             DecisionCache* cache)
+      : tree_(tree), names_(names), value_(value), side_(side), shown_(shown), cache_(cache) {}
+
+  /// Does the value lie within so many halves of the digit with `unsure` zeros behind it?
+  std::optional<bool> lies_within(int halves, int unsure) {
+    std::int64_t reach = 5 * halves;
+    for (int k = 0; k < unsure; ++k) reach *= 10;
+    const std::int64_t middle = 10 * shown_.mantissa;
+    const auto above_lower = middle < reach ? std::optional(true) : is_ordered(middle - reach, false);
+    const auto below_upper = is_ordered(middle + reach, true);
+    if (above_lower == false || below_upper == false) return false;
+    if (!above_lower || !below_upper) return std::nullopt;
+    return true;
+  }
+
+ private:
+  /// Is the value at most (or at least) the side with this number in place of its own?
+  std::optional<bool> is_ordered(std::int64_t bound, bool at_most) {
+    const ExprId number = tree_.add_number(tree_[shown_.number].span, decimal(bound, shown_.places + 1));
+    const ExprId other = with(side_, number);
+    Equation order;
+    const bool value_left = at_most != shown_.negative;
+    order.left = value_left ? value_ : other;
+    order.right = value_left ? other : value_;
+    order.relation = Relation::less_or_equal;
+    const Prepared prepared = prepare(tree_, names_, order);
+    if (prepared.too_large) return std::nullopt;
+    const Decision decision = decide(cache_, prepared.question, {.simplest_sample = false});
+    if (decision.outcome == Outcome::undecided) return std::nullopt;
+    return decision.outcome == Outcome::proved;
+  }
+
+  ExprId with(ExprId id, ExprId number) {
+    if (id == shown_.number) return number;
+    const ExprNode node = tree_[id];
+    if (node.op != Op::negate && node.op != Op::multiply) return id;
+    const std::span<const ExprId> children = tree_.children(id);
+    std::vector<ExprId> copies(children.begin(), children.end());
+    for (ExprId& child : copies) child = with(child, number);
+    return tree_.add(node, copies);
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  ExprId value_;
+  ExprId side_;
+  const Shown& shown_;
+  DecisionCache* cache_;
+};
+
+/// No letter is left when definitions are unfolded.
+bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
+  std::vector<ExprId> pending{root};
+  for (std::size_t seen = 0; !pending.empty(); ++seen) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(tree, id)) {
+      const NamedDefinition* named = names.definition_of(symbol);
+      if (named == nullptr || seen > 1000) return false;
+      pending.push_back(named->definition.body);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Agreement> agreement_of_digits(ExprTree& tree, Names& names, const Claim& claim,
+                                             DecisionCache* cache) {
+  const Equation& equation = claim.equation;
+  if (equation.relation != Relation::equal || tree[equation.left].rank != 0) return std::nullopt;
+  for (const bool swap : {false, true}) {
+    const ExprId side = swap ? equation.left : equation.right;
+    const ExprId value = swap ? equation.right : equation.left;
+    const auto shown = shown_in(tree, side, claim.nearly);
+    if (!shown || !is_a_number(tree, names, value)) continue;
+    Comparison comparison(tree, names, value, side, *shown, cache);
+    // Of 1000 behind ≈, two digits must be right, and one may be all that is meant.
+    const bool two_are_sure = shown->digits - shown->unsure >= 2;
+    const auto rounds =
+        comparison.lies_within(1, two_are_sure ? shown->unsure : std::max(shown->unsure - 1, 0));
+    if (!rounds) return std::nullopt;
+    if (*rounds) return Agreement::rounds;
+    const auto may_round = comparison.lies_within(claim.nearly ? 2 : 1, shown->unsure);
+    if (!may_round) return std::nullopt;
+    return *may_round ? Agreement::unclear : Agreement::differs;
+  }
+  return std::nullopt;
+}
+
+}  // namespace rigor

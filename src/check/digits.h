@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A number that is written with a decimal point, or behind ≈, stands for all numbers that round to it:
+// 27/16 = 1.69 holds, 27/16 = 1.68 does not, 2^{-53} ≈ 1.11·10^{-16} does. Trailing zeros of a whole number
+// behind ≈ may be digits or not.
+#pragma once
+
+#include <optional>
+
+#include "check/judge.h"
+
+namespace rigor {
+
+/// How a number agrees with the digits that are shown of it.
+enum class Agreement : std::uint8_t {
+  rounds,   // it rounds to them
+  unclear,  // it may, by how many of the digits count
+  differs,  // it does not
+};
+
+/// Nothing where neither side is such a number, where the other depends on a letter, or where that cannot be
+/// decided.
+[[nodiscard]] std::optional<Agreement> agreement_of_digits(ExprTree& tree, Names& names, const Claim& claim,
+                                                           DecisionCache* cache);
+
+}  // namespace rigor

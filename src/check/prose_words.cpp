@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/prose_words.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace rigor {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+/// Words, and `$` for mathematics in a line.
+Words words_of(std::string_view text) {
+  Words words;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto is_word = [](char c) { return (c >= 'a' && c <= 'z') || c == '-' || c == '\''; };
+    std::size_t end = at;
+    while (end < text.size() && is_word(text[end])) ++end;
+    if (end > at) {
+      words.push_back(text.substr(at, end - at));
+    } else if (text[at] == '$') {
+      words.push_back(text.substr(at, 1));
+    }
+    at = std::max(end, at + 1);
+  }
+  return words;
+}
+
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::string_view word_at(const Words& words, std::size_t at) {
+  return at < words.size() ? words[at] : std::string_view{};
+}
+
+bool means_all(std::string_view word) {
+  static constexpr std::array<std::string_view, 7> all{"all",       "any",     "every",  "each",
+                                                       "arbitrary", "general", "generic"};
+  return is_one_of(word, all);
+}
+
+/// What every identity is about: it restricts nothing.
+bool is_general_noun(std::string_view word) {
+  static constexpr std::array<std::string_view, 22> nouns{
+      "vector",    "vectors", "tensor", "tensors", "scalar", "scalars", "matrix", "matrices",
+      "particle",  "point",   "points", "body",    "bodies", "field",   "fields", "function",
+      "functions", "numbers", "system", "rigid",   "pair",   "number"};
+  return is_one_of(word, nouns);
+}
+
+bool is_pointing(std::string_view word) {
+  static constexpr std::array<std::string_view, 16> words{
+      "the",         "this",       "that", "these", "those", "which", "example", "instance",
+      "convenience", "simplicity", "us",   "it",    "its",   "our",   "later",   "brevity"};
+  return is_one_of(word, words);
+}
+
+bool is_special(std::string_view word) {
+  static constexpr std::array<std::string_view, 55> special{
+      "limit",         "limiting",      "special",         "small",           "large",
+      "constant",      "uniform",       "steady",          "static",          "stationary",
+      "neglect",       "neglecting",    "neglected",       "negligible",      "ignoring",
+      "ideal",         "plane",         "planar",          "acute",           "obtuse",
+      "symmetric",     "antisymmetric", "isotropic",       "homogeneous",     "equilibrium",
+      "vacuum",        "orthogonal",    "perpendicular",   "parallel",        "collinear",
+      "approximately", "approximate",   "approximation",   "incompressible",  "irrotational",
+      "conservative",  "commuting",     "commute",         "hermitian",       "unitary",
+      "dimensions",    "dimension",     "two-dimensional", "one-dimensional", "particular",
+      "case",          "circular",      "spherical",       "cylindrical",     "axisymmetric",
+      "degenerate",    "identical",     "plane-parallel",  "cases",           "only"};
+  return is_one_of(word, special);
+}
+
+/// "for an acute angle", "for ideal gases"; not "for all", "for two vectors", "for the torque", "for $A$".
+bool restricts_behind_for(const Words& words, std::size_t at) {
+  std::string_view next = word_at(words, at + 1);
+  if (next.empty() || means_all(next) || is_pointing(next) || next == "$") return false;
+  if (next == "a" || next == "an" || next == "two" || next == "three") next = word_at(words, at + 2);
+  return !is_general_noun(next) && !means_all(next) && next != "$";
+}
+
+}  // namespace
+
+std::optional<std::string> word_that_demands(std::string_view lead) {
+  static constexpr std::array<std::string_view, 34> demanding{
+      "if",        "when",      "whenever",  "suppose",    "supposing", "let",       "require",
+      "requires",  "requiring", "condition", "conditions", "satisfy",   "satisfies", "satisfying",
+      "satisfied", "solve",     "solves",    "solving",    "solved",    "demand",    "demands",
+      "demanding", "assume",    "assumes",   "assuming",   "assumed",   "unless",    "provided",
+      "impose",    "imposes",   "imposing",  "want",       "wants",     "seek"};
+  const Words words = words_of(lead);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] == "let" && word_at(words, k + 1) == "us") continue;
+    if (is_one_of(words[k], demanding)) return std::string(words[k]);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> word_of_a_special_case(std::string_view sentence) {
+  const Words words = words_of(sentence);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_special(words[k])) return std::string(words[k]);
+    if (words[k] == "for" && restricts_behind_for(words, k))
+      return "for " + std::string(word_at(words, k + 1));
+    if (words[k] == "at" && word_at(words, k + 1) == "rest") return "at rest";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> word_of_a_case(std::string_view sentence) {
+  static constexpr std::array<std::string_view, 14> cases{"at",     "where", "with", "since",  "because",
+                                                          "near",   "along", "slow", "fast",   "weak",
+                                                          "strong", "thin",  "far",  "without"};
+  if (auto word = word_of_a_special_case(sentence)) return word;
+  const Words words = words_of(sentence);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one_of(words[k], cases)) return std::string(words[k]);
+    if (words[k] == "for" && !means_all(word_at(words, k + 1))) return "for";
+  }
+  return std::nullopt;
+}
+
+bool announces_a_conclusion(std::string_view lead) {
+  static constexpr std::array<std::string_view, 34> announcing{
+      "therefore", "hence",  "so",       "thus",      "follows",   "find",       "finds",
+      "gives",     "give",   "giving",   "yields",    "yield",     "obtain",     "obtains",
+      "get",       "gets",   "becomes",  "become",    "implies",   "imply",      "consequently",
+      "then",      "equals", "equal",    "conclude",  "rewritten", "simplifies", "reduces",
+      "shows",     "means",  "expanded", "expanding", "ie",        "accordingly"};
+  const Words words = words_of(lead);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one_of(words[k], announcing)) return true;
+    if (words[k] == "that" && word_at(words, k + 1) == "is") return true;
+    if (words[k] == "i" && word_at(words, k + 1) == "e") return true;
+  }
+  return false;
+}
+
+}  // namespace rigor

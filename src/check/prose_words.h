@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the words of the sentence beside a display do to its equations. The lists are closed, and stand in
+// docs/notation.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rigor {
+
+/// "if", "suppose", "let", "require", "solve" …: what follows is no claim. The first such word.
+[[nodiscard]] std::optional<std::string> word_that_demands(std::string_view lead);
+/// "plane", "acute", "constant", "for a sphere": a case that even an equation without definitions may be
+/// about.
+[[nodiscard]] std::optional<std::string> word_of_a_special_case(std::string_view sentence);
+/// The same, and "for", "at", "with", "since", "where": what was said elsewhere may not hold as it stands.
+[[nodiscard]] std::optional<std::string> word_of_a_case(std::string_view sentence);
+/// "therefore", "hence", "we find", "gives", "i.e.": what follows is concluded.
+[[nodiscard]] bool announces_a_conclusion(std::string_view lead);
+
+}  // namespace rigor
