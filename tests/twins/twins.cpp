@@ -27,6 +27,20 @@ const Step* step_at(const FileReport& report, std::size_t relation) {
   return found == report.steps.end() ? nullptr : &*found;
 }
 
+/// What the help of its diagnostics asks for: `use \\mathbf{p}`.
+std::vector<std::string> uses_asked_for(const Step& step) {
+  constexpr std::string_view opening = "`rigor: ";
+  std::vector<std::string> uses;
+  for (const Diagnostic& diagnostic : step.diagnostics) {
+    for (const std::string& help : diagnostic.help) {
+      const auto end = help.find('`', opening.size());
+      if (help.starts_with("`rigor: use ") && end != std::string::npos)
+        uses.push_back(help.substr(opening.size(), end - opening.size()));
+    }
+  }
+  return uses;
+}
+
 bool has(const Step& step, std::initializer_list<DiagnosticKind> kinds) {
   return std::any_of(step.diagnostics.begin(), step.diagnostics.end(), [&](const Diagnostic& diagnostic) {
     return std::find(kinds.begin(), kinds.end(), diagnostic.kind) != kinds.end();
@@ -56,6 +70,8 @@ std::string summary_of(const Step& step) {
 /// The text between relation and relation, as in the notes.
 Span left_of(const Step& step) { return {step.span.file, step.span.begin, step.relation_span.begin}; }
 Span right_of(const Step& step) { return {step.span.file, step.relation_span.end, step.span.end}; }
+
+constexpr int most_uses = 3;  // rounds: one definition may show the next
 
 class Mutations {
  public:
@@ -149,6 +165,7 @@ class Mutations {
     bool open = false;  // a declaration might settle it
     std::vector<Repair> repairs = {};
     double milliseconds = 0.0;  // that they took
+    std::vector<std::string> uses = {};
   };
 
   /// What is said to the step whose relation stands at `relation` of the text.
@@ -158,8 +175,20 @@ class Mutations {
     const Step* step = step_at(report, relation);
     if (step == nullptr) return {};
     const bool open = has(*step, {DiagnosticKind::undeclared_symbol, DiagnosticKind::ambiguous_reading});
-    return {outcome_of(*step), summary_of(*step),        step->source, open,
-            step->repairs,     step->repair_milliseconds};
+    return {outcome_of(*step), summary_of(*step),         step->source,         open,
+            step->repairs,     step->repair_milliseconds, uses_asked_for(*step)};
+  }
+
+  /// The same once the definitions that are said elsewhere are said to hold here.
+  Judged with_uses(Judged judged, const std::string& before, const std::string& edited,
+                   std::size_t relation) const {
+    std::string said = before;
+    for (int round = 0; round < most_uses && !judged.uses.empty(); ++round) {
+      for (const std::string& use : judged.uses) said += directive(use);
+      judged = judge(said + edited, said.size() + relation);
+      if (judged.outcome == Outcome::refuted) judged.outcome = Outcome::refuted_used;
+    }
+    return judged;
   }
 
   static std::string without_blanks(std::string text) {
@@ -202,6 +231,7 @@ class Mutations {
         const std::size_t relation = step.relation_span.begin + longer;
         const std::string edited = with_edit(own, display.begin, edit);
         Judged judged = judge(before + edited, before.size() + relation - display.begin);
+        judged = with_uses(std::move(judged), before, edited, relation - display.begin);
         if (judged.outcome == Outcome::failed || judged.outcome == Outcome::undecided)
           judged = judge(with_edit(text_, 0, edit), relation);
         if (judged.open) {
@@ -237,7 +267,7 @@ class Mutations {
 
 std::string_view name_of(Outcome outcome) {
   static constexpr std::array<std::string_view, outcome_count> names{
-      "refuted", "declared", "proved equal", "malformed", "undecided", "law-like", "failed"};
+      "refuted", "declared", "used", "proved equal", "malformed", "undecided", "law-like", "failed"};
   return names[static_cast<std::size_t>(outcome)];
 }
 

@@ -21,13 +21,14 @@ enum class Outcome : std::uint8_t {
   refuted,           // with a sample
   refuted_declared,  // once its symbols are declared to be meant for all values; before that it reads as a
                      // law
+  refuted_used,      // once a `use` says that a definition of another section holds here, too
   proved_equal,      // the slip changes nothing: see reviewed/
   malformed,         // a diagnostic for an index, a rank or a reading
   undecided,         // with a reason: see reviewed/
   law_like,          // reads as a law even so
   failed,            // anything else: Rigor does not see the slip
 };
-inline constexpr std::size_t outcome_count = 7;
+inline constexpr std::size_t outcome_count = 8;
 
 [[nodiscard]] std::string_view name_of(Outcome outcome);
 
