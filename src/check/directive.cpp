@@ -316,6 +316,9 @@ void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax) {
       return;
     }
     for (SyntaxId& side : next.sides) side = cyclic_image(syntax, side, axes);
+    for (std::vector<SyntaxId>& other : next.others) {
+      for (SyntaxId& side : other) side = cyclic_image(syntax, side, axes);
+    }
     chains.push_back(std::move(next));
   }
 }
@@ -325,14 +328,10 @@ std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environ
   std::vector<ParsedChain> chains;
   for (WrittenChain& written : split_display(tokens, environment, diagnostics)) {
     ParsedChain chain;
-    for (const WrittenSide& side : written.sides) {
-      const bool left_elsewhere = chain.sides.empty() && side.tokens.empty();
-      chain.sides.push_back(
-          left_elsewhere ? syntax.add_opaque(side.span, {DiagnosticKind::unsupported,
-                                                         "the left side of this equation stands elsewhere",
-                                                         {}})
-                         : parse_side(side.tokens, side.span, syntax));
-    }
+    Readings readings = parse_readings(written, syntax);
+    chain.sides = std::move(readings.sides);
+    chain.choices = std::move(readings.choices);
+    chain.others = std::move(readings.others);
     chain.written = std::move(written);
     const bool cyclic = chain.written.cyclic;
     chains.push_back(std::move(chain));

@@ -8,6 +8,7 @@
 
 #include "expr/dimension.h"
 #include "latex/macros.h"
+#include "latex/readings.h"
 #include "latex/split.h"
 #include "source/diagnostic.h"
 
@@ -42,6 +43,8 @@ enum class DirectiveKind : std::uint8_t {
 struct ParsedChain {
   WrittenChain written;
   std::vector<SyntaxId> sides;
+  std::vector<Choice> choices;                // places that can be read in two ways…
+  std::vector<std::vector<SyntaxId>> others;  // … and the sides in the other readings (see `Readings`)
   int image = 0;  // of "and cyclic permutations": how often 1 → 2 → 3 → 1 was applied
 };
 

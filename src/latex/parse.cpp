@@ -21,9 +21,9 @@ bool holds_opaque(const SyntaxTree& tree, SyntaxId side) {
 
 }  // namespace
 
-SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree) {
+SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree, Choices* choices) {
   SideAccount account(tokens);
-  const SyntaxId side = Parser(tree, account, 0).expression(tokens, place);
+  const SyntaxId side = Parser(tree, account, 0, choices).expression(tokens, place);
   const Token* left_over = account.left_over();
   if (left_over == nullptr || holds_opaque(tree, side)) return side;
   return tree.add_opaque(left_over->span,

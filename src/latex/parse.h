@@ -2,6 +2,7 @@
 // One side of a relation, from tokens to the syntax tree.
 #pragma once
 
+#include "latex/choices.h"
 #include "latex/syntax.h"
 #include "latex/tokens.h"
 
@@ -15,8 +16,8 @@ inline constexpr int max_nesting = 200;
 /// is read all the same. Products: juxtaposition, `\cdot`, `\times` and `/` are kept in a row as written
 /// (SyntaxKind::term); precedence is a matter of meaning.
 /// `\sum`, `\int` and operators such as `\frac{d}{dt}` take the rest of their term, `\partial_i` the next
-/// factor, `\cos` without a bracket the plain letters and numbers that follow. Cost: linear in the tokens,
-/// times the nesting.
-[[nodiscard]] SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree);
+/// factor, `\cos` without a bracket the plain letters and numbers that follow. `choices` says which way to go
+/// where there are two; without it the first one is taken. Cost: linear in the tokens, times the nesting.
+[[nodiscard]] SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree, Choices* choices = nullptr);
 
 }  // namespace rigor

@@ -39,6 +39,22 @@ void skip_group_before_script(Parser::Cursor& cursor) {
     cursor.at = behind;
 }
 
+/// `[uv]_a^b`: behind the other limit of a bracket that ends before `behind` and has one at `script`. A
+/// square of a component, `[\mathbf A\times\mathbf B]_i^2`, has none.
+std::optional<std::size_t> second_limit(TokenView tokens, std::size_t behind, std::size_t script,
+                                        std::size_t next) {
+  if (behind == 0 || !is_sign(tokens[behind - 1], "]")) return std::nullopt;
+  const std::size_t other = skip_blank(tokens, next);
+  if (other >= tokens.size() || !is_script(tokens[other]) || is_sign(tokens[other], "'") ||
+      tokens[other].kind == tokens[script].kind)
+    return std::nullopt;
+  const ScriptArgument limit = script_argument_at(tokens, other + 1);
+  const Tokens above = tokens[other].kind == TokenKind::superscript
+                           ? limit.content
+                           : script_argument_at(tokens, script + 1).content;
+  return text_of(above) == "2" ? std::nullopt : std::optional(limit.next);
+}
+
 }  // namespace
 
 void Parser::Cursor::skip_spacing() {
@@ -46,6 +62,10 @@ void Parser::Cursor::skip_spacing() {
     const std::size_t behind = skip_empty_group(tokens, at);
     if (behind != at) {
       at = behind;
+    } else if (token().text.starts_with("math") && is_transparent(token()) &&
+               trim(argument_at(tokens, at + 1).content).empty() &&
+               argument_at(tokens, at + 1).next < tokens.size()) {
+      at = argument_at(tokens, at + 1).next;  // `\mathop{}\!\mathrm d`
     } else if (is_blank(token()) || is_spacing(token()) || is_wide_space(token())) {
       ++at;
     } else {
@@ -65,7 +85,7 @@ SyntaxId Parser::inner(TokenView tokens, Span place) {
     return opaque(place, fmt::format("brackets nest deeper than {} levels", max_nesting),
                   DiagnosticKind::nesting_too_deep);
   }
-  return Parser(tree_, account_, depth_ + 1).expression(tokens, place);
+  return Parser(tree_, account_, depth_ + 1, choices_).expression(tokens, place);
 }
 
 SyntaxId Parser::expression(TokenView tokens, Span place) {
@@ -156,10 +176,45 @@ SyntaxId Parser::term(Cursor& cursor) {
         {opaque(joint_span, "an operand is missing behind this sign", DiagnosticKind::bad_syntax), joint,
          joint_span});
   }
+  divide_by_all_behind(cursor.tokens, factors);
   if (factors.size() == 1) return factors[0].id;
   Span span = tree_[factors.front().id].span;
   for (const SyntaxChild& child : factors) span = cover(span, tree_[child.id].span);
   return tree_.add(SyntaxKind::term, span, factors);
+}
+
+/// `1/2r`: one half of r, or one by 2r. A blank behind the 2 sets it apart: `1/2 r`.
+void Parser::divide_by_all_behind(TokenView tokens, std::vector<SyntaxChild>& factors) {
+  const auto is_number = [&](std::size_t k) { return tree_[factors[k].id].kind == SyntaxKind::number; };
+  for (std::size_t k = 1; k + 1 < factors.size(); ++k) {
+    const bool halves = factors[k].joint == Joint::slash && is_number(k - 1) && is_number(k) &&
+                        factors[k + 1].joint == Joint::juxtaposed;
+    const Span divisor = tree_[factors[k].id].span;
+    if (!halves || divisor.end != tree_[factors[k + 1].id].span.begin) continue;
+    const Span whole = cover(tree_[factors[k - 1].id].span, tree_[factors.back().id].span);
+    const auto written = [&](Span span) {
+      const auto inside = [&](const Token& token) {
+        return token.span.begin >= span.begin && token.span.end <= span.end;
+      };
+      const auto first = std::find_if(tokens.begin(), tokens.end(), inside);
+      return text_of(TokenView(first, std::find_if_not(first, tokens.end(), inside)));
+    };
+    const std::string above = written(tree_[factors[k - 1].id].span);
+    const std::string below = written(divisor);
+    const std::string behind = written(cover(tree_[factors[k + 1].id].span, tree_[factors.back().id].span));
+    if (!takes_second({whole, fmt::format("\\frac{{{}}}{{{}}} {}", above, below, behind),
+                       fmt::format("\\frac{{{}}}{{{} {}}}", above, below, behind)}))
+      return;
+    std::vector<SyntaxChild> below_factors(factors.begin() + static_cast<std::ptrdiff_t>(k), factors.end());
+    below_factors[0].joint = Joint::none;
+    const Span span = cover(divisor, tree_[factors.back().id].span);
+    const SyntaxChild product{tree_.add(SyntaxKind::term, span, below_factors)};
+    const SyntaxChild group{tree_.add(SyntaxKind::group, span, {&product, 1}), Joint::slash,
+                            factors[k].joint_span};
+    factors.resize(k);
+    factors.push_back(group);
+    return;
+  }
 }
 
 SyntaxId Parser::factor(Cursor& cursor) {
@@ -220,6 +275,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
       cursor.tokens[cursor.at + 1].kind == TokenKind::digit) {
     return number(cursor);
   }
+  if (const auto interval = reversed_interval(cursor)) return *interval;
   ++cursor.at;
   if (is_sign(token, ")") || is_sign(token, "]") || token.kind == TokenKind::end_group) {
     return opaque(token.span, fmt::format("`{}` closes nothing", token.text), DiagnosticKind::unbalanced);
@@ -234,6 +290,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
 SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
   bool below = false;  // a subscript stands there already
   bool above = false;
+  const std::size_t before = cursor.at;
   while (true) {
     if (auto bar = evaluation_bar(cursor)) {
       const bool field = tree_[base].kind == SyntaxKind::derivative && tree_.derivative(base).partial;
@@ -254,6 +311,11 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
       continue;
     }
     const Argument argument = script_argument_at(cursor.tokens, cursor.at);
+    if (const auto end = second_limit(cursor.tokens, before, ahead.at, argument.next)) {
+      cursor.at = *end;
+      base = opaque(tree_[base].span, "a bracket between two limits is not read");
+      continue;
+    }
     const Span place = cover(script.span, cursor.tokens.subspan(cursor.at, argument.next - cursor.at));
     cursor.at = argument.next;
     bool& again = script.kind == TokenKind::subscript ? below : above;

@@ -7,9 +7,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "latex/accounting.h"
+#include "latex/choices.h"
 #include "latex/syntax.h"
 #include "latex/tokens.h"
 #include "latex/vocabulary.h"
@@ -18,7 +20,8 @@ namespace rigor {
 
 class Parser {
  public:
-  Parser(SyntaxTree& tree, SideAccount& account, int depth) : tree_(tree), account_(account), depth_(depth) {}
+  Parser(SyntaxTree& tree, SideAccount& account, int depth, Choices* choices)
+      : tree_(tree), account_(account), depth_(depth), choices_(choices) {}
 
   /// A sum of terms; `place` is where to point if there is nothing.
   SyntaxId expression(TokenView tokens, Span place);
@@ -34,6 +37,7 @@ class Parser {
 
  private:
   SyntaxId term(Cursor& cursor);
+  void divide_by_all_behind(TokenView tokens, std::vector<SyntaxChild>& factors);
   SyntaxId factor(Cursor& cursor);
   SyntaxId signed_factor(Cursor& cursor);
   SyntaxId primary(Cursor& cursor);
@@ -46,6 +50,8 @@ class Parser {
   // parser_brackets.cpp
   SyntaxId bracketed(Cursor& cursor);
   SyntaxId bars(Cursor& cursor);
+  std::size_t outer_bar(const Cursor& cursor, std::size_t close);
+  std::optional<SyntaxId> reversed_interval(Cursor& cursor);
   SyntaxId bracket_contents(TokenView content, Span span);
   SyntaxId environment(Cursor& cursor);
   void read_between(TokenView body, std::span<const TokenView> cells);
@@ -113,9 +119,17 @@ class Parser {
 
   // parser_functions.cpp
   SyntaxId function(Cursor& cursor, std::string_view name, std::size_t behind);
-  SyntaxId function_argument(Cursor& cursor, Span place, std::string_view name);
+  SyntaxId function_argument(Cursor& cursor, Span place, std::string_view name, std::size_t begin);
   SyntaxId bracket_argument(Cursor& cursor);
-  SyntaxId plain_argument(Cursor& cursor, std::string_view name);
+  /// What a function is written with, and where its argument begins.
+  struct Application {
+    std::string_view name;
+    std::size_t begin;  // of the function
+    std::size_t argument;
+  };
+  SyntaxId plain_argument(Cursor& cursor, std::string_view name, std::size_t begin);
+  bool argument_ends(const Cursor& cursor, const Application& application);
+  bool bracket_belongs(const Cursor& cursor, const Application& application);
   SyntaxId unclear_argument(Span span, std::string_view name);
   [[nodiscard]] bool is_rate_or_change(SyntaxId node) const;
   SyntaxId field_function(Cursor& cursor, std::string_view name);
@@ -136,6 +150,10 @@ class Parser {
                   std::vector<std::string> help = {});
   /// Reads an inner stretch one level deeper.
   SyntaxId inner(TokenView tokens, Span place);
+  /// Is the second reading wanted here? `choice` gives the place and both readings.
+  bool takes_second(Choice choice) {
+    return choices_ != nullptr && choices_->takes_second(std::move(choice));
+  }
 
   void read(TokenView tokens) { account_.read(tokens); }
   void read_sign(const Cursor& cursor) { account_.read(cursor.tokens.subspan(cursor.at, 1)); }
@@ -147,6 +165,7 @@ class Parser {
   SyntaxTree& tree_;
   SideAccount& account_;
   int depth_;
+  Choices* choices_;
   Measure* measure_ = nullptr;  // of the integral whose integrand is being read, outside its brackets
 };
 

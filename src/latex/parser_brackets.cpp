@@ -25,6 +25,16 @@ bool are_a_pair(const Token& open, const Token& closing) {
   return is_control(closing, "}") || is_control(closing, "rbrace");
 }
 
+/// `[0, 1)`: two ends with a comma between, each with a bracket of its own kind.
+bool is_interval(const Token& open, const Token& closing, TokenView content) {
+  const bool round = is_sign(open, "(") != is_sign(closing, ")");
+  if (!round || (!is_sign(open, "(") && !is_sign(open, "["))) return false;
+  Nesting nesting(false);
+  return 1 == std::count_if(content.begin(), content.end(), [&](const Token& token) {
+           return nesting.enter(token) == 0 && (is_sign(token, ",") || is_sign(token, ";"));
+         });
+}
+
 bool is_bar(const Token& token) { return is_sign(token, "|") || is_control(token, "vert"); }
 bool is_double_bar(const Token& token) { return is_control(token, "|") || is_control(token, "Vert"); }
 
@@ -64,6 +74,33 @@ std::size_t closing_bar(TokenView tokens, std::size_t open) {
     operand = ends_operand(token) || is_script_argument(tokens, at);
   }
   return tokens.size();
+}
+
+bool is_angle(const Token& token) {
+  return is_control(token, "rangle") || is_control(token, "langle") || is_control(token, "ket") ||
+         is_control(token, "bra");
+}
+
+/// Does an operand begin with this token? A sign does not count.
+bool begins_operand(const Token& token) {
+  if (token.kind == TokenKind::control)
+    return !letter_of(token).empty() || style_of(token).has_value() || is_fraction(token) ||
+           dots_of(token) > 0 || !function_name(token.text).empty() || token.text == "sqrt" ||
+           token.text == "nabla";
+  return token.kind == TokenKind::letter || token.kind == TokenKind::digit || is_sign(token, "(") ||
+         is_sign(token, "[") || token.kind == TokenKind::begin_group;
+}
+
+/// Does an operand end right before this place, and another one begin right behind it?
+bool stands_between(TokenView tokens, std::size_t at) {
+  const auto means_nothing = [](const Token& token) { return is_blank(token) || is_spacing(token); };
+  std::size_t before = at;
+  while (before > 0 && means_nothing(tokens[before - 1])) --before;
+  std::size_t behind = at + 1;
+  while (behind < tokens.size() && means_nothing(tokens[behind])) ++behind;
+  if (before == 0 || behind >= tokens.size()) return false;
+  const bool ended = ends_operand(tokens[before - 1]) || is_script_argument(tokens, before - 1);
+  return ended && begins_operand(tokens[behind]);
 }
 
 struct Cell {
@@ -129,6 +166,8 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
   read(cursor.tokens.subspan(close, 1));
   cursor.at = close + 1;
   if (auto derivative = operator_in(content)) return bracketed_operator(cursor, std::move(*derivative), span);
+  const bool interval = is_interval(open, closing, content);
+  if (interval) return opaque(span, "a half-open interval is not read");
   if (!are_a_pair(open, closing)) {
     return opaque(closing.span, fmt::format("`{}` does not close `{}`", closing.text, open.text),
                   DiagnosticKind::unbalanced);
@@ -156,12 +195,17 @@ SyntaxId Parser::bars(Cursor& cursor) {
   const Token open = cursor.token();
   const bool sized = is_control(open, "lvert") || is_control(open, "lVert");
   const bool norm = is_control(open, "lVert") || is_double_bar(open);
-  const std::size_t close =
+  std::size_t close =
       sized ? closing_bracket(cursor.tokens, cursor.at) : closing_bar(cursor.tokens, cursor.at);
   if (close >= cursor.tokens.size()) {
+    const bool divides = stands_between(cursor.tokens, cursor.at);
+    const bool ket = std::any_of(cursor.tokens.begin(), cursor.tokens.end(), is_angle);
     cursor.at = cursor.tokens.size();
+    if (ket) return opaque(open.span, "a bra or ket is not read");
+    if (divides) return opaque(open.span, "a bar between two quantities is not read");
     return opaque(open.span, "this bar is not closed", DiagnosticKind::unbalanced);
   }
+  if (!sized) close = outer_bar(cursor, close);
   const TokenView content = cursor.tokens.subspan(cursor.at + 1, close - cursor.at - 1);
   const Token closing = cursor.tokens[close];
   const Span span = cover(open.span, closing.span);
@@ -173,6 +217,47 @@ SyntaxId Parser::bars(Cursor& cursor) {
   }
   const SyntaxChild child{inner(content, span)};
   return tree_.add(norm ? SyntaxKind::norm : SyntaxKind::bars, span, {&child, 1});
+}
+
+/// `|a|b|c|`: the first bar is closed at `close`, or around the bars that follow. The latter needs two more
+/// bars between operands on both sides, and a fourth.
+std::size_t Parser::outer_bar(const Cursor& cursor, std::size_t close) {
+  const TokenView tokens = cursor.tokens;
+  const bool twofold = is_double_bar(tokens[cursor.at]);
+  std::vector<std::size_t> behind;
+  Nesting nesting(false);
+  for (std::size_t at = cursor.at + 1; at < tokens.size() && behind.size() < 3; ++at) {
+    const bool bar = twofold ? is_double_bar(tokens[at]) : is_bar(tokens[at]);
+    if (nesting.enter(tokens[at]) == 0 && bar) behind.push_back(at);
+  }
+  const bool nests = behind.size() == 3 && behind[0] == close && stands_between(tokens, behind[0]) &&
+                     stands_between(tokens, behind[1]);
+  if (!nests) return close;
+  const auto written = [&](std::size_t from, std::size_t to) {
+    return text_of(tokens.subspan(from, to - from));
+  };
+  const Span span = cover(tokens[cursor.at].span, tokens[behind[2]].span);
+  const std::string first = fmt::format("({})({})({})", written(cursor.at, behind[0] + 1),
+                                        written(behind[0] + 1, behind[1]), written(behind[1], behind[2] + 1));
+  const std::string second =
+      fmt::format("{}({}){}", written(cursor.at, behind[0]), written(behind[0], behind[1] + 1),
+                  written(behind[1] + 1, behind[2] + 1));
+  return takes_second({span, first, second}) ? behind[2] : close;
+}
+
+/// `]0, 1[` and `]0, 1]`.
+std::optional<SyntaxId> Parser::reversed_interval(Cursor& cursor) {
+  const TokenView tokens = cursor.tokens;
+  if (!is_sign(tokens[cursor.at], "]")) return std::nullopt;
+  std::size_t end = cursor.at + 1;
+  while (end < tokens.size() && !is_sign(tokens[end], "[") && !is_sign(tokens[end], "]")) ++end;
+  const TokenView content = tokens.subspan(cursor.at + 1, std::min(end, tokens.size()) - cursor.at - 1);
+  const bool two = std::any_of(content.begin(), content.end(),
+                               [](const Token& token) { return is_sign(token, ",") || is_sign(token, ";"); });
+  if (end >= tokens.size() || !two) return std::nullopt;
+  const Span span = cover(tokens[cursor.at].span, tokens[end].span);
+  cursor.at = end + 1;
+  return opaque(span, "an interval is not read");
 }
 
 SyntaxId Parser::environment(Cursor& cursor) {
@@ -238,7 +323,9 @@ SyntaxId Parser::matrix(TokenView body, Span span, bool determinant) {
   const std::vector<Cell> cells = cells_of(body);
   read_between(body, views_of(cells));
   for (const Cell& cell : cells) {
-    entries.push_back({inner(cell.tokens, span), Joint::comma, span});
+    const bool empty = trim(cell.tokens).empty();
+    entries.push_back(
+        {empty ? opaque(span, "an empty cell can be a 0") : inner(cell.tokens, span), Joint::comma, span});
     ++in_row;
     if (!cell.ends_row) continue;
     ragged = ragged || (columns != 0 && columns != in_row);

@@ -32,13 +32,32 @@ bool is_plain_factor(TokenView tokens, std::size_t at) {
       is_control(token, "sqrt"))
     return true;
   if (!letter_of(token).empty()) return true;
-  if (const auto style = style_of(token)) return style->face == Face::plain && !style->upright;
-  if (dots_of(token) == 0) return false;
+  const auto style = style_of(token);
+  if (style && (style->face != Face::plain || style->upright)) return false;
+  if (!style && dots_of(token) == 0) return false;
   const Argument argument = argument_at(tokens, at + 1);
   return std::none_of(argument.content.begin(), argument.content.end(), [](const Token& inside) {
-    const auto style = style_of(inside);
-    return style && style->face != Face::plain;
+    const auto face = style_of(inside);
+    return face && face->face != Face::plain;
   });
+}
+
+/// `\hat r`: behind a letter it is a vector or an operator, and no part of the argument.
+bool is_hatted(const Token& token) {
+  const auto style = style_of(token);
+  return style && style->accent == Accent::hat;
+}
+
+/// May an argument end behind this factor, though another letter follows? Behind an angle, `\cos\theta r`,
+/// and before a blank that the author typed between two letters, `\exp a b`.
+bool may_end(const SyntaxTree& tree, SyntaxId last, TokenView tokens, std::size_t at) {
+  if (at >= tokens.size()) return false;
+  const std::size_t next = skip_blank(tokens, at);
+  if (next >= tokens.size() || letter_of(tokens[next]).empty()) return false;
+  const bool symbol = tree[last].kind == SyntaxKind::symbol;
+  if (symbol && is_usual_angle(tree.symbol(last).letter)) return true;
+  return symbol && next != at && tokens[at - 1].kind == TokenKind::letter &&
+         tokens[next].kind == TokenKind::letter;
 }
 
 /// `\cos\theta\,d m`: the differential of an integral is no part of the argument.
@@ -66,7 +85,7 @@ SyntaxId Parser::function(Cursor& cursor, std::string_view name, std::size_t beh
   }
   const bool other = script < cursor.tokens.size() && (cursor.tokens[script].kind == TokenKind::subscript ||
                                                        is_sign(cursor.tokens[script], "'"));
-  const SyntaxId argument = function_argument(cursor, token.span, name);
+  const SyntaxId argument = function_argument(cursor, token.span, name, begin);
   const Span span = cover(token.span, tree_[argument].span);
   if (other) return opaque(span, fmt::format("a script on `{}` is not read", name));
   if (exponent && text_of(exponent->content) == "-1")
@@ -76,7 +95,7 @@ SyntaxId Parser::function(Cursor& cursor, std::string_view name, std::size_t beh
   return exponent ? this->exponent(node, exponent->content, place) : node;
 }
 
-SyntaxId Parser::function_argument(Cursor& cursor, Span place, std::string_view name) {
+SyntaxId Parser::function_argument(Cursor& cursor, Span place, std::string_view name, std::size_t begin) {
   cursor.at = skip_narrow(cursor.tokens, cursor.at);
   if (!cursor.done() && cursor.token().kind == TokenKind::subscript)
     cursor.at = skip_narrow(cursor.tokens, script_argument_at(cursor.tokens, cursor.at + 1).next);
@@ -90,7 +109,7 @@ SyntaxId Parser::function_argument(Cursor& cursor, Span place, std::string_view 
     if (matrix_function && is_bold(cursor.tokens, next)) return unclear_argument(place, name);
     return argument;
   }
-  return plain_argument(cursor, name);
+  return plain_argument(cursor, name, begin);
 }
 
 SyntaxId Parser::bracket_argument(Cursor& cursor) {
@@ -104,13 +123,22 @@ SyntaxId Parser::unclear_argument(Span span, std::string_view name) {
 }
 
 /// `\cos 2\omega t`: the letters, numbers and fractions that follow.
-SyntaxId Parser::plain_argument(Cursor& cursor, std::string_view name) {
+SyntaxId Parser::plain_argument(Cursor& cursor, std::string_view name, std::size_t begin) {
+  const Application application{name, begin, cursor.at};
   std::vector<SyntaxChild> factors;
+  bool asked = false;
+  bool ended = false;
   Span span = cursor.token().span;
   while (true) {
     const std::size_t next = skip_blank(cursor.tokens, cursor.at);
     if (next >= cursor.tokens.size() || !is_plain_factor(cursor.tokens, next)) break;
-    if (!factors.empty() && starts_differential(cursor.tokens, next)) break;
+    if (!factors.empty() && (starts_differential(cursor.tokens, next) || is_hatted(cursor.tokens[next])))
+      break;
+    if (!factors.empty() && !asked && may_end(tree_, factors.back().id, cursor.tokens, cursor.at)) {
+      asked = true;
+      ended = argument_ends(cursor, application);
+      if (ended) break;
+    }
     cursor.at = next;
     const Span joint = cursor.token().span;
     const SyntaxId node = factor(cursor);
@@ -126,7 +154,58 @@ SyntaxId Parser::plain_argument(Cursor& cursor, std::string_view name) {
     if (below < cursor.tokens.size() && is_plain_factor(cursor.tokens, below))
       return unclear_argument(span, name);
   }
+  if (!ended && bracket_belongs(cursor, application)) {
+    cursor.skip_spacing();
+    const Span joint = cursor.token().span;
+    factors.push_back({scripts(cursor, primary(cursor)), Joint::juxtaposed, joint});
+    span = cover(span, tree_[factors.back().id].span);
+  }
   return factors.size() == 1 ? factors[0].id : tree_.add(SyntaxKind::term, span, factors);
+}
+
+/// `\cos\theta r`: does the argument end where reading is, or go on with all the letters behind?
+bool Parser::argument_ends(const Cursor& cursor, const Application& application) {
+  const TokenView tokens = cursor.tokens;
+  std::size_t end = cursor.at;
+  std::size_t behind = skip_blank(tokens, end);
+  while (behind < tokens.size() && is_plain_factor(tokens, behind) && symbol_end(tokens, behind) != behind) {
+    end = symbol_end(tokens, behind);
+    behind = skip_blank(tokens, end);
+  }
+  const auto written = [&](std::size_t from, std::size_t to) {
+    return text_of(tokens.subspan(from, to - from));
+  };
+  const std::string function = written(application.begin, application.argument);
+  const Span span = cover(tokens[application.begin].span, tokens[std::max(end, cursor.at + 1) - 1].span);
+  return takes_second({span, fmt::format("{}({})", function, written(application.argument, end)),
+                       fmt::format("{}({}) {}", function, written(application.argument, cursor.at),
+                                   written(cursor.at, end))});
+}
+
+/// `\cos\omega(t - t_0)`: is the bracket behind the letters part of the argument? Not where functions,
+/// vectors or commas stand in it.
+bool Parser::bracket_belongs(const Cursor& cursor, const Application& application) {
+  const TokenView tokens = cursor.tokens;
+  const std::size_t open = skip_narrow(tokens, cursor.at);
+  const std::size_t end = bracket_end(tokens, open);
+  if (end == open) return false;
+  const TokenView content = tokens.subspan(open + 1, end - open - 2);
+  const bool other = std::any_of(content.begin(), content.end(), [](const Token& token) {
+    const auto style = style_of(token);
+    const bool control = token.kind == TokenKind::control;
+    return is_sign(token, ",") || (control && !function_name(token.text).empty()) ||
+           (style && (style->face != Face::plain || style->accent == Accent::hat));
+  });
+  if (other) return false;
+  const auto written = [&](std::size_t from, std::size_t to) {
+    return text_of(tokens.subspan(from, to - from));
+  };
+  const std::string function = written(application.begin, application.argument);
+  const std::string letters = written(application.argument, cursor.at);
+  const std::string bracket = written(open, end);
+  return takes_second({cover(tokens[application.begin].span, tokens[end - 1].span),
+                       fmt::format("{}({}) {}", function, letters, bracket),
+                       fmt::format("{}({} {})", function, letters, bracket)});
 }
 
 bool Parser::is_rate_or_change(SyntaxId node) const {

@@ -56,6 +56,20 @@ int count_open_brackets(TokenView tokens) {
   return depth;
 }
 
+std::size_t last_sign(TokenView tokens) {
+  const TokenView signs = trim(tokens);
+  return signs.empty() ? 0 : static_cast<std::size_t>(&signs.back() - tokens.data());
+}
+
+/// `a =` above `= b`: one relation, written at the end of a line and again at the beginning of the next.
+bool repeats_relation(TokenView above, TokenView row) {
+  if (trim(above).empty() || trim(row).empty()) return false;
+  const Token& last = trim(above).back();
+  const Token& first = row[first_sign(row)];
+  const auto kind = relation_kind(last);
+  return kind && relation_kind(first) == kind && last.text == first.text;
+}
+
 /// Does the row go on with the statement above it?
 bool continues(const Statement& above, TokenView row, bool first_cell_empty, bool continuation_by_layout) {
   if (above.tokens.empty()) return false;
@@ -143,6 +157,7 @@ class RowJoiner {
       }
     }
     Statement& current = open_[column];
+    if (repeats_relation(current.tokens, tokens)) current.tokens.resize(last_sign(current.tokens));
     current.tokens.insert(current.tokens.end(), tokens.begin(), tokens.end());
     current.open_brackets += count_open_brackets(tokens);
     if (!row.tag.empty()) current.tag = row.tag;

@@ -299,6 +299,12 @@ std::uint8_t dots_of(const Token& token) {
   return 0;
 }
 
+bool is_usual_angle(std::string_view letter) {
+  static const Words angles{"\\theta", "\\vartheta", "\\phi", "\\varphi",   "\\psi",   "\\alpha", "\\beta",
+                            "\\gamma", "\\chi",      "\\eta", "\\vartheta", "\\Theta", "\\Phi"};
+  return angles.contains(letter);
+}
+
 std::string_view function_name(std::string_view word) {
   static const Words functions{"sin",  "cos",  "tan", "cot", "sec", "csc", "sinh",
                                "cosh", "tanh", "exp", "ln",  "log", "det", "tr"};

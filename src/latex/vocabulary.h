@@ -75,6 +75,8 @@ struct Style {
 [[nodiscard]] std::uint8_t dots_of(const Token& token);
 /// `sin` for `sin`, `tr` for `Tr`: the name of a function that is read; empty for other words.
 [[nodiscard]] std::string_view function_name(std::string_view word);
+/// Is it a usual letter for an angle? `\cos\theta r` can be a product, where `\cos\omega t` is none.
+[[nodiscard]] bool is_usual_angle(std::string_view letter);
 enum class FieldOperator : std::uint8_t { gradient, divergence, curl, laplacian };
 /// The derivatives of fields that the physics package names: `grad`, `gradient`, `div`…
 [[nodiscard]] std::optional<FieldOperator> field_operator(std::string_view word);
