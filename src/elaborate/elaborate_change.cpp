@@ -212,8 +212,7 @@ std::optional<Typed> Elaborator::apply_operator(std::span<const SyntaxChild> fac
                                                 std::size_t& next) {
   const SyntaxId id = factors[at].id;
   const Span span = syntax_[id].span;
-  if (at + 1 >= factors.size())
-    return fail(DiagnosticKind::bad_syntax, span, "`\\nabla` has nothing to act on");
+  if (at + 1 >= factors.size()) return unsupported(span, "an operator without what it acts on is not read");
   std::size_t run = at;
   while (run < factors.size() && acts_as_operator(syntax_, factors[run].id)) ++run;
   if (run - at > most_axes) {

@@ -36,9 +36,12 @@ bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<Fre
       continue;
     }
     if (where.size() > 2) {
-      Diagnostic diagnostic{DiagnosticKind::index_repeats, where[2].span,
+      const bool sure = letters_.is_sure(letter);
+      Diagnostic diagnostic{sure ? DiagnosticKind::index_repeats : DiagnosticKind::ambiguous_reading,
+                            where[2].span,
                             fmt::format("index `{}` occurs {} times in one term", letter, where.size())};
       diagnostic.labels = {{where[0].span, ""}, {where[1].span, ""}};
+      if (!sure) diagnostic.message += "; it can be a label";
       diagnostic.help = {
           "the summation convention allows a letter at most twice in a term; rename a pair, or write the sum "
           "out"};
@@ -48,11 +51,12 @@ bool Elaborator::sum_repeated(const std::vector<Typed>& factors, std::vector<Fre
     const auto clash = std::find_if(bound.begin(), bound.end(),
                                     [&](const FreeIndex& entry) { return entry.letter == letter; });
     if (clash != bound.end()) {
-      diagnostics_.push_back({DiagnosticKind::index_clash,
-                              where[0].span,
-                              fmt::format("index `{}` is summed inside a factor of the same term", letter),
-                              {{clash->span, "summed here"}},
-                              {"rename one of the two"}});
+      diagnostics_.push_back(
+          {letters_.is_sure(letter) ? DiagnosticKind::index_clash : DiagnosticKind::ambiguous_reading,
+           where[0].span,
+           fmt::format("index `{}` is summed inside a factor of the same term", letter),
+           {{clash->span, "summed here"}},
+           {"rename one of the two"}});
       return false;
     }
     if (where.size() == 2) summed_letters_.insert(letter);

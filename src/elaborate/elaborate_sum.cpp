@@ -80,7 +80,7 @@ bool Elaborator::same_type(const Typed& first, const Typed& other, const char* w
     });
   };
   const auto report = [&](const auto& entry, Span without) {
-    const bool shown = letters_.evidence || what == std::string_view("term");
+    const bool shown = letters_.is_sure(entry.letter);
     const DiagnosticKind kind =
         shown ? DiagnosticKind::free_index_mismatch : DiagnosticKind::ambiguous_reading;
     mismatch.diagnostics.push_back(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 
 namespace rigor {
@@ -37,15 +38,6 @@ std::vector<std::string> latin_letters(const std::vector<WrittenIndex>& indices)
   return letters;
 }
 
-std::string bare_base(const WrittenSymbol& symbol) {
-  std::string base = symbol.letter;
-  if (symbol.accent == Accent::hat) base = "\\hat{" + base + "}";
-  if (symbol.accent == Accent::bar) base = "\\bar{" + base + "}";
-  if (symbol.accent == Accent::tilde) base = "\\tilde{" + base + "}";
-  if (!symbol.change.empty()) base = symbol.change + (base[0] == '\\' ? "" : " ") + base;
-  return base + std::string(symbol.primes, '\'');
-}
-
 /// Letters that an index notation of this statement settles: on δ and ε, on brackets, under explicit sums.
 void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
   const SyntaxKind kind = syntax[id].kind;
@@ -77,7 +69,7 @@ void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, 
   const bool labelled = std::any_of(
       own.begin(), own.end(), [&](const std::string& letter) { return letters.labels.contains(letter); });
   if (own.empty() || labelled || (symbol.face == Face::vector && !is_basis_family(symbol))) return;
-  const std::string base = bare_base(symbol);
+  const std::string base = letter_with_marks(symbol);
   const bool known_vector =
       own.size() == 1 &&
       (names.sightings.bold.contains({base, false}) || names.sightings.bold.contains({base, true}) ||
@@ -98,7 +90,7 @@ void read_permutations(const SyntaxTree& syntax, const std::vector<SyntaxId>& si
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
     if (own.size() != 2 || own[0] == own[1]) return;
-    const std::string base = bare_base(syntax.symbol(id));
+    const std::string base = letter_with_marks(syntax.symbol(id));
     if (seen.contains({base, own[1] + own[0]})) letters.indices.insert(own.begin(), own.end());
     seen.insert({base, own[0] + own[1]});
   });
@@ -124,7 +116,7 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (symbol.lower.empty() && symbol.face == Face::plain) bare.insert(symbol.letter);
     const std::vector<std::string> own = latin_letters(symbol.lower);
-    if (own.size() == 1) on_base[bare_base(symbol)].insert(own[0]);
+    if (own.size() == 1) on_base[letter_with_marks(symbol)].insert(own[0]);
   });
   letters.bare = bare;
   for (const auto& [base, own] : on_base) {
@@ -138,7 +130,80 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
 
 /// Is it declared with its subscripts as one letter: `scalar \omega_n`?
 bool is_declared_with_labels(const WrittenSymbol& symbol, const Names& names) {
-  return !symbol.lower.empty() && names.is_declared({with_labels(bare_base(symbol), symbol.lower), 0, false});
+  return !symbol.lower.empty() &&
+         names.is_declared({with_labels(letter_with_marks(symbol), symbol.lower), 0, false});
+}
+
+/// `A_iA_i`: who counts with labels writes a square.
+void find_repeated_components(const SyntaxTree& syntax, SyntaxId term, std::set<std::string>& sure) {
+  std::set<std::pair<std::string, std::vector<std::string>>> seen;
+  for (const SyntaxChild& child : syntax.children(term)) {
+    if (syntax[child.id].kind != SyntaxKind::symbol) continue;
+    const std::vector<std::string> own = latin_letters(syntax.symbol(child.id).lower);
+    const bool strong = !own.empty() && std::all_of(own.begin(), own.end(), is_strong);
+    if (strong && !seen.insert({letter_with_marks(syntax.symbol(child.id)), own}).second)
+      sure.insert(own.begin(), own.end());
+  }
+}
+
+bool holds_a_vector(const SyntaxTree& syntax, SyntaxId root) {
+  bool found = false;
+  for_each_node(syntax, {root}, [&](SyntaxId id) {
+    found = found || (syntax[id].kind == SyntaxKind::symbol && syntax.symbol(id).face == Face::vector);
+  });
+  return found;
+}
+
+/// Letters that are indices by what they stand on alone.
+void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, std::set<std::string>& sure) {
+  const SyntaxKind kind = syntax[id].kind;
+  std::vector<std::string> found;
+  if (kind == SyntaxKind::term) find_repeated_components(syntax, id, sure);
+  if (kind == SyntaxKind::component && holds_a_vector(syntax, syntax.child(id, 0)) &&
+      syntax[syntax.child(id, 0)].kind == SyntaxKind::group)
+    found = latin_letters(syntax.indices(id));
+  if (kind == SyntaxKind::derivative) {
+    for (const WrittenVariable& by : syntax.derivative(id).by) {
+      const std::vector<std::string> own = latin_letters(by.symbol.lower);
+      found.insert(found.end(), own.begin(), own.end());
+    }
+  }
+  if (kind == SyntaxKind::symbol) {
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const std::vector<std::string> own = latin_letters(symbol.lower);
+    const std::string base = letter_with_marks(symbol);
+    const int rank = static_cast<int>(own.size());
+    const bool declared = names.is_declared({base, rank, false}) || names.is_declared({base, rank, true});
+    const bool component =
+        symbol.face == Face::plain && own.size() == 1 && names.evidence.vectors.contains(base);
+    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol) || declared || component)
+      found = own;
+  }
+  std::copy_if(found.begin(), found.end(), std::inserter(sure, sure.end()), [](const std::string& letter) {
+    return is_strong(letter) || (letter.size() == 1 && letter[0] >= 'a' && letter[0] <= 'h');
+  });
+}
+
+/// A symbol that carries one index for sure carries no labels beside it, nor elsewhere in the statement.
+void read_sure(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names,
+               Letters& letters) {
+  for_each_node(syntax, sides, [&](SyntaxId id) { find_sure(syntax, id, names, letters.sure); });
+  std::set<std::string> indexed;
+  for (bool grown = true; grown;) {
+    const std::size_t before = letters.sure.size() + indexed.size();
+    for_each_node(syntax, sides, [&](SyntaxId id) {
+      if (syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).face == Face::vector) return;
+      const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
+      const std::string base = letter_with_marks(syntax.symbol(id));
+      const bool sure =
+          std::any_of(own.begin(), own.end(), [&](const auto& each) { return letters.is_sure(each); });
+      if (sure) indexed.insert(base);
+      if (!indexed.contains(base)) return;
+      std::copy_if(own.begin(), own.end(), std::inserter(letters.sure, letters.sure.end()),
+                   [&](const std::string& letter) { return letters.is_index(letter); });
+    });
+    grown = letters.sure.size() + indexed.size() > before;
+  }
 }
 
 void sight_crossed(const SyntaxTree& syntax, SyntaxId term, Sightings& sightings) {
@@ -146,7 +211,8 @@ void sight_crossed(const SyntaxTree& syntax, SyntaxId term, Sightings& sightings
   for (std::size_t k = 1; k < factors.size(); ++k) {
     if (factors[k].joint != Joint::cross) continue;
     for (const SyntaxId id : {factors[k - 1].id, factors[k].id}) {
-      if (syntax[id].kind == SyntaxKind::symbol) sightings.crossed.insert(bare_base(syntax.symbol(id)));
+      if (syntax[id].kind == SyntaxKind::symbol)
+        sightings.crossed.insert(letter_with_marks(syntax.symbol(id)));
     }
   }
 }
@@ -156,6 +222,11 @@ void sight_crossed(const SyntaxTree& syntax, SyntaxId term, Sightings& sightings
 bool Letters::is_index(const std::string& letter) const {
   if (labels.contains(letter)) return false;
   return is_strong(letter) || indices.contains(letter);
+}
+
+bool Letters::is_sure(std::string_view letter) const {
+  const std::string own(letter.substr(0, letter.find('\'')));
+  return sure.contains(own) && !labels.contains(own);
 }
 
 Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names) {
@@ -170,12 +241,13 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
     if (is_declared_with_labels(syntax.symbol(id), names)) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
     if (syntax.symbol(id).face == Face::vector) {
-      letters.bold_vectors.insert(bare_base(syntax.symbol(id)));
-      letters.bold_vectors.insert(with_labels(bare_base(syntax.symbol(id)), syntax.symbol(id).lower));
+      letters.bold_vectors.insert(letter_with_marks(syntax.symbol(id)));
+      letters.bold_vectors.insert(with_labels(letter_with_marks(syntax.symbol(id)), syntax.symbol(id).lower));
     }
     if (own.size() == 1 && letters.is_index(own[0]) && !names.labels_particles(own[0]))
-      letters.indexed_vectors.insert(bare_base(syntax.symbol(id)));
+      letters.indexed_vectors.insert(letter_with_marks(syntax.symbol(id)));
   });
+  read_sure(syntax, sides, names, letters);
   return letters;
 }
 
@@ -228,7 +300,7 @@ void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
 WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Names& names) {
   WrittenName name;
   if (symbol.face == Face::plain && is_declared_with_labels(symbol, names)) {
-    name.base = with_labels(bare_base(symbol), symbol.lower);
+    name.base = with_labels(letter_with_marks(symbol), symbol.lower);
     return name;
   }
   std::vector<WrittenIndex> labels;
@@ -257,7 +329,7 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Name
     labels_behind.clear();
     name.axes.clear();
   }
-  name.base = with_labels(bare_base(symbol), labels);
+  name.base = with_labels(letter_with_marks(symbol), labels);
   if (!labels_behind.empty()) name.base += with_labels("{}", labels_behind);
   return name;
 }

@@ -6,6 +6,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elaborate/names.h"
@@ -22,7 +23,11 @@ struct Letters {
   bool evidence =
       false;  // something shows that index notation is meant: δ, ε, a component of a vector, a repetition
 
+  std::set<std::string> sure;  // indices in every reading: on δ, ε, ∂ and on known vectors, and beside those
+
   [[nodiscard]] bool is_index(const std::string& letter) const;
+  /// Primes behind the letter do not count.
+  [[nodiscard]] bool is_sure(std::string_view letter) const;
 };
 
 /// Looks at all sides of one statement.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "elaborate/evidence.h"
 #include "expr/differentiate.h"
 #include "expr/statement.h"
 #include "latex/syntax.h"
@@ -100,6 +101,7 @@ struct SmallQuantity {
 class Names {
  public:
   Sightings sightings;
+  Evidence evidence;  // of the section at hand and of those around it
 
   /// The symbol of this key, made at first sight. Marks the directive that declared it as used.
   SymbolId resolve(ExprTree& tree, const NameKey& key, const std::string& name, Span span);

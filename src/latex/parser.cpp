@@ -48,7 +48,7 @@ std::optional<std::size_t> second_limit(TokenView tokens, std::size_t behind, st
   if (other >= tokens.size() || !is_script(tokens[other]) || is_sign(tokens[other], "'") ||
       tokens[other].kind == tokens[script].kind)
     return std::nullopt;
-  const ScriptArgument limit = script_argument_at(tokens, other + 1);
+  const Argument limit = script_argument_at(tokens, other + 1);
   const Tokens above = tokens[other].kind == TokenKind::superscript
                            ? limit.content
                            : script_argument_at(tokens, script + 1).content;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one section shows of its letters. A letter is known by what it is without subscripts: `r`, `\hat n`.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "latex/syntax.h"
+
+namespace rigor {
+
+struct Evidence {
+  std::set<std::string> vectors;  // bold or under an arrow somewhere
+  std::set<std::string> crossed;  // factors of a cross product
+  std::set<std::string> numbers;  // divisors, and small Latin letters beside a vector
+  std::set<std::string> ordered;  // what may be a matrix or an operator: the order of factors may matter
+  std::set<std::string> hatted;   // `\hat x`: a unit vector or an operator
+  bool operators = false;         // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
+  bool speaks_of_order = false;   // the words speak of matrices or operators: then capitals may be some
+  bool sentence_is_open = false;  // while reading: such a sentence goes on with the next display
+
+  /// May the letter be a matrix or an operator?
+  [[nodiscard]] bool is_ordered(const std::string& letter) const;
+};
+
+/// Adds what the faces, products and fractions below `root` show.
+void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence);
+
+/// `\hat n` for `\hat n_i`: letter, accent, change and primes.
+[[nodiscard]] std::string letter_with_marks(const WrittenSymbol& symbol);
+
+}  // namespace rigor
