@@ -46,6 +46,26 @@ Relation relation_of(RelationKind kind) {
   }
 }
 
+/// `A_{i'} = \lambda_{ij}A_j`: on the rotation itself a prime says which axis is meant, and none may be left
+/// out.
+bool drops_prime_on_rotation(const SyntaxTree& syntax, std::vector<SyntaxId> pending, const Names& names) {
+  const auto rotation = names.primed_axes();
+  const NameKey* key = rotation ? names.key_of(*rotation) : nullptr;
+  if (key == nullptr) return false;
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const bool bare = std::all_of(symbol.lower.begin(), symbol.lower.end(), [](const WrittenIndex& index) {
+      return index.form == IndexForm::letter && index.primes == 0;
+    });
+    if (symbol.lower.size() == 2 && bare && letter_with_marks(symbol) == key->base) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_order(RelationKind kind) { return relation_of(kind) != Relation::equal; }
@@ -139,7 +159,7 @@ std::unique_ptr<ChainReading> read_chain(const SyntaxTree& syntax, ExprTree& tre
     }
   }
   Reading primes = plain;
-  primes.primes_on_axes = true;
+  primes.primes_on_axes = !drops_prime_on_rotation(syntax, parsed.sides, names);
   for (const Reading& other : {unsummed, primes}) {
     const bool differs = !other.unsummed.empty() || other.primes_on_axes;
     if (!differs) continue;

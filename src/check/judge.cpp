@@ -14,6 +14,7 @@
 #include "check/identity_reading.h"
 #include "check/law_diagnostic.h"
 #include "check/negative_squares.h"
+#include "check/ordered_product.h"
 #include "check/question.h"
 #include "check/question_names.h"
 #include "check/sign_doubt.h"
@@ -77,6 +78,7 @@ class Judging {
             decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
         break;
     }
+    heed_order();
     note_uses(decision);
     if (claim_.explains) name_what_it_rests_on();
     judgement_.question = std::move(prepared_.question);
@@ -301,6 +303,31 @@ class Judging {
         {"`rigor: constant …` says so; a derivative that is written somewhere, or `rigor: given`, says how "
          "it changes"});
     return true;
+  }
+
+  /// Matrices and operators were multiplied as numbers are: what is proved counts where it holds in their
+  /// order as well, and nothing is refuted.
+  void heed_order() {
+    const bool proved = judgement_.verdict == Verdict::proved;
+    if (!proved && judgement_.verdict != Verdict::refuted) return;
+    const std::set<SymbolId> ordered = ordered_symbols(tree_, names_, prepared_.question);
+    if (ordered.empty()) return;
+    const Equation& claim = claim_.equation;
+    if (proved && claim.relation == Relation::equal &&
+        equal_in_order(tree_, claim.left, claim.right, ordered))
+      return;
+    judgement_.verdict = Verdict::not_understood;
+    judgement_.route.clear();
+    judgement_.counterexample.reset();
+    judgement_.diagnostics.clear();
+    const std::vector<SymbolId> names(ordered.begin(), ordered.end());
+    const bool one = names.size() == 1;
+    add(DiagnosticKind::ambiguous_reading,
+        fmt::format("{} can be {}, which need not commute, or {}; it {} for numbers",
+                    quoted_names(tree_, names), one ? "a matrix or an operator" : "matrices or operators",
+                    one ? "a number" : "numbers", proved ? "holds" : "does not hold"),
+        {fmt::format("`rigor: scalar {}` says that {}", tree_.symbols[names[0]].name,
+                     one ? "it is a number" : "the first is a number")});
   }
 
   /// `A·(A×B) = 1`: where neither side depends on anything, no law can make it true.

@@ -9,6 +9,7 @@
 #include "check/frame.h"
 #include "check/lint_scopes.h"
 #include "check/local_kinds.h"
+#include "check/section_evidence.h"
 #include "check/sidecar_places.h"
 #include "check/unread.h"
 
@@ -20,11 +21,14 @@ Session::Session(const SourceMap& sources, const Notes& notes, FileReport& repor
 
 void Session::run() {
   sight_all();
+  names_.evidence = evidence_of_section(sources_, notes_, std::nullopt);
   if (options_.forms != nullptr) options_.forms->plan(names_);
   for (std::size_t k = 0; k < notes_.events.size(); ++k) {
     if (options_.forms != nullptr) options_.forms->enter(k);
     event_ = k;
     std::visit([this](const auto& event) { follow(event); }, notes_.events[k]);
+    if (std::holds_alternative<Heading>(notes_.events[k]))
+      names_.evidence = evidence_of_section(sources_, notes_, k);
     if (options_.forms != nullptr) options_.forms->ask(k, tree_, names_);
     if (options_.progress) options_.progress(k + 1, notes_.events.size());
   }

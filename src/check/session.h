@@ -78,6 +78,11 @@ class Session {
   [[nodiscard]] bool may_redefine(const Typed& left, const Typed& right);
   using Side = ChainReading::Side;
   bool reads(const ParsedChain& parsed);
+  void chain_as_read(const ParsedChain& parsed, const Context& context);
+  bool is_nonsense(const ParsedChain& parsed, const std::vector<SyntaxId>& sides);
+  ParsedChain sensible_readings(const ParsedChain& parsed);
+  bool decide_in_all_readings(const ParsedChain& parsed, std::size_t which, const Claim& claim, Step& step);
+  bool would_define(const Typed& left, const Typed& right);
   Link across(const ParsedChain& parsed, std::size_t left, std::size_t right, ChainReading& reading);
   void explain_slips(const ParsedChain& parsed, std::size_t first_step, ChainReading& reading,
                      const Context& context);

@@ -10,6 +10,7 @@
 #include "check/local_kinds.h"
 #include "check/missing_condition.h"
 #include "check/repair.h"
+#include "check/row_doubts.h"
 #include "check/session.h"
 
 namespace rigor {
@@ -39,6 +40,14 @@ bool fits(const ParsedChain& parsed, ChainReading& reading) {
 
 void Session::chain(const ParsedChain& parsed, const Context& context) {
   if (options_.forms != nullptr && !options_.forms->follows(parsed)) return;
+  if (parsed.others.empty()) {
+    chain_as_read(parsed, context);
+  } else {
+    chain_as_read(sensible_readings(parsed), context);
+  }
+}
+
+void Session::chain_as_read(const ParsedChain& parsed, const Context& context) {
   const std::size_t first_step = report_.steps.size();
   if (parsed.written.relations.empty() && !reads(parsed)) return;
   if (parsed.written.relations.empty()) {
@@ -76,12 +85,13 @@ void Session::chain(const ParsedChain& parsed, const Context& context) {
   if (options_.recorded == nullptr && decides()) explain_slips(parsed, first_step, *reading, context);
   const std::vector<Side>& sides = reading->sides;
   mark_seen(sides);
-  record_dimensions(parsed, *reading, context, first_step);
+  const bool unsettled = !parsed.others.empty();
+  if (!unsettled) record_dimensions(parsed, *reading, context, first_step);
   if (context.role == Role::display || context.role == Role::claim) {
     excuse_refuted(parsed, first_step);
     suggest_repairs(parsed, context, first_step);
   }
-  if (options_.forms != nullptr)
+  if (options_.forms != nullptr && !unsettled)
     options_.forms->add(
         tree_, names_,
         {parsed, *reading, std::span(report_.steps).subspan(first_step), directed, context.first_order});
@@ -95,7 +105,7 @@ std::vector<TokenView> Session::sides_near(const ParsedChain& parsed) const {
   std::size_t own = 0;
   const auto take = [&](const std::vector<ParsedChain>& more) {
     for (const ParsedChain& chain : more) {
-      if (&chain == &parsed) own = chains.size();
+      if (chain.written.span == parsed.written.span && chain.image == parsed.image) own = chains.size();
       chains.push_back(&chain);
     }
   };
@@ -182,6 +192,7 @@ bool Session::reads(const ParsedChain& parsed) {
     step.diagnostics.push_back({obstacle.kind, notes_.syntax[id].span, obstacle.message, {}, obstacle.help});
   }
   if (step.diagnostics.empty()) return true;
+  doubt_errors(notes_.syntax, names_, parsed, 0, step.diagnostics);
   add(std::move(step));
   return false;
 }

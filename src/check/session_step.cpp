@@ -6,6 +6,8 @@
 #include <chrono>
 
 #include "check/decision_cache.h"
+#include "check/readings.h"
+#include "check/row_doubts.h"
 #include "check/session.h"
 #include "check/unread.h"
 #include "expr/differentiate.h"
@@ -78,6 +80,7 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
   } else if (readable) {
     decide_step(parsed, which, reading, context, step);
   }
+  doubt_errors(notes_.syntax, names_, parsed, which, step.diagnostics);
   if (only_asks(step.diagnostics)) step.verdict = Verdict::undecided;
   const bool assumes = context.role == Role::given || context.role == Role::let;
   if (assumes && step.verdict == Verdict::not_understood) {
@@ -153,9 +156,17 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   const Side& left = reading.sides[which];
   const Side& right = reading.sides[which + 1];
   const WrittenRelation& relation = parsed.written.relations[which];
+  const bool unsettled = std::any_of(parsed.choices.begin(), parsed.choices.end(), [&](const Choice& choice) {
+    return choice.span.begin >= step.span.begin && choice.span.end <= step.span.end;
+  });
   const bool may_define = which == 0 && !is_order(relation.kind) && relation.kind != RelationKind::nearly &&
                           !is_alternative(parsed);
-  if (may_define && defines(parsed, left, right, context, step)) return;
+  const bool claims = context.role == Role::display || context.role == Role::claim;
+  if (unsettled && (!claims || (may_define && would_define(*left.typed, *right.typed)))) {
+    step.diagnostics.push_back(two_readings(parsed));
+    return;
+  }
+  if (!unsettled && may_define && defines(parsed, left, right, context, step)) return;
   const bool bare_square =
       tree_[left.typed->id].op == Op::power && !stands_in_brackets(parsed.sides[0]);  // a law, also anew
   const bool may_replace = may_define && !bare_square && may_redefine(*left.typed, *right.typed);
@@ -177,6 +188,10 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
     return;
   }
   if (!decides() && !may_replace) return;
+  if (unsettled) {
+    decide_in_all_readings(parsed, which, *claim, step);
+    return;
+  }
   claim->explains = options_.forms != nullptr;
   Judgement judgement = judge(tree_, names_, *claim, {}, options_.cache);
   if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/ordered_product.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t most_words = 2'000;
+constexpr std::size_t longest_word = 64;
+
+/// Commuting factors, sorted, and factors in their order.
+struct Word {
+  std::vector<std::string> commuting;
+  std::vector<std::string> ordered;
+  friend auto operator<=>(const Word&, const Word&) = default;
+};
+
+/// Words with integer coefficients; no entry is 0.
+using Words = std::map<Word, std::int64_t>;
+
+class WordReader {
+ public:
+  WordReader(const ExprTree& tree, const std::set<SymbolId>& ordered) : tree_(tree), ordered_(ordered) {}
+
+  std::optional<Words> read(ExprId id) {
+    const ExprNode& node = tree_[id];
+    const std::span<const ExprId> children = tree_.children(id);
+    switch (node.op) {
+      case Op::number:
+        return number(id);
+      case Op::add:
+        return sum(children);
+      case Op::negate:
+        return scaled(read(children[0]), -1);
+      case Op::multiply:
+        return product(children);
+      case Op::power:
+        return node.exponent > 0 ? power(id) : atom(id);
+      case Op::divide:
+        return quotient(children);
+      default:
+        return atom(id);
+    }
+  }
+
+ private:
+  bool holds_ordered(ExprId id) const {
+    const std::vector<SymbolId> symbols = symbols_in(tree_, id);
+    return std::any_of(symbols.begin(), symbols.end(),
+                       [&](SymbolId symbol) { return ordered_.contains(symbol); });
+  }
+
+  /// What is not looked into: a symbol, or a whole without an ordered symbol in it.
+  std::optional<Words> atom(ExprId id) const {
+    const bool in_order = holds_ordered(id);
+    if (in_order && tree_[id].op != Op::symbol) return std::nullopt;
+    Word word;
+    (in_order || tree_[id].rank > 0 ? word.ordered : word.commuting).push_back(dump(tree_, id));
+    return Words{{std::move(word), 1}};
+  }
+
+  std::optional<Words> number(ExprId id) const {
+    const std::string& digits = tree_.digits(id);
+    if (digits.size() > 9 || digits.find('.') != std::string::npos) return atom(id);
+    const std::int64_t value = std::stoll(digits);
+    return value == 0 ? Words{} : Words{{Word{}, value}};
+  }
+
+  static std::optional<Words> scaled(std::optional<Words> words, std::int64_t by) {
+    if (words) {
+      for (auto& [word, count] : *words) count *= by;
+    }
+    return words;
+  }
+
+  static bool add(Words& into, const Word& word, std::int64_t count) {
+    constexpr std::int64_t limit = std::int64_t{1} << 40;
+    auto& total = into[word];
+    total += count;
+    const bool small = total < limit && total > -limit;
+    if (total == 0) into.erase(word);
+    return small && into.size() <= most_words;
+  }
+
+  std::optional<Words> sum(std::span<const ExprId> children) {
+    Words total;
+    for (const ExprId child : children) {
+      const auto words = read(child);
+      if (!words) return words;
+      for (const auto& [word, count] : *words) {
+        if (!add(total, word, count)) return std::nullopt;
+      }
+    }
+    return total;
+  }
+
+  static std::optional<Words> times(const Words& left, const Words& right) {
+    Words result;
+    for (const auto& [first, count] : left) {
+      for (const auto& [second, other] : right) {
+        Word word = first;
+        word.commuting.insert(word.commuting.end(), second.commuting.begin(), second.commuting.end());
+        std::sort(word.commuting.begin(), word.commuting.end());
+        word.ordered.insert(word.ordered.end(), second.ordered.begin(), second.ordered.end());
+        const bool small = std::max(std::abs(count), std::abs(other)) < (1 << 20);
+        const bool brief = word.ordered.size() + word.commuting.size() <= longest_word;
+        if (!small || !brief || !add(result, word, count * other)) return std::nullopt;
+      }
+    }
+    return result;
+  }
+
+  std::optional<Words> product(std::span<const ExprId> children) {
+    Words whole{{Word{}, 1}};
+    for (const ExprId child : children) {
+      const auto words = read(child);
+      if (!words) return words;
+      auto next = times(whole, *words);
+      if (!next) return next;
+      whole = std::move(*next);
+    }
+    return whole;
+  }
+
+  std::optional<Words> power(ExprId id) {
+    if (!holds_ordered(id)) return flat_power(id);
+    const std::vector<ExprId> factors(static_cast<std::size_t>(tree_[id].exponent), tree_.children(id)[0]);
+    return factors.size() <= 16 ? product(factors) : std::nullopt;
+  }
+
+  /// A power of what commutes is multiplied out, too, as far as it is short.
+  std::optional<Words> flat_power(ExprId id) {
+    if (tree_[id].exponent > 16) return atom(id);
+    const std::vector<ExprId> factors(static_cast<std::size_t>(tree_[id].exponent), tree_.children(id)[0]);
+    return product(factors);
+  }
+
+  /// A divisor is a commuting factor of its own, which nothing cancels.
+  std::optional<Words> quotient(std::span<const ExprId> children) {
+    const auto above = read(children[0]);
+    if (!above || holds_ordered(children[1])) return std::nullopt;
+    Word divisor;
+    divisor.commuting.push_back("1/" + dump(tree_, children[1]));
+    return times(*above, Words{{std::move(divisor), 1}});
+  }
+
+  const ExprTree& tree_;
+  const std::set<SymbolId>& ordered_;
+};
+
+/// Is it made of sums, products, powers, multiples and power series alone?
+bool is_series(const ExprTree& tree, ExprId id, const std::set<SymbolId>& ordered) {
+  const ExprNode& node = tree[id];
+  const std::span<const ExprId> children = tree.children(id);
+  const auto inside = [&](ExprId child) { return is_series(tree, child, ordered); };
+  switch (node.op) {
+    case Op::number:
+      return true;
+    case Op::symbol:
+      return node.rank == 0;
+    case Op::add:
+    case Op::negate:
+    case Op::multiply:
+    case Op::function:
+      return std::all_of(children.begin(), children.end(), inside);
+    case Op::power:
+      return node.exponent > 0 && inside(children[0]);
+    case Op::divide: {
+      const std::vector<SymbolId> below = symbols_in(tree, children[1]);
+      const bool free =
+          std::none_of(below.begin(), below.end(), [&](SymbolId symbol) { return ordered.contains(symbol); });
+      return free && inside(children[0]) && inside(children[1]);
+    }
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+bool equal_in_order(const ExprTree& tree, ExprId left, ExprId right, const std::set<SymbolId>& ordered) {
+  if (ordered.size() == 1 && is_series(tree, left, ordered) && is_series(tree, right, ordered)) return true;
+  WordReader reader(tree, ordered);
+  const auto first = reader.read(left);
+  const auto second = reader.read(right);
+  return first && second && *first == *second;
+}
+
+std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, const Question& question) {
+  std::set<SymbolId> found;
+  const auto look = [&](ExprId side) {
+    for (const SymbolId symbol : symbols_in(tree, side)) {
+      const auto& derivation = tree.symbols[symbol].derivation;
+      const SymbolId base = derivation ? derivation->base : symbol;
+      const NameKey* key = names.key_of(base);
+      if (key == nullptr || key->rank > 1 || tree.symbols[base].declared) continue;
+      const std::string letter = key->base.substr(0, key->base.find('_'));
+      // Of a vector of matrices, `\boldsymbol\sigma`, only what was shown counts, not that it is a capital.
+      const bool shown =
+          key->rank == 0 ? names.evidence.is_ordered(letter) : names.evidence.ordered.contains(letter);
+      if (shown) found.insert(symbol);
+    }
+  };
+  const auto look_at = [&](const Equation& equation) {
+    look(equation.left);
+    look(equation.right);
+  };
+  look_at(question.claim);
+  for (const Definition& definition : question.definitions) look(definition.body);
+  for (const Equation& assumption : question.assumptions) look_at(assumption);
+  return found;
+}
+
+}  // namespace rigor

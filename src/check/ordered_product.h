@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Equality where some symbols need not commute.
+#pragma once
+
+#include <set>
+
+#include "elaborate/names.h"
+#include "expr/statement.h"
+#include "expr/tree.h"
+
+namespace rigor {
+
+/// Are both sides equal for matrices and operators in the place of `ordered`, by the rules of sums, products,
+/// powers and multiples alone? It is assumed that they are equal for numbers. The sides become sums of words
+/// with a factor of commuting symbols; with x(y + z) = xy + xz and (y + z)x = yx + zx nothing else is used.
+/// One symbol that stands alone in `ordered` commutes with itself, and with what is made of it. False: not
+/// known. Cost: grows with the words, which are bounded.
+[[nodiscard]] bool equal_in_order(const ExprTree& tree, ExprId left, ExprId right,
+                                  const std::set<SymbolId>& ordered);
+
+/// The symbols of the claim, and of what it may be decided with, that the section shows to be matrices or
+/// operators and no directive declares to be anything else.
+[[nodiscard]] std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names,
+                                                 const Question& question);
+
+}  // namespace rigor
