@@ -222,7 +222,7 @@ TEST_CASE("an order is decided, with its equality cases") {
 }
 
 TEST_CASE("vectors have no order") {
-  CHECK(verdict_on("\\mathbf{A} < \\mathbf{B}").find("rank-mismatch") != std::string::npos);
+  CHECK(verdict_on("\\mathbf{a} < \\mathbf{b}").find("rank-mismatch") != std::string::npos);
 }
 
 TEST_CASE("a counterexample to a greater-than shows the sides as they were written") {

@@ -193,11 +193,11 @@ TEST_CASE("words that may restrict an equation stop its refutation only") {
 }
 
 TEST_CASE("ranks and free indices that differ are mistakes, not refutations") {
-  CHECK(verdict_on("\\mathbf{A}\\cdot\\mathbf{B} = \\mathbf{A}") == "not-understood 2:27 rank-mismatch");
+  CHECK(verdict_on("\\mathbf{a}\\cdot\\mathbf{b} = \\mathbf{a}") == "not-understood 2:27 rank-mismatch");
   CHECK(verdict_on("(\\mathbf{A}\\times\\mathbf{B})_i = \\epsilon_{ijk}A_jB_l")
             .starts_with("not-understood 2:"));
   CHECK(verdict_on("\\epsilon_{ijk}A_j = B_i") == "not-understood 2:13 free-index-mismatch");
-  CHECK(verdict_on("A_iB_iC_i = 0") == "not-understood 2:9 index-repeats");
+  CHECK(verdict_on("A_iA_iC_i = 0") == "not-understood 2:9 index-repeats");
   CHECK(verdict_on("\\boldsymbol{\\omega}_iL_i = \\boldsymbol{\\omega}\\cdot\\mathbf{L}") ==
         "proved 2:1 bold-index");
 }

@@ -32,10 +32,21 @@ TEST_CASE("a scalar beside a vector is a rank mismatch at the term that differs 
 }
 
 TEST_CASE("a free index in one term only is reported at that index") {
-  CHECK(meaning("A_i + B_j") == "9 free-index-mismatch: ?");
-  CHECK(meaning("A_i + B") == "3 free-index-mismatch: ?");
-  CHECK(meaning("A_iB_j + C_i") == "6 free-index-mismatch: ?");
+  CHECK(meaning("\\partial_iA_j + \\partial_jB_k") == "27 free-index-mismatch: ?");
+  CHECK(meaning("A_iA_iA_j + B") == "9 free-index-mismatch: ?");
+  CHECK(meaning("\\delta_{ij} + C_i") == "10 free-index-mismatch: ?");
   CHECK(meaning("A_iB_j + A_jB_i") == "(add (multiply A[i] B[j]) (multiply A[j] B[i]))");
+}
+
+TEST_CASE("a letter that only the letter it stands on makes an index can be a label") {
+  CHECK(meaning("A_i + B_j") == "9 ambiguous-reading: ?");
+  CHECK(meaning("A_i + B") == "3 ambiguous-reading: ?");
+  Statements vectors;
+  vectors.names.evidence.vectors = {"A", "B"};
+  CHECK(vectors.meaning("A_i + B_j") == "9 free-index-mismatch: ?");
+  Statements tensor;
+  tensor.declare({"S", 2, false});
+  CHECK(tensor.meaning("S_{ij}c_j + d") == "4 free-index-mismatch: ?");
 }
 
 TEST_CASE("every part that is not understood is reported") {
@@ -57,7 +68,7 @@ TEST_CASE("under a written sum an index may occur as often as it likes") {
 }
 
 TEST_CASE("a sum ends with its term") {
-  CHECK(meaning("\\sum_i A_i + B_i") == "16 free-index-mismatch: ?");
+  CHECK(meaning("\\sum_i A_i + B_i") == "16 ambiguous-reading: ?");
   CHECK(meaning("\\sum_i (A_i + B_i)") == "(index-sum i (add A[i] B[i]))");
 }
 
