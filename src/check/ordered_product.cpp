@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_words = 2'000;
 constexpr std::size_t longest_word = 64;
+constexpr std::string_view inverted = "1/";
 
 /// Commuting factors, sorted, and factors in their order.
 struct Word {
@@ -43,7 +45,7 @@ class WordReader {
       case Op::multiply:
         return product(children);
       case Op::power:
-        return node.exponent > 0 ? power(id) : atom(id);
+        return node.exponent > 0 ? power(id) : inverse(id);
       case Op::divide:
         return quotient(children);
       default:
@@ -109,7 +111,7 @@ class WordReader {
         Word word = first;
         word.commuting.insert(word.commuting.end(), second.commuting.begin(), second.commuting.end());
         std::sort(word.commuting.begin(), word.commuting.end());
-        word.ordered.insert(word.ordered.end(), second.ordered.begin(), second.ordered.end());
+        for (const std::string& factor : second.ordered) append(word.ordered, factor);
         const bool small = std::max(std::abs(count), std::abs(other)) < (1 << 20);
         const bool brief = word.ordered.size() + word.commuting.size() <= longest_word;
         if (!small || !brief || !add(result, word, count * other)) return std::nullopt;
@@ -134,6 +136,34 @@ class WordReader {
     if (!holds_ordered(id)) return flat_power(id);
     const std::vector<ExprId> factors(static_cast<std::size_t>(tree_[id].exponent), tree_.children(id)[0]);
     return factors.size() <= 16 ? product(factors) : std::nullopt;
+  }
+
+  /// (xy)⁻¹ = y⁻¹x⁻¹, of one word without a coefficient.
+  std::optional<Words> inverse(ExprId id) {
+    if (!holds_ordered(id)) return atom(id);
+    const auto base = read(tree_.children(id)[0]);
+    const bool one_word = base && base->size() == 1 && base->begin()->second == 1;
+    if (!one_word || !base->begin()->first.commuting.empty() || tree_[id].exponent < -16) return std::nullopt;
+    const std::vector<std::string>& factors = base->begin()->first.ordered;
+    Word word;
+    for (int time = 0; time < -tree_[id].exponent; ++time) {
+      for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor)
+        append(word.ordered, inverse_of(*factor));
+    }
+    return Words{{std::move(word), 1}};
+  }
+
+  static std::string inverse_of(const std::string& factor) {
+    return factor.starts_with(inverted) ? factor.substr(inverted.size()) : std::string(inverted) + factor;
+  }
+
+  /// A factor beside its inverse is 1.
+  static void append(std::vector<std::string>& factors, const std::string& factor) {
+    if (!factors.empty() && factors.back() == inverse_of(factor)) {
+      factors.pop_back();
+    } else {
+      factors.push_back(factor);
+    }
   }
 
   /// A power of what commutes is multiplied out, too, as far as it is short.

@@ -84,8 +84,8 @@ void Session::chain_as_read(const ParsedChain& parsed, const Context& context) {
   const bool directed = context.role == Role::given || context.role == Role::let;
   if (options_.recorded == nullptr && decides()) explain_slips(parsed, first_step, *reading, context);
   const std::vector<Side>& sides = reading->sides;
-  mark_seen(sides);
   const bool unsettled = !parsed.others.empty();
+  if (!unsettled) mark_seen(sides);
   if (!unsettled) record_dimensions(parsed, *reading, context, first_step);
   if (context.role == Role::display || context.role == Role::claim) {
     excuse_refuted(parsed, first_step);

@@ -10,6 +10,22 @@
 #include "check/session.h"
 
 namespace rigor {
+namespace {
+
+/// Bars, a slash, or where the argument of a function ends.
+char notation_of(const Choice& choice) {
+  if (choice.first.starts_with("\\frac{")) return '/';
+  return choice.first.starts_with("(") ? '|' : 'f';
+}
+
+/// Who writes one notation twice in a row means it in one way.
+bool is_one_notation(const std::vector<Choice>& choices) {
+  return std::all_of(choices.begin(), choices.end(), [&](const Choice& choice) {
+    return notation_of(choice) == notation_of(choices.front());
+  });
+}
+
+}  // namespace
 
 Diagnostic two_readings(const ParsedChain& parsed) {
   const Choice& choice = parsed.choices.front();
@@ -68,21 +84,24 @@ bool Session::would_define(const Typed& left, const Typed& right) {
 bool Session::decide_in_all_readings(const ParsedChain& parsed, std::size_t which, const Claim& claim,
                                      Step& step) {
   Judgement first = judge(tree_, names_, claim, {}, options_.cache);
-  bool agree = true;
+  constexpr std::size_t most_places = 2;  // of which all readings were tried
+  const bool uniform = is_one_notation(parsed.choices);
+  const bool all_tried = parsed.choices.size() <= most_places;
+  bool agree = first.verdict == Verdict::refuted ? all_tried : all_tried || uniform;
   // a recorded sample belongs to the first reading; the others were looked at when it was found
   for (const std::vector<SyntaxId>& sides : parsed.others) {
-    if (claim.recorded != nullptr) break;
+    if (claim.recorded != nullptr || !agree) break;
+    const bool mixed = &sides != parsed.others.data();
+    if (mixed && uniform && first.verdict == Verdict::proved) break;
     ParsedChain chain = parsed;
     chain.sides = sides;
     const auto reading = read_chain(notes_.syntax, tree_, names_, chain);
     Diagnostics mismatches;
     const bool typed = reading->sides[which].typed && reading->sides[which + 1].typed;
     const auto other = typed ? reading->claim(chain, which, claim.nearly, mismatches) : std::nullopt;
-    agree = agree && other && judge(tree_, names_, *other, {}, options_.cache).verdict == first.verdict;
+    agree = other && judge(tree_, names_, *other, {}, options_.cache).verdict == first.verdict;
   }
-  constexpr std::size_t most_places = 2;  // of which all readings were tried
-  const bool decided = first.verdict != Verdict::refuted || parsed.choices.size() <= most_places;
-  if (agree && decided) {
+  if (agree) {
     accept(std::move(first), step);
     return true;
   }

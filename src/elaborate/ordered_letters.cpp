@@ -29,6 +29,8 @@ LetterAt letter_at(TokenView tokens, std::size_t at) {
   if (content.empty()) return {{}, at + 1};
   LetterAt inside = letter_at(content, 0);
   if (inside.name.empty() || inside.next != content.size()) return {{}, at + 1};
+  // Products of bold letters are dyads, and told apart elsewhere.
+  if (style->face != Face::plain) return {{}, argument.next};
   if (style->accent == Accent::hat) inside.name = "\\hat{" + inside.name + "}";
   return {inside.name, argument.next};
 }
@@ -203,8 +205,8 @@ std::size_t speaks_of_order(std::string_view text, std::size_t at) {
   return 0;
 }
 
-/// The letters of `$A$`, `$\sigma_x$`, `\(A\)`: capitals and Greek letters of the sentence, and small ones
-/// that directly follow the word.
+/// The letters of `$A$`, `$\sigma_x$`: capitals of the sentence, and small and Greek ones that directly
+/// follow the word.
 void see_inline(std::string_view formula, bool follows, Evidence& evidence) {
   for (std::size_t at = 0; at < formula.size(); ++at) {
     const char c = formula[at];
@@ -212,7 +214,7 @@ void see_inline(std::string_view formula, bool follows, Evidence& evidence) {
       std::size_t end = at + 1;
       while (end < formula.size() && std::isalpha(static_cast<unsigned char>(formula[end])) != 0) ++end;
       const std::string word(formula.substr(at, end - at));
-      if (is_greek(word)) evidence.ordered.insert(word);
+      if (is_greek(word) && follows) evidence.ordered.insert(word);
       at = end - 1;
       const bool bold = word == "\\mathbf" || word == "\\vec" || word == "\\boldsymbol" || word == "\\bm";
       if (bold) at = std::min(formula.find_first_of("} ", end + 1), formula.size());
@@ -243,11 +245,10 @@ void see_order(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, con
   if (!evidence.sentence_is_open) return;
   // "The Pauli matrices are" and then a display: its letters are what the sentence speaks of.
   evidence.sentence_is_open = false;
-  for (const WrittenSide& side : written.sides) {
-    for (const std::string& letter : letters_in(side.tokens)) {
-      const bool small = letter.size() == 1 && letter[0] >= 'a' && letter[0] <= 'z';
-      if (!small) evidence.ordered.insert(letter);
-    }
+  for (std::size_t k = 0; k < sides.size() && k < written.sides.size(); ++k) {
+    const SyntaxKind kind = syntax[sides[k]].kind;
+    if (kind == SyntaxKind::symbol || kind == SyntaxKind::tuple)
+      add_letters(written.sides[k].tokens, evidence);
   }
 }
 

@@ -350,7 +350,7 @@ class RankReader {
     if (coordinate || names_.evidence.vectors.contains(base) || names_.evidence.numbers.contains(base))
       return scalar;
     open_.push_back(
-        {span, fmt::format("nothing says that `{}` is no vector", with_labels(base, written.lower))});
+        {span, fmt::format("nothing says that `{}` is a number", with_labels(base, written.lower))});
     return static_cast<RankSet>(scalar | vector | tensor);
   }
 
