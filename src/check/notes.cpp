@@ -104,7 +104,7 @@ class NotesReader {
     notes_.prose = read_prose(sources_, events);
     for (SaidInLine& said : notes_.prose.said) {
       Diagnostics none;
-      const auto tokens = expand(lex(sources_, said.span), macros_, none);
+      const auto tokens = expand(lex(sources_, said.span), macros_.table(), none);
       if (tokens && unbalanced_brace(*tokens) == nullptr)
         said.chains = parse_chains(*tokens, "", notes_.syntax, none);
     }

@@ -64,7 +64,7 @@ enum class Adjoint : std::uint8_t { none, transpose, dagger };
 
 Adjoint adjoint_at(TokenView tokens, std::size_t at) {
   if (at >= tokens.size() || tokens[at].kind != TokenKind::superscript) return Adjoint::none;
-  const ScriptArgument argument = script_argument_at(tokens, at + 1);
+  const Argument argument = script_argument_at(tokens, at + 1);
   const std::string text = text_of(argument.content);
   for (const char* mark : {"\\dagger", "\\dag", "†"}) {
     if (text == mark) return Adjoint::dagger;

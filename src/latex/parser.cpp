@@ -49,9 +49,9 @@ std::optional<std::size_t> second_limit(TokenView tokens, std::size_t behind, st
       tokens[other].kind == tokens[script].kind)
     return std::nullopt;
   const Argument limit = script_argument_at(tokens, other + 1);
-  const Tokens above = tokens[other].kind == TokenKind::superscript
-                           ? limit.content
-                           : script_argument_at(tokens, script + 1).content;
+  const TokenView above = tokens[other].kind == TokenKind::superscript
+                              ? limit.content
+                              : script_argument_at(tokens, script + 1).content;
   return text_of(above) == "2" ? std::nullopt : std::optional(limit.next);
 }
 
