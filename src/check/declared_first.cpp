@@ -22,6 +22,7 @@ Rank rank_of(const Event& event) {
     case DirectiveKind::scalar:
     case DirectiveKind::tensor:
     case DirectiveKind::rotation:
+    case DirectiveKind::particles:
       return Rank::kind;
     case DirectiveKind::constant:
     case DirectiveKind::variable:

@@ -216,12 +216,14 @@ void FormRecorder::add(ExprTree& tree, Names& names, const Chain& chain) {
   forms_.chains.push_back(std::move(forms));
 }
 
-/// Every letter stands somewhere in the notes.
+/// Every letter stands somewhere in the notes, as it is read where they begin or with what is declared here.
 bool FormRecorder::is_known(SyntaxId id, const std::string& source, Names& names) {
+  std::set<std::string> bases = bases_in(notes_, names);
+  bases.insert(known_.begin(), known_.end());
   std::vector<std::string> known;
-  for (const std::string& base : known_) known.push_back(without_text_face(base));
+  for (const std::string& base : bases) known.push_back(without_text_face(base));
   for (const std::string& base : bases_below(notes_.syntax, id, names)) {
-    if (known_.contains(base)) continue;
+    if (bases.contains(base)) continue;
     const std::string letter = without_text_face(base);
     Diagnostic unknown{DiagnosticKind::unknown_quantity, notes_.syntax[id].span,
                        letter == without_text_face(source)

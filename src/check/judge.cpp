@@ -384,7 +384,8 @@ class Judging {
     if (may_be_excused()) return;
     if (claim_.reading->guess() || claim_.doubt != nullptr) {
       const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
-      judgement_.verdict = Verdict::not_understood;
+      const bool restricted = guess.kind == DiagnosticKind::restricted;
+      judgement_.verdict = restricted ? Verdict::undecided : Verdict::not_understood;
       add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried",
           guess.help);
       return;

@@ -194,8 +194,8 @@ bool is_series(const ExprTree& tree, ExprId id, const std::set<SymbolId>& ordere
   switch (node.op) {
     case Op::number:
       return true;
-    case Op::symbol:
-      return node.rank == 0;
+    case Op::symbol:  // two components of a vector of matrices are two matrices
+      return tree.symbols[node.symbol].rank == 0;
     case Op::add:
     case Op::negate:
     case Op::multiply:
@@ -224,6 +224,30 @@ bool equal_in_order(const ExprTree& tree, ExprId left, ExprId right, const std::
   return first && second && *first == *second;
 }
 
+namespace {
+
+/// A letter that only may be a matrix, since it is a capital where matrices are about, is none if it is
+/// defined by what is none: `M = \sum_\alpha m_\alpha`.
+void remove_defined_numbers(const ExprTree& tree, const Names& names, const Question& question,
+                            std::set<SymbolId>& found) {
+  const auto is_number = [&](const Definition& definition) {
+    const NameKey* key = names.key_of(definition.symbol);
+    if (key == nullptr || names.evidence.ordered.contains(key->base.substr(0, key->base.find('_'))))
+      return false;
+    const std::vector<SymbolId> body = symbols_in(tree, definition.body);
+    return std::none_of(body.begin(), body.end(), [&](SymbolId each) { return found.contains(each); });
+  };
+  for (bool shrunk = true; shrunk;) {
+    shrunk = false;
+    for (const Definition& definition : question.definitions) {
+      if (found.contains(definition.symbol) && is_number(definition))
+        shrunk = found.erase(definition.symbol) > 0 || shrunk;
+    }
+  }
+}
+
+}  // namespace
+
 std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, const Question& question) {
   std::set<SymbolId> found;
   const auto look = [&](ExprId side) {
@@ -246,6 +270,7 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
   look_at(question.claim);
   for (const Definition& definition : question.definitions) look(definition.body);
   for (const Equation& assumption : question.assumptions) look_at(assumption);
+  remove_defined_numbers(tree, names, question, found);
   return found;
 }
 

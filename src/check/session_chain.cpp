@@ -186,7 +186,10 @@ bool Session::reads(const ParsedChain& parsed) {
   while (!pending.empty()) {
     const SyntaxId id = pending.back();
     pending.pop_back();
-    for (const SyntaxChild& child : notes_.syntax.children(id)) pending.push_back(child.id);
+    const bool named =
+        notes_.syntax[id].kind == SyntaxKind::group;  // words at a brace keep nothing from being read
+    const auto children = notes_.syntax.children(id);
+    for (const SyntaxChild& child : children.first(named ? 1 : children.size())) pending.push_back(child.id);
     if (notes_.syntax[id].kind != SyntaxKind::opaque) continue;
     const Obstacle& obstacle = notes_.syntax.obstacle(id);
     step.diagnostics.push_back({obstacle.kind, notes_.syntax[id].span, obstacle.message, {}, obstacle.help});

@@ -9,6 +9,16 @@
 #include "elaborate/elaborator.h"
 
 namespace rigor {
+namespace {
+
+/// `x` in `\partial x/\partial y`: nobody differentiates one coordinate by another, so x is a function of y.
+bool is_bare_coordinate(const SyntaxTree& syntax, SyntaxId operand) {
+  if (syntax[operand].kind != SyntaxKind::symbol) return false;
+  const WrittenSymbol& symbol = syntax.symbol(operand);
+  return symbol.face == Face::plain && symbol.lower.empty() && axis_of_letter(symbol.letter) != 0;
+}
+
+}  // namespace
 
 /// A partial derivative by the time holds the position.
 Differentiator& Elaborator::differentiator(By by, Slot axis, bool partial) {
@@ -134,7 +144,8 @@ std::optional<Typed> Elaborator::derivative(SyntaxId id) {
       operand = rate_of(std::move(*operand), variable.times, partial);
       continue;
     }
-    if (!partial && depends_on_other_coordinate(*operand, variable.symbol, span)) return std::nullopt;
+    const bool may_depend = !partial || is_bare_coordinate(syntax_, syntax_.child(id, 0));
+    if (may_depend && depends_on_other_coordinate(*operand, variable.symbol, span)) return std::nullopt;
     for (int k = 0; operand && k < variable.times; ++k)
       operand = by_coordinate(std::move(*operand), variable.symbol, span);
   }

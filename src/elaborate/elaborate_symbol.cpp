@@ -92,6 +92,13 @@ std::optional<Typed> Elaborator::special_symbol(const WrittenSymbol& written, Sp
       axis != 0 && !names_.is_declared(hatted)) {
     return basis_vector(span, Slot{axis, {}}, {});
   }
+  if (written.letter.starts_with("\\mathbb") && !is_declared_letter(written)) {
+    return unsupported(
+        span,
+        fmt::format("`{}` can be an average, a probability, a set or a unit, which are not decided with",
+                    written.letter),
+        {fmt::format("`rigor: scalar {}` makes it a quantity", written.letter)});
+  }
   if (written.lower.empty() && written.face == Face::plain && written.accent == Accent::none &&
       written.change.empty() && !names_.is_declared({written.letter, 0, false})) {
     if (written.letter == "\\delta" || written.letter == "\\Delta" || written.letter == "\\mathrm{d}") {

@@ -18,6 +18,24 @@ bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
   return inside == SyntaxKind::symbol || inside == SyntaxKind::number;
 }
 
+/// `\frac{d\phi}{dt}(t + T)`: a derivative, and a bracket that speaks of what it is by.
+bool is_taken_at(const SyntaxTree& syntax, SyntaxId derivative, SyntaxId bracket) {
+  if (syntax[derivative].kind != SyntaxKind::derivative || syntax[bracket].kind != SyntaxKind::group)
+    return false;
+  const std::vector<WrittenVariable>& by = syntax.derivative(derivative).by;
+  std::vector<SyntaxId> pending{syntax.child(bracket, 0)};
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    const std::string& letter = syntax.symbol(id).letter;
+    if (std::any_of(by.begin(), by.end(), [&](const auto& each) { return each.symbol.letter == letter; }))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<Typed> Elaborator::term(SyntaxId id) {
@@ -97,7 +115,13 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
   for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
     const SyntaxId id = factors[k].id;
     const SyntaxId next = factors[k + 1].id;
-    if (syntax_[id].kind != SyntaxKind::symbol || factors[k + 1].joint != Joint::juxtaposed) continue;
+    if (factors[k + 1].joint != Joint::juxtaposed) continue;
+    if (is_taken_at(syntax_, id, next)) {
+      fail(DiagnosticKind::ambiguous_reading, cover(syntax_[id].span, syntax_[next].span),
+           "this can be a product, or the derivative at what the bracket says");
+      return true;
+    }
+    if (syntax_[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax_.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax_, id)) continue;
     if (holds_one_symbol(syntax_, next) || looks_like_argument(symbol, next) ||

@@ -52,6 +52,9 @@ std::optional<Typed> Elaborator::read(SyntaxId id) {
     case SyntaxKind::component:
       return component(id);
     case SyntaxKind::group:
+      for (const SyntaxChild& words : syntax_.children(id).subspan(1)) {
+        if (syntax_[words.id].kind == SyntaxKind::opaque) guess_ = syntax_.obstacle(words.id);
+      }
       return expression(syntax_.child(id, 0));
     case SyntaxKind::bars:
       return bars(id, false);

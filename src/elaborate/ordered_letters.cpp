@@ -158,6 +158,7 @@ void see_tokens(TokenView tokens, bool may_be_interval, Evidence& evidence) {
       evidence.operators = true;
     }
     if (is_trace(tokens, at)) {
+      evidence.speaks_of_order = true;  // who writes \det M can mean a matrix by N
       const bool named = token.text == "operatorname" || token.text == "mathrm";
       const std::size_t next = skip_blank(tokens, named ? argument_at(tokens, at + 1).next : at + 1);
       const bool bracket = next < tokens.size() && (is_sign(tokens[next], "(") || is_sign(tokens[next], "["));

@@ -14,7 +14,9 @@ bool holds_opaque(const SyntaxTree& tree, SyntaxId side) {
     const SyntaxId id = pending.back();
     pending.pop_back();
     if (tree[id].kind == SyntaxKind::opaque) return true;
-    for (const SyntaxChild& child : tree.children(id)) pending.push_back(child.id);
+    const bool named = tree[id].kind == SyntaxKind::group;  // by words at a brace, which the account knows
+    for (const SyntaxChild& child : tree.children(id).first(named ? 1 : tree.children(id).size()))
+      pending.push_back(child.id);
   }
   return false;
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstdint>
 
 #include "latex/acting.h"
 #include "latex/beside.h"
@@ -15,17 +17,28 @@
 namespace rigor {
 namespace {
 
-/// Under a brace: `F`, `\mathbf L_{\text{orb}}`, `\text{kinetic energy}`.
-bool only_names(TokenView label) {
+/// What stands at a brace: a name, `F`, `\mathbf L_{\text{orb}}`, `\text{kinetic energy}`; words that may say
+/// more, `\text{dropped below}`; or a number or a relation, which do.
+enum class BraceLabel : std::uint8_t { name, words, statement };
+
+BraceLabel brace_label(TokenView label) {
   const bool related = std::any_of(label.begin(), label.end(), [](const Token& token) {
     return relation_kind(token).has_value() || is_control(token, "downarrow");
   });
-  if (related) return false;
+  if (related) return BraceLabel::statement;
   const bool worded = std::any_of(label.begin(), label.end(), is_words);
   const bool symbol = !trim(label).empty() && symbol_end(label, skip_narrow(label, 0)) == label.size();
-  if (worded && !symbol) return remark_of(spoken(label)) == Remark::remark;
-  return std::any_of(label.begin(), label.end(),
-                     [](const Token& token) { return !letter_of(token).empty(); });
+  if (worded && !symbol) {
+    const std::string words = spoken(label);
+    if (remark_of(words) == Remark::remark) return BraceLabel::name;
+    const bool plain = std::all_of(words.begin(), words.end(), [](unsigned char c) {
+      return std::isalpha(c) != 0 || std::isspace(c) != 0 || c == '-' || c == ',' || c == '.' || c == '\'';
+    });
+    return plain ? BraceLabel::words : BraceLabel::statement;
+  }
+  const bool named =
+      std::any_of(label.begin(), label.end(), [](const Token& token) { return !letter_of(token).empty(); });
+  return named ? BraceLabel::name : BraceLabel::statement;
 }
 
 }  // namespace
@@ -78,8 +91,8 @@ SyntaxId Parser::control(Cursor& cursor) {
                 {"if it is a macro of your own, its definition was not seen"});
 }
 
-/// What a brace says of the part that it holds: a name for it, kept as `text`. A number (`0`), a relation
-/// (`>0`) and words that are no remark say more than that.
+/// What a brace says of the part that it holds: a name for it, kept as `text`. Words that are no remark may
+/// restrict the statement, which is then not refuted; a number (`0`) or a relation (`>0`) is not read.
 SyntaxId Parser::braced(Cursor& cursor) {
   const Token token = cursor.token();
   const Argument part = argument_at(cursor.tokens, cursor.at + 1);
@@ -93,13 +106,21 @@ SyntaxId Parser::braced(Cursor& cursor) {
   if (labelled) {
     const Argument label = script_argument_at(cursor.tokens, script + 1);
     cursor.at = label.next;
-    if (!only_names(label.content))
+    const BraceLabel kind = brace_label(label.content);
+    if (kind == BraceLabel::statement)
       return opaque(
           cover(span, span_of(label.content)),
           fmt::format("what `{}` says of the part at its brace is not read", text_of(label.content)),
           DiagnosticKind::passed_over);
     read_since(cursor, script);
-    children.push_back({tree_.add_text(SyntaxKind::text, span_of(label.content), text_of(label.content))});
+    const Span place = span_of(label.content);
+    const std::string text = text_of(label.content);
+    if (kind == BraceLabel::words) {
+      children.push_back({opaque(place, fmt::format("`{}` may restrict the part at its brace", text),
+                                 DiagnosticKind::restricted)});
+    } else {
+      children.push_back({tree_.add_text(SyntaxKind::text, place, text)});
+    }
   }
   return tree_.add(SyntaxKind::group, span, children);
 }

@@ -94,8 +94,9 @@ std::size_t cells_per_equation(std::string_view environment, const std::vector<R
 /// Puts the rows of a display together: a row goes on with the statement above it, or begins the next.
 class RowJoiner {
  public:
-  RowJoiner(const std::vector<Row>& rows, std::string_view environment)
+  RowJoiner(const std::vector<Row>& rows, std::string_view environment, TokenUses& uses)
       : rows_(rows),
+        uses_(uses),
         width_(cells_per_equation(environment, rows)),
         by_layout_(environment.starts_with("multline")) {}
 
@@ -157,7 +158,11 @@ class RowJoiner {
       }
     }
     Statement& current = open_[column];
-    if (repeats_relation(current.tokens, tokens)) current.tokens.resize(last_sign(current.tokens));
+    if (repeats_relation(current.tokens, tokens)) {
+      const std::size_t last = last_sign(current.tokens);
+      uses_.mark(TokenView(current.tokens).subspan(last), TokenUse::relation);
+      current.tokens.resize(last);
+    }
     current.tokens.insert(current.tokens.end(), tokens.begin(), tokens.end());
     current.open_brackets += count_open_brackets(tokens);
     if (!row.tag.empty()) current.tag = row.tag;
@@ -175,6 +180,7 @@ class RowJoiner {
   }
 
   const std::vector<Row>& rows_;
+  TokenUses& uses_;
   std::size_t width_;
   bool by_layout_;
   std::vector<Statement> done_;
@@ -221,7 +227,7 @@ SplitDisplay split_and_count(TokenView tokens, std::string_view environment, Dia
   std::vector<WrittenChain>& chains = split.chains;
   const std::vector<Row> rows = read_rows(split.tokens, diagnostics, split.uses);
   std::size_t number = 0;
-  for (Statement& statement : RowJoiner(rows, name).join()) {
+  for (Statement& statement : RowJoiner(rows, name, split.uses).join()) {
     ++number;
     std::vector<WrittenChain> own = split_statement(statement.tokens, split.uses);
     if (const Token* left_over = split.uses.left_over(statement.tokens)) {
