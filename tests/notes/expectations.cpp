@@ -32,8 +32,9 @@ std::string place(Span span, const SourceMap& sources) {
 
 std::string_view kind_of(const Diagnostic& diagnostic) { return info(diagnostic.kind).name; }
 
-/// What stands in a line that is a comment and nothing else.
+/// What stands in a line that is a comment and nothing else, indented or not.
 std::optional<std::string_view> comment_in(std::string_view line, Format format) {
+  line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
   const std::string_view open = format == Format::latex ? "% " : "<!-- ";
   const std::string_view close = format == Format::latex ? "" : " -->";
   if (!line.starts_with(open) || !line.ends_with(close)) return std::nullopt;
