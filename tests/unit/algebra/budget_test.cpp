@@ -35,7 +35,6 @@ TEST_CASE("a question that takes more than its budget is undecided", "[algebra]"
 TEST_CASE("numbers of samples that are squared again and again stay bounded", "[algebra]") {
   Page page;
   Named last = page.scalar("x");
-  const Named first = last;
   for (int k = 0; k < 40; ++k) {
     const Named next = page.scalar("x_" + std::to_string(k));
     page.define(next, Term(last) * Term(last));

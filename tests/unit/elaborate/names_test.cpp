@@ -134,6 +134,7 @@ TEST_CASE("a second definition takes the place of the first") {
 }
 
 TEST_CASE("an assumption ends with its section") {
+  ExprTree tree;
   Names names;
   names.open_section(tree.symbols, 1);
   names.assume({});

@@ -26,6 +26,18 @@ std::string ranks_of(const std::string& text, const Evidence& evidence = {}) {
   return digits.empty() ? "-" : digits;
 }
 
+Evidence of_vectors(std::set<std::string> letters) {
+  Evidence evidence;
+  evidence.vectors = std::move(letters);
+  return evidence;
+}
+
+Evidence of_crossed(std::set<std::string> letters) {
+  Evidence evidence;
+  evidence.crossed = std::move(letters);
+  return evidence;
+}
+
 }  // namespace
 
 TEST_CASE("a plain letter has any rank until something settles it") {
@@ -34,13 +46,13 @@ TEST_CASE("a plain letter has any rank until something settles it") {
   CHECK(ranks_of("\\frac{1}{w}") == "0");
   CHECK(ranks_of("w\\mathbf a") == "1");
   CHECK(ranks_of("W\\mathbf a").find('1') != std::string::npos);
-  CHECK(ranks_of("w", {.vectors = {"w"}}) == "0");
+  CHECK(ranks_of("w", of_vectors({"w"})) == "0");
 }
 
 TEST_CASE("a bold capital is a vector or a matrix, and a vector where it is crossed") {
   CHECK(ranks_of("\\mathbf A") == "12");
   CHECK(ranks_of("\\mathbf a") == "1");
-  CHECK(ranks_of("\\mathbf A", {.crossed = {"A"}}) == "1");
+  CHECK(ranks_of("\\mathbf A", of_crossed({"A"})) == "1");
 }
 
 TEST_CASE("only what fails for all ranks of its letters has none") {
