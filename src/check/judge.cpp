@@ -65,7 +65,7 @@ class Judging {
         break;
       case Outcome::undecided:
         mark_all_assumptions();
-        if (doubts_change()) break;
+        if (!assumes_the_impossible() && doubts_change()) break;  // else its constants were withdrawn
         if (decision.no_real_value) {
           judgement_.verdict = Verdict::not_understood;
           add(DiagnosticKind::no_real_value,
@@ -222,15 +222,17 @@ class Judging {
     for (const std::string& convention : claim_.reading->conventions()) add_use("convention: " + convention);
   }
 
+  bool assumes_the_impossible() const {
+    return std::any_of(prepared_.assumptions.begin(), prepared_.assumptions.end(),
+                       [](const NamedAssumption* each) { return each != nullptr && each->without_sample; });
+  }
+
   /// Under assumptions that no sample was found to satisfy, nothing is proved or refuted. They are all those
   /// that bear on the claim: which of them is wrong is not known.
   bool rests_on_the_impossible(const Decision& decision, const char* consequence) {
-    const bool doubted =
-        std::any_of(prepared_.assumptions.begin(), prepared_.assumptions.end(),
-                    [](const NamedAssumption* each) { return each != nullptr && each->without_sample; });
     const bool alone = decision.outcome == Outcome::proved && decision.assumptions.empty() &&
                        prepared_.question.definitions.empty();
-    if (!doubted || alone) return false;
+    if (!assumes_the_impossible() || alone) return false;
     judgement_.verdict = Verdict::undecided;
     add(DiagnosticKind::undecided, consequence);
     return true;
