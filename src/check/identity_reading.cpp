@@ -7,6 +7,7 @@
 #include <set>
 
 #include "check/decision_cache.h"
+#include "expr/same_expression.h"
 
 namespace rigor {
 namespace {
@@ -83,6 +84,37 @@ std::vector<ExprId> bare_terms(const ExprTree& tree, ExprId id) {
     terms.push_back(term);
   }
   return terms;
+}
+
+struct SignedTerm {
+  bool negative = false;
+  ExprId id;
+};
+
+void add_terms(const ExprTree& tree, ExprId id, bool negative, std::vector<SignedTerm>& terms) {
+  while (tree[id].op == Op::negate) {
+    id = tree.children(id)[0];
+    negative = !negative;
+  }
+  if (tree[id].op != Op::add) return terms.push_back({negative, id});
+  for (const ExprId term : tree.children(id)) add_terms(tree, term, negative, terms);
+}
+
+/// `H + \partial_tF = H`: all terms of one side stand on the other. That the rest vanishes is a condition.
+bool says_that_terms_vanish(const ExprTree& tree, const Equation& claim) {
+  std::vector<SignedTerm> more;
+  std::vector<SignedTerm> fewer;
+  add_terms(tree, claim.left, false, more);
+  add_terms(tree, claim.right, false, fewer);
+  if (more.size() < fewer.size()) std::swap(more, fewer);
+  return std::all_of(fewer.begin(), fewer.end(), [&](const SignedTerm& term) {
+    const auto same = std::find_if(more.begin(), more.end(), [&](const SignedTerm& other) {
+      return other.negative == term.negative && same_expression(tree, other.id, tree, term.id);
+    });
+    if (same == more.end()) return false;
+    more.erase(same);
+    return true;
+  });
 }
 
 /// `\sigma_x\sigma_y + \sigma_y\sigma_x = 0`, `F_{ij} + F_{ji} = 0`: one term, said twice, is to vanish; or
@@ -166,8 +198,9 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates, Decis
   const std::vector<SymbolId> open_own = not_for_all(tree, own);
   if (!open_own.empty()) {
     const bool one_sided = only_left.empty() || only_right.empty();
-    const bool term_too_many =
-        one_sided && open_own.size() == own.size() && holds_without(question, open_own, cache);
+    const bool term_too_many = one_sided && open_own.size() == own.size() &&
+                               !says_that_terms_vanish(tree, question.claim) &&
+                               holds_without(question, open_own, cache);
     return term_too_many ? std::vector<SymbolId>{} : open_own;
   }
   if (all.size() == 1 && !restates && !tree.symbols[*all.begin()].per_particle) {

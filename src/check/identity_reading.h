@@ -9,7 +9,7 @@
 //  - both sides have the same symbols (one symbol alone, to the first power on both sides, is a condition:
 //  T_ij = T_ji),
 //  - or one side has symbols of its own and the equation becomes a true identity, not 0 = 0, when they are 0:
-//  a term too many,
+//  a term too many (`H + \partial_tF = H` says that one vanishes: a condition),
 //  - or one side is 0 and the other a sum whose terms have the same degree in every symbol: a wrong Jacobi
 //  identity.
 #pragma once

@@ -45,8 +45,15 @@ TEST_CASE("an equation whose sides have symbols of their own is a law for these"
 TEST_CASE("a term too many on one side is a wrong identity") {
   Equations on;
   CHECK(on.law(dot(on.a, on.b), dot(on.b, on.a) + on.m) == "");
-  CHECK(on.law(dot(on.a, on.b) + dot(on.a, on.c), dot(on.a, on.b)) == "");
+  CHECK(on.law(dot(on.a, on.b + on.c), dot(on.a, on.b)) == "");
   CHECK(on.law(cross(on.a, on.b) + on.c, cross(on.b, on.a)) != "");
+}
+
+TEST_CASE("terms that stand on both sides as they are say that the rest vanishes") {
+  Equations on;
+  CHECK(on.law(dot(on.a, on.b) + dot(on.a, on.c), dot(on.a, on.b)) == "c");
+  CHECK(on.law(dot(on.a, on.b), dot(on.a, on.c) + dot(on.a, on.b)) == "c");
+  CHECK(on.law(dot(on.a, on.b) + dot(on.a, on.c), -dot(on.a, on.b)) != "");
 }
 
 TEST_CASE("a factor on one side only is a law, since without it both sides vanish") {
