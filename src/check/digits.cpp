@@ -27,7 +27,15 @@ bool is_power_of_ten(const ExprTree& tree, ExprId id) {
          tree.digits(tree.children(id)[0]) == "10";
 }
 
-/// `1.69`, `-1.69`, `1.11 \times 10^{-16}`.
+/// `\mathrm{h}`, which is 3600 s.
+bool is_of_units(const ExprTree& tree, ExprId id) {
+  const std::vector<SymbolId> symbols = symbols_in(tree, id);
+  return !symbols.empty() && std::all_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+    return tree.symbols[symbol].unit_of_measure.has_value();
+  });
+}
+
+/// `1.69`, `-1.69`, `1.11 \times 10^{-16}`, `1.407\,\mathrm{h}`.
 std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
   Shown shown;
   while (tree[side].op == Op::negate) {
@@ -35,9 +43,13 @@ std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
     side = tree.children(side)[0];
   }
   ExprId number = side;
-  if (tree[side].op == Op::multiply && tree.children(side).size() == 2 &&
-      is_power_of_ten(tree, tree.children(side)[1]))
-    number = tree.children(side)[0];
+  if (tree[side].op == Op::multiply) {
+    const std::span<const ExprId> factors = tree.children(side);
+    const bool scaled = std::all_of(factors.begin() + 1, factors.end(), [&](ExprId factor) {
+      return is_power_of_ten(tree, factor) || is_of_units(tree, factor);
+    });
+    if (scaled) number = factors.front();
+  }
   if (tree[number].op != Op::number) return std::nullopt;
   std::string digits(tree.digits(number));
   const auto point = digits.find('.');
@@ -119,13 +131,14 @@ class Comparison {
   DecisionCache* cache_;
 };
 
-/// No letter is left when definitions are unfolded.
+/// No letter but units is left when definitions are unfolded.
 bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
   std::vector<ExprId> pending{root};
   for (std::size_t seen = 0; !pending.empty(); ++seen) {
     const ExprId id = pending.back();
     pending.pop_back();
     for (const SymbolId symbol : symbols_in(tree, id)) {
+      if (tree.symbols[symbol].unit_of_measure) continue;
       const NamedDefinition* named = names.definition_of(symbol);
       if (named == nullptr || seen > 1000) return false;
       pending.push_back(named->definition.body);
