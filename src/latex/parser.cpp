@@ -350,6 +350,14 @@ SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
   IndexReading reading = read_indices(content);
   if (reading.obstacle) return tree_.add_opaque(place, *reading.obstacle);
   if (reading.indices.empty()) return opaque(place, "the subscript is empty", DiagnosticKind::bad_syntax);
+  if (tree_[base].kind == SyntaxKind::symbol && tree_.symbol(base).letter == "\\epsilon") {
+    const WrittenIndex& first = reading.indices.front();
+    const bool is_plain = trim(content).front().kind == TokenKind::letter;
+    if (is_plain && first.form == IndexForm::word && (first.text == "kin" || first.text == "min"))
+      return opaque(place,
+                    fmt::format("`{}` can be a word or three indices; write `\\text{{{}}}` or `{{{}}}{}`",
+                                first.text, first.text, first.text[0], first.text.substr(1)));
+  }
   read(content);
   if (tree_[base].kind == SyntaxKind::symbol) {
     WrittenSymbol symbol = tree_.symbol(base);
