@@ -57,7 +57,7 @@ std::optional<std::string> wrong_with_sample(const Claim& claim, const Statement
     return std::nullopt;
   bool meets = true;
   const Truth there = truth_at(claim, statement.letters, statement.given, given, random, meets);
-  if (!meets) return "refuted with a sample that breaks what is given";
+  if (!meets && !statement.contradictory) return "refuted with a sample that breaks what is given";
   if (there == Truth::holds) return "refuted with a sample on which it holds";
   if (truth == Truth::holds && there == Truth::fails) truth = Truth::fails;
   if (truth == Truth::holds && claim.relation != Relation::equal) truth = there;
@@ -66,6 +66,10 @@ std::optional<std::string> wrong_with_sample(const Claim& claim, const Statement
 
 /// `twofold`: a reading makes it true, another one false.
 Truth truth_in_all_readings(const Claim& claim, const Statement& statement, Random& random) {
+  if (statement.contradictory) {
+    const Truth alone = truth_of(claim, statement.letters, {}, random);
+    return alone == Truth::fails ? Truth::fails : Truth::unclear;
+  }
   const Truth first = truth_of(claim, statement.letters, statement.given, random);
   const Claim other{read_otherwise(claim.left), read_otherwise(claim.right), claim.relation};
   if (same(other.left, claim.left) && same(other.right, claim.right)) return first;
@@ -90,7 +94,7 @@ std::vector<Statement> smaller(const Statement& statement) {
       all.back().relations = {statement.relations[k]};
     }
   }
-  for (std::size_t k = 0; k < statement.given.size(); ++k) {
+  for (std::size_t k = 0; k < statement.given.size() && !statement.contradictory; ++k) {
     all.push_back(statement);
     all.back().given.erase(all.back().given.begin() + static_cast<std::ptrdiff_t>(k));
     if (!all.back().given.empty()) continue;

@@ -363,10 +363,13 @@ double last_digit(const Claim& claim) {
 }
 
 /// A rounded number: ≈ to its digits; = may be meant so, but not further off.
-Truth rounded(Relation relation, double difference, double unit) {
-  if (std::abs(difference) > 1.001 * unit) return Truth::fails;
-  if (relation == Relation::nearly)
-    return std::abs(difference) < 0.499 * unit ? Truth::holds : Truth::unclear;
+Truth rounded(const Claim& claim, double difference, double unit) {
+  const auto is_whole = [](const Term& side) { return side->op == Op::number && side->q == 1; };
+  const bool nearly = claim.relation == Relation::nearly;
+  const bool to_whole = nearly && (is_whole(claim.left) || is_whole(claim.right));  // 15.14 ≈ 15
+  if (std::abs(difference) > 1.001 * unit)
+    return to_whole && std::abs(difference) < 1.001 ? Truth::unclear : Truth::fails;
+  if (nearly) return std::abs(difference) < 0.499 * unit ? Truth::holds : Truth::unclear;
   return std::abs(difference) < 1e-14 ? Truth::holds : Truth::unclear;
 }
 
@@ -384,7 +387,7 @@ Truth on_components(const Claim& claim, Evaluation& evaluation, const JetSpace& 
   for (std::size_t c = 0; c < left.size(); ++c) {
     const Jet difference = left[c] - right[c];
     if (const double unit = last_digit(claim); unit > 0.0)
-      return rounded(claim.relation, difference.value(), unit);
+      return rounded(claim, difference.value(), unit);
     Truth here = related(claim.relation, difference.value() / largest);
     if (claim.relation == Relation::nearly && has_small(space)) {
       Exponents first{};

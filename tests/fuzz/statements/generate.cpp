@@ -211,6 +211,54 @@ Statement small_statement(Random& random) {
   return statement;
 }
 
+/// a = e and a = e + 1, or ȧ = ė + 1: nothing meets them, and nothing may be proved from them.
+Statement contradiction_statement(Random& random) {
+  Statement statement;
+  statement.kind = "contradictions";
+  auto& letters = statement.letters;
+  letters = scalars_of(3, random);
+  append(letters, vectors_of(3, random));
+  const auto s = [&](std::size_t k, int dots = 0) { return symbol(letters, k, "", 0, dots); };
+  const Term e = random.one_in(2) ? product({s(1), s(1)}) : make(Op::dot, {s(3), s(4)});
+  Claim law{s(0), e, Relation::equal};
+  Claim against;
+  switch (random.below(6)) {
+    case 0:
+      against = {s(0), sum({e, number(random.between(1, 3))})};
+      break;
+    case 1:
+      against = {s(0, 1), sum({make(Op::rate, {e}), number(random.between(1, 3))})};
+      break;
+    case 2:
+      law = {s(0, 1), number(0)};
+      against = {s(0), sum({symbol(letters, 1), s(2)})};
+      statement.given.push_back({s(1, 1), sum({number(1), negative(s(2, 1))})});
+      break;
+    case 3:
+      law = {s(0), number(2)};
+      against = {s(0, 1), number(random.between(1, 3))};
+      break;
+    case 4:
+      law = {s(5), make(Op::cross, {s(3), s(4)})};
+      against = {make(Op::dot, {s(3), s(5)}), number(random.between(1, 3))};
+      break;
+    default:
+      law = {power(s(0), 2), sum({power(s(1), 2), number(1)})};
+      against = {s(0), s(1)};
+      break;
+  }
+  statement.given.push_back(law);
+  statement.given.push_back(against);
+  std::swap(statement.given[random.below(statement.given.size())], statement.given.back());
+  statement.contradictory = true;
+  const Term q = random.one_in(2) ? s(1) : make(Op::dot, {s(3), s(3)});
+  const Term wrong = sum({product({number(2), q}), number(7)});
+  statement.sides = {sum({q, s(2)}), sum({rewritten(wrong, letters, 2, random), s(2)})};
+  if (random.one_in(2)) statement.sides = {sum({s(0), number(5)}), sum({e, number(random.between(11, 19))})};
+  statement.relations = {Relation::equal};
+  return statement;
+}
+
 /// √2 ≈ 1.41: numbers with their first digits, or a few units beside.
 Statement decimal_statement(Random& random) {
   Statement statement;
@@ -381,24 +429,25 @@ std::vector<Letter> scalars_of(std::size_t count, Random& random) {
 }
 
 const std::vector<std::string>& kinds() {
-  static const std::vector<std::string> all{"polynomials", "quotients", "roots",     "functions", "vectors",
-                                            "indices",     "tensors",   "particles", "rates",     "frames",
-                                            "fields",      "small",     "orders",    "assumed",   "readings",
-                                            "motion",      "decimals"};
+  static const std::vector<std::string> all{
+      "polynomials", "quotients", "roots",    "functions", "vectors",  "indices",
+      "tensors",     "particles", "rates",    "frames",    "fields",   "small",
+      "orders",      "assumed",   "readings", "motion",    "decimals", "contradictions"};
   return all;
 }
 
 Statement statement_of(const std::string& kind, Random& random) {
   for (;;) {
-    Statement statement = kind == "indices"     ? index_statement(random)
-                          : kind == "particles" ? particle_statement(random)
-                          : kind == "small"     ? small_statement(random)
-                          : kind == "assumed"   ? assumed_statement(random)
-                          : kind == "decimals"  ? decimal_statement(random)
-                          : kind == "readings"  ? readings_statement(random)
-                          : kind == "motion"    ? motion_statement(random)
-                          : kind == "orders"    ? order_of(random)
-                                                : plain_statement(kind, random);
+    Statement statement = kind == "indices"          ? index_statement(random)
+                          : kind == "particles"      ? particle_statement(random)
+                          : kind == "small"          ? small_statement(random)
+                          : kind == "assumed"        ? assumed_statement(random)
+                          : kind == "contradictions" ? contradiction_statement(random)
+                          : kind == "decimals"       ? decimal_statement(random)
+                          : kind == "readings"       ? readings_statement(random)
+                          : kind == "motion"         ? motion_statement(random)
+                          : kind == "orders"         ? order_of(random)
+                                                     : plain_statement(kind, random);
     const bool fits = std::all_of(statement.sides.begin(), statement.sides.end(), [](const Term& side) {
       return size(side) <= 60 && derivative_order(side) <= 3;
     });

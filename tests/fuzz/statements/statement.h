@@ -23,6 +23,8 @@ struct Statement {
   std::vector<Term> sides = {};          // of the chain
   std::vector<Relation> relations = {};  // one less
 
+  bool contradictory = false;  // nothing meets what is given, so that nothing may be proved
+
   [[nodiscard]] Claim step(std::size_t k) const { return {sides[k], sides[k + 1], relations[k]}; }
   [[nodiscard]] std::size_t steps() const { return relations.size(); }
 };

@@ -326,6 +326,7 @@ std::vector<std::string> declarations(const Statement& statement, const Style& s
     if (by_time && letter.nature == Nature::constant) lines.push_back("constant " + said);
     if (by_time && (letter.nature == Nature::free || letter.nature == Nature::field))
       lines.push_back("variable " + said);
+    lines.push_back("for all " + said);
   }
   for (const Claim& given : statement.given)
     lines.push_back("given " + latex(given.left, statement.letters, style) + sign_of(given.relation) +
