@@ -150,8 +150,10 @@ void FormRecorder::enter(std::size_t event) {
 
 void FormRecorder::note(Span relation, Judgement& judgement) {
   WrittenStep step;
-  step.question = std::move(judgement.question);
-  step.question->tree = nullptr;
+  if (judgement.route != "to the digits shown") {  // which is another question
+    step.question = std::move(judgement.question);
+    step.question->tree = nullptr;
+  }
   step.sample = std::move(judgement.sample);
   step.names = std::move(judgement.names);
   step.nearly_question = std::move(judgement.nearly_question);

@@ -194,8 +194,8 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   }
   claim->explains = options_.forms != nullptr;
   Judgement judgement = judge(tree_, names_, *claim, {}, options_.cache);
-  if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
   if (context.role == Role::display && judgement.verdict != Verdict::proved && is_condition_beside(parsed)) {
+    if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
     step.verdict = Verdict::given;
     step.route = "condition of the equation beside it";
     return;
@@ -205,6 +205,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   if (open && proves_with_dots_on_vectors(parsed, which, *claim, step)) return;
   if (may_replace && redefines(judgement, parsed, *left.typed, *right.typed, context, step)) return;
   heed(parsed, which, *claim, left, right, context, judgement);
+  if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
   if (judgement.verdict == Verdict::refuted && !reading.how().unsummed.empty()) {
     step.diagnostics = {{DiagnosticKind::free_index_mismatch, relation.span,
                          fmt::format("index `{}` is free on one side and summed on the other",
