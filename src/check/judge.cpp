@@ -316,7 +316,8 @@ class Judging {
     if (ordered.empty()) return;
     const Equation& claim = claim_.equation;
     if (proved && claim.relation == Relation::equal &&
-        equal_in_order(tree_, claim.left, claim.right, ordered))
+        (equal_in_order(tree_, claim.left, claim.right, ordered) ||
+         is_linear_in(prepared_.question, ordered)))
       return;
     judgement_.verdict = Verdict::not_understood;
     judgement_.route.clear();

@@ -248,6 +248,80 @@ void remove_defined_numbers(const ExprTree& tree, const Names& names, const Ques
 
 }  // namespace
 
+namespace {
+
+/// The most factors of `ordered` in a term, 2 for two and more.
+class FactorCount {
+ public:
+  FactorCount(const Question& question, const std::set<SymbolId>& ordered)
+      : question_(question), ordered_(ordered) {}
+
+  int of(ExprId id) {
+    if (++steps_ > most_steps) return 2;
+    const ExprTree& tree = *question_.tree;
+    const ExprNode& node = tree[id];
+    const std::span<const ExprId> children = tree.children(id);
+    switch (node.op) {
+      case Op::symbol:
+        return of_symbol(node.symbol);
+      case Op::add:
+      case Op::negate:
+      case Op::component:
+      case Op::tuple:
+      case Op::table:
+      case Op::index_sum:
+      case Op::particle_sum:
+        return most(children);
+      case Op::multiply:
+      case Op::dot:
+      case Op::cross:
+        return product(children);
+      case Op::divide:
+        return of(children[1]) > 0 ? 2 : of(children[0]);
+      case Op::power:
+        return node.exponent == 1 ? of(children[0]) : 2 * of(children[0]);
+      default:
+        return 2 * most(children);
+    }
+  }
+
+ private:
+  static constexpr int most_steps = 20'000;
+
+  int most(std::span<const ExprId> children) {
+    int found = 0;
+    for (const ExprId child : children) found = std::max(found, of(child));
+    return found;
+  }
+
+  int product(std::span<const ExprId> children) {
+    int found = 0;
+    for (const ExprId child : children) found += of(child);
+    return std::min(found, 2);
+  }
+
+  int of_symbol(SymbolId symbol) {
+    const int own = ordered_.contains(symbol) ? 1 : 0;
+    const auto definition = std::find_if(question_.definitions.begin(), question_.definitions.end(),
+                                         [&](const Definition& each) { return each.symbol == symbol; });
+    return definition == question_.definitions.end() ? own : std::max(own, of(definition->body));
+  }
+
+  const Question& question_;
+  const std::set<SymbolId>& ordered_;
+  int steps_ = 0;
+};
+
+}  // namespace
+
+bool is_linear_in(const Question& question, const std::set<SymbolId>& ordered) {
+  FactorCount count(question, ordered);
+  const bool assumed =
+      std::any_of(question.assumptions.begin(), question.assumptions.end(),
+                  [&](const Equation& each) { return count.of(each.left) > 0 || count.of(each.right) > 0; });
+  return !assumed && count.of(question.claim.left) < 2 && count.of(question.claim.right) < 2;
+}
+
 std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, const Question& question) {
   std::set<SymbolId> found;
   const auto look = [&](ExprId side) {

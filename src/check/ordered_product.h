@@ -18,6 +18,11 @@ namespace rigor {
 [[nodiscard]] bool equal_in_order(const ExprTree& tree, ExprId left, ExprId right,
                                   const std::set<SymbolId>& ordered);
 
+/// Does no term of the claim, definitions unfolded, have two factors of `ordered`, and no assumption one?
+/// Then there is no order to keep, and what holds for numbers holds for matrices and operators. Cost: linear
+/// in the tree for each use of a definition, which are bounded.
+[[nodiscard]] bool is_linear_in(const Question& question, const std::set<SymbolId>& ordered);
+
 /// The symbols of the claim, and of what it may be decided with, that the section shows to be matrices or
 /// operators and no directive declares to be anything else.
 [[nodiscard]] std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names,
