@@ -37,7 +37,7 @@ TEST_CASE("a statement, a file or a name that is empty is a wrong command line")
                                                                  {"check", ""},
                                                                  {"eval", "a.md", "--at", ""},
                                                                  {"explain", "\t"},
-                                                                 {"check", "a.md", "--sidecar="},
+                                                                 {"check", "a.md", "--sidecar", ""},
                                                                  {"derive", "x^2=4", "--solve-for", ""}}) {
     CHECK(usage_error(words).find("is empty") != std::string::npos);
   }
@@ -72,7 +72,7 @@ TEST_CASE("formats, processes, a cache and marks are read, and what contradicts 
 }
 
 TEST_CASE("a sidecar with an empty name is a sidecar") {
-  const CommandLine line = parse({"check", "a.md", "--sidecar="});
+  const CommandLine line = parse({"check", "a.md", "--sidecar", ""});
   CHECK((!line.check || line.check->sidecar == ""));
 }
 

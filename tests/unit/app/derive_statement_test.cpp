@@ -70,9 +70,9 @@ TEST_CASE("an answer to first order has no terms of second order") {
 
 TEST_CASE("what is not linear in the hole below a product or a sum is not refuted") {
   for (const std::string statement :
-       {R"(\mathbf a\cdot(\square^2\mathbf b) = 4\mathbf a\cdot\mathbf b)",
+       {R"(\mathbf a\cdot(\square^2\,\mathbf b) = 4\mathbf a\cdot\mathbf b)",
         R"(\mathbf a\cdot(\frac{1}{\square + 1}\mathbf b) = 4\mathbf a\cdot\mathbf b)",
-        R"(\sum_i \square^2 a_ib_i = 4a_ib_i)", R"(\sqrt\square = a)"}) {
+        R"(\sum_i \square^2\,a_ib_i = 4a_ib_i)", R"(\sqrt\square = a)"}) {
     const Derived result = derived({statement});
     INFO(statement << ": " << result.err);
     CHECK(result.code == 2);

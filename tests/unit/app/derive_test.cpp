@@ -156,12 +156,12 @@ TEST_CASE("notes are answered in their places, and only where it is asked") {
 
 TEST_CASE("only the characters of holes are replaced, and a second time nothing") {
   const std::string before =
-      "\xEF\xBB\xBF# T\r\n\r\n$$(a+b)^2 = \\square$$\r\n\r\n$$2c\\cdot\\Box d = 2c(a + b)d$$";
+      "\xEF\xBB\xBF# T\r\n\r\n$$(a+b)^2 = \\square$$\r\n\r\n$$2c\\cdot\\Box\\, d = 2c(a + b)d$$";
   const HoleFile notes(before);
   CHECK(derived({notes.path(), "--write"}).code == 0);
   const std::string after = notes.text();
   CHECK(after ==
-        "\xEF\xBB\xBF# T\r\n\r\n$$(a+b)^2 = a^2 + 2 a b + b^2$$\r\n\r\n$$2c\\cdot\\left(a + b\\right) d = "
+        "\xEF\xBB\xBF# T\r\n\r\n$$(a+b)^2 = a^2 + 2 a b + b^2$$\r\n\r\n$$2c\\cdot\\left(a + b\\right)\\, d = "
         "2c(a + b)d$$");
   CHECK(derived({notes.path(), "--write"}).code == 0);
   CHECK(notes.text() == after);

@@ -99,7 +99,7 @@ TEST_CASE("the format follows from the name of the file") {
   CHECK(Checked(latex, "notes.tex").lines() == "proved\n");
   CHECK(Checked("\\begin{comment}\n$$\\delta_{ii} = 2$$\n\\end{comment}\n", "notes.tex").lines() ==
         "1:1 no-equations\n");
-  CHECK(Checked("% rigor: tensor T\n" + symmetric, "notes.tex").lines() == "refuted 2:10 refuted\n");
+  CHECK(Checked("% rigor: for all T_{ij}\n" + symmetric, "notes.tex").lines() == "refuted 2:10 refuted\n");
 }
 
 TEST_CASE("a sidecar beside the notes is found by itself") {
@@ -115,7 +115,7 @@ TEST_CASE("a sidecar that is named takes the place of the one beside the notes")
   const std::string notes = folder.write("notes.md", symmetric);
   folder.write("notes.rigor", "symmetric tensor T\n");
   CheckOptions options;
-  options.sidecar = folder.write("other.rigor", "at (1)\ntensor T\n");
+  options.sidecar = folder.write("other.rigor", "at (1)\nfor all T_{ij}\n");
   CHECK(checked_file(notes, options) == "refuted ");
 }
 

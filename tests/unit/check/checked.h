@@ -44,6 +44,11 @@ struct Checked {
 /// The verdicts of all steps and the places of all other diagnostics, one a line.
 [[nodiscard]] inline std::string lines_of(std::string text) { return Checked(std::move(text)).lines(); }
 
+/// `<!-- rigor: … -->` on a line of its own.
+[[nodiscard]] inline std::string rigor_says(const std::string& directive) {
+  return "<!-- rigor: " + directive + " -->\n";
+}
+
 /// The last step's verdict in a display of its own, whose first line holds the whole statement; `before`
 /// stands above.
 [[nodiscard]] inline std::string verdict_on(const std::string& statement, const std::string& before = "") {
@@ -52,9 +57,12 @@ struct Checked {
   return checked.line_of(checked.report.steps.back());
 }
 
-/// `<!-- rigor: … -->` on a line of its own.
-[[nodiscard]] inline std::string rigor_says(const std::string& directive) {
-  return "<!-- rigor: " + directive + " -->\n";
+/// The same of a statement that a directive claims, which makes it meant for all values of its symbols.
+[[nodiscard]] inline std::string verdict_on_claim(const std::string& statement,
+                                                  const std::string& before = "") {
+  const Checked checked(before + rigor_says("claim " + statement));
+  if (checked.report.steps.empty()) return checked.lines();
+  return checked.line_of(checked.report.steps.back());
 }
 
 }  // namespace rigor

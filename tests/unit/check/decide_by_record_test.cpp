@@ -88,14 +88,14 @@ TEST_CASE("symbols have to be those of the step") {
 }
 
 TEST_CASE("the sides have to differ") {
-  Replayed notes("<!-- rigor: scalar x -->\n$$x^2 = 2x$$\n");
+  Replayed notes("<!-- rigor: for all x -->\n$$x^2 = 2x$$\n");
   notes.example().values[0].components = {"2"};
   notes.example().left = notes.example().right = "4";
   CHECK(notes.fault() == "the step holds on the sample");
 }
 
 TEST_CASE("the assumptions in force have to hold") {
-  Replayed notes("<!-- rigor:\nscalar x, y\ngiven x = 2y\n-->\n$$x = y$$\n");
+  Replayed notes("<!-- rigor:\nfor all x, y\ngiven x = 2y\n-->\n$$x = y$$\n");
   CHECK(notes.fault() == "");
   notes.example().values[0].components = {"3"};
   CHECK(notes.fault() == "the sample does not satisfy given x = 2y");
@@ -105,8 +105,8 @@ TEST_CASE("notes that have changed are found") {
   Replayed notes(cross);
   CHECK(notes.fault_in("\n" + cross) == "no such step");
   CHECK(notes.fault_in("<!-- rigor: vector \\mathbf{A} -->\n") == "no such step");
-  Replayed given("<!-- rigor:\nscalar x, y\ngiven x = 2y\n-->\n$$x = y$$\n");
-  CHECK(given.fault_in("<!-- rigor:\nscalar x, y\ngiven x = 3y\n-->\n$$x = y$$\n") ==
+  Replayed given("<!-- rigor:\nfor all x, y\ngiven x = 2y\n-->\n$$x = y$$\n");
+  CHECK(given.fault_in("<!-- rigor:\nfor all x, y\ngiven x = 3y\n-->\n$$x = y$$\n") ==
         "the sample does not satisfy given x = 3y");
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("a step to first order, and a condition that only a derivative of an a
   CHECK(nearly.fault() == "");
   nearly.example().values[0].components = {"2"};
   CHECK(nearly.fault() == "the report says left 3, right 2, and its sample gives left 6, right 4");
-  Replayed motion("<!-- rigor:\nscalar x, k\nconstant k\ngiven \\ddot{x} = -k^2x\n-->\n$$\\dot{x} = kx$$\n");
+  Replayed motion("<!-- rigor:\nfor all x, k\nconstant k\ngiven \\ddot{x} = -k^2x\n-->\n$$\\dot{x} = kx$$\n");
   CHECK(motion.fault() == "");
 }
 

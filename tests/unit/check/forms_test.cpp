@@ -25,6 +25,7 @@ $$M = \sum_\alpha m_\alpha \tag{2}$$
 ## Weight
 
 $$W = Mg \tag{3}$$
+Therefore
 $$W = 2Mg$$
 )";
 

@@ -28,9 +28,9 @@ std::string shape_of(const std::string& statement) {
 
 TEST_CASE("a hole takes the letters that are free on one side only") {
   CHECK(shape_of(R"(T = \tfrac12\,\square\,\omega_i\omega_j)") == R"(\square[i,j])");
-  CHECK(shape_of(R"(B_j = \square A_i)") == R"(\square[j,i])");
+  CHECK(shape_of(R"(B_j = \square\,A_i)") == R"(\square[j,i])");
   CHECK(shape_of(R"(A_i = \square)") == R"(\square[i])");
-  CHECK(shape_of(R"(A_i = \square B_i)") == R"(\square)");
+  CHECK(shape_of(R"(A_i = \square\,B_i)") == R"(\square)");
 }
 
 TEST_CASE("letters on a hole are its own") {

@@ -36,7 +36,7 @@ TEST_CASE("the centre of mass") {
 
 TEST_CASE("a symmetric tensor, a unit vector, a right angle, equal numbers") {
   CHECK(first(rigor_says("tensor T_{ij}") + "$$T_{ij}A_iB_j = T_{ij}B_iA_j$$\n") == "T_{ij} = T_{ji}");
-  CHECK(first(rigor_says("scalar x") + rigor_says("vector \\mathbf{n}") +
+  CHECK(first(rigor_says("for all x, \\mathbf{n}") +
               "$$\\mathbf{n}\\cdot(\\mathbf{n}\\,x) = x$$\n") == "|\\mathbf{n}| = 1");
   CHECK(first("$$|\\mathbf{A} + \\mathbf{B}|^2 = A^2 + B^2$$\n") == "\\mathbf{A}\\cdot\\mathbf{B} = 0");
   CHECK(first(rigor_says("scalar I_1, I_2, x") + "$$(I_1 - I_2)x = 0$$\n") == "I_{1} = I_{2}");
@@ -49,7 +49,7 @@ TEST_CASE("something constant") {
 }
 
 TEST_CASE("ordered numbers, for an order") {
-  CHECK(first(rigor_says("scalar I_1, I_2") + "$$I_2 - I_1 > 0$$\n") == "I_{1} < I_{2}");
+  CHECK(first(rigor_says("scalar I_1, I_2") + rigor_says("for all I_1, I_2") + "$$I_2 - I_1 > 0$$\n") == "I_{1} < I_{2}");
 }
 
 TEST_CASE("to first order in what is small") {
@@ -70,7 +70,7 @@ TEST_CASE("a condition that contradicts what is given is none") {
 }
 
 TEST_CASE("the step itself is no condition, and none is named twice") {
-  CHECK(conditions(rigor_says("vector \\mathbf{A}, \\mathbf{B}") + "$$\\mathbf{A}\\times\\mathbf{B} = 0$$\n")
+  CHECK(conditions(rigor_says("for all \\mathbf{A}, \\mathbf{B}") + "$$\\mathbf{A}\\times\\mathbf{B} = 0$$\n")
             .empty());
   CHECK(conditions(rigor_says("scalar a, b") +
                    "$$\\frac{d^2}{dt^2}(ab) = \\ddot ab + \\dot a\\dot b + a\\ddot b$$\n") ==

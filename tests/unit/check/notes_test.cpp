@@ -88,10 +88,15 @@ TEST_CASE("a sidecar's directives without an anchor stand at the start") {
 }
 
 TEST_CASE("a line is an anchor whatever stands there, and is where it is reported") {
-  CHECK(with_sidecar("at line 9\nscalar a\n") ==
-        "# One\na = b [(1)]\n# Two\nc = d [eq:two]\nscalar a @9\ne = f\n");
+  CHECK(with_sidecar("at line 9\nskip a\n") ==
+        "# One\na = b [(1)]\n# Two\nc = d [eq:two]\nskip a @9\ne = f\n");
   CHECK(with_sidecar("at line 3\nscalar a\n").starts_with("# One\nscalar a @3\na = b"));
-  CHECK(with_sidecar("at line 12\nscalar a\n").ends_with("e = f\nscalar a @12\n"));
+  CHECK(with_sidecar("at line 12\nskip a\n").ends_with("e = f\nskip a @12\n"));
+}
+
+TEST_CASE("a declaration stands at the head of its section, so that it holds above its line, too") {
+  CHECK(with_sidecar("at line 9\nscalar a\n") ==
+        "# One\na = b [(1)]\n# Two\nscalar a @9\nc = d [eq:two]\ne = f\n");
 }
 
 TEST_CASE("an anchor that is nowhere in the notes is reported once, with a suggestion") {

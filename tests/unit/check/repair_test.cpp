@@ -82,7 +82,7 @@ TEST_CASE("the side that another step supports is believed") {
 }
 
 TEST_CASE("a definition on the left is not what is wrong") {
-  const std::string note = rigor_says("scalar m, v") + "$$T = \\frac{1}{2}mv^2$$\n\n$$T = mv^2$$\n";
+  const std::string note = rigor_says("scalar m, v") + "$$T = \\frac{1}{2}mv^2$$\n\nHence\n$$T = mv^2$$\n";
   CHECK(nearest(note).statement == "T = \\frac{1}{2}mv^2");
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("what holds to first order is mended to first order") {
 }
 
 TEST_CASE("an order is mended, too") {
-  CHECK(nearest(rigor_says("vector \\mathbf{A}") + "$$-|\\mathbf{A}|^2 \\ge 0$$").statement ==
+  CHECK(nearest(rigor_says("for all \\mathbf{A}") + "$$-|\\mathbf{A}|^2 \\ge 0$$").statement ==
         "|\\mathbf{A}|^2 \\ge 0");
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("what is offered says something, and TeX can set it") {
 }
 
 TEST_CASE("brackets make nothing else of a side") {
-  const Checked checked(rigor_says("scalar a, b") + "$$|a - b| = a - b$$");
+  const Checked checked(rigor_says("for all a, b") + "$$|a - b| = a - b$$");
   for (const Repair& repair : refuted_step(checked).repairs) CHECK(repair.statement != "(a - b) = a - b");
 }
 

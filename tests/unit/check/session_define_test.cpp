@@ -23,10 +23,10 @@ TEST_CASE("two rules for one symbol's derivatives hold together") {
     const std::string notes = turning + both;
     CHECK(verdict_on("\\mathbf{F} = m\\boldsymbol{\\omega}\\times(\\boldsymbol{\\omega}\\times\\mathbf{r})",
                      notes) == "proved");
-    CHECK(is_refuted(verdict_on(
+    CHECK(is_refuted(verdict_on_claim(
         "\\mathbf{F} = -m\\boldsymbol{\\omega}\\times(\\boldsymbol{\\omega}\\times\\mathbf{r})", notes)));
     CHECK(verdict_on("\\mathbf{F}\\cdot\\boldsymbol{\\omega} = 0", notes) == "proved");
-    CHECK(is_refuted(verdict_on("\\mathbf{F}\\cdot\\mathbf{r} = 0", notes)));
+    CHECK(is_refuted(verdict_on_claim("\\mathbf{F}\\cdot\\mathbf{r} = 0", notes)));
   }
 }
 
@@ -35,7 +35,7 @@ TEST_CASE("laws of two orders hold together, whatever the claim's own order is")
       turning + rigor_says("given 2\\dot{\\mathbf{r}} = 2\\boldsymbol{\\omega}\\times\\mathbf{r}") +
       rigor_says("given m\\ddot{\\mathbf{r}} = \\mathbf{F}");
   CHECK(verdict_on("\\mathbf{F}\\cdot\\boldsymbol{\\omega} = 0", notes) == "proved");
-  CHECK(is_refuted(verdict_on("\\mathbf{F}\\cdot\\mathbf{r} = 0", notes)));
+  CHECK(is_refuted(verdict_on_claim("\\mathbf{F}\\cdot\\mathbf{r} = 0", notes)));
 }
 
 TEST_CASE("rules that contradict each other have no sample, and prove nothing") {
@@ -58,8 +58,8 @@ TEST_CASE("a rule for the rate of what is defined is an equation") {
   const std::string rule = rigor_says("given \\dot{\\mathbf{v}} = \\mathbf{a}");
   for (const std::string& both : {let + rule, rule + let}) {
     CHECK(verdict_on("\\mathbf{a} = \\mathbf{g} + \\dot{\\mathbf{u}}", known + both) == "proved");
-    CHECK(is_refuted(verdict_on("\\mathbf{a} = \\mathbf{g} - \\dot{\\mathbf{u}}", known + both)));
-    CHECK(is_refuted(verdict_on("\\mathbf{a} = \\dot{\\mathbf{u}}", known + both)));
+    CHECK(is_refuted(verdict_on_claim("\\mathbf{a} = \\mathbf{g} - \\dot{\\mathbf{u}}", known + both)));
+    CHECK(is_refuted(verdict_on_claim("\\mathbf{a} = \\dot{\\mathbf{u}}", known + both)));
   }
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("a rule that a definition made an equation holds to the end of its own
   const std::string notes = "# One\n\n" + rigor_says("scalar v, a, u") + rigor_says("given \\dot v = a") +
                             "## Within\n\n" + rigor_says("let v = u") + "$$\\dot u = a$$\n\n## Behind\n\n";
   CHECK(verdict_on("\\dot v = a", notes) == "proved");
-  CHECK(is_refuted(verdict_on("\\dot u = a", notes)));
+  CHECK(is_refuted(verdict_on_claim("\\dot u = a", notes)));
 }
 
 TEST_CASE("rules for three components are none for a vector that has one") {
@@ -76,14 +76,14 @@ TEST_CASE("rules for three components are none for a vector that has one") {
                             rigor_says("given \\ddot r_1 = r_2") + rigor_says("given \\ddot r_2 = r_3") +
                             rigor_says("given \\ddot r_3 = r_1");
   CHECK(verdict_on("\\dot A_1 = r_2", notes) == "proved");
-  CHECK(is_refuted(verdict_on("\\dot A_1 = r_3", notes)));
+  CHECK(is_refuted(verdict_on_claim("\\dot A_1 = r_3", notes)));
 }
 
 TEST_CASE("`where` with `:=` gives a plain letter a meaning for the next statement only") {
   const std::string vectors = rigor_says("vector \\mathbf{r}, \\mathbf{n}");
   const std::string local = vectors + rigor_says("where r := |\\mathbf{n}\\times\\mathbf{r}|");
   CHECK(verdict_on("r^2 = |\\mathbf{n}\\times\\mathbf{r}|^2", local) == "proved");
-  CHECK(is_refuted(verdict_on("r^2 = \\mathbf{r}\\cdot\\mathbf{r}", local)));
+  CHECK(is_refuted(verdict_on_claim("r^2 = \\mathbf{r}\\cdot\\mathbf{r}", local)));
   const std::string behind = local + "$$r \\ge 0$$\n";
   CHECK(verdict_on("r^2 = \\mathbf{r}\\cdot\\mathbf{r}", behind).starts_with("proved"));
   CHECK(has(lines_of(local + "$$\\mathbf{n}\\times\\mathbf{n} = 0$$\n"), "unused-directive"));

@@ -9,7 +9,7 @@ namespace {
 
 /// What is said of each refuted step: its help, and where the first wrong step is if it is another.
 std::string slips_in(const std::string& chain) {
-  const Checked checked(rigor_says("scalar a, b, c") + "$$" + chain + "$$\n");
+  const Checked checked(rigor_says("for all a, b, c") + "$$" + chain + "$$\n");
   std::string text;
   for (const Step& step : checked.report.steps) {
     if (step.verdict != Verdict::refuted) continue;

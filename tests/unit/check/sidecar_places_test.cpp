@@ -4,6 +4,7 @@
 
 #include "catch.h"
 #include "check/check.h"
+#include "check/decision_cache.h"
 #include "check/session.h"
 
 using namespace rigor;
@@ -18,7 +19,8 @@ std::pair<std::uint32_t, std::string> place_of(const std::string& sidecar) {
   FileReport report;
   report.file = notes_file;
   const Notes notes = read_notes(sources, notes_file, &beside, report.diagnostics);
-  const CheckOptions options;
+  DecisionCache cache;
+  const CheckOptions options{.cache = &cache};
   Session(sources, notes, report, options).run();
   for (const Step& step : report.steps) {
     if (step.diagnostics.empty()) continue;

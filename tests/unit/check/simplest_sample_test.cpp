@@ -35,12 +35,12 @@ std::string sample_of(const std::string& before, const std::string& statement) {
 const std::array statements{
     // numbers: 1 before 2, positive before negative, integers before fractions
     Refuted{"scalar a, b", "(a+b)^2 = a^2 + b^2", "sample: a = 1, b = 1; left 4, right 2"},
-    Refuted{"scalar x", "x^2 = x", "sample: x = 2; left 4, right 2"},
-    Refuted{"scalar x", "x^3 = x", "sample: x = 2; left 8, right 2"},
-    Refuted{"scalar x", "\\sqrt{x^2} = x", "sample: x = -1; left 1, right -1"},
+    Refuted{"for all x", "x^2 = x", "sample: x = 2; left 4, right 2"},
+    Refuted{"for all x", "x^3 = x", "sample: x = 2; left 8, right 2"},
+    Refuted{"for all x", "\\sqrt{x^2} = x", "sample: x = -1; left 1, right -1"},
     Refuted{"scalar x, y", "\\frac{1}{x+y} = \\frac1x + \\frac1y", "sample: x = 1, y = 1; left 1/2, right 2"},
     // angles: a quarter turn, not a multiple of something else
-    Refuted{"scalar x", "\\cos x = 1", "sample: x = 2*arctan(1); left 0, right 1"},
+    Refuted{"for all x", "\\cos x = 1", "sample: x = 2*arctan(1); left 0, right 1"},
     Refuted{"constant \\nu", "\\partial_t\\cos(\\nu t) = \\nu\\sin(\\nu t)",
             "sample: \\nu = 1, t = 2*arctan(1); left -1, right 1"},
     // vectors: along axes, the first axes first
@@ -59,7 +59,7 @@ const std::array statements{
     Refuted{"unit vector \\mathbf{n}", "\\mathbf{n}\\cdot\\mathbf{n} = 3",
             "sample: \\mathbf{n} = (1, 0, 0); left 1, right 3"},
     // tensors: on the diagonal if that will do; the order of two matrices needs two numbers off it
-    Refuted{"symmetric tensor S_{ij}", "S_{ii} = 0",
+    Refuted{"symmetric tensor S_{ij}\nfor all S_{ij}", "S_{ii} = 0",
             "sample: S = ((1, 0, 0), (0, 0, 0), (0, 0, 0)); left 1, right 0"},
     Refuted{"tensor A, B", "A_{ij}B_{jk} = B_{ij}A_{jk}",
             "sample: A = ((1, 0, 0), (0, 0, 0), (0, 0, 0)), B = ((0, 1, 0), (0, 0, 0), (0, 0, 0)); "
@@ -75,7 +75,7 @@ const std::array statements{
     Refuted{"particles \\alpha\nscalar m_\\alpha",
             "\\sum_\\alpha m_\\alpha^2 = \\Bigl(\\sum_\\alpha m_\\alpha\\Bigr)^2",
             "sample: 2 particles;  particle 1: m = 1;  particle 2: m = 1;  left 2, right 4"},
-    Refuted{"particles \\alpha\nscalar m_\\alpha\nvector \\mathbf{r}_\\alpha\ngiven \\sum_\\alpha "
+    Refuted{"particles \\alpha\nfor all m_\\alpha, \\mathbf{r}_\\alpha\ngiven \\sum_\\alpha "
             "m_\\alpha\\mathbf{r}_\\alpha = 0",
             "\\sum_\\alpha m_\\alpha r_\\alpha^2 = 0",
             "sample: 2 particles;  particle 1: m = 1, \\mathbf{r} = (1, 0, 0);  particle 2: m = 1, "
@@ -91,7 +91,7 @@ TEST_CASE("the sample of a refutation is the simplest") {
 
 TEST_CASE("what defined symbols in the step are worth is said, as far as the notes have them") {
   CHECK(
-      sample_of("scalar m\nvector \\mathbf{v}\nlet \\mathbf{p} = m\\mathbf{v}",
+      sample_of("for all m, \\mathbf{v}\nlet \\mathbf{p} = m\\mathbf{v}",
                 "\\mathbf{p} = \\mathbf{v}") ==
       "sample: m = 0, \\mathbf{v} = (1, 0, 0); hence \\mathbf{p} = (0, 0, 0); component 1: left 0, right 1");
   const std::string frame =
@@ -104,7 +104,7 @@ TEST_CASE("what defined symbols in the step are worth is said, as far as the not
 }
 
 TEST_CASE("derivatives that only derivatives of an assumption speak of are not printed") {
-  const std::string law = "scalar x, k\nconstant k\ngiven \\ddot{x} = -k^2x";
+  const std::string law = "for all x, k\nconstant k\ngiven \\ddot{x} = -k^2x";
   CHECK(sample_of(law, "\\dot{x} = kx") == "sample: \\dot{x} = 1, k = 0, x = 0; left 1, right 0");
 }
 

@@ -78,7 +78,7 @@ TEST_CASE("a side that is the same for every particle stands against one that is
 
 TEST_CASE("what is not read says why at its place, and the other side is read") {
   CHECK(meaning("\\mathbf{A} = \\foo{\\mathbf{B}}") == "14 unsupported: \\mathbf{A} = ?");
-  CHECK(meaning("\\text{torque} = \\mathbf{B}") == "1 unsupported: ? = \\mathbf{B}");
+  CHECK(meaning("\\text{torque} = \\mathbf{B}") == "1 passed-over: ? = \\mathbf{B}");
   CHECK(meaning("a = (b") == "5 unbalanced: a = ?");
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("LaTeX: a branch counts if the notes say so") {
         "display <> b\n");
   CHECK(latex("\\ifodd1 \\[a\\]\\else\\[b\\]\\fi") == "display <> a\n");
   CHECK(latex_complaints("\\ifodd1 \\[a\\]\\else\\[b\\]\\fi") ==
-        "1:15 a display in a branch that may not be typeset is not read\n");
+        "1:14 a display in a branch that may not be typeset is not read\n");
   CHECK(latex_complaints("\\ifodd1 \\[a\\]\\else b\\fi").empty());
   CHECK(latex_complaints("\\iffalse\\[a\\]") == "1:1 `\\iffalse` is not closed\n");
   CHECK(latex("\\iftoggle{a}{\\[x\\]}{\\[y\\]}") == "display <> x\ndisplay <> y\n");

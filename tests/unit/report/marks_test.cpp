@@ -41,7 +41,7 @@ TEST_CASE("a step that is proved and malformed is not checked") {
 }
 
 TEST_CASE("a display without steps has its line") {
-  const std::string marks = marks_of("a.tex", "\\[ \\mathbf{A}+\\mathbf{B} \\] \\[ \\text{hello} \\]\n");
+  const std::string marks = marks_of("a.tex", "\\[ \\mathbf{A}+\\mathbf{B} \\] \\[ \\mathbf{C} \\]\n");
   CHECK(marks.find("display 1 1 silent 0 0\ndisplay 1 1 silent 0 0\n") != std::string::npos);
 }
 

@@ -86,8 +86,8 @@ TEST_CASE("each equation has the macros that are in force at it") {
   CHECK(meaning_at(notes, equations[1], "s") == "-");
   CHECK(meaning_at(notes, equations[2], "s") == "+");
   CHECK(meaning_at(notes, equations[3], "s") == "*");
-  CHECK(meaning_at(notes, equations[4], "s") == "*");
-  CHECK(notes.macros.size() == 3);
+  CHECK(meaning_at(notes, equations[4], "s") == "+");  // a display is a group
+  CHECK(notes.macros.size() == 4);
 }
 
 }  // namespace rigor
