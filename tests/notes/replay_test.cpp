@@ -33,8 +33,8 @@ std::string value_of(const Json& value) {
   return fmt::format("({}, {}, {})", component(0), component(1), component(2));
 }
 
-/// Scalars and vectors of plain numbers, no particles, no free index, no derivative and no definition: what
-/// `let` and `claim` can say in one line each. Of a cyclic image, the sides are not written.
+/// Scalars and vectors of plain numbers; no particles, no free index, no unit, no derivative, no definition:
+/// what `let` and `claim` can say in one line each. Of a cyclic image, the sides are not written.
 bool is_plain(const Json& step) {
   const Json& example = step["counterexample"];
   if (step["source"].get<std::string>().find("(cyclic image ") != std::string::npos) return false;
@@ -45,6 +45,7 @@ bool is_plain(const Json& step) {
   for (const Json& value : example["values"]) {
     const auto symbol = value["symbol"].get<std::string>();
     if (value["rank"] > 1 || symbol.starts_with("\\dot") || symbol.starts_with("\\delta ")) return false;
+    if (symbol.starts_with("\\mathrm")) return false;  // a unit of measure is no letter
     for (const Json& component : value["components"]) {
       if (component.get<std::string>().find('(') != std::string::npos) return false;  // `2*arctan(1)`
     }
