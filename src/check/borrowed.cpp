@@ -137,14 +137,25 @@ class Heeding {
         {kind, claim_.relation, std::move(message), std::move(labels), std::move(help)}};
   }
 
+  /// By its author's own words: `for all`, `claim`.
+  bool is_meant_for_all() const {
+    if (claim_.for_all) return true;
+    const std::set<SymbolId> letters = letters_of(claim_.equation);
+    return std::all_of(letters.begin(), letters.end(), [&](SymbolId each) {
+      return tree_.symbols[each].for_all || names_.definition_of(each) != nullptr;
+    });
+  }
+
   bool restricted_by_words() {
     auto word = word_that_demands(at_.beside().lead);
     if (!word) word = word_of_a_special_case(sentence_);
+    const bool in_sentence = word.has_value();
+    if (!word && !is_meant_for_all()) word = word_of_a_special_case(at_.heading);  // "Incompressible flow"
     if (word) {
-      withdraw(
-          DiagnosticKind::restricted,
-          fmt::format("it does not hold for all values, and `{}` in its sentence may restrict it", *word), {},
-          {"`rigor: claim …` states it for itself"});
+      withdraw(DiagnosticKind::restricted,
+               fmt::format("it does not hold for all values, and `{}` in its {} may restrict it", *word,
+                           in_sentence ? "sentence" : "heading"),
+               {}, {"`rigor: claim …` states it for itself"});
       return true;
     }
     if (at_.unread.empty()) return false;

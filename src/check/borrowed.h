@@ -40,6 +40,7 @@ struct Standpoint {
   std::size_t event = 0;
   const std::vector<Use>& uses;
   std::vector<Fact> facts;  // that may bear on it
+  std::string heading;      // of its section, in small letters
   std::string unread;       // a relation of its sentence that shares a letter and was not read
   [[nodiscard]] const ProseBeside& beside() const { return prose.beside[event]; }
 };

@@ -332,8 +332,11 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
       if (key == nullptr || key->rank > 1 || tree.symbols[base].declared) continue;
       const std::string letter = key->base.substr(0, key->base.find('_'));
       // Of a vector of matrices, `\boldsymbol\sigma`, only what was shown counts, not that it is a capital.
-      const bool shown =
-          key->rank == 0 ? names.evidence.is_ordered(letter) : names.evidence.ordered.contains(letter);
+      const bool labelled = letter.starts_with("\\") && key->base != letter;  // `\sigma_x`
+      const bool weak =
+          labelled && names.evidence.speaks_of_order && !names.evidence.numbers.contains(letter);
+      const bool shown = key->rank == 0 ? weak || names.evidence.is_ordered(letter)
+                                        : names.evidence.ordered.contains(letter);
       if (shown) found.insert(symbol);
     }
   };

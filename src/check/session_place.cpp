@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "check/digits.h"
@@ -149,7 +150,9 @@ bool Session::is_condition_beside(const ParsedChain& parsed) const {
 }
 
 Standpoint Session::standpoint(const ParsedChain& parsed) {
-  Standpoint at{.prose = notes_.prose, .event = event_, .uses = uses_, .facts = {}, .unread = {}};
+  Standpoint at{
+      .prose = notes_.prose, .event = event_, .uses = uses_, .facts = {}, .heading = section_, .unread = {}};
+  for (char& c : at.heading) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const SaidInLine& said : notes_.prose.said) {
     for (const ParsedChain& chain : said.chains) {
       if (!chain.written.relations.empty() && share_a_letter(notes_.syntax, chain, parsed)) {
