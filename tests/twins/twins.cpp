@@ -27,14 +27,15 @@ const Step* step_at(const FileReport& report, std::size_t relation) {
   return found == report.steps.end() ? nullptr : &*found;
 }
 
-/// What the help of its diagnostics asks for: `use \\mathbf{p}`.
+/// What the help of its diagnostics asks for: `use \\mathbf{p}`, `for all I_{2}`.
 std::vector<std::string> uses_asked_for(const Step& step) {
   constexpr std::string_view opening = "`rigor: ";
   std::vector<std::string> uses;
   for (const Diagnostic& diagnostic : step.diagnostics) {
     for (const std::string& help : diagnostic.help) {
       const auto end = help.find('`', opening.size());
-      if (help.starts_with("`rigor: use ") && end != std::string::npos)
+      const bool names_it = help.starts_with("`rigor: use ") || help.starts_with("`rigor: for all ");
+      if (names_it && end != std::string::npos && help.find("…") > end)
         uses.push_back(help.substr(opening.size(), end - opening.size()));
     }
   }
@@ -234,10 +235,12 @@ class Mutations {
         judged = with_uses(std::move(judged), before, edited, relation - display.begin);
         if (judged.outcome == Outcome::failed || judged.outcome == Outcome::undecided)
           judged = judge(with_edit(text_, 0, edit), relation);
-        if (judged.open) {
+        if (judged.open || judged.outcome == Outcome::undecided) {
           const std::string declared = declarations_ + before + meant_;
           Judged again = judge(declared + edited, declared.size() + relation - display.begin);
-          if (again.outcome == Outcome::refuted) again.outcome = Outcome::refuted_declared;
+          again = with_uses(std::move(again), declared, edited, relation - display.begin);
+          if (again.outcome == Outcome::refuted || again.outcome == Outcome::refuted_used)
+            again.outcome = Outcome::refuted_declared;
           if (again.outcome == Outcome::refuted_declared || again.outcome == Outcome::malformed)
             judged = again;
         }
