@@ -156,6 +156,8 @@ std::optional<Agreement> agreement_of_digits(ExprTree& tree, Names& names, const
   for (const bool swap : {false, true}) {
     const ExprId side = swap ? equation.left : equation.right;
     const ExprId value = swap ? equation.right : equation.left;
+    const bool order = claim.nearly && is_power_of_ten(tree, side);  // `1024 \approx 10^3`
+    if (order && is_a_number(tree, names, value)) return Agreement::unclear;
     const auto shown = shown_in(tree, side, claim.nearly);
     if (!shown || !is_a_number(tree, names, value)) continue;
     Comparison comparison(tree, names, value, side, *shown, cache);

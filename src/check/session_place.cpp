@@ -86,6 +86,12 @@ bool can_be_assumed(RelationKind kind) {
   return kind == RelationKind::equal || kind == RelationKind::defines || is_order(kind);
 }
 
+bool speaks_of_units(const ExprTree& tree, ExprId side) {
+  const std::vector<SymbolId> symbols = symbols_in(tree, side);
+  return std::any_of(symbols.begin(), symbols.end(),
+                     [&](SymbolId symbol) { return tree.symbols[symbol].unit_of_measure.has_value(); });
+}
+
 }  // namespace
 
 void Session::declare_use(const Directive& directive) {
@@ -264,6 +270,11 @@ void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& cl
   };
   const bool zeros = claim.equation.relation == Relation::unequal && tree_.is_zero_literal(left.typed->id) &&
                      tree_.is_zero_literal(right.typed->id) && written(claim.left) != written(claim.right);
+  const bool left_units = speaks_of_units(tree_, left.typed->id);
+  const bool right_units = speaks_of_units(tree_, right.typed->id);
+  const ExprId bare = left_units ? right.typed->id : left.typed->id;
+  if (judgement.verdict == Verdict::refuted && left_units != right_units && symbols_in(tree_, bare).empty())
+    withdraw(DiagnosticKind::restricted, "one side has a unit, and the other is a number without one", {});
   if (judgement.verdict == Verdict::refuted && zeros)
     withdraw(DiagnosticKind::restricted, "of two zeros this may remark how they are written", {});
   if (judgement.verdict == Verdict::refuted && is_alternative(parsed))

@@ -5,6 +5,8 @@
 #include <array>
 #include <cctype>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "latex/tokens.h"
 #include "latex/vocabulary.h"
@@ -126,7 +128,40 @@ void see_ket(TokenView tokens, std::size_t bar, Evidence& evidence) {
   if (begin > 0) add_letters(tokens.subspan(begin - 1, 1), evidence);
 }
 
+bool is_capital(const std::string& letter) {
+  return letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
+}
+
+bool is_inverse_at(TokenView tokens, std::size_t at) {
+  return at < tokens.size() && tokens[at].kind == TokenKind::superscript &&
+         text_of(script_argument_at(tokens, at + 1).content) == "-1";
+}
+
+/// `P^{-1}AP`, `(AB)^{-1}`: nobody writes numbers so.
+void see_inverses(TokenView tokens, Evidence& evidence) {
+  std::vector<std::pair<std::string, bool>> row;  // letters side by side, inverted?
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const LetterAt letter = letter_at(tokens, at);
+    if (!letter.name.empty()) {
+      row.emplace_back(letter.name, is_inverse_at(tokens, behind_subscript(tokens, letter.next)));
+      const std::size_t last = row.size() - 1;
+      const bool sandwich = last >= 2 && row[last - 2].first == row[last].first &&
+                            is_capital(row[last].first) && is_capital(row[last - 1].first) &&
+                            (row[last].second != row[last - 2].second);
+      if (sandwich) evidence.ordered.insert({row[last].first, row[last - 1].first});
+    }
+    if (is_sign(tokens[at], "+") || is_sign(tokens[at], "-")) row.clear();
+    if (!is_sign(tokens[at], "(")) continue;
+    const std::size_t end = closing(tokens, at);
+    if (end >= tokens.size() || !is_inverse_at(tokens, skip_blank(tokens, end + 1))) continue;
+    const std::vector<std::string> inside = letters_in(tokens.subspan(at + 1, end - at - 1));
+    if (inside.size() > 1 && std::all_of(inside.begin(), inside.end(), is_capital))
+      evidence.ordered.insert(inside.begin(), inside.end());
+  }
+}
+
 void see_tokens(TokenView tokens, bool may_be_interval, Evidence& evidence) {
+  see_inverses(tokens, evidence);
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     const Token& token = tokens[at];
     const LetterAt letter = letter_at(tokens, at);
@@ -191,9 +226,13 @@ bool holds_a_matrix(const SyntaxTree& syntax, SyntaxId root) {
 
 /// Is one of the words that speak of matrices or operators at `at`? Its length, else 0.
 std::size_t speaks_of_order(std::string_view text, std::size_t at) {
-  static constexpr std::array<std::string_view, 14> words{
-      "matrix",  "matrices",   "operators", "operator",  "projectors", "projector",  "noncommuting",
-      "commute", "commutator", "commuting", "hermitian", "unitary",    "linear map", "transpose"};
+  static constexpr std::array<std::string_view, 34> words{
+      "change of basis", "time evolution", "noncommuting", "quaternions", "lie algebra", "determinant",
+      "projectors",      "commutator",     "linear map",   "quaternion",  "generators",  "anticommut",
+      "heisenberg",      "similarity",     "operators",    "projector",   "commuting",   "hermitian",
+      "transpose",       "rotations",      "grassmann",    "lie group",   "matrices",    "operator",
+      "clifford",        "fermions",       "commute",      "unitary",     "fermion",     "matrix",
+      "spinor",          "gates",          "pauli",        "dirac"};
   const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
   if (!begins) return 0;
   for (const std::string_view word : words) {

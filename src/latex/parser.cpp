@@ -282,7 +282,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
   }
   if (is_script(token)) {
     if (!cursor.done()) cursor.at = argument_at(cursor.tokens, cursor.at).next;
-    return opaque(token.span, "a script stands without a symbol before it", DiagnosticKind::bad_syntax);
+    return opaque(token.span, "a script without a symbol before it is not read");
   }
   return opaque(token.span, fmt::format("the sign `{}` is not read here", text_of({&token, 1})));
 }
