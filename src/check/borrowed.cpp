@@ -150,7 +150,7 @@ class Heeding {
     auto word = word_that_demands(at_.beside().lead);
     if (!word) word = word_of_a_special_case(sentence_);
     const bool in_sentence = word.has_value();
-    if (!word && !is_meant_for_all()) word = word_of_a_special_case(at_.heading);  // "Incompressible flow"
+    if (!word && !is_meant_for_all()) word = word_of_a_special_heading(at_.heading);  // "Incompressible flow"
     if (word) {
       withdraw(DiagnosticKind::restricted,
                fmt::format("it does not hold for all values, and `{}` in its {} may restrict it", *word,
@@ -165,11 +165,27 @@ class Heeding {
     return true;
   }
 
+  /// A sample that meets what is stated, of the letters of the statement alone: it refutes that for itself.
+  void keep_what_is_asked(Counterexample& example) const {
+    using Values = std::vector<Counterexample::Value>;
+    const auto is_one_of = [](const Values& values, const Counterexample::Value& value) {
+      return std::any_of(values.begin(), values.end(), [&](const Counterexample::Value& each) {
+        return each.symbol == value.symbol && each.rank == value.rank;
+      });
+    };
+    const Counterexample& asked = *judgement_.counterexample;
+    std::copy_if(example.follows.begin(), example.follows.end(), std::back_inserter(example.values),
+                 [&](const Counterexample::Value& value) { return is_one_of(asked.values, value); });
+    std::erase_if(example.values, [&](const auto& value) { return !is_one_of(asked.values, value); });
+    std::erase_if(example.follows, [&](const auto& value) { return !is_one_of(asked.follows, value); });
+  }
+
   /// What is stated nearby, as a law or in a line, would make it true, or leave it open.
   bool holds_with(const std::vector<const Fact*>& bearing) {
     if (bearing.empty()) return false;
     Judgement other = judge_with(bearing);
     if (other.verdict == Verdict::refuted) {
+      if (other.counterexample && judgement_.counterexample) keep_what_is_asked(*other.counterexample);
       judgement_ = std::move(other);  // on a sample that meets what is stated
       return false;
     }

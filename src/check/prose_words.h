@@ -14,7 +14,10 @@ namespace rigor {
 /// "plane", "acute", "constant", "for a sphere": a case that even an equation without definitions may be
 /// about.
 [[nodiscard]] std::optional<std::string> word_of_a_special_case(std::string_view sentence);
-/// The same, and "for", "at", "with", "since", "where": what was said elsewhere may not hold as it stands.
+/// "Incompressible flow", "Orthogonal vectors": a heading that names a case.
+[[nodiscard]] std::optional<std::string> word_of_a_special_heading(std::string_view heading);
+/// A special case, and "for", "at", "with", "since", "where": what was said elsewhere may not hold as it
+/// stands.
 [[nodiscard]] std::optional<std::string> word_of_a_case(std::string_view sentence);
 /// "therefore", "hence", "we find", "gives", "i.e.": what follows is concluded.
 [[nodiscard]] bool announces_a_conclusion(std::string_view lead);

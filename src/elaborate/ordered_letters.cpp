@@ -143,7 +143,10 @@ void see_inverses(TokenView tokens, Evidence& evidence) {
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     const LetterAt letter = letter_at(tokens, at);
     if (!letter.name.empty()) {
-      row.emplace_back(letter.name, is_inverse_at(tokens, behind_subscript(tokens, letter.next)));
+      const std::size_t script = behind_subscript(tokens, letter.next);
+      const bool inverted = is_inverse_at(tokens, script);
+      row.emplace_back(letter.name, inverted);
+      if (inverted) at = script_argument_at(tokens, script + 1).next - 1;
       const std::size_t last = row.size() - 1;
       const bool sandwich = last >= 2 && row[last - 2].first == row[last].first &&
                             is_capital(row[last].first) && is_capital(row[last - 1].first) &&
