@@ -170,7 +170,8 @@ class Heeding {
     using Values = std::vector<Counterexample::Value>;
     const auto is_one_of = [](const Values& values, const Counterexample::Value& value) {
       return std::any_of(values.begin(), values.end(), [&](const Counterexample::Value& each) {
-        return each.symbol == value.symbol && each.rank == value.rank;
+        return each.symbol == value.symbol && each.rank == value.rank &&
+               (each.particle > 0) == (value.particle > 0);
       });
     };
     const Counterexample& asked = *judgement_.counterexample;

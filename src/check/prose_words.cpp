@@ -220,9 +220,9 @@ std::optional<std::string> word_of_a_special_case(std::string_view sentence) {
 }
 
 std::optional<std::string> word_of_a_special_heading(std::string_view heading) {
-  static constexpr std::array<std::string_view, 13> names_no_case{
-      "dimensions", "dimension", "dropping", "dropped", "keeping", "only", "case",
-      "cases",      "since",     "because",  "close",   "run",     "runs"};
+  static constexpr std::array<std::string_view, 15> names_no_case{
+      "constant", "free",  "dimensions", "dimension", "dropping", "dropped", "keeping", "only",
+      "case",     "cases", "since",      "because",   "close",    "run",     "runs"};
   for (const std::string_view word : words_of(heading)) {
     if (is_special(word) && !is_one_of(word, names_no_case)) return std::string(word);
   }

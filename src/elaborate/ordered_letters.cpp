@@ -229,13 +229,13 @@ bool holds_a_matrix(const SyntaxTree& syntax, SyntaxId root) {
 
 /// Is one of the words that speak of matrices or operators at `at`? Its length, else 0.
 std::size_t speaks_of_order(std::string_view text, std::size_t at) {
-  static constexpr std::array<std::string_view, 34> words{
-      "change of basis", "time evolution", "noncommuting", "quaternions", "lie algebra", "determinant",
-      "projectors",      "commutator",     "linear map",   "quaternion",  "generators",  "anticommut",
-      "heisenberg",      "similarity",     "operators",    "projector",   "commuting",   "hermitian",
-      "transpose",       "rotations",      "grassmann",    "lie group",   "matrices",    "operator",
-      "clifford",        "fermions",       "commute",      "unitary",     "fermion",     "matrix",
-      "spinor",          "gates",          "pauli",        "dirac"};
+  static constexpr std::array<std::string_view, 33> words{
+      "change of basis", "time evolution", "noncommuting", "quaternions", "lie algebra", "projectors",
+      "commutator",      "linear map",     "quaternion",   "generators",  "anticommut",  "heisenberg",
+      "similarity",      "operators",      "projector",    "commuting",   "hermitian",   "transpose",
+      "rotations",       "grassmann",      "lie group",    "matrices",    "operator",    "clifford",
+      "fermions",        "commute",        "unitary",      "fermion",     "matrix",      "spinor",
+      "gates",           "pauli",          "dirac"};
   const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
   if (!begins) return 0;
   for (const std::string_view word : words) {
