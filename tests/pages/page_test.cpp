@@ -139,7 +139,8 @@ TEST_CASE("a display of an included file has its step below it") {
 TEST_CASE("a cyclic image is told from its statement and has a proof only where it is proved") {
   const Folder folder;
   const std::string page = page_of(folder, "n.md",
-                                   "<!-- rigor: scalar a --><!-- rigor: let \\mathbf{p} = (a, 0, 0) -->\n\n"
+                                   "<!-- rigor: scalar a --><!-- rigor: for all a -->"
+                                   "<!-- rigor: let \\mathbf{p} = (a, 0, 0) -->\n\n"
                                    "$$p_y = 0 \\qquad\\text{and cyclic}$$\n");
   const std::size_t first = page.find("cyclic image 1 of <math");
   const std::size_t second = page.find("cyclic image 2 of <math");
