@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace rigor {
 namespace {
@@ -43,12 +45,37 @@ std::optional<MarkdownBlock> leaf(cmark_node* node) {
   return block;
 }
 
+/// cmark lets a title above a line of `=` or `-` end where the next block begins.
+std::size_t last_line_of_heading(const MarkdownBlock& heading, const std::vector<std::string_view>& lines) {
+  const char mark = heading.level == 1 ? '=' : '-';
+  for (std::size_t k = heading.first + 1; k <= heading.last && k < lines.size(); ++k) {
+    const std::string_view line = lines[k];
+    const std::size_t begin = line.find(mark);
+    const std::size_t end = line.find_last_of(mark);
+    if (begin <= 3 && line.find_first_not_of(mark, begin) > end && line.find_first_not_of(" \t\r") == begin &&
+        line.find_first_not_of(" \t\r", end + 1) == line.npos)
+      return k;
+  }
+  return heading.last;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, length));
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::vector<MarkdownBlock> markdown_blocks(const std::string& text) {
   const std::unique_ptr<cmark_node, FreeNode> document(
       cmark_parse_document(text.data(), text.size(), CMARK_OPT_DEFAULT));
   const std::unique_ptr<cmark_iter, FreeIterator> iterator(cmark_iter_new(document.get()));
+  const std::vector<std::string_view> lines = lines_of(text);
   std::vector<MarkdownBlock> blocks;
   std::uint32_t quotes = 0;
   std::size_t quote_last = 0;
@@ -60,6 +87,7 @@ std::vector<MarkdownBlock> markdown_blocks(const std::string& text) {
     } else if (event == CMARK_EVENT_ENTER) {
       auto block = leaf(node);
       if (!block) continue;
+      if (block->kind == MarkdownBlock::Kind::heading) block->last = last_line_of_heading(*block, lines);
       block->quotes = quotes;
       block->quote_last = quote_last;
       blocks.push_back(*block);
