@@ -194,8 +194,8 @@ TEST_CASE("in a browser the page filters, opens, prints and fits a phone") {
                            "refuted-equations=1",
                            "pressed=refuted",
                            "headings-of-refuted=1",
-                           "attention=2",
-                           "counted=2 of 5 steps",
+                           "attention=3",
+                           "counted=3 of 5 steps",
                            "found=1",
                            "found-nothing=0 1",
                            "found-by-heading=2",
@@ -204,7 +204,7 @@ TEST_CASE("in a browser the page filters, opens, prints and fits a phone") {
                            "open-on-click=true",
                            "shows-route=true",
                            "summary-has-focus=true",
-                           "open-in-print=2 2",
+                           "open-in-print=3 3",
                            "closed-after-print=0",
                            "phone-overflows=false",
                            "scrolls-inside=true"}) {
@@ -221,8 +221,8 @@ TEST_CASE("a printed page has the sample of what is refuted and no buttons") {
                              folder.path("page.html")));
   const std::string text = printed_by("pdftotext -layout '" + folder.path("page.pdf") + "' -");
   CHECK(text.find("left is 0, right is 2") != std::string::npos);
-  CHECK(text.find("needs attention 2") == std::string::npos);
-  CHECK(text.find("2 need attention") != std::string::npos);
+  CHECK(text.find("needs attention 3") == std::string::npos);
+  CHECK(text.find("3 need attention") != std::string::npos);
 }
 
 TEST_CASE("a printed equation with more steps than a page holds begins below what stands before it") {
