@@ -95,7 +95,8 @@ TEST_CASE("the forms as text and as JSON say the same") {
 TEST_CASE("what cannot be read in the notes is reported, and the rest is evaluated") {
   const Folder folder;
   const Ended ended =
-      run_words({"eval", folder.write("a.md", "$$\\mathbf a = \\mathbf b\\cdot\\mathbf c$$\n\n" + square), "--no-times"});
+      run_words({"eval", folder.write("a.md", "$$\\mathbf a = \\mathbf b\\cdot\\mathbf c$$\n\n" + square),
+                 "--no-times"});
   CHECK(ended.code == 1);
   CHECK(ended.err.find("a.md:1:") != std::string::npos);
   CHECK(ended.out.find("Compute A") != std::string::npos);
