@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The house rules that a program can see: who may include whom (the table is .cmake/floors.cmake), which floor
-# may see which library, file length, the SPDX line, a short README on every floor.
+# may see which library, file length, the SPDX line, one class of a name in a namespace, a short README on every
+# floor.
 #
 #   cmake [-D ROOT=<repository>] -P tests/lint/layers.cmake
 #
@@ -76,6 +77,24 @@ macro(check_source file)
   endif()
 endmacro()
 
+# Two classes of one name in one namespace are one to the linker, which takes the functions of either.
+macro(check_classes file)
+  set(number 0)
+  set(namespace "")
+  foreach(line IN LISTS lines)
+    math(EXPR number "${number} + 1")
+    if(line MATCHES "^namespace ([A-Za-z_:]+) {")
+      set(namespace "${CMAKE_MATCH_1}")
+    elseif(line MATCHES "^(struct|class) ([A-Za-z_0-9]+)( final)?( :[^:].*)? {")
+      set(class "${namespace}::${CMAKE_MATCH_2}")
+      if(DEFINED "defined_${class}")
+        breach(${file}:${number} "`${class}` is the name of another class, in ${defined_${class}}")
+      endif()
+      set("defined_${class}" ${file}:${number})
+    endif()
+  endforeach()
+endmacro()
+
 # Every folder of src/ is a floor with a README.
 file(GLOB folders RELATIVE ${ROOT}/src ${ROOT}/src/*)
 foreach(floor IN LISTS folders)
@@ -114,6 +133,9 @@ foreach(floor IN LISTS RIGOR_FLOORS)
     read_lines(${file})
     check_source(${file})
     check_includes(${file} ${floor})
+    if(file MATCHES "\\.h$")
+      check_classes(${file})
+    endif()
   endforeach()
 endforeach()
 

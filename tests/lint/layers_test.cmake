@@ -57,6 +57,8 @@ expect_breach(src/base/b.h "${spdx}#  include \"source/a.h\" // [;]\n"
   "src/base/b.h:2: `base` includes `source/a.h`, but stands on: ")
 expect_breach(src/report/latex/b.sty "% words\n"
   "src/report/latex/b.sty:1: the first line is not `% SPDX-License-Identifier: GPL-3.0-or-later`")
+expect_breach(src/check/b.h "${spdx}namespace rigor {\nstruct Use {\n};\nclass Use : public Other {\n};\n}\n"
+  "src/check/b.h:5: `rigor::Use` is the name of another class, in src/check/b.h:3")
 expect_breach(src/check/b.cpp "${spdx}// a;b;c [ \\\n\n#include <ginac/ginac.h>\n"
   "src/check/b.cpp:4: `check` includes `ginac/ginac.h`, which only `algebra` may")
 expect_breach(src/expr/b.cpp "${spdx}#include \"cln/cln.h\"\n"
