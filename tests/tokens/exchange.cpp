@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
 #include <string_view>
 #include <variant>
@@ -29,11 +30,17 @@ bool holds_opaque(const SyntaxTree& tree) {
   return false;
 }
 
+/// All but the sides, of which only what is read counts: their text differs wherever a token does.
+std::string dump_frame(WrittenChain chain) {
+  for (WrittenSide& side : chain.sides) side.tokens.clear();
+  return dump_chain(chain);
+}
+
 Reading read(const Tokens& tokens, const std::string& environment) {
   Diagnostics diagnostics;
   Reading reading{{}, split_and_count(tokens, environment, diagnostics)};
   for (const WrittenChain& chain : reading.split.chains) {
-    reading.dump += dump_chain(chain);
+    reading.dump += dump_frame(chain);
     bool understood = !chain.condition;
     for (const WrittenSide& side : chain.sides) {
       SyntaxTree tree;
@@ -76,6 +83,7 @@ void Tally::add(const Tally& other) {
   not_understood += other.not_understood;
   tokens += other.tokens;
   exchanged += other.exchanged;
+  inserted += other.inserted;
   left_over += other.left_over;
   no_difference.insert(no_difference.end(), other.no_difference.begin(), other.no_difference.end());
 }
@@ -111,17 +119,64 @@ Tally exchange_tokens(const SourceMap& sources, const TokenDisplay& display) {
   for (std::size_t at = 0; at < display.tokens.size(); ++at) {
     const Token& token = before.split.tokens[at];
     const TokenUse use = before.split.uses.of(token);
-    if (use == TokenUse::aside || use == TokenUse::name || !is_judged(before, token)) continue;
+    if (!is_judged(before, token)) continue;
     Tokens tokens = display.tokens;
     tokens[at].kind = TokenKind::letter;
     tokens[at].text = letter;
     ++tally.exchanged;
     if (unbalanced_brace(tokens) != nullptr) continue;
     const Reading after = read(tokens, display.environment);
-    if (after.dump != before.dump || !is_judged(after, after.split.tokens[at])) continue;
+    if (use == TokenUse::aside) {  // the length of a space, say: of it nothing may be read
+      const bool argument = token.kind != TokenKind::control && token.kind != TokenKind::begin_group &&
+                            token.kind != TokenKind::end_group;
+      if (!argument || after.dump == before.dump) continue;
+    } else if (after.dump != before.dump || !is_judged(after, after.split.tokens[at])) {
+      continue;
+    }
     const LineColumn place = sources.line_column(token.span.file, token.span.begin);
     tally.no_difference.push_back(fmt::format("{}:{}:{}: `{}`", sources.path(token.span.file), place.line,
                                               place.column, text_of({&display.tokens[at], 1})));
+  }
+  return tally;
+}
+
+Tally insert_signs(const SourceMap& sources, const TokenDisplay& display) {
+  const auto sign = [](TokenKind kind, std::string_view text) { return Token{kind, text, {}}; };
+  const Token open = sign(TokenKind::begin_group, "{");
+  const Token close = sign(TokenKind::end_group, "}");
+  const Token above = sign(TokenKind::superscript, "^");
+  const auto word = [&](const char* control, std::initializer_list<const char*> letters) {
+    Tokens tokens{sign(TokenKind::control, control), open};
+    for (const char* letter : letters) tokens.push_back(sign(TokenKind::letter, letter));
+    tokens.push_back(close);
+    return tokens;
+  };
+  struct Added {
+    Tokens tokens;
+    bool behind;
+  };
+  const Added added[] = {
+      {{above, sign(TokenKind::digit, "0")}, true}, {{above, open, sign(TokenKind::other, "*"), close}, true},
+      {{sign(TokenKind::other, "'")}, true},        {word("text", {"g", "r", "a", "d"}), false},
+      {word("mathrm", {"R", "e"}), false},          {word("operatorname", {"t", "r"}), false}};
+  const Reading before = read(display.tokens, display.environment);
+  Tally tally;
+  for (std::size_t at = 0; at < display.tokens.size(); ++at) {
+    const Token& token = before.split.tokens[at];
+    const bool side = before.split.uses.of(token) == TokenUse::side && is_judged(before, token);
+    if (!side || token.kind != TokenKind::letter) continue;
+    for (const auto& [signs, behind] : added) {
+      Tokens tokens = display.tokens;
+      const auto place = tokens.begin() + static_cast<std::ptrdiff_t>(at + (behind ? 1 : 0));
+      tokens.insert(place, signs.begin(), signs.end());
+      ++tally.inserted;
+      const Reading after = read(tokens, display.environment);
+      if (after.dump != before.dump || after.not_understood > before.not_understood) continue;
+      const LineColumn where = sources.line_column(token.span.file, token.span.begin);
+      tally.no_difference.push_back(fmt::format("{}:{}:{}: `{}` at `{}`", sources.path(token.span.file),
+                                                where.line, where.column, text_of(signs),
+                                                text_of({&display.tokens[at], 1})));
+    }
   }
   return tally;
 }

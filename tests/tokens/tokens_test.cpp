@@ -27,7 +27,9 @@ std::vector<std::string> notes_in(const std::string& folder) {
   return files;
 }
 
-Tally exchanged_in(const std::string& path) {
+using Trial = Tally (*)(const SourceMap&, const exchange::TokenDisplay&);
+
+Tally tried_in(const std::string& path, Trial trial) {
   auto text = read_file(path);
   REQUIRE(text);
   static_cast<void>(mend_text(*text, 0));
@@ -35,7 +37,7 @@ Tally exchanged_in(const std::string& path) {
   const FileId file = sources.add(path, std::move(*text));
   Tally tally;
   for (const exchange::TokenDisplay& display : exchange::displays_of(sources, file))
-    tally.add(exchange::exchange_tokens(sources, display));
+    tally.add(trial(sources, display));
   return tally;
 }
 
@@ -55,7 +57,7 @@ TEST_CASE("every token of the notes belongs to something, and its exchange makes
   for (const std::string folder : {"derivations", "tests/notes"}) {
     Tally all;
     for (const std::string& path : notes_in(folder)) {
-      const Tally tally = exchanged_in(path);
+      const Tally tally = tried_in(path, exchange::exchange_tokens);
       INFO(path);
       CHECK(tally.left_over == 0);
       CHECK(tally.no_difference == std::vector<std::string>{});
@@ -66,6 +68,20 @@ TEST_CASE("every token of the notes belongs to something, and its exchange makes
   }
 }
 
+TEST_CASE("a script or a word that is added to a letter makes a difference") {
+  for (const std::string folder : {"derivations", "tests/notes/pass"}) {
+    Tally all;
+    for (const std::string& path : notes_in(folder)) {
+      const Tally tally = tried_in(path, exchange::insert_signs);
+      INFO(path);
+      CHECK(tally.no_difference == std::vector<std::string>{});
+      all.add(tally);
+    }
+    fmt::print("{}: {} signs added\n", folder, all.inserted);
+    CHECK(all.inserted > 1000);
+  }
+}
+
 // RIGOR_TOKENS_OF="FILE…" rigor_tokens_tests "[.tokens]": a tally for each file.
 TEST_CASE("every token of the notes that are named makes a difference", "[.tokens]") {
   const char* named = std::getenv("RIGOR_TOKENS_OF");
@@ -73,7 +89,7 @@ TEST_CASE("every token of the notes that are named makes a difference", "[.token
   std::istringstream paths{named};
   Tally all;
   for (std::string path; paths >> path;) {
-    const Tally tally = exchanged_in(path);
+    const Tally tally = tried_in(path, exchange::exchange_tokens);
     print(path, tally);
     all.add(tally);
   }
