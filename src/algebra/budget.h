@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much work deciding may take, counted and not timed: the same in every run and on every machine. A unit
-// is a step of evaluation, a term that is expanded, or an operation of linear algebra: 0.05 µs at a sample,
-// and up to 7 µs where roots are taken at the generic point.
+// How much work deciding may take, counted and not timed, so that it is the same on every machine. A unit
+// is about 0.3 µs: a step of evaluation or an operation of linear algebra takes one or less, and what GiNaC
+// does takes more, by the prices below. They were measured on steps that are slow; `tests/bench` compares
+// them.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,16 @@
 namespace rigor {
 
 /// Of one step of some notes, unless something else is asked for.
-inline constexpr std::uint64_t default_effort = 5'000'000;
+inline constexpr std::uint64_t default_effort = 4'000'000;
+
+/// Units for what GiNaC does with expanded polynomials.
+namespace price {
+inline constexpr std::uint64_t expanded_term = 4;       // of the result, before equal ones are collected
+inline constexpr std::uint64_t divided_pair = 25;       // terms of the dividend times terms of the divisor
+inline constexpr std::uint64_t factored_term = 5000;    // of what is taken apart into powers
+inline constexpr std::uint64_t looked_at_term = 4;      // along a line, `line_image.h`
+inline constexpr std::uint64_t row_of_multiples = 100;  // an equation times a monomial, `membership.h`
+}  // namespace price
 
 /// One counter for all that is asked about a step: its proofs, samples, and the assumptions' samples. What
 /// counts beyond the end gives up, at once and each time, so that everything ends.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/division.h"
 #include "algebra/membership.h"
 #include "algebra/terms.h"
 
@@ -38,12 +39,12 @@ constexpr std::size_t largest_divided = 2000;  // terms times terms
 
 }  // namespace
 
-ex without_factors(ex value, const std::vector<ex>& factors) {
+ex without_factors(ex value, const std::vector<ex>& factors, Budget* budget) {
   ex quotient;
   for (const ex& factor : factors) {
     if (is_number(factor)) continue;
     while (!is_number(value) && term_count(value) * term_count(factor) <= largest_divided &&
-           GiNaC::divide(value, factor, quotient)) {
+           divides(factor, value, quotient, budget)) {
       value = quotient.expand();
     }
   }
@@ -58,7 +59,7 @@ bool Cases::tidy(System& system) {
   }
   for (const ex& each : system.equations) {
     if (each.is_zero()) continue;
-    const ex rest = without_powers(without_factors(each, system.nonzero));
+    const ex rest = without_powers(without_factors(each, system.nonzero, domain_.budget()));
     if (is_number(rest)) return false;
     open.push_back(rest);
   }
@@ -78,7 +79,7 @@ std::optional<Cases::Linear> Cases::simplest_linear(const System& system, bool k
       const ex factor = equation.coeff(x, 1);
       const std::size_t terms = term_count(factor);
       if (best && terms >= fewest) continue;
-      if (known_factor && !is_number(without_factors(factor, system.nonzero))) continue;
+      if (known_factor && !is_number(without_factors(factor, system.nonzero, domain_.budget()))) continue;
       best = Linear{x, factor, equation.coeff(x, 0), i};
       fewest = terms;
     }
@@ -110,7 +111,7 @@ bool Cases::substitute(ex& value, System& system, const Linear& by) {
   for (ex& each : system.equations) each = substituted(each, by);
   for (ex& each : system.nonzero) each = substituted(each, by);
   std::erase_if(system.nonzero, [](const ex& each) { return is_number(each) && !each.is_zero(); });
-  value = without_factors(substituted(value, by), system.nonzero);
+  value = without_factors(substituted(value, by), system.nonzero, domain_.budget());
   return tidy(system);
 }
 

@@ -52,6 +52,7 @@ class Cases {
 };
 
 /// A polynomial without the factors that are known to be nonzero.
-[[nodiscard]] GiNaC::ex without_factors(GiNaC::ex value, const std::vector<GiNaC::ex>& factors);
+[[nodiscard]] GiNaC::ex without_factors(GiNaC::ex value, const std::vector<GiNaC::ex>& factors,
+                                        Budget* budget);
 
 }  // namespace rigor

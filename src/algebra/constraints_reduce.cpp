@@ -141,10 +141,12 @@ bool Constraints::vanishes(const ex& value) {
   for (const ex& each : nonzero_) system.nonzero.push_back(reduced(each));
   used_ = before;
   use(orders_);
-  if (is_combination_times_nonzero(without_factors(open, system.nonzero), system, which)) return true;
+  if (is_combination_times_nonzero(without_factors(open, system.nonzero, domain_.budget()), system, which))
+    return true;
   const ex rest = reduced(open);
   if (rest.is_zero()) return true;
-  const Cases::Verdict verdict = Cases(domain_).decide(without_factors(rest, system.nonzero), system);
+  const Cases::Verdict verdict =
+      Cases(domain_).decide(without_factors(rest, system.nonzero, domain_.budget()), system);
   if (verdict == Cases::Verdict::empty) throw Contradiction();
   for (const std::size_t each : which) use(remaining_[each].from);
   return verdict == Cases::Verdict::vanishes;

@@ -100,7 +100,7 @@ void FractionArithmetic::check(const Fraction& value) const {
 }
 
 ex FractionArithmetic::expanded(const ex& value, double estimated_terms) {
-  count(std::min<double>(estimated_terms, limits_.expanded_terms));
+  count(price::expanded_term * std::min<double>(estimated_terms, limits_.expanded_terms));
   work_.terms += estimated_terms;
   const double limit = attempts_share * limits_.expanded_terms;
   if (work_.terms > limit) throw too_many_terms(work_.terms, limit);

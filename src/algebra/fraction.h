@@ -51,6 +51,7 @@ class FractionArithmetic {
   void step();
   /// Counts other work.
   void count(double units);
+  [[nodiscard]] Budget* budget() const { return limits_.budget; }  // may be none
 
  private:
   void check(const Fraction& value) const;

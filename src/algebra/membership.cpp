@@ -201,7 +201,9 @@ std::optional<std::set<std::size_t>> combination(const ex& value, std::span<cons
   const std::optional<Row> wanted = rows.row(value);
   if (!wanted) return std::nullopt;
   Echelon echelon(limits.operations);
-  for (Multiple& each : Multiples(given, limits.multiples).around(*wanted)) echelon.insert(std::move(each));
+  std::vector<Multiple> multiples = Multiples(given, limits.multiples).around(*wanted);
+  if (limits.budget != nullptr) limits.budget->count(price::row_of_multiples * multiples.size());
+  for (Multiple& each : multiples) echelon.insert(std::move(each));
   Multiple rest = echelon.reduced({*wanted});
   if (limits.budget != nullptr) limits.budget->count(limits.operations - echelon.left());
   if (!rest.row.empty() || echelon.exhausted()) return std::nullopt;

@@ -9,6 +9,8 @@
 #include <map>
 #include <string>
 
+#include "algebra/budget.h"
+#include "algebra/division.h"
 #include "algebra/terms.h"
 #include "algebra/undecidable.h"
 
@@ -18,8 +20,7 @@ namespace {
 using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
-constexpr std::size_t largest_factored = 32;      // terms; takes up to 30 ms
-constexpr double work_of_factoring = 1'000;       // for each term
+constexpr std::size_t largest_factored = 32;      // terms
 constexpr std::size_t largest_division = 20'000;  // terms times terms: takes up to 50 ms
 
 [[nodiscard]] Rational to_rational(const ex& value) {
@@ -70,10 +71,10 @@ Sign Radicals::sign_of(const ex& expanded) const {
   if (direct != Sign::any) return direct;
   for (const Signs::Fact& fact : signs_.facts()) {
     ex quotient;
-    const bool divides = term_count(fact.value) == term_count(expanded) &&
-                         term_count(expanded) * term_count(expanded) <= largest_division &&
-                         GiNaC::divide(expanded, fact.value, quotient);
-    if (!divides) continue;
+    const bool is_multiple = term_count(fact.value) == term_count(expanded) &&
+                             term_count(expanded) * term_count(expanded) <= largest_division &&
+                             divides(fact.value, expanded, quotient, arithmetic_.budget());
+    if (!is_multiple) continue;
     if (is_number(quotient)) return product(fact.sign, signs_.of(quotient));
   }
   return Sign::any;
@@ -103,21 +104,19 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
       value = (value / common).expand();
     }
     ex quotient;
-    const auto divides = [&](const ex& base) {
+    const auto is_multiple_of = [&](const ex& base) {
       const std::size_t terms = term_count(value) * term_count(base);
       if (GiNaC::is_a<GiNaC::symbol>(base) || terms > largest_division) return false;
-      arithmetic_.count(static_cast<double>(terms));
-      return GiNaC::divide(value, base, quotient);
+      return divides(base, value, quotient, arithmetic_.budget());
     };
     for (const Divisor& each : known) {
-      while (divides(each.base)) {
+      while (is_multiple_of(each.base)) {
         note(found, each.base, exponent);
         value = quotient;
       }
     }
     if (effort_ == Effort::factored && term_count(value) <= largest_factored) {
-      arithmetic_.count(work_of_factoring * static_cast<double>(term_count(value)));
-      value = GiNaC::sqrfree(value);
+      value = with_repeated_factors(value, arithmetic_.budget());
     }
   }
   for (const ex& factor : factors_of(value)) {
@@ -126,18 +125,45 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
   }
 }
 
+/// In an order that is the same in every run, which GiNaC's is not: the first divisor that fits is taken off
+/// first.
+std::vector<Divisor> Radicals::in_order(const std::vector<Divisor>& divisors) const {
+  if (divisors.size() < 2) return divisors;
+  std::map<std::string, Divisor> by_fingerprint;
+  for (const Divisor& each : divisors) by_fingerprint.emplace(indeterminates_.fingerprint(each.base), each);
+  std::vector<Divisor> ordered;
+  for (const auto& [fingerprint, divisor] : by_fingerprint) ordered.push_back(divisor);
+  return ordered;
+}
+
 std::vector<Radicals::Factor> Radicals::factors(const Fraction& value) {
   std::vector<Factor> found;
+  const std::vector<Divisor> known = in_order(value.divisors);
   for (const ex& factor : factors_of(value.numerator)) {
     const auto [base, exponent] = split_power(factor);
-    note_factors(found, reduced(arithmetic_.expanded(base, value.terms)), exponent, value.divisors);
+    note_factors(found, reduced(arithmetic_.expanded(base, value.terms)), exponent, known);
   }
   for (const Divisor& each : value.divisors) note(found, each.base, -each.exponent);
-  if (found.size() < 2) return found;
-  std::map<std::string, Factor> in_order;  // GiNaC's order differs from run to run
-  for (Factor& each : found) in_order.emplace(indeterminates_.fingerprint(each.base), std::move(each));
+  // GiNaC's order, and the signs of what it takes apart, differ from run to run.
+  std::map<std::string, Factor> ordered;
+  bool turned = false;
+  for (Factor& each : found) {
+    std::string fingerprint = indeterminates_.fingerprint(each.base);
+    if (GiNaC::is_a<GiNaC::add>(each.base)) {
+      const ex opposite = (-each.base).expand();
+      std::string of_opposite = indeterminates_.fingerprint(opposite);
+      if (of_opposite < fingerprint) {
+        each.base = opposite;
+        fingerprint = std::move(of_opposite);
+        if (each.exponent % 2 != 0) turned = !turned;
+      }
+    }
+    const auto [at, is_new] = ordered.try_emplace(std::move(fingerprint), each);
+    if (!is_new) at->second.exponent += each.exponent;
+  }
   found.clear();
-  for (auto& [fingerprint, factor] : in_order) found.push_back(std::move(factor));
+  if (turned) found.push_back({-1, 1});
+  for (auto& [fingerprint, factor] : ordered) found.push_back(std::move(factor));
   return found;
 }
 
@@ -225,18 +251,22 @@ void Radicals::relate(const ex& symbol, const ex& square) {
 
 ex Radicals::reduced(const ex& expanded) {
   ex value = expanded;
+  arithmetic_.count(static_cast<double>(term_count(expanded) * radicals_.size()));
   for (std::size_t i = radicals_.size(); i-- > 0;) {
     const Radical each = radicals_[i];
-    const int degree = value.degree(each.symbol);
-    if (degree < 2) continue;
-    double terms = 0;
+    std::map<int, GiNaC::exvector> coefficients;  // of the powers from the second on
     GiNaC::exvector summands;
-    for (int k = value.ldegree(each.symbol); k <= degree; ++k) {
-      const ex coefficient = value.coeff(each.symbol, k);
-      if (coefficient.is_zero()) continue;
-      const Fraction factor = arithmetic_.power(polynomial(each.square), k / 2);
-      terms += factor.terms * static_cast<double>(term_count(coefficient));
-      summands.push_back(coefficient * factor.numerator * GiNaC::pow(each.symbol, k % 2));
+    for (const ex& term : terms_of(value)) {
+      const int degree = term.degree(each.symbol);
+      if (degree < 2) summands.push_back(term);
+      if (degree >= 2) coefficients[degree].push_back(term.coeff(each.symbol, degree));
+    }
+    if (coefficients.empty()) continue;
+    double terms = static_cast<double>(summands.size());
+    for (const auto& [degree, of_power] : coefficients) {
+      const Fraction factor = arithmetic_.power(polynomial(each.square), degree / 2);
+      terms += factor.terms * static_cast<double>(of_power.size());
+      summands.push_back(GiNaC::add(of_power) * factor.numerator * GiNaC::pow(each.symbol, degree % 2));
     }
     value = arithmetic_.expanded(GiNaC::add(summands), terms);
   }
