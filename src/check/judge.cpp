@@ -14,7 +14,7 @@
 #include "check/identity_reading.h"
 #include "check/law_diagnostic.h"
 #include "check/negative_squares.h"
-#include "check/ordered_product.h"
+#include "check/other_reading.h"
 #include "check/question.h"
 #include "check/question_names.h"
 #include "check/sign_doubt.h"
@@ -78,7 +78,7 @@ class Judging {
             decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
         break;
     }
-    heed_order();
+    heed_other_reading();
     note_uses(decision);
     if (claim_.explains) name_what_it_rests_on();
     judgement_.question = std::move(prepared_.question);
@@ -255,6 +255,13 @@ class Judging {
         "both sides are zero for all values, so the step says less than it seems to");
   }
 
+  /// Those that carry the axes of frames.
+  [[nodiscard]] std::set<SymbolId> rotations() const {
+    std::set<SymbolId> found;
+    for (const Frame& frame : names_.frames()) found.insert(frame.rotation);
+    return found;
+  }
+
   /// E is declared small, which means of first order, and E = v² makes it the square of a quantity.
   bool takes_another_order() {
     if (!claim_.nearly) return false;
@@ -307,30 +314,20 @@ class Judging {
     return true;
   }
 
-  /// Matrices and operators were multiplied as numbers are: what is proved counts where it holds in their
-  /// order as well, and nothing is refuted.
-  void heed_order() {
+  /// The letters can be something else than real numbers.
+  void heed_other_reading() {
     const bool proved = judgement_.verdict == Verdict::proved;
     if (!proved && judgement_.verdict != Verdict::refuted) return;
-    const std::set<SymbolId> ordered = ordered_symbols(tree_, names_, prepared_.question);
-    if (ordered.empty()) return;
-    const Equation& claim = claim_.equation;
-    if (proved && claim.relation == Relation::equal &&
-        (equal_in_order(tree_, claim.left, claim.right, ordered) ||
-         is_linear_in(prepared_.question, ordered)))
-      return;
+    Question asked = prepared_.question;
+    asked.tree = &tree_;
+    asked.claim = claim_.equation;
+    auto other = other_reading(asked, names_, proved);
+    if (!other) return;
     judgement_.verdict = Verdict::not_understood;
     judgement_.route.clear();
     judgement_.counterexample.reset();
     judgement_.diagnostics.clear();
-    const std::vector<SymbolId> names(ordered.begin(), ordered.end());
-    const bool one = names.size() == 1;
-    add(DiagnosticKind::ambiguous_reading,
-        fmt::format("{} can be {}, which need not commute, or {}; it {} for numbers",
-                    quoted_names(tree_, names), one ? "a matrix or an operator" : "matrices or operators",
-                    one ? "a number" : "numbers", proved ? "holds" : "does not hold"),
-        {fmt::format("`rigor: scalar {}` says that {}", tree_.symbols[names[0]].name,
-                     one ? "it is a number" : "the first is a number")});
+    add(DiagnosticKind::ambiguous_reading, std::move(other->message), std::move(other->help));
   }
 
   /// `A·(A×B) = 1`: where neither side depends on anything, no law can make it true.
@@ -402,7 +399,7 @@ class Judging {
       return;
     }
     std::vector<SymbolId> law;
-    if (!claim_.for_all) law = law_symbols(prepared_.question, restates_definition(), cache_);
+    if (!claim_.for_all) law = law_symbols(prepared_.question, restates_definition(), rotations(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
       judgement_.verdict = Verdict::not_understood;

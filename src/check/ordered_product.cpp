@@ -322,9 +322,29 @@ bool is_linear_in(const Question& question, const std::set<SymbolId>& ordered) {
   return !assumed && count.of(question.claim.left) < 2 && count.of(question.claim.right) < 2;
 }
 
+namespace {
+
+/// Of which the length is taken; a plain letter beside a bold one is read as its length.
+std::set<SymbolId> with_length(const ExprTree& tree, ExprId root) {
+  std::set<SymbolId> found;
+  std::vector<ExprId> pending{root};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    const std::span<const ExprId> children = tree.children(id);
+    pending.insert(pending.end(), children.begin(), children.end());
+    if (tree[id].op == Op::length && tree[children[0]].op == Op::symbol)
+      found.insert(tree[children[0]].symbol);
+  }
+  return found;
+}
+
+}  // namespace
+
 std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, const Question& question) {
   std::set<SymbolId> found;
   const auto look = [&](ExprId side) {
+    const std::set<SymbolId> lengths = with_length(tree, side);
     for (const SymbolId symbol : symbols_in(tree, side)) {
       const auto& derivation = tree.symbols[symbol].derivation;
       const SymbolId base = derivation ? derivation->base : symbol;
@@ -333,10 +353,11 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
       const std::string letter = key->base.substr(0, key->base.find('_'));
       // Of a vector of matrices, `\boldsymbol\sigma`, only what was shown counts, not that it is a capital.
       const bool labelled = letter.starts_with("\\") && key->base != letter;  // `\sigma_x`
-      const bool weak =
-          labelled && names.evidence.speaks_of_order && !names.evidence.numbers.contains(letter);
+      const bool spoken = names.evidence.order_in_heading || (labelled && names.evidence.speaks_of_order);
+      const bool weak = spoken && !names.evidence.numbers.contains(letter);
+      const bool plain = lengths.contains(symbol) && names.evidence.ordered.contains(letter);
       const bool shown = key->rank == 0 ? weak || names.evidence.is_ordered(letter)
-                                        : names.evidence.ordered.contains(letter);
+                                        : plain || names.evidence.labelled.contains(letter);
       if (shown) found.insert(symbol);
     }
   };

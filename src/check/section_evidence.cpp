@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "elaborate/ordered_letters.h"
+#include "elaborate/seen_letters.h"
 
 namespace rigor {
 namespace {
@@ -30,13 +31,16 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
   for (const ParsedChain& chain : chains) {
     for (const SyntaxId side : chain.sides) see_kinds(notes.syntax, side, evidence);
     see_order(notes.syntax, chain.sides, chain.written, evidence);
+    see_letters(notes.syntax, chain.sides, chain.written, evidence);
   }
 }
 
 /// The words between two places of one file.
 void see_between(const SourceMap& sources, Span before, Span behind, Evidence& evidence) {
   if (before.file != behind.file || before.end >= behind.begin) return;
-  see_words(sources.text({before.file, before.end, behind.begin}), evidence);
+  const std::string_view text = sources.text({before.file, before.end, behind.begin});
+  see_words(text, evidence);
+  see_said(text, evidence);
 }
 
 }  // namespace
@@ -52,7 +56,11 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
       const Span place = span_of(notes.events[k]);
       if (k > begin || title == nullptr) see_between(sources, last, place, evidence);
       if (title != nullptr && k > begin) break;
-      if (title != nullptr) see_words(title->title, evidence);
+      if (title != nullptr) {
+        see_words(title->title, evidence);
+        see_said(title->title, evidence);
+        see_heading(title->title, evidence);
+      }
       last = place;
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))
         see_chains(notes, display->chains, evidence);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "elaborate/elaborator.h"
+#include "elaborate/spelled.h"
 #include "expr/usual_letters.h"
 
 namespace rigor {
@@ -112,6 +113,11 @@ bool Elaborator::repeats_greek(std::span<const SyntaxChild> factors) {
 
 /// `f(x)` and `\omega(t)` can be a value of a function or a product; `dx` a differential or a product.
 bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
+  if (auto spelled = spelled_part(syntax_, factors, names_)) {
+    fail(DiagnosticKind::ambiguous_reading, spelled->span, std::move(spelled->message),
+         std::move(spelled->help));
+    return true;
+  }
   for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
     const SyntaxId id = factors[k].id;
     const SyntaxId next = factors[k + 1].id;

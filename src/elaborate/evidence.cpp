@@ -6,6 +6,19 @@
 namespace rigor {
 namespace {
 
+/// What a sine is taken of is a real number.
+void see_angle(const SyntaxTree& syntax, SyntaxId argument, Evidence& evidence) {
+  std::vector<SyntaxId> pending{argument};
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    if (syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).face != Face::plain) continue;
+    evidence.real.insert(letter_with_marks(syntax.symbol(id)));
+    evidence.numbers.insert(letter_with_marks(syntax.symbol(id)));
+  }
+}
+
 bool is_small_latin(const WrittenSymbol& symbol) {
   return symbol.letter.size() == 1 && symbol.letter[0] >= 'a' && symbol.letter[0] <= 'z' &&
          symbol.face == Face::plain && symbol.accent == Accent::none;
@@ -67,8 +80,13 @@ void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
     for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
     if (syntax[id].kind == SyntaxKind::fraction) see_divisor(syntax, syntax.child(id, 1), evidence);
     if (syntax[id].kind == SyntaxKind::term) see_product(syntax, id, evidence);
+    const bool angle = syntax[id].kind == SyntaxKind::function &&
+                       (syntax.text(id) == "sin" || syntax.text(id) == "cos" || syntax.text(id) == "tan");
+    if (angle) see_angle(syntax, syntax.child(id, 0), evidence);
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
+    evidence.letters.insert(symbol.letter);
+    if (symbol.accent == Accent::bar) evidence.complex.insert(symbol.letter);
     if (symbol.face == Face::vector) evidence.vectors.insert(letter_with_marks(symbol));
   }
 }

@@ -11,14 +11,24 @@
 namespace rigor {
 
 struct Evidence {
-  std::set<std::string> vectors;  // bold or under an arrow somewhere
-  std::set<std::string> crossed;  // factors of a cross product
-  std::set<std::string> numbers;  // divisors, and small Latin letters beside a vector
-  std::set<std::string> ordered;  // what may be a matrix or an operator: the order of factors may matter
-  std::set<std::string> hatted;   // `\hat x`: a unit vector or an operator
-  bool operators = false;         // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
-  bool speaks_of_order = false;   // the words speak of matrices or operators: then capitals may be some
-  bool sentence_is_open = false;  // while reading: such a sentence goes on with the next display
+  std::set<std::string> vectors;   // bold or under an arrow somewhere
+  std::set<std::string> crossed;   // factors of a cross product
+  std::set<std::string> numbers;   // divisors, and small Latin letters beside a vector
+  std::set<std::string> ordered;   // what may be a matrix or an operator: the order of factors may matter
+  std::set<std::string> labelled;  // of those, what has a subscript there: components of a vector of matrices
+  std::set<std::string> hatted;    // `\hat x`: a unit vector or an operator
+  std::set<std::string> real;      // in an order, in a sine, or said to be real
+  std::set<std::string> complex;   // conjugated somewhere: `\bar z`, `\psi^*`
+  std::set<std::string> letters;   // all that stand in equations, without faces and accents; `i` among them
+  std::set<std::string> points;    // of names such as `ABC` in the prose
+  std::set<std::string> functionals;  // `E[X]`: square brackets stand directly behind
+  std::set<std::string> units;        // "the unit matrix $I$", "the identity $E$"
+  bool operators = false;             // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
+  bool speaks_of_order = false;       // the words speak of matrices or operators: then capitals may be some
+  bool order_in_heading = false;      // a heading does: then small letters may be some as well
+  bool speaks_of_complex = false;     // the words do
+  bool speaks_of_segments = false;    // of triangles and segments: `AB` can be the name of one
+  bool sentence_is_open = false;      // while reading: such a sentence goes on with the next display
 
   /// May the letter be a matrix or an operator?
   [[nodiscard]] bool is_ordered(const std::string& letter) const;

@@ -37,22 +37,38 @@ LetterAt letter_at(TokenView tokens, std::size_t at) {
   return {inside.name, argument.next};
 }
 
-std::vector<std::string> letters_in(TokenView tokens) {
-  std::vector<std::string> letters;
+bool is_subscript_at(TokenView tokens, std::size_t at) {
+  at = skip_blank(tokens, at);
+  return at < tokens.size() && tokens[at].kind == TokenKind::subscript;
+}
+
+struct FoundLetter {
+  std::string name;
+  bool labelled;  // a subscript stands on it
+};
+
+std::vector<FoundLetter> letters_in(TokenView tokens) {
+  std::vector<FoundLetter> letters;
   for (std::size_t at = 0; at < tokens.size();) {
     if (tokens[at].kind == TokenKind::subscript || tokens[at].kind == TokenKind::superscript) {
       at = script_argument_at(tokens, at + 1).next;
       continue;
     }
     LetterAt letter = letter_at(tokens, at);
-    if (!letter.name.empty()) letters.push_back(std::move(letter.name));
+    if (!letter.name.empty())
+      letters.push_back({std::move(letter.name), is_subscript_at(tokens, letter.next)});
     at = letter.next;
   }
   return letters;
 }
 
+void add_letter(const std::string& letter, bool labelled, Evidence& evidence) {
+  evidence.ordered.insert(letter);
+  if (labelled) evidence.labelled.insert(letter);
+}
+
 void add_letters(TokenView tokens, Evidence& evidence) {
-  for (std::string& letter : letters_in(tokens)) evidence.ordered.insert(std::move(letter));
+  for (const FoundLetter& letter : letters_in(tokens)) add_letter(letter.name, letter.labelled, evidence);
 }
 
 std::size_t behind_subscript(TokenView tokens, std::size_t at) {
@@ -157,9 +173,11 @@ void see_inverses(TokenView tokens, Evidence& evidence) {
     if (!is_sign(tokens[at], "(")) continue;
     const std::size_t end = closing(tokens, at);
     if (end >= tokens.size() || !is_inverse_at(tokens, skip_blank(tokens, end + 1))) continue;
-    const std::vector<std::string> inside = letters_in(tokens.subspan(at + 1, end - at - 1));
-    if (inside.size() > 1 && std::all_of(inside.begin(), inside.end(), is_capital))
-      evidence.ordered.insert(inside.begin(), inside.end());
+    const TokenView inside = tokens.subspan(at + 1, end - at - 1);
+    const std::vector<FoundLetter> letters = letters_in(inside);
+    if (letters.size() > 1 && std::all_of(letters.begin(), letters.end(),
+                                          [](const FoundLetter& each) { return is_capital(each.name); }))
+      add_letters(inside, evidence);
   }
 }
 
@@ -170,7 +188,7 @@ void see_tokens(TokenView tokens, bool may_be_interval, Evidence& evidence) {
     const LetterAt letter = letter_at(tokens, at);
     if (!letter.name.empty()) {
       const Adjoint adjoint = adjoint_at(tokens, behind_subscript(tokens, letter.next));
-      if (adjoint != Adjoint::none) evidence.ordered.insert(letter.name);
+      if (adjoint != Adjoint::none) add_letter(letter.name, is_subscript_at(tokens, letter.next), evidence);
       evidence.operators = evidence.operators || adjoint == Adjoint::dagger || letter.name == "\\hat{p}" ||
                            letter.name == "\\hat{H}";
       if (letter.name.starts_with("\\hat{")) evidence.hatted.insert(letter.name);
@@ -257,7 +275,8 @@ void see_inline(std::string_view formula, bool follows, Evidence& evidence) {
       std::size_t end = at + 1;
       while (end < formula.size() && std::isalpha(static_cast<unsigned char>(formula[end])) != 0) ++end;
       const std::string word(formula.substr(at, end - at));
-      if (is_greek(word) && follows) evidence.ordered.insert(word);
+      const bool labelled = end < formula.size() && formula[end] == '_';
+      if (is_greek(word) && follows) add_letter(word, labelled, evidence);
       at = end - 1;
       const bool bold = word == "\\mathbf" || word == "\\vec" || word == "\\boldsymbol" || word == "\\bm";
       if (bold) at = std::min(formula.find_first_of("} ", end + 1), formula.size());
@@ -266,7 +285,8 @@ void see_inline(std::string_view formula, bool follows, Evidence& evidence) {
     const bool capital = c >= 'A' && c <= 'Z';
     const bool small = c >= 'a' && c <= 'z';
     if (c == '_' || c == '^') return;  // a script says nothing of its own
-    if (capital || (small && follows)) evidence.ordered.insert(std::string(1, c));
+    const bool labelled = at + 1 < formula.size() && formula[at + 1] == '_';
+    if (capital || (small && follows)) add_letter(std::string(1, c), labelled, evidence);
   }
 }
 
@@ -283,7 +303,8 @@ void see_order(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, con
       std::any_of(sides.begin(), sides.end(), [&](SyntaxId side) { return holds_a_matrix(syntax, side); });
   for (const SyntaxId side : sides) {
     const bool alone = syntax[side].kind == SyntaxKind::symbol && syntax.symbol(side).face == Face::plain;
-    if (matrix && alone) evidence.ordered.insert(letter_with_marks(syntax.symbol(side)));
+    if (!matrix || !alone) continue;
+    add_letter(letter_with_marks(syntax.symbol(side)), !syntax.symbol(side).lower.empty(), evidence);
   }
   if (!evidence.sentence_is_open) return;
   // "The Pauli matrices are" and then a display: its letters are what the sentence speaks of.
@@ -337,6 +358,19 @@ void see_words(std::string_view text, Evidence& evidence) {
   }
   end_sentence(text.size());
   evidence.sentence_is_open = speaks;
+}
+
+void see_heading(std::string_view title, Evidence& evidence) {
+  static constexpr std::array<std::string_view, 11> words{"heisenberg", "commut",   "operator",  "quantiz",
+                                                          "quantis",    "clifford", "grassmann", "quaterni",
+                                                          "fermi",      "pauli",    "dirac"};
+  std::string lower(title);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool speaks = std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+    return lower.find(word) != std::string::npos;
+  });
+  evidence.order_in_heading = evidence.order_in_heading || speaks;
 }
 
 void settle_order(Evidence& evidence) {

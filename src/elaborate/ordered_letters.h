@@ -19,6 +19,9 @@ void see_order(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, con
 /// that speaks of matrices or operators are counted in, and so is what its sentence displays.
 void see_words(std::string_view text, Evidence& evidence);
 
+/// "Heisenberg picture", "Quaternions": in such a section any letter may be one.
+void see_heading(std::string_view title, Evidence& evidence);
+
 /// When all is seen: hatted letters are operators where operators are about, else unit vectors.
 void settle_order(Evidence& evidence);
 

@@ -144,7 +144,7 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
     return opaque(token.span, fmt::format("`\\{}` has no argument", token.text), DiagnosticKind::bad_syntax);
   if (all_plain_letters(content) && (style.face != Face::plain || style.upright)) {
     const std::string word = text_of(content);
-    if (style.upright) {
+    if (style.upright || !function_name(word).empty() || field_operator(word) || word == "rot") {
       return opaque(span, fmt::format("`{}` is a word, not a quantity that is known", word));
     }
     read(content);

@@ -121,8 +121,8 @@ TEST_CASE("quotients are brought over a common denominator") {
 }
 
 TEST_CASE("a rule says what was done") {
-  const auto rule = [](const std::string& claim) {
-    const Explained reading("$$" + claim + "$$", 0);
+  const auto rule = [](const std::string& claim, const std::string& before = "") {
+    const Explained reading(before + "$$" + claim + "$$", 0);
     INFO(reading.lines());
     REQUIRE(reading.explanation.steps.size() == 1);
     return reading.explanation.steps[0].rule;
@@ -134,8 +134,9 @@ TEST_CASE("a rule says what was done") {
   CHECK(rule("\\varepsilon_{ijk}a_jb_k = b_k\\varepsilon_{ijk}a_j") == "order of terms and factors");
   CHECK(rule("\\varepsilon_{ijk}a_jb_k = -\\varepsilon_{ikj}a_jb_k") == "ε is antisymmetric");
   CHECK(rule("a_ib_i = a_jb_j") == "renamed dummies");
-  CHECK(rule("a^2b = baa") == "powers as products");
-  CHECK(rule("baa = a^2b") == "equal factors as a power");
+  const std::string numbers = "<!-- rigor: scalar a, b -->\n";
+  CHECK(rule("a^2b = baa", numbers) == "powers as products");
+  CHECK(rule("baa = a^2b", numbers) == "equal factors as a power");
   CHECK(rule("\\frac ab + \\frac cd = \\frac{ad + bc}{bd}") == "common denominator");
   CHECK(rule("\\frac{ad + bc}{bd} = \\frac ab + \\frac cd") == "divided out");
   CHECK(rule("\\sqrt a\\sqrt a = a") == "square of a root");

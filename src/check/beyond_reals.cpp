@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/beyond_reals.h"
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/splitmix.h"
+#include "check/unread.h"
+
+namespace rigor {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// The key of what may be something else than a real number; null for what is declared or has axes.
+const NameKey* open_key(const ExprTree& tree, const Names& names, SymbolId symbol) {
+  const Symbol& each = tree.symbols[symbol];
+  const SymbolId base = each.derivation ? each.derivation->base : symbol;
+  const Symbol& whole = tree.symbols[base];
+  if (whole.declared || whole.unit_of_measure || whole.rank != 0) return nullptr;
+  return names.key_of(base);
+}
+
+std::string letter_of(const NameKey& key) { return key.base.substr(0, key.base.find('_')); }
+
+bool may_be_complex(const Evidence& evidence, const std::string& letter) {
+  if (evidence.real.contains(letter)) return false;
+  const bool imaginary = evidence.letters.contains("i") || evidence.letters.contains("\\mathrm{i}");
+  if (evidence.complex.contains(letter) || evidence.speaks_of_complex || imaginary) return true;
+  static constexpr std::array<std::string_view, 7> usual{"z",        "w",     "\\psi", "\\Psi",
+                                                         "\\varphi", "\\phi", "\\Phi"};
+  if (std::find(usual.begin(), usual.end(), letter) == usual.end()) return false;
+  // Coordinates x, y, z, velocities u, v, w, and angles θ, φ.
+  const auto beside = [&](const char* first, const char* second) {
+    return evidence.letters.contains(first) && evidence.letters.contains(second);
+  };
+  if (letter == "z") return !beside("x", "y");
+  if (letter == "w") return !beside("u", "v");
+  return letter.ends_with("si") || !evidence.letters.contains("\\theta");
+}
+
+class ComplexValues {
+  static constexpr int deepest = 12;  // definitions in definitions
+
+  template <typename Body>
+  auto unfolds(const Body& body) {
+    ++depth_;
+    auto result = body();
+    --depth_;
+    return result;
+  }
+
+ public:
+  ComplexValues(const Question& question, const std::set<SymbolId>& complex)
+      : question_(question), tree_(*question.tree), complex_(complex) {}
+
+  /// Is a modulus or a root taken of what is complex?
+  bool tells_apart(ExprId id) {
+    const ExprNode& node = tree_[id];
+    if ((node.op == Op::absolute || node.op == Op::root) && is_complex(id)) return true;
+    const std::span<const ExprId> children = tree_.children(id);
+    if (std::any_of(children.begin(), children.end(), [&](ExprId child) { return tells_apart(child); }))
+      return true;
+    const Definition* definition = definition_of(id);
+    return definition != nullptr && depth_ < deepest &&
+           unfolds([&] { return tells_apart(definition->body); });
+  }
+
+  bool is_complex(ExprId id) {
+    for (const SymbolId symbol : symbols_in(tree_, id)) {
+      if (complex_.contains(symbol)) return true;
+    }
+    const std::vector<SymbolId> symbols = symbols_in(tree_, id);
+    return std::any_of(
+        question_.definitions.begin(), question_.definitions.end(), [&](const Definition& each) {
+          const bool has = std::find(symbols.begin(), symbols.end(), each.symbol) != symbols.end();
+          return has && depth_ < deepest && unfolds([&] { return is_complex(each.body); });
+        });
+  }
+
+  void draw(std::uint64_t seed) {
+    random_ = SplitMix(seed);
+    values_.clear();
+  }
+
+  std::optional<Complex> value(ExprId id) {
+    const ExprNode& node = tree_[id];
+    const std::span<const ExprId> children = tree_.children(id);
+    switch (node.op) {
+      case Op::number:
+        return Complex(std::stod(tree_.digits(id)));
+      case Op::symbol:
+        if (const Definition* definition = definition_of(id)) {
+          if (depth_ >= deepest) return std::nullopt;
+          return unfolds([&] { return value(definition->body); });
+        }
+        return node.rank == 0 ? std::optional(value_of(node.symbol)) : std::nullopt;
+      case Op::add:
+        return folded(children, Complex(0), [](Complex a, Complex b) { return a + b; });
+      case Op::multiply:
+        return folded(children, Complex(1), [](Complex a, Complex b) { return a * b; });
+      case Op::negate:
+        return mapped(children[0], [](Complex a) { return -a; });
+      case Op::power:
+        return mapped(children[0], [&](Complex a) { return std::pow(a, node.exponent); });
+      case Op::root:
+        return mapped(children[0], [](Complex a) { return std::sqrt(a); });
+      case Op::absolute:
+        return mapped(children[0], [](Complex a) { return Complex(std::abs(a)); });
+      case Op::divide: {
+        const auto above = value(children[0]);
+        const auto below = value(children[1]);
+        if (!above || !below || std::abs(*below) < 1e-9) return std::nullopt;
+        return *above / *below;
+      }
+      case Op::function:
+        return mapped(children[0], [&](Complex a) { return applied(node.function, a); });
+      default:
+        return std::nullopt;
+    }
+  }
+
+ private:
+  template <typename Operation>
+  std::optional<Complex> folded(std::span<const ExprId> children, Complex total, const Operation& operation) {
+    for (const ExprId child : children) {
+      const auto each = value(child);
+      if (!each) return std::nullopt;
+      total = operation(total, *each);
+    }
+    return total;
+  }
+
+  template <typename Operation>
+  std::optional<Complex> mapped(ExprId child, const Operation& operation) {
+    const auto inside = value(child);
+    return inside ? std::optional<Complex>(operation(*inside)) : std::nullopt;
+  }
+
+  static Complex applied(Function function, Complex argument) {
+    switch (function) {
+      case Function::sin:
+        return std::sin(argument);
+      case Function::cos:
+        return std::cos(argument);
+      default:
+        return std::exp(argument);
+    }
+  }
+
+  const Definition* definition_of(ExprId id) const {
+    if (tree_[id].op != Op::symbol) return nullptr;
+    const auto found = std::find_if(question_.definitions.begin(), question_.definitions.end(),
+                                    [&](const Definition& each) { return each.symbol == tree_[id].symbol; });
+    return found == question_.definitions.end() ? nullptr : &*found;
+  }
+
+  Complex value_of(SymbolId symbol) {
+    const auto known = values_.find(symbol);
+    if (known != values_.end()) return known->second;
+    const double real = 0.3 + draw_unit();
+    const Complex value = complex_.contains(symbol) ? Complex(real - 0.8, 0.2 + draw_unit()) : Complex(real);
+    values_.emplace(symbol, value);
+    return value;
+  }
+
+  double draw_unit() { return static_cast<double>(random_.next() >> 11) * 0x1p-53; }
+
+  const Question& question_;
+  const ExprTree& tree_;
+  const std::set<SymbolId>& complex_;
+  std::map<SymbolId, Complex> values_;
+  SplitMix random_{0};
+  int depth_ = 0;
+};
+
+bool is_met(Relation relation, Complex left, Complex right) {
+  const double scale = 1 + std::abs(left) + std::abs(right);
+  constexpr double tolerance = 1e-9;
+  if (relation == Relation::equal) return std::abs(left - right) < tolerance * scale;
+  if (relation == Relation::unequal) return true;
+  // An order is one of real numbers.
+  return std::abs(left.imag()) < tolerance * scale && std::abs(right.imag()) < tolerance * scale &&
+         left.real() < right.real() + tolerance * scale;
+}
+
+bool shares(const ExprTree& tree, ExprId side, const std::set<SymbolId>& symbols) {
+  const std::vector<SymbolId> own = symbols_in(tree, side);
+  return std::any_of(own.begin(), own.end(), [&](SymbolId symbol) { return symbols.contains(symbol); });
+}
+
+}  // namespace
+
+std::set<SymbolId> complex_symbols(const Question& question, const Names& names) {
+  std::set<SymbolId> found;
+  for (const SymbolId symbol : symbols_of(question)) {
+    const NameKey* key = open_key(*question.tree, names, symbol);
+    if (key != nullptr && may_be_complex(names.evidence, letter_of(*key))) found.insert(symbol);
+  }
+  return found;
+}
+
+bool holds_for_complex(const Question& question, const std::set<SymbolId>& symbols) {
+  if (symbols.empty()) return true;
+  ComplexValues values(question, symbols);
+  const Equation& claim = question.claim;
+  const auto tells_apart = [&](const Equation& each) {
+    const bool order = each.relation != Relation::equal && each.relation != Relation::unequal;
+    const bool complex = values.is_complex(each.left) || values.is_complex(each.right);
+    return (order && complex) || values.tells_apart(each.left) || values.tells_apart(each.right);
+  };
+  const bool asked = tells_apart(claim) ||
+                     std::any_of(question.assumptions.begin(), question.assumptions.end(), tells_apart);
+  if (!asked) return true;
+  const ExprTree& tree = *question.tree;
+  const bool assumed =
+      std::any_of(question.assumptions.begin(), question.assumptions.end(), [&](const Equation& each) {
+        return shares(tree, each.left, symbols) || shares(tree, each.right, symbols);
+      });
+  if (assumed) return false;
+  constexpr std::uint64_t trials = 6;
+  for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+    values.draw(seed);
+    const auto left = values.value(claim.left);
+    const auto right = values.value(claim.right);
+    if (!left || !right || !is_met(claim.relation, *left, *right)) return false;
+  }
+  return true;
+}
+
+std::set<SymbolId> symbols_of_determinants(const Question& question, const Names& names) {
+  const ExprTree& tree = *question.tree;
+  const Evidence& evidence = names.evidence;
+  const auto can_be_matrix = [&](SymbolId symbol) {
+    const NameKey* key = open_key(tree, names, symbol);
+    if (key == nullptr || key->base.size() != 1 || key->base[0] < 'A' || key->base[0] > 'Z') return false;
+    return !evidence.real.contains(key->base) && !evidence.numbers.contains(key->base) &&
+           !evidence.vectors.contains(key->base) && !evidence.complex.contains(key->base);
+  };
+  std::set<SymbolId> inside;
+  std::set<SymbolId> different;
+  std::vector<ExprId> pending{question.claim.left, question.claim.right};
+  std::vector<ExprId> outside;
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    const std::span<const ExprId> children = tree.children(id);
+    if (tree[id].op == Op::symbol) outside.push_back(id);
+    if (tree[id].op != Op::absolute) {
+      pending.insert(pending.end(), children.begin(), children.end());
+      continue;
+    }
+    // Products and powers of matrices have the products and powers of their determinants.
+    bool only_products = true;
+    std::vector<ExprId> factors{children[0]};
+    while (!factors.empty() && only_products) {
+      const ExprId factor = factors.back();
+      factors.pop_back();
+      const std::span<const ExprId> parts = tree.children(factor);
+      const Op op = tree[factor].op;
+      const bool product = op == Op::multiply || op == Op::power;
+      only_products = product || (op == Op::symbol && can_be_matrix(tree[factor].symbol));
+      factors.insert(factors.end(), parts.begin(), parts.end());
+    }
+    for (const SymbolId symbol : symbols_in(tree, children[0])) {
+      if (!can_be_matrix(symbol)) continue;
+      inside.insert(symbol);
+      if (!only_products) different.insert(symbol);
+    }
+  }
+  for (const ExprId id : outside) {
+    if (inside.contains(tree[id].symbol)) different.insert(tree[id].symbol);
+  }
+  return different;
+}
+
+}  // namespace rigor

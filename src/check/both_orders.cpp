@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/both_orders.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rigor {
+namespace {
+
+/// A symbol, one component of it, or a sum in brackets.
+struct Factor {
+  SymbolId symbol{};  // of a sum: the first one
+  std::string slots;  // empty: the whole
+  std::string sum = {};
+  friend auto operator<=>(const Factor&, const Factor&) = default;
+};
+
+std::string_view letter_of(const NameKey& key) {
+  return std::string_view(key.base).substr(0, key.base.find('_'));
+}
+
+bool is_capital(std::string_view letter) {
+  return letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
+}
+
+/// Letters that usually stand for matrices one of which belongs to each axis.
+bool is_usual_generator(std::string_view letter) {
+  static constexpr std::array<std::string_view, 9> letters{
+      "\\gamma", "\\sigma", "\\tau", "\\theta", "\\psi", "\\lambda", "\\eta", "\\Gamma", "\\Sigma"};
+  return is_capital(letter) || std::find(letters.begin(), letters.end(), letter) != letters.end();
+}
+
+/// `a_x`: a component that is written as a number.
+bool is_component(const NameKey& key) {
+  return key.base.ends_with("_{x}") || key.base.ends_with("_{y}") || key.base.ends_with("_{z}");
+}
+
+class Products {
+ public:
+  Products(const ExprTree& tree, const Names& names) : tree_(tree), names_(names) {}
+
+  /// The products in and below an expression.
+  void look(ExprId id) {
+    std::vector<Factor> word;
+    flatten(id, word);
+    if (word.size() > longest_word) return;
+    for (std::size_t k = 0; k < word.size(); ++k) {
+      for (std::size_t later = k + 1; later < word.size(); ++later) {
+        if (word[k] != word[later]) before_.emplace(word[k], word[later]);
+      }
+    }
+  }
+
+  [[nodiscard]] std::set<SymbolId> found() const {
+    std::set<SymbolId> symbols = in_exponents();
+    for (const auto& [first, second] : before_) {
+      if (!before_.contains({second, first}) || !may_have_order(first, second)) continue;
+      add(first, symbols);
+      add(second, symbols);
+    }
+    return symbols;
+  }
+
+ private:
+  static constexpr std::size_t longest_word = 200;
+  static constexpr std::uint32_t heaviest_sum = 60;
+
+  void flatten(ExprId id, std::vector<Factor>& word) {
+    const ExprNode& node = tree_[id];
+    const std::span<const ExprId> children = tree_.children(id);
+    switch (node.op) {
+      case Op::symbol:
+        add_symbol(id, word);
+        return;
+      case Op::add:
+        add_sum(id, word);
+        for (const ExprId child : children) look(child);
+        return;
+      case Op::length:  // `A` where `\vec A` stands in another section
+        if (tree_[children[0]].op != Op::symbol) return look(children[0]);
+        if (const NameKey* key = names_.key_of(tree_[children[0]].symbol);
+            key != nullptr && !names_.evidence.vectors.contains(std::string(letter_of(*key))))
+          word.push_back({tree_[children[0]].symbol, {}});
+        return;
+      case Op::multiply:
+        for (const ExprId child : children) flatten(child, word);
+        return;
+      case Op::negate:
+        flatten(children[0], word);
+        return;
+      case Op::divide:
+        flatten(children[0], word);
+        look(children[1]);
+        return;
+      case Op::power:
+        if (tree_[children[0]].op == Op::symbol) return flatten(children[0], word);
+        if (node.exponent == -1) add_capitals(children[0], word);
+        look(children[0]);
+        return;
+      case Op::function: {
+        const bool outer = std::exchange(in_exponent_, in_exponent_ || node.function == Function::exp);
+        look(children[0]);
+        in_exponent_ = outer;
+        return;
+      }
+      case Op::absolute: {
+        const bool outer = std::exchange(in_bars_, true);
+        look(children[0]);
+        in_bars_ = outer;
+        return;
+      }
+      default:
+        for (const ExprId child : children) look(child);
+    }
+  }
+
+  /// `(a + b)c = c(a + b)`.
+  void add_sum(ExprId id, std::vector<Factor>& word) {
+    std::vector<SymbolId> symbols = symbols_in(tree_, id);
+    const bool numbers = std::any_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+      return tree_.symbols[symbol].rank != 0 || tree_.symbols[symbol].derivation.has_value();
+    });
+    if (symbols.empty() || numbers || in_bars_ || tree_[id].weight > heaviest_sum) return;
+    word.push_back({symbols.front(), {}, dump(tree_, id)});
+    sums_.emplace(word.back().sum, std::move(symbols));
+  }
+
+  void add(const Factor& factor, std::set<SymbolId>& symbols) const {
+    if (factor.sum.empty()) {
+      symbols.insert(factor.symbol);
+    } else {
+      const std::vector<SymbolId>& inside = sums_.at(factor.sum);
+      symbols.insert(inside.begin(), inside.end());
+    }
+  }
+
+  void add_symbol(ExprId id, std::vector<Factor>& word) {
+    const SymbolId symbol = tree_[id].symbol;
+    if (tree_[id].rank != 0) return;  // dyads keep their order anyway
+    see_capital(symbol);
+    const NameKey* key = names_.key_of(symbol);
+    const bool number = in_bars_ && key != nullptr && !is_capital(letter_of(*key));
+    if (!number) word.push_back({symbol, slots_of(id)});
+  }
+
+  /// `(1 + A)^{-1}B = B(1 + A)^{-1}`: what stands in the bracket is on its side.
+  void add_capitals(ExprId id, std::vector<Factor>& word) const {
+    for (const SymbolId symbol : symbols_in(tree_, id)) {
+      const NameKey* key = names_.key_of(symbol);
+      if (key != nullptr && key->rank == 0 && is_capital(letter_of(*key))) word.push_back({symbol, {}});
+    }
+  }
+
+  std::string slots_of(ExprId id) const {
+    std::string text;
+    for (const Slot& slot : tree_.slots(id)) {
+      text += slot.axis != 0 ? std::to_string(slot.axis) : tree_.name(slot.variable);
+      text += ' ';
+    }
+    return text;
+  }
+
+  void see_capital(SymbolId symbol) {
+    const NameKey* key = names_.key_of(symbol);
+    if (key == nullptr || key->rank != 0 || !is_capital(letter_of(*key))) return;
+    if (tree_.symbols[symbol].declared || is_number(*key) ||
+        names_.evidence.vectors.contains(std::string(letter_of(*key))))
+      return;
+    const bool bare = is_capital(key->base);
+    if (in_exponent_ && !bare) labelled_exponents_.insert(symbol);
+    if (bare) (in_exponent_ ? exponents_ : bases_).insert(symbol);
+  }
+
+  /// `e^Ae^B`, `e^ABe^{-A}`, `e^{H_0}e^V`, but not `e^{E_1}e^{E_2}`.
+  std::set<SymbolId> in_exponents() const {
+    std::set<SymbolId> all = exponents_;
+    all.insert(bases_.begin(), bases_.end());
+    all.insert(labelled_exponents_.begin(), labelled_exponents_.end());
+    return exponents_.empty() || all.size() < 2 ? std::set<SymbolId>{} : all;
+  }
+
+  bool is_number(const NameKey& key) const {
+    return names_.evidence.numbers.contains(std::string(letter_of(key)));
+  }
+
+  bool may_have_order(const Factor& first, const Factor& second) const {
+    const NameKey* one = names_.key_of(first.symbol);
+    const NameKey* other = names_.key_of(second.symbol);
+    if (one == nullptr || other == nullptr) return false;  // a derivative, say
+    for (const SymbolId symbol : {first.symbol, second.symbol}) {
+      const Symbol& each = tree_.symbols[symbol];
+      if (each.declared || each.derivation || each.unit_of_measure || each.per_particle) return false;
+    }
+    if (first.slots.empty() != second.slots.empty()) return false;
+    const bool speaks = names_.evidence.speaks_of_order || names_.evidence.order_in_heading;
+    const bool same_letter = letter_of(*one) == letter_of(*other);
+    const bool components = !first.slots.empty() || (is_component(*one) && is_component(*other));
+    if (!components) return !is_number(*one) || !is_number(*other);
+    const std::string letter(letter_of(*one));
+    if (names_.evidence.vectors.contains(letter) && !names_.evidence.labelled.contains(letter)) return false;
+    return same_letter ? speaks || is_usual_generator(letter) : speaks && first.slots.empty();
+  }
+
+  const ExprTree& tree_;
+  const Names& names_;
+  std::set<std::pair<Factor, Factor>> before_;
+  std::map<std::string, std::vector<SymbolId>> sums_;
+  std::set<SymbolId> exponents_;
+  std::set<SymbolId> labelled_exponents_;
+  std::set<SymbolId> bases_;
+  bool in_exponent_ = false;
+  bool in_bars_ = false;
+};
+
+}  // namespace
+
+std::set<SymbolId> symbols_in_both_orders(const ExprTree& tree, const Names& names, const Equation& claim) {
+  Products products(tree, names);
+  products.look(claim.left);
+  products.look(claim.right);
+  return products.found();
+}
+
+}  // namespace rigor

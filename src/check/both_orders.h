@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a row itself shows of order: nobody writes `ab = ba` of numbers, nor `e^Ae^B = e^{A+B}` in capitals.
+#pragma once
+
+#include <set>
+
+#include "elaborate/names.h"
+#include "expr/statement.h"
+#include "expr/tree.h"
+
+namespace rigor {
+
+/// The scalars that are written side by side in both orders, `H\psi = \psi H`, `aba = a^2b`, `S_xS_y =
+/// S_yS_x`, and the capitals of exponents where the row has two. Not those that a directive declares, of
+/// which the section shows both to be numbers, nor components of different vectors. Cost: quadratic in the
+/// factors of a product.
+[[nodiscard]] std::set<SymbolId> symbols_in_both_orders(const ExprTree& tree, const Names& names,
+                                                        const Equation& claim);
+
+}  // namespace rigor
