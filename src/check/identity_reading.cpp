@@ -152,7 +152,11 @@ std::vector<SymbolId> without_bounds(const Question& question, std::vector<Symbo
 
 }  // namespace
 
-std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
+namespace {
+
+/// `kept`: what is not unfolded, nor its derivatives.
+std::vector<SymbolId> symbols_below(const Question& question, ExprId root, const std::set<SymbolId>& kept) {
+  const SymbolTable& symbols = question.tree->symbols;
   std::vector<SymbolId> primitive;
   std::set<SymbolId> done;
   std::vector<ExprId> pending{root};
@@ -165,7 +169,7 @@ std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
                                            [&](const Definition& entry) { return entry.symbol == symbol; });
       if (definition == question.definitions.end()) {
         primitive.push_back(symbol);
-      } else {
+      } else if (!kept.contains(base_of(symbols, symbol))) {
         pending.push_back(definition->body);
       }
     }
@@ -173,10 +177,17 @@ std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
   return primitive;
 }
 
-std::vector<SymbolId> law_symbols(const Question& question, bool restates, DecisionCache* cache) {
+}  // namespace
+
+std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
+  return symbols_below(question, root, {});
+}
+
+std::vector<SymbolId> law_symbols(const Question& question, bool restates, const std::set<SymbolId>& frames,
+                                  DecisionCache* cache) {
   const ExprTree& tree = *question.tree;
-  const std::set<SymbolId> left = as_set(primitive_symbols(question, question.claim.left));
-  const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
+  const std::set<SymbolId> left = as_set(symbols_below(question, question.claim.left, frames));
+  const std::set<SymbolId> right = as_set(symbols_below(question, question.claim.right, frames));
   std::set<SymbolId> all = left;
   all.insert(right.begin(), right.end());
   const std::vector<SymbolId> open = not_for_all(tree, all);
