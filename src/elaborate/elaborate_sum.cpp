@@ -14,6 +14,25 @@ const char* kind_of(int rank) {
   return rank == 1 ? "a vector" : "a tensor";
 }
 
+[[nodiscard]] bool has_no_limits(const WrittenSum& sum) { return sum.from.empty() && sum.to.empty(); }
+
+[[nodiscard]] bool runs_over_axes(const WrittenSum& sum) {
+  return has_no_limits(sum) || (sum.from == "1" && sum.to == "3");
+}
+
+/// A sum of the notes that runs the letter between other limits than those of the axes.
+[[nodiscard]] const WrittenSum* sum_with_limits(const SyntaxTree& syntax, const std::string& letter) {
+  for (std::size_t i = 0; i < syntax.size(); ++i) {
+    const auto id = static_cast<SyntaxId>(i);
+    if (syntax[id].kind != SyntaxKind::big_sum) continue;
+    const WrittenSum& sum = syntax.big_sum(id);
+    const bool same = std::any_of(sum.indices.begin(), sum.indices.end(),
+                                  [&](const WrittenIndex& index) { return index.text == letter; });
+    if (same && !runs_over_axes(sum)) return &sum;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::optional<Typed> Elaborator::sum(SyntaxId id) {
@@ -107,17 +126,22 @@ std::optional<Typed> Elaborator::big_sum(SyntaxId id) {
     if (index.primes > 0 || index.form == IndexForm::digit || index.form == IndexForm::word) {
       return unsupported(index.span, fmt::format("a sum over `{}` is not read", index.text));
     }
-    const bool three =
-        (written.from.empty() && written.to.empty()) || (written.from == "1" && written.to == "3");
-    const bool all =
-        (written.from.empty() && written.to.empty()) || (written.from == "1" && written.to == "N");
+    const bool all = has_no_limits(written) || (written.from == "1" && written.to == "N");
     if (particle && !all)
       return unsupported(index.span, "a sum over some of the particles is not decided",
                          {"a sum over all has no limits, or `1` and `N`"});
     if (particle && !written.to.empty() && letters_.bare.contains("N")) {
       guess_ = Obstacle{DiagnosticKind::unsupported, "`N` was not taken for the number of particles", {}};
     }
-    if (!particle && !three) {
+    const WrittenSum* const other =
+        !particle && has_no_limits(written) ? sum_with_limits(syntax_, index.text) : nullptr;
+    if (other != nullptr)
+      return unsupported(
+          index.span,
+          fmt::format("the sum over `{}` can run over the axes, or from {} to {} as elsewhere in the notes",
+                      index.text, other->from, other->to),
+          {"limits at the sum settle it"});
+    if (!particle && !runs_over_axes(written)) {
       return unsupported(
           index.span, fmt::format("the sum over `{}` does not run over the axes 1 to 3", index.text),
           {fmt::format("if `{}` labels particles, say `rigor: particles {}`", index.text, index.text)});
