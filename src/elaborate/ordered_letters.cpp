@@ -94,19 +94,34 @@ Adjoint adjoint_at(TokenView tokens, std::size_t at) {
   return transpose ? Adjoint::transpose : Adjoint::none;
 }
 
-/// The place of the bracket that closes the one at `open`, or the size.
-std::size_t closing(TokenView tokens, std::size_t open) {
+bool opens(const Token& token) {
+  Nesting alone(false);
+  static_cast<void>(alone.enter(token));
+  return alone.enter(Token{}) > 0;
+}
+
+/// For each opening bracket the place of the one that closes it; for the others, and where none does, the
+/// size.
+std::vector<std::size_t> closing_brackets(TokenView tokens) {
+  std::vector<std::size_t> closing(tokens.size(), tokens.size());
+  std::vector<std::size_t> open;
   Nesting nesting(false);
-  for (std::size_t at = open; at < tokens.size(); ++at) {
-    if (nesting.enter(tokens[at]) == 0 && at > open) return at;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const auto depth = static_cast<std::size_t>(nesting.enter(tokens[at]));
+    if (depth < open.size()) {
+      closing[open.back()] = at;
+      open.pop_back();
+    } else if (opens(tokens[at])) {
+      open.push_back(at);
+    }
   }
-  return tokens.size();
+  return closing;
 }
 
 /// `[x, p]`: what stands in it, unless it is an interval or has limits.
-TokenView commutator_at(TokenView tokens, std::size_t at) {
-  const std::size_t end = closing(tokens, at);
-  if (end >= tokens.size() || !is_sign(tokens[end], "]")) return {};
+TokenView commutator_at(TokenView tokens, std::size_t at, std::size_t end) {
+  constexpr std::size_t longest = 500;  // tokens
+  if (end >= tokens.size() || end - at > longest || !is_sign(tokens[end], "]")) return {};
   const std::size_t behind = skip_blank(tokens, end + 1);
   const bool scripts = behind < tokens.size() && tokens[behind].kind == TokenKind::superscript;
   const TokenView content = tokens.subspan(at + 1, end - at - 1);
@@ -154,7 +169,7 @@ bool is_inverse_at(TokenView tokens, std::size_t at) {
 }
 
 /// `P^{-1}AP`, `(AB)^{-1}`: nobody writes numbers so.
-void see_inverses(TokenView tokens, Evidence& evidence) {
+void see_inverses(TokenView tokens, const std::vector<std::size_t>& closing, Evidence& evidence) {
   std::vector<std::pair<std::string, bool>> row;  // letters side by side, inverted?
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     const LetterAt letter = letter_at(tokens, at);
@@ -171,7 +186,7 @@ void see_inverses(TokenView tokens, Evidence& evidence) {
     }
     if (is_sign(tokens[at], "+") || is_sign(tokens[at], "-")) row.clear();
     if (!is_sign(tokens[at], "(")) continue;
-    const std::size_t end = closing(tokens, at);
+    const std::size_t end = closing[at];
     if (end >= tokens.size() || !is_inverse_at(tokens, skip_blank(tokens, end + 1))) continue;
     const TokenView inside = tokens.subspan(at + 1, end - at - 1);
     const std::vector<FoundLetter> letters = letters_in(inside);
@@ -182,7 +197,8 @@ void see_inverses(TokenView tokens, Evidence& evidence) {
 }
 
 void see_tokens(TokenView tokens, bool may_be_interval, Evidence& evidence) {
-  see_inverses(tokens, evidence);
+  const std::vector<std::size_t> closing = closing_brackets(tokens);
+  see_inverses(tokens, closing, evidence);
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     const Token& token = tokens[at];
     const LetterAt letter = letter_at(tokens, at);
@@ -195,14 +211,14 @@ void see_tokens(TokenView tokens, bool may_be_interval, Evidence& evidence) {
     }
     const bool opens = is_sign(token, "(") || is_sign(token, "[");
     if (opens) {
-      const std::size_t end = closing(tokens, at);
+      const std::size_t end = closing[at];
       const Adjoint adjoint =
           end < tokens.size() ? adjoint_at(tokens, skip_blank(tokens, end + 1)) : Adjoint::none;
       if (adjoint != Adjoint::none) add_letters(tokens.subspan(at + 1, end - at - 1), evidence);
       evidence.operators = evidence.operators || adjoint == Adjoint::dagger;
     }
     if (is_sign(token, "[") && !may_be_interval) {
-      const TokenView inside = commutator_at(tokens, at);
+      const TokenView inside = commutator_at(tokens, at, closing[at]);
       evidence.operators = evidence.operators || !inside.empty();
       add_letters(inside, evidence);
     }
@@ -218,7 +234,7 @@ void see_tokens(TokenView tokens, bool may_be_interval, Evidence& evidence) {
       const bool named = token.text == "operatorname" || token.text == "mathrm";
       const std::size_t next = skip_blank(tokens, named ? argument_at(tokens, at + 1).next : at + 1);
       const bool bracket = next < tokens.size() && (is_sign(tokens[next], "(") || is_sign(tokens[next], "["));
-      const std::size_t end = bracket ? closing(tokens, next) : std::min(next + 1, tokens.size());
+      const std::size_t end = bracket ? closing[next] : std::min(next + 1, tokens.size());
       if (next < tokens.size()) add_letters(tokens.subspan(next, end - next), evidence);
     }
     if (is_sign(token, "|") || is_control(token, "vert")) see_ket(tokens, at, evidence);
