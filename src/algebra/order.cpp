@@ -21,6 +21,8 @@ constexpr int largest_depth_of_facts = 3;
 constexpr int largest_depth_of_squares = 4;
 constexpr int largest_depth_of_roots = 2;
 constexpr std::size_t largest_root_sum = 20;    // terms
+constexpr std::size_t largest_factored = 40;    // terms
+constexpr int largest_degree_factored = 12;     // in one indeterminate
 constexpr std::size_t largest_quadratic = 150;  // terms
 constexpr double largest_substituted = 4000;    // terms, by the estimate
 
@@ -160,6 +162,28 @@ Sign Order::best(const ex& value, const std::vector<Fact>& facts, int depth) {
   return sign == Sign::any ? by_roots(value, facts, depth) : sign;
 }
 
+/// Of a polynomial that is a product.
+Sign Order::by_factors(const ex& value, const std::vector<Fact>& facts) {
+  if (term_count(value) > largest_factored || value.is_zero()) return Sign::any;
+  for (const ex& x : domain_.indeterminates().all()) {
+    if (value.degree(x) > largest_degree_factored) return Sign::any;
+  }
+  domain_.count(static_cast<double>(term_count(value) * term_count(value)));
+  const ex product = GiNaC::factor(value);
+  if (!GiNaC::is_a<GiNaC::mul>(product) || !(product.expand() - value).expand().is_zero()) return Sign::any;
+  Sign sign = Sign::positive;
+  for (const ex& factor : product) {
+    const bool raised = GiNaC::is_a<GiNaC::power>(factor);
+    if (raised && !factor.op(1).info(GiNaC::info_flags::posint)) return Sign::any;
+    const ex base = raised ? factor.op(0) : factor;
+    Sign own = best(base.expand(), facts, 0);
+    if (own == Sign::any) own = opposite(best((-base).expand(), facts, 0));
+    if (raised) own = power(own, GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int());
+    sign = rigor::product(sign, own);
+  }
+  return sign;
+}
+
 bool Order::is_within(const ex& value, Sign allowed, const std::vector<Fact>& facts) {
   for (const auto& [root, square] : domain_.radicals().roots()) {
     if (!value.has(root) || is_surely(domain_.signs().of(root), Sign::positive)) continue;
@@ -172,7 +196,8 @@ bool Order::proves(const ex& value, Sign allowed, const std::vector<Fact>& facts
   attempts_ = 0;
   const auto fits = [&](const ex& of, const std::vector<Fact>& with) {
     return is_surely(best(of, with, 0), allowed) ||
-           is_surely(opposite(best((-of).expand(), with, 0)), allowed);
+           is_surely(opposite(best((-of).expand(), with, 0)), allowed) ||
+           is_surely(by_factors(of, with), allowed);
   };
   if (fits(value, facts)) return true;
   for (const bool any_bound : {false, true}) {

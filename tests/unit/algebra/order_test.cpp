@@ -254,3 +254,27 @@ TEST_CASE("a quadratic whose leading coefficient may be 0 is bounded by the rest
   page.given(page.zero(), at_most, b);
   CHECK(is_proved(page.claim(page.zero(), at_most, quadratic)));
 }
+
+TEST_CASE("a product has the sign of its factors", "[algebra]") {
+  Page page;
+  const Named x = page.scalar("x");
+  page.given(page.zero(), less, x);
+  page.given(2 * x, less, page.number("1"));
+  CHECK(is_proved(page.claim(pow(x, 2), less, x)));
+  CHECK(is_proved(page.claim(pow(x, 3), less, x)));
+  CHECK(is_proved(page.claim(2 * pow(x, 2), less, x)));
+  CHECK(is_refuted(page.claim(3 * pow(x, 2), less, x)));
+  CHECK(is_refuted(page.claim(x, at_most, pow(x, 2))));
+}
+
+TEST_CASE("a product of factors of unknown sign has none", "[algebra]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  page.given(x, less, y);
+  CHECK(is_refuted(page.claim(pow(x, 2), less, pow(y, 2))));
+  CHECK(is_refuted(page.claim(pow(x, 2) * y, less, x * pow(y, 2))));
+  CHECK(is_proved(page.claim(page.zero(), less, pow(y - x, 3))));
+  page.given(page.zero(), less, x);
+  CHECK(is_proved(page.claim(pow(x, 2) * y, less, x * pow(y, 2))));
+}
