@@ -166,6 +166,19 @@ class Preparation {
     return std::clamp(constants - 1, beyond_, most_compared);
   }
 
+  /// What is said for all places, of constants, is differentiated by them as often.
+  int places_to_compare(const NamedAssumption& assumption) {
+    constexpr int most_by_place = 2;
+    if (!speaks_of_place(assumption.equation)) return 0;
+    for (const SymbolId symbol : symbols_of(assumption.equation)) {
+      if (definition_of(symbol, 0)) continue;
+      const bool place = names_.is_free_variable(tree_, symbol, By::space);
+      const bool constant = names_.dependence(tree_, symbol, By::space).kind == Dependence::Kind::constant;
+      if (place ? !tree_.symbols[symbol].for_all : !constant) return 0;
+    }
+    return most_by_place;
+  }
+
   // --- definitions
 
   std::optional<Found> definition_of(SymbolId symbol, int depth) {
@@ -354,6 +367,9 @@ class Preparation {
     int compared = 0;
     if (beyond_ > 0 && named != nullptr) compared = orders_to_compare(*named);
     wanted.time = std::max(wanted.time, compared);
+    const int by_place = beyond_ > 0 && named != nullptr ? places_to_compare(*named) : 0;
+    wanted.space = std::max(wanted.space, by_place);
+    compared = std::max(compared, by_place);
     if (equation.relation != Relation::equal) wanted = {0, 0};
     if (named != nullptr && named->at_instant) {
       wanted = {0, 0};
@@ -388,13 +404,21 @@ class Preparation {
   }
 
   bool take(const Equation& equation, const NamedAssumption* named, Orders orders, int own_order) {
-    if (!taken_.insert({equation.left, equation.right, orders.time, orders.space}).second) return false;
+    const std::tuple key(equation.left, equation.right, orders.time, orders.space);
+    const bool compares = beyond_ > 0 && named != nullptr && !named->at_instant && !at_zero_.contains(key);
+    if (taken_.contains(key) && !compares) return false;
+    const bool fresh = taken_.insert(key).second;
     const std::size_t unknown_before = prepared_.unknown_changes.size();
     Equation changed = equation;
     for (int k = 0; k < orders.time; ++k) changed = derived(changed, By::time);
     for (int k = 0; k < orders.space; ++k) changed = derived(changed, By::space);
+    if (compares) at_zero_.insert(key);
+    if (compares) push_at_zero(changed, named);
+    if (!fresh) {
+      prepared_.unknown_changes.resize(unknown_before);
+      return true;
+    }
     push(changed, named);
-    if (beyond_ > 0 && named != nullptr) push_at_zero(changed, named);
     const bool at_zero_only = named == nullptr;  // what is small vanishes to zeroth order only
     for (int k = 0; k < order_ && !at_zero_only && changed.relation == Relation::equal; ++k) {
       changed = derived(changed, By::small);
@@ -492,6 +516,7 @@ class Preparation {
   std::map<SymbolId, std::optional<Found>> derived_;
   std::map<ExprId, Equation> vanishing_;
   std::set<std::tuple<ExprId, ExprId, int, int>> taken_;
+  std::set<std::tuple<ExprId, ExprId, int, int>> at_zero_;
   std::map<std::pair<ExprId, ExprId>, std::vector<SymbolId>> symbols_of_;
 };
 
