@@ -11,6 +11,9 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_digits = 15;
+constexpr int most_digits_of_pi = 10;  // far fewer than its bounds have
+constexpr const char* below_pi = "3.14159265358979";
+constexpr const char* above_pi = "3.14159265358980";
 
 /// M · 10^-places, of which the last `unsure` digits are zeros that may count or not.
 struct Shown {
@@ -91,9 +94,17 @@ class Comparison {
     const std::int64_t middle = 10 * shown_.mantissa;
     const auto above_lower = middle < reach ? std::optional(true) : is_ordered(middle - reach, false);
     const auto below_upper = is_ordered(middle + reach, true);
+    if (above_lower == false) bound_ = "less than " + decimal(middle - reach, shown_.places + 1);
+    if (below_upper == false) bound_ = "more than " + decimal(middle + reach, shown_.places + 1);
     if (above_lower == false || below_upper == false) return false;
     if (!above_lower || !below_upper) return std::nullopt;
     return true;
+  }
+
+  /// Where the value lies, once it does not lie within; empty where the number has a sign, a factor or a
+  /// unit.
+  [[nodiscard]] std::string bound() const {
+    return side_ == shown_.number && tree_[side_].op == Op::number ? bound_ : std::string();
   }
 
  private:
@@ -106,11 +117,41 @@ class Comparison {
     order.left = value_left ? value_ : other;
     order.right = value_left ? other : value_;
     order.relation = Relation::less_or_equal;
-    const Prepared prepared = prepare(tree_, names_, order);
-    if (prepared.too_large) return std::nullopt;
-    const Decision decision = decide(cache_, prepared.question, {.simplest_sample = false});
-    if (decision.outcome == Outcome::undecided) return std::nullopt;
-    return decision.outcome == Outcome::proved;
+    const bool speaks_of_pi = holds_pi(value_);
+    const auto decided = [&](const Equation& claim) {
+      Prepared prepared = prepare(tree_, names_, claim);
+      Decision open;
+      if (prepared.too_large || (speaks_of_pi && shown_.digits > most_digits_of_pi)) return open;
+      if (speaks_of_pi) bound_pi(prepared.question);
+      return decide(cache_, prepared.question, {.simplest_sample = false});
+    };
+    const Decision decision = decided(order);
+    if (decision.outcome == Outcome::proved) return true;
+    // a sample between the bounds of π shows nothing, and a root has no rational one
+    if (decision.outcome == Outcome::refuted && !speaks_of_pi) return false;
+    const Equation reverse{.left = order.right, .right = order.left, .relation = Relation::less};
+    return decided(reverse).outcome == Outcome::proved ? std::optional(false) : std::nullopt;
+  }
+
+  bool holds_pi(ExprId root) {
+    const std::vector<SymbolId> symbols = symbols_in(tree_, root);
+    return std::any_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+      const NamedDefinition* named = names_.definition_of(symbol);
+      return is_circle_number(tree_, names_, symbol) ||
+             (named != nullptr && holds_pi(named->definition.body));
+    });
+  }
+
+  void bound_pi(Question& question) {
+    const std::optional<SymbolId> pi = names_.find({"\\pi", 0, false});
+    if (!pi) return;
+    const Span span = tree_[side_].span;
+    const ExprId circle = tree_.add({.op = Op::symbol, .span = span, .symbol = *pi});
+    question.assumptions.push_back(
+        {.left = tree_.add_number(span, below_pi), .right = circle, .relation = Relation::less});
+    question.assumptions.push_back(
+        {.left = circle, .right = tree_.add_number(span, above_pi), .relation = Relation::less});
+    question.tree = &tree_;
   }
 
   ExprId with(ExprId id, ExprId number) {
@@ -129,6 +170,7 @@ class Comparison {
   ExprId side_;
   const Shown& shown_;
   DecisionCache* cache_;
+  std::string bound_;
 };
 
 /// No letter but units is left when definitions are unfolded.
@@ -138,7 +180,7 @@ bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
     const ExprId id = pending.back();
     pending.pop_back();
     for (const SymbolId symbol : symbols_in(tree, id)) {
-      if (tree.symbols[symbol].unit_of_measure) continue;
+      if (tree.symbols[symbol].unit_of_measure || is_circle_number(tree, names, symbol)) continue;
       const NamedDefinition* named = names.definition_of(symbol);
       if (named == nullptr || seen > 1000) return false;
       pending.push_back(named->definition.body);
@@ -149,15 +191,26 @@ bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
 
 }  // namespace
 
-std::optional<Agreement> agreement_of_digits(ExprTree& tree, Names& names, const Claim& claim,
-                                             DecisionCache* cache) {
+bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol) {
+  const NameKey* key = names.key_of(symbol);
+  return key != nullptr && *key == NameKey{"\\pi", 0, false} && !tree.symbols[symbol].declared &&
+         names.definition_of(symbol) == nullptr;
+}
+
+bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left, const Typed& right) {
+  return tree[left.id].op == Op::symbol && is_circle_number(tree, names, tree[left.id].symbol) &&
+         symbols_in(tree, right.id).empty() && shown_in(tree, right.id, false);
+}
+
+std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names, const Claim& claim,
+                                                   DecisionCache* cache) {
   const Equation& equation = claim.equation;
   if (equation.relation != Relation::equal || tree[equation.left].rank != 0) return std::nullopt;
   for (const bool swap : {false, true}) {
     const ExprId side = swap ? equation.left : equation.right;
     const ExprId value = swap ? equation.right : equation.left;
     const bool order = claim.nearly && is_power_of_ten(tree, side);  // `1024 \approx 10^3`
-    if (order && is_a_number(tree, names, value)) return Agreement::unclear;
+    if (order && is_a_number(tree, names, value)) return DigitComparison{};
     const auto shown = shown_in(tree, side, claim.nearly);
     if (!shown || !is_a_number(tree, names, value)) continue;
     Comparison comparison(tree, names, value, side, *shown, cache);
@@ -166,10 +219,11 @@ std::optional<Agreement> agreement_of_digits(ExprTree& tree, Names& names, const
     const auto rounds =
         comparison.lies_within(1, two_are_sure ? shown->unsure : std::max(shown->unsure - 1, 0));
     if (!rounds) return std::nullopt;
-    if (*rounds) return Agreement::rounds;
+    if (*rounds) return DigitComparison{.agreement = Agreement::rounds};
     const auto may_round = comparison.lies_within(claim.nearly ? 2 : 1, shown->unsure);
     if (!may_round) return std::nullopt;
-    return *may_round ? Agreement::unclear : Agreement::differs;
+    if (*may_round) return DigitComparison{};
+    return DigitComparison{.agreement = Agreement::differs, .bound = comparison.bound()};
   }
   return std::nullopt;
 }

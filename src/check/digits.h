@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A number that is written with a decimal point, or behind ≈, stands for all numbers that round to it:
 // 27/16 = 1.69 holds, 27/16 = 1.68 does not, 2^{-53} ≈ 1.11·10^{-16} does. Trailing zeros of a whole number
-// behind ≈ may be digits or not.
+// behind ≈ may be digits or not. A root is compared by its square, and π by bounds of 14 digits.
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "check/judge.h"
 
@@ -17,9 +18,21 @@ enum class Agreement : std::uint8_t {
   differs,  // it does not
 };
 
+struct DigitComparison {
+  Agreement agreement = Agreement::unclear;
+  std::string bound = {};  // where it differs: `less than 1.415`
+};
+
+/// π where nothing else is said of it.
+[[nodiscard]] bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol);
+
+/// `\pi = 3.14`: such a row says what π is worth, and defines nothing.
+[[nodiscard]] bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left,
+                                       const Typed& right);
+
 /// Nothing where neither side is such a number, where the other depends on a letter, or where that cannot be
 /// decided.
-[[nodiscard]] std::optional<Agreement> agreement_of_digits(ExprTree& tree, Names& names, const Claim& claim,
-                                                           DecisionCache* cache);
+[[nodiscard]] std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names,
+                                                                 const Claim& claim, DecisionCache* cache);
 
 }  // namespace rigor

@@ -309,6 +309,7 @@ void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax) {
   for (int image = 1; image <= 2; ++image) {
     ParsedChain next = chains.back();
     next.image = image;
+    next.remainders.clear();
     if (axes.obstacle) {
       next.written.condition = axes.obstacle;
       next.written.condition_span = axes.place;
@@ -332,6 +333,7 @@ std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environ
     chain.sides = std::move(readings.sides);
     chain.choices = std::move(readings.choices);
     chain.others = std::move(readings.others);
+    chain.remainders = remainders_of(syntax, chain.sides);
     chain.written = std::move(written);
     const bool cyclic = chain.written.cyclic;
     chains.push_back(std::move(chain));

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/remainder.h"
 #include "expr/dimension.h"
 #include "latex/macros.h"
 #include "latex/readings.h"
@@ -45,6 +46,7 @@ struct ParsedChain {
   std::vector<SyntaxId> sides;
   std::vector<Choice> choices;                // places that can be read in two ways…
   std::vector<std::vector<SyntaxId>> others;  // … and the sides in the other readings (see `Readings`)
+  std::vector<std::optional<Remainder>> remainders = {};  // of each side: `+ O(x^n)`
   int image = 0;  // of "and cyclic permutations": how often 1 → 2 → 3 → 1 was applied
 };
 

@@ -88,6 +88,18 @@ class Session {
                      const Context& context);
   void explain_slip(const ParsedChain& parsed, std::size_t first_step, std::size_t which,
                     const ChainPlace& place);
+  void refute_by_digits(const ParsedChain& parsed, const Claim& claim, Judgement& judgement);
+  bool replay_by_digits(const Claim& claim, Step& step);
+  [[nodiscard]] std::vector<const ParsedChain*> alternatives_with(const ParsedChain& parsed) const;
+  bool proves_alternatives(const ParsedChain& parsed, Step& step);
+  [[nodiscard]] bool may_be_large(const std::string& letter) const;
+  struct Coefficient {
+    int order = 0;
+    Equation equation;
+  };
+  std::optional<Equation> with_letter_open(Equation equation, SymbolId letter);
+  std::optional<std::vector<Coefficient>> coefficients(const Equation& equation, SymbolId letter, int power);
+  bool decides_up_to_order(const ParsedChain& parsed, std::size_t which, const Context& context, Step& step);
   bool proves_with_dots_on_vectors(const ParsedChain& parsed, std::size_t which, const Claim& claim,
                                    Step& step);
   void step(const ParsedChain& parsed, std::size_t which, ChainReading& reading, const Context& context);

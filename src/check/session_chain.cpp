@@ -135,6 +135,7 @@ void Session::suggest_repairs(const ParsedChain& parsed, const Context& context,
     Step& step = report_.steps[first_step + which];
     const bool refuted = step.verdict == Verdict::refuted;
     if (!refuted && !is_malformed(step)) continue;
+    if (which + 1 < parsed.remainders.size() && parsed.remainders[which + 1]) continue;
     if (step.expected_refuted && options_.repairs == Repairs::of_unexpected) continue;
     const auto start = Clock::now();
     const WrongStep wrong{.parsed = parsed,

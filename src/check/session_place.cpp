@@ -65,10 +65,8 @@ void heed_digits(ExprTree& tree, Names& names, const Claim& claim, Judgement& ju
     judgement.diagnostics = {
         {DiagnosticKind::undecided, claim.relation, std::move(message), {}, {std::move(help)}}};
   };
-  const bool open =
-      judgement.verdict == Verdict::refuted || (claim.nearly && judgement.verdict != Verdict::proved);
-  if (!open) return;
-  const auto agreement = agreement_of_digits(tree, names, claim, cache);
+  const auto compared = agreement_of_digits(tree, names, claim, cache);
+  const std::optional<Agreement> agreement = compared ? std::optional(compared->agreement) : std::nullopt;
   if (agreement == Agreement::rounds) {
     judgement.verdict = Verdict::proved;
     judgement.route = "to the digits shown";
@@ -285,6 +283,7 @@ void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& cl
                fmt::format("it fails only where `{}` is read as in another section", *letter),
                {fmt::format("`rigor: use {}` says that it is meant so here, too", *letter)});
   }
+  refute_by_digits(parsed, claim, judgement);
   const bool stays_late = late && judgement.verdict == Verdict::refuted;
   const auto remember = [&](bool proves) {
     const std::string text =

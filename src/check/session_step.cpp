@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "check/decision_cache.h"
+#include "check/digits.h"
 #include "check/readings.h"
 #include "check/row_doubts.h"
 #include "check/session.h"
@@ -62,7 +63,9 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
   Step step = new_step(parsed, which, context);
   const WrittenRelation& relation = parsed.written.relations[which];
   const std::vector<Side>& sides = reading.sides;
+  const bool up_to_order = decides_up_to_order(parsed, which, context, step);
   for (const std::size_t side : {which, which + 1}) {
+    if (up_to_order) break;
     const bool first_mention = which == 0 || side == which + 1;
     const bool blocked_by_it_alone =
         !sides[side].typed && sides[which].typed.has_value() != sides[which + 1].typed.has_value();
@@ -71,7 +74,9 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
                             sides[side].diagnostics.end());
   }
   const bool readable = sides[which].typed && sides[which + 1].typed;
-  if (parsed.written.condition) {
+  if (up_to_order) {
+    // the sides are not read as wholes
+  } else if (parsed.written.condition) {
     const Obstacle& condition = *parsed.written.condition;
     step.diagnostics.push_back(
         {condition.kind, parsed.written.condition_span, condition.message, {}, condition.help});
@@ -160,7 +165,8 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
     return choice.span.begin >= step.span.begin && choice.span.end <= step.span.end;
   });
   const bool may_define = which == 0 && !is_order(relation.kind) && relation.kind != RelationKind::nearly &&
-                          !is_alternative(parsed);
+                          !is_alternative(parsed) &&
+                          !shows_circle_number(tree_, names_, *left.typed, *right.typed);
   const bool claims = context.role == Role::display || context.role == Role::claim;
   if (unsettled && (!claims || (may_define && would_define(*left.typed, *right.typed)))) {
     step.diagnostics.push_back(two_readings(parsed));
@@ -188,6 +194,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
     return;
   }
   if (!decides() && !may_replace) return;
+  if (claim->recorded != nullptr && replay_by_digits(*claim, step)) return;
   if (unsettled) {
     decide_in_all_readings(parsed, which, *claim, step);
     return;
@@ -203,6 +210,9 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   const bool open = judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided ||
                     judgement.verdict == Verdict::not_understood;
   if (open && proves_with_dots_on_vectors(parsed, which, *claim, step)) return;
+  if (open && context.role == Role::display && claim->recorded == nullptr &&
+      proves_alternatives(parsed, step))
+    return;
   if (may_replace && redefines(judgement, parsed, *left.typed, *right.typed, context, step)) return;
   heed(parsed, which, *claim, left, right, context, judgement);
   if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);

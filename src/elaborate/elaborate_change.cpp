@@ -345,6 +345,31 @@ std::optional<Typed> Elaborator::directional(const Typed& along, const Typed& op
   return typed;
 }
 
+/// Df/Dt = ∂f/∂t + (u·∇)f along a motion u of which nothing is said: what holds for every u is proved, and
+/// nothing is refuted.
+std::optional<Typed> Elaborator::material_rate(SyntaxId operand, Span span) {
+  const NameKey letter{"D", 0, false};
+  if (names_.is_declared(letter)) {
+    static_cast<void>(names_.resolve(tree_, letter, "D", span));  // the declaration is used
+    return unsupported(span, "`D` is declared, and `D/Dt` is the derivative along a motion");
+  }
+  const std::size_t unknown_before = unknown_changes_.size();
+  const Maybe typed = expression(operand);
+  if (!typed || frame_is_open(*typed, span)) return std::nullopt;
+  const SymbolId flow =
+      names_.resolve(tree_, {"u_{\\text{material}}", 1, false}, "\\mathbf{u}_{\\text{material}}", span);
+  Typed along;
+  along.rank = 1;
+  along.id = tree_.add({.op = Op::symbol, .rank = 1, .span = span, .symbol = flow});
+  const Maybe carried = directional(along, *typed, span);
+  const Maybe open = with_places_open(*typed, span);
+  if (!carried || !open) return std::nullopt;
+  const Typed local = rate_of(*open, 1, true);
+  unknown_changes_.resize(unknown_before);  // it is the motion that is not known
+  guess_ = Obstacle{DiagnosticKind::unsupported, "nothing says along which motion `D/Dt` follows", {}};
+  return make(Op::add, span, typed->rank, {&local, &*carried});
+}
+
 /// `\delta x` is one symbol, and where \delta is a small number, a product is as likely meant.
 bool Elaborator::hides_small_factor(const WrittenSymbol& written, const WrittenName& name) const {
   return !written.change.empty() && names_.is_small_scalar(tree_, written.change) &&

@@ -13,6 +13,11 @@ std::optional<Typed> Elaborator::function(SyntaxId id) {
   const std::string& name = syntax_.text(id);
   const SyntaxId argument = syntax_.child(id, 0);
   const Span span = syntax_[id].span;
+  if (name == "D/Dt") return material_rate(argument, span);
+  if (name == "O")
+    return unsupported(span,
+                       "`O(…)` is read at the end of a side, where it says up to which power of a letter "
+                       "the sides agree");
   if (name == "det" || name == "tr") return trace_or_determinant(argument, name != "det");
   if (syntax_[argument].kind == SyntaxKind::tuple) {
     if (name == "cos" && syntax_[argument].count == 2)

@@ -160,6 +160,7 @@ class Elaborator {
   std::optional<Typed> with_places_open(Typed typed, Span span);
   const WrittenSymbol& nabla_of(SyntaxId id) const;
   Maybe apply_operator(std::span<const SyntaxChild> factors, std::size_t at, std::size_t& next);
+  Maybe material_rate(SyntaxId operand, Span span);
   Maybe apply_nabla(FieldOperator what, const Typed& operand, Span span);
   Maybe directional(const Typed& along, const Typed& operand, Span span);
   ExprId partial(ExprId id, std::uint8_t axis);

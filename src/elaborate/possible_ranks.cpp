@@ -266,7 +266,9 @@ class RankReader {
 
   RankSet function(SyntaxId id) {
     const std::string& name = syntax_.text(id);
+    if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what stands beside it");
     const RankSet inside = read(syntax_.child(id, 0));
+    if (name == "D/Dt") return inside;
     if (name == "det" || name == "tr") return scalar;
     if (const auto of_field = field_operator(name)) {
       if (*of_field == FieldOperator::gradient) return static_cast<RankSet>(inside << 1 & any_rank);

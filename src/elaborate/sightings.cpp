@@ -53,6 +53,19 @@ void sight_partial_rate(const SyntaxTree& syntax, SyntaxId operand, Names& names
   if (auto face = face_of(syntax, operand, names)) names.sightings.partial_rates.insert(*std::move(face));
 }
 
+/// `D(fg)/Dt`: unless it is declared constant, each letter is carried along by the motion.
+void sight_carried(const SyntaxTree& syntax, SyntaxId operand, Names& names) {
+  std::vector<SyntaxId> pending{operand};
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    sight_field(syntax, id, names);
+    sight_partial_rate(syntax, id, names);
+  }
+}
+
 bool is_by_time(const WrittenDerivative& derivative) {
   return std::all_of(derivative.by.begin(), derivative.by.end(),
                      [](const WrittenVariable& variable) { return is_time(variable.symbol); });
@@ -123,6 +136,7 @@ void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
         break;
       }
       case SyntaxKind::function:
+        if (syntax.text(id) == "D/Dt") sight_carried(syntax, syntax.child(id, 0), names);
         if (field_operator(syntax.text(id))) sight_field(syntax, syntax.child(id, 0), names);
         break;
       case SyntaxKind::term:

@@ -120,6 +120,22 @@ std::size_t landau_end(TokenView tokens, std::size_t at) {
   return end == open ? at : end;
 }
 
+std::optional<TokenView> landau_argument(TokenView tokens, std::size_t at, std::size_t end) {
+  const TokenView written = tokens.subspan(at, end - at);
+  const bool small =
+      std::any_of(written.begin(), written.end(), [](const Token& each) { return is_letter(each, "o"); });
+  if (small || written.empty()) return std::nullopt;
+  if (written.back().kind == TokenKind::end_group) {  // \order{x}
+    const std::size_t open = skip_narrow(written, 1);
+    if (open >= written.size() || written[open].kind != TokenKind::begin_group) return std::nullopt;
+    return argument_at(written, open).content;
+  }
+  for (std::size_t open = 0; open + 1 < written.size(); ++open) {
+    if (is_sign(written[open], "(")) return written.subspan(open + 1, written.size() - open - 2);
+  }
+  return std::nullopt;
+}
+
 bool is_material(TokenView above, TokenView below) {
   const std::size_t top = behind_material(above, 0);
   const std::size_t bottom = behind_material(below, 0);
@@ -133,6 +149,20 @@ bool is_material(TokenView above, TokenView below) {
   const std::size_t variable = skip_narrow(below, bottom);
   const std::size_t end = symbol_end(below, variable);
   return end != variable && skip_narrow(below, end) == below.size();
+}
+
+std::optional<TokenView> material_operand(TokenView above, TokenView below) {
+  if (!is_material(above, below)) return std::nullopt;
+  const auto has_power = [](TokenView tokens) {
+    const std::size_t end = behind_material(tokens, 0);
+    return std::any_of(tokens.begin(), tokens.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](const Token& each) { return each.kind == TokenKind::superscript; });
+  };
+  const TokenView variable = trim(below.subspan(behind_material(below, 0)));
+  const std::size_t first = skip_narrow(variable, 0);
+  const bool by_time = first + 1 == variable.size() && is_letter(variable[first], "t");
+  if (has_power(above) || has_power(below) || !by_time) return std::nullopt;
+  return above.subspan(skip_narrow(above, behind_material(above, 0)));
 }
 
 std::size_t material_end(TokenView tokens, std::size_t at) {

@@ -28,8 +28,14 @@ struct UprightWord {
 /// `O(x^2)`, `\mathcal O(\epsilon)`, `\order{x}`: the place behind it; `at` itself for anything else.
 [[nodiscard]] std::size_t landau_end(TokenView tokens, std::size_t at);
 
+/// What stands in the bracket of such an O, which ends at `end`; nothing for a small o.
+[[nodiscard]] std::optional<TokenView> landau_argument(TokenView tokens, std::size_t at, std::size_t end);
+
 /// `\frac{Df}{Dt}`, `\frac{\mathrm D}{\mathrm Dt}`, for the two parts of the fraction.
 [[nodiscard]] bool is_material(TokenView above, TokenView below);
+/// What a material derivative of the first order by the time t acts on as far as it stands above, perhaps
+/// nothing; no value for another one.
+[[nodiscard]] std::optional<TokenView> material_operand(TokenView above, TokenView below);
 /// `Df/Dt`, `D/Dt`: the place behind it; `at` itself for anything else.
 [[nodiscard]] std::size_t material_end(TokenView tokens, std::size_t at);
 

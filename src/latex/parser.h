@@ -114,6 +114,10 @@ class Parser {
 
   // parser_acting.cpp
   std::optional<SyntaxId> acts(Cursor& cursor);
+  std::optional<SyntaxId> landau(Cursor& cursor, std::size_t end);
+  SyntaxId material(Cursor& cursor, TokenView above, TokenView below, Span span);
+  std::optional<SyntaxId> slash_material(Cursor& cursor, std::size_t end);
+  SyntaxId material_of(SyntaxId operand, Span span);
   SyntaxId field_word(Cursor& cursor, const std::string& word, std::size_t behind);
   SyntaxId words(Cursor& cursor);
 

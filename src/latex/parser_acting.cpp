@@ -24,10 +24,14 @@ std::optional<SyntaxId> Parser::acts(Cursor& cursor) {
     cursor.at = end;
     return opaque(span_of(tokens.subspan(begin, end - begin)), reason);
   };
-  if (const std::size_t end = landau_end(tokens, begin); end != begin)
+  if (const std::size_t end = landau_end(tokens, begin); end != begin) {
+    if (const auto node = landau(cursor, end)) return node;
     return unread_until(end, "`O(…)` says up to which order, or names a group; that is not decided yet");
-  if (const std::size_t end = material_end(tokens, begin); end != begin)
-    return unread_until(end, "the derivative `D/Dt` along a motion is not decided yet");
+  }
+  if (const std::size_t end = material_end(tokens, begin); end != begin) {
+    if (const auto node = slash_material(cursor, end)) return node;
+    return unread_until(end, "this derivative along a motion is not decided");
+  }
   if (is_lone_differential(tokens, begin))
     return unread_until(differential_at(tokens, begin)->next, "a differential by itself is not read");
   const auto word = upright_word_at(tokens, begin);
@@ -36,6 +40,60 @@ std::optional<SyntaxId> Parser::acts(Cursor& cursor) {
     return function(cursor, known, word->next);
   if (field_operator(word->word) || word->word == "rot") return field_word(cursor, word->word, word->next);
   return std::nullopt;
+}
+
+/// `O(x)`, `O(x^2)`: a function of that name. Nothing for what names no power of a letter.
+std::optional<SyntaxId> Parser::landau(Cursor& cursor, std::size_t end) {
+  const TokenView tokens = cursor.tokens;
+  const std::size_t begin = cursor.at;
+  const auto argument = landau_argument(tokens, begin, end);
+  if (!argument || trim(*argument).empty()) return std::nullopt;
+  const Span span = span_of(tokens.subspan(begin, end - begin));
+  const SyntaxId power = inner(*argument, span);
+  const bool raised =
+      tree_[power].kind == SyntaxKind::power && tree_[tree_.child(power, 1)].kind == SyntaxKind::number;
+  const SyntaxId base = raised ? tree_.child(power, 0) : power;
+  if (tree_[base].kind != SyntaxKind::symbol) return std::nullopt;
+  const auto inside = static_cast<std::size_t>(argument->data() - tokens.data());
+  read(tokens.subspan(begin, inside - begin));
+  read(tokens.subspan(inside + argument->size(), end - inside - argument->size()));
+  cursor.at = end;
+  return tree_.add_named(SyntaxKind::function, span, "O", power);
+}
+
+SyntaxId Parser::material_of(SyntaxId operand, Span span) {
+  if (tree_[operand].kind == SyntaxKind::opaque) return operand;
+  if (!is_one_factor(operand)) return unclear_operand(span);
+  return tree_.add_named(SyntaxKind::function, span, "D/Dt", operand);
+}
+
+/// `\frac{Df}{Dt}`, `\frac{D}{Dt}(fg)`: a function of that name. The cursor stands behind the fraction.
+SyntaxId Parser::material(Cursor& cursor, TokenView above, TokenView below, Span span) {
+  const auto operand = material_operand(above, below);
+  if (!operand) return opaque(span, "this derivative along a motion is not decided");
+  read(above.first(above.size() - operand->size()));
+  read(below);
+  if (!operand->empty()) return material_of(inner(*operand, span), span);
+  const SyntaxId rate = operate(cursor, {}, span);
+  return tree_[rate].kind == SyntaxKind::derivative ? material_of(tree_.child(rate, 0), tree_[rate].span)
+                                                    : rate;
+}
+
+/// `Df/Dt`, of one factor.
+std::optional<SyntaxId> Parser::slash_material(Cursor& cursor, std::size_t end) {
+  const TokenView written = cursor.tokens.subspan(cursor.at, end - cursor.at);
+  Nesting nesting(false);
+  std::size_t slash = 0;
+  for (std::size_t at = 0; at < written.size(); ++at) {
+    if (nesting.enter(written[at]) == 0 && is_sign(written[at], "/")) slash = at;
+  }
+  const auto operand = material_operand(written.first(slash), written.subspan(slash + 1));
+  if (!operand || trim(*operand).empty()) return std::nullopt;
+  const Span span = span_of(written);
+  read(written.first(slash - operand->size()));
+  read(written.subspan(slash));
+  cursor.at = end;
+  return material_of(inner(*operand, span), span);
 }
 
 /// `\operatorname{grad} f`, `\text{div}(f\mathbf A)`: sure where a bracket or nothing but one factor stands

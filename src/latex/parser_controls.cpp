@@ -149,7 +149,7 @@ SyntaxId Parser::fraction(Cursor& cursor) {
   Span span = cover(token.span, span_of(cursor.tokens.subspan(cursor.at, denominator.next - cursor.at)));
   cursor.at = denominator.next;
   if (is_material(numerator.content, denominator.content))
-    return opaque(span, "the derivative `D/Dt` along a motion is not decided yet");
+    return material(cursor, numerator.content, denominator.content, span);
   if (is_derivative(numerator.content, denominator.content))
     return derivative_fraction(cursor, numerator.content, denominator.content, span);
   const SyntaxChild children[] = {{inner(numerator.content, span)}, {inner(denominator.content, span)}};
