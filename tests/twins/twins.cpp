@@ -9,8 +9,10 @@
 #include <optional>
 #include <set>
 
+#include "algebra/random_samples.h"
 #include "base/check.h"
 #include "check/check.h"
+#include "check/forms.h"
 #include "check/notes.h"
 #include "declarations.h"
 #include "latex/document.h"
@@ -73,6 +75,30 @@ Span left_of(const Step& step) { return {step.span.file, step.span.begin, step.r
 Span right_of(const Step& step) { return {step.span.file, step.relation_span.end, step.span.end}; }
 
 constexpr int most_uses = 3;  // rounds: one definition may show the next
+
+/// What is proved of the chain at `relation` of these notes is tried on random samples: the first failure.
+std::string failure_of_proofs(const std::string& path, std::string text, std::size_t relation) {
+  constexpr std::uint32_t wanted = 40;
+  constexpr std::uint64_t seed = 0x7477696e;
+  Limits limits;
+  limits.steps = 10'000ull * wanted;
+  SourceMap sources;
+  const FormsReading reading = read_forms_of_text(sources, path, std::move(text), {});
+  for (const WrittenFormChain& chain : reading.forms.chains) {
+    if (relation < chain.span.begin || relation >= chain.span.end) continue;
+    for (std::size_t k = 0; k < chain.steps.size(); ++k) {
+      const WrittenStep& step = chain.steps[k];
+      if (step.outcome != rigor::Outcome::proved || !step.question) continue;
+      Question question = *step.question;
+      question.tree = &reading.forms.tree;
+      const RandomSamples samples = try_random_samples(question, wanted, seed, limits);
+      if (!samples.failed) continue;
+      return fmt::format("{}: left {}, right {}", chain.forms[k + 1].source, samples.failed->left,
+                         samples.failed->right);
+    }
+  }
+  return {};
+}
 
 class Mutations {
  public:
@@ -167,17 +193,20 @@ class Mutations {
     std::vector<Repair> repairs = {};
     double milliseconds = 0.0;  // that they took
     std::vector<std::string> uses = {};
+    std::string broken_by = {};
   };
 
   /// What is said to the step whose relation stands at `relation` of the text.
   Judged judge(std::string text, std::size_t relation) const {
     SourceMap sources;
-    const FileReport report = check_text(sources, path_, std::move(text), {.repairs = repairs_});
+    const FileReport report = check_text(sources, path_, text, {.repairs = repairs_});
     const Step* step = step_at(report, relation);
     if (step == nullptr) return {};
+    std::string broken_by;
+    if (step->verdict == Verdict::proved) broken_by = failure_of_proofs(path_, std::move(text), relation);
     const bool open = has(*step, {DiagnosticKind::undeclared_symbol, DiagnosticKind::ambiguous_reading});
-    return {outcome_of(*step), summary_of(*step),         step->source,         open,
-            step->repairs,     step->repair_milliseconds, uses_asked_for(*step)};
+    return {outcome_of(*step), summary_of(*step),         step->source,          open,
+            step->repairs,     step->repair_milliseconds, uses_asked_for(*step), std::move(broken_by)};
   }
 
   /// The same once the definitions that are said elsewhere are said to hold here.
@@ -245,7 +274,7 @@ class Mutations {
             judged = again;
         }
         result_.twins.push_back({edit.slip, place_of(step), step.source, judged.source, judged.outcome,
-                                 judged.said, suggested(judged, step, side == &left)});
+                                 judged.said, judged.broken_by, suggested(judged, step, side == &left)});
       }
     }
   }

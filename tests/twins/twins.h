@@ -48,7 +48,8 @@ struct Twin {
   std::string original;
   std::string twin;
   Outcome outcome = Outcome::failed;
-  std::string said;  // the verdict and the kinds of its diagnostics
+  std::string said;            // the verdict and the kinds of its diagnostics
+  std::string broken_by = {};  // proved: a random sample on which it fails
   Suggested suggested = {};
 };
 
