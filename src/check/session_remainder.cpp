@@ -251,8 +251,11 @@ bool Session::decides_up_to_order(const ParsedChain& parsed, std::size_t which, 
       result.question = std::move(judgement.question);
       continue;
     }
+    const std::string power = each.order == 1  ? name
+                              : each.order < 0 ? fmt::format("{}^{{{}}}", name, each.order)
+                                               : fmt::format("{}^{}", name, each.order);
     const std::string what = each.order == 0 ? fmt::format("the parts without `{}`", name)
-                                             : fmt::format("the coefficients of `{}^{}`", name, each.order);
+                                             : fmt::format("the coefficients of `{}`", power);
     if (judgement.verdict == Verdict::refuted && identity) {
       for (Diagnostic& diagnostic : judgement.diagnostics) {
         const std::string sides = "the sides differ";
