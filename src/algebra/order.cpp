@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "algebra/division.h"
 #include "algebra/terms.h"
 
 namespace rigor {
@@ -21,8 +22,7 @@ constexpr int largest_depth_of_facts = 3;
 constexpr int largest_depth_of_squares = 4;
 constexpr int largest_depth_of_roots = 2;
 constexpr std::size_t largest_root_sum = 20;    // terms
-constexpr std::size_t largest_factored = 40;    // terms
-constexpr int largest_degree_factored = 12;     // in one indeterminate
+constexpr std::size_t largest_factored = 12;    // terms
 constexpr std::size_t largest_quadratic = 150;  // terms
 constexpr double largest_substituted = 4000;    // terms, by the estimate
 
@@ -162,24 +162,31 @@ Sign Order::best(const ex& value, const std::vector<Fact>& facts, int depth) {
   return sign == Sign::any ? by_roots(value, facts, depth) : sign;
 }
 
-/// Of a polynomial that is a product.
+/// Of a polynomial that is a product: of indeterminates, of facts, of powers, and of what is left.
 Sign Order::by_factors(const ex& value, const std::vector<Fact>& facts) {
-  if (term_count(value) > largest_factored || value.is_zero()) return Sign::any;
-  for (const ex& x : domain_.indeterminates().all()) {
-    if (value.degree(x) > largest_degree_factored) return Sign::any;
-  }
-  domain_.count(static_cast<double>(term_count(value) * term_count(value)));
-  const ex product = GiNaC::factor(value);
-  if (!GiNaC::is_a<GiNaC::mul>(product) || !(product.expand() - value).expand().is_zero()) return Sign::any;
+  if (!GiNaC::is_a<GiNaC::add>(value) || term_count(value) > largest_factored) return Sign::any;
   Sign sign = Sign::positive;
-  for (const ex& factor : product) {
+  ex rest = value;
+  const auto take = [&](const ex& factor, Sign own) {
+    ex quotient;
+    while (!is_number(rest) && divides(factor, rest, quotient, domain_.budget())) {
+      rest = quotient.expand();
+      sign = product(sign, own);
+    }
+  };
+  for (const ex& x : domain_.indeterminates().all()) {
+    if (value.ldegree(x) > 0) take(x, best(x, facts, 0));
+  }
+  for (const Fact& fact : facts) {
+    if (!is_number(fact.value) && term_count(fact.value) <= largest_factored) take(fact.value, fact.sign);
+  }
+  for (const ex& factor : factors_of(with_repeated_factors(rest, domain_.budget()))) {
     const bool raised = GiNaC::is_a<GiNaC::power>(factor);
-    if (raised && !factor.op(1).info(GiNaC::info_flags::posint)) return Sign::any;
-    const ex base = raised ? factor.op(0) : factor;
-    Sign own = best(base.expand(), facts, 0);
+    const ex base = (raised ? factor.op(0) : factor).expand();
+    Sign own = best(base, facts, 0);
     if (own == Sign::any) own = opposite(best((-base).expand(), facts, 0));
     if (raised) own = power(own, GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int());
-    sign = rigor::product(sign, own);
+    sign = product(sign, own);
   }
   return sign;
 }

@@ -14,7 +14,7 @@
 // A root is positive if what stands under it is.
 // Why each is sound: a sign is the set of signs that a value may have, at every point that meets the
 // assumptions and at which the claim has a value. 1 to 3 and 5 add and multiply such sets (`signs.h`), by
-// positive numbers, by an exact substitution or by factors that are multiplied out again; 4 and 6 give a set
+// positive numbers, by an exact substitution or by exact division; 4 and 6 give a set
 // that holds whatever the other signs are. An empty set says that there is no such point, and proves nothing.
 // Incomplete.
 #pragma once
