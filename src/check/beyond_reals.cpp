@@ -41,7 +41,7 @@ bool may_be_complex(const Evidence& evidence, const std::string& letter) {
     return evidence.letters.contains(first) && evidence.letters.contains(second);
   };
   if (letter == "z") return !beside("x", "y");
-  if (letter == "w") return !beside("u", "v");
+  if (letter == "w") return !evidence.letters.contains("u") && !evidence.letters.contains("v");
   return letter.ends_with("si") || !evidence.letters.contains("\\theta");
 }
 
