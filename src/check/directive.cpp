@@ -309,6 +309,7 @@ void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax) {
   for (int image = 1; image <= 2; ++image) {
     ParsedChain next = chains.back();
     next.image = image;
+    next.assumed.clear();
     next.remainders.clear();
     if (axes.obstacle) {
       next.written.condition = axes.obstacle;
@@ -326,8 +327,7 @@ void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax) {
 
 std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment, SyntaxTree& syntax,
                                       Diagnostics& diagnostics) {
-  std::vector<ParsedChain> chains;
-  for (WrittenChain& written : split_display(tokens, environment, diagnostics)) {
+  const auto parsed = [&](WrittenChain& written) {
     ParsedChain chain;
     Readings readings = parse_readings(written, syntax);
     chain.sides = std::move(readings.sides);
@@ -335,6 +335,12 @@ std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environ
     chain.others = std::move(readings.others);
     chain.remainders = remainders_of(syntax, chain.sides);
     chain.written = std::move(written);
+    return chain;
+  };
+  std::vector<ParsedChain> chains;
+  for (WrittenChain& written : split_display(tokens, environment, diagnostics)) {
+    ParsedChain chain = parsed(written);
+    for (WrittenChain& condition : chain.written.assumed) chain.assumed.push_back(parsed(condition));
     const bool cyclic = chain.written.cyclic;
     chains.push_back(std::move(chain));
     if (cyclic) add_images(chains, syntax);

@@ -9,6 +9,7 @@
 #include "latex/acting.h"
 #include "latex/beside.h"
 #include "latex/chain.h"
+#include "latex/conditions.h"
 #include "latex/cover_tokens.h"
 #include "latex/remarks.h"
 #include "latex/units.h"
@@ -82,6 +83,8 @@ class StatementSplitter {
       chain.tag = tag_;
       chain.no_sum = no_sum_;
       chain.cyclic = cyclic_;
+      chain.assumed = assumed_;
+      chain.alternative = alternatives_;
       if (alternatives_)
         chain.doubt = Obstacle{DiagnosticKind::restricted, "it is one of several alternatives", {}};
       if (condition_) {
@@ -129,6 +132,12 @@ class StatementSplitter {
           uses_.mark(tokens_.subspan(at), TokenUse::remark);
           cut();
           return;  // what follows only names the symbols
+        }
+        const bool complete = block.related ? !ends_open(block.tokens) : trim(block.tokens).empty();
+        if (const std::size_t end = complete ? note_condition(block, at, words) : at; end != at) {
+          cut();
+          at = end;
+          continue;
         }
         const std::size_t end = remark_end(tokens_, words);
         note_words(tokens_.subspan(at, end - at), block.related || !blocks_.empty());
@@ -256,6 +265,28 @@ class StatementSplitter {
            relation_kind(token).has_value();
   }
 
+  /// `\text{for } x > 0` behind an equation: the place behind it; `at` if it is not read to its end.
+  std::size_t note_condition(const Block& block, std::size_t at, const Argument& words) {
+    if (!block.related && blocks_.empty()) return at;
+    Nesting nesting(false);
+    std::size_t end = words.next;
+    for (; end < tokens_.size(); ++end) {
+      if (nesting.enter(tokens_[end]) != 0) continue;
+      if (relation_kind(tokens_[end]) == RelationKind::implies) break;
+      if (is_wide_space(tokens_[end]) && !trim(tokens_.subspan(words.next, end - words.next)).empty()) break;
+    }
+    return assume(tokens_.subspan(at, end - at), conditions_behind_words) ? end : at;
+  }
+
+  template <class Read>
+  bool assume(TokenView tokens, Read read) {
+    const auto conditions = read(tokens);
+    if (!conditions) return false;
+    uses_.mark(tokens, TokenUse::remark);
+    for (const Tokens& condition : *conditions) assumed_.push_back(chain_of(condition, uses_));
+    return true;
+  }
+
   /// Are all of these symbols of the statement?
   static bool knows(const std::set<std::string>& symbols, TokenView statement) {
     const std::set<std::string> known = symbols_in(statement);
@@ -295,6 +326,7 @@ class StatementSplitter {
       return uses_.mark(tokens, TokenUse::name);
     }
     if (!chains_.empty() && relates_index_letters(tokens)) {
+      if (assume(tokens, conditions_in)) return;
       set_condition(tokens,
                     fmt::format("the condition `{}` beside the equation is not read yet", text_of(tokens)));
       return;
@@ -326,6 +358,7 @@ class StatementSplitter {
     }
     if (only_words && remark_of(words) != Remark::unread && knows(symbols_in_words(words), tokens_))
       return uses_.mark(tokens, TokenUse::remark);
+    if (is_sign(tokens.front(), "(") && assume(tokens, conditions_in)) return;
     set_condition(tokens, fmt::format("`{}` beside the equation may change what it says and is not read",
                                       text_of(tokens)));
   }
@@ -371,6 +404,7 @@ class StatementSplitter {
     uses_.mark(tokens, TokenUse::layout);  // commas between; what stands between them follows
     for (const TokenView piece : pieces) {
       if (!chains_.empty() && relates_index_letters(piece)) {
+        if (assume(piece, conditions_in)) continue;
         set_condition(piece,
                       fmt::format("the condition `{}` beside the equation is not read yet", text_of(piece)));
       } else {
@@ -383,6 +417,7 @@ class StatementSplitter {
   TokenUses& uses_;
   std::vector<Block> blocks_;
   std::vector<WrittenChain> chains_;
+  std::vector<WrittenChain> assumed_;
   std::string tag_;
   std::optional<Obstacle> condition_;
   Span condition_span_;

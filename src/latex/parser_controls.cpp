@@ -8,6 +8,7 @@
 
 #include "latex/acting.h"
 #include "latex/beside.h"
+#include "latex/conditions.h"
 #include "latex/cover_tokens.h"
 #include "latex/differential.h"
 #include "latex/parse_indices.h"
@@ -92,7 +93,8 @@ SyntaxId Parser::control(Cursor& cursor) {
 }
 
 /// What a brace says of the part that it holds: a name for it, kept as `text`. Words that are no remark may
-/// restrict the statement, which is then not refuted; a number (`0`) or a relation (`>0`) is not read.
+/// restrict the statement, which is then not refuted. Zero or a relation (`>0`) is an assumption of the chain
+/// (see conditions.h).
 SyntaxId Parser::braced(Cursor& cursor) {
   const Token token = cursor.token();
   const Argument part = argument_at(cursor.tokens, cursor.at + 1);
@@ -106,7 +108,8 @@ SyntaxId Parser::braced(Cursor& cursor) {
   if (labelled) {
     const Argument label = script_argument_at(cursor.tokens, script + 1);
     cursor.at = label.next;
-    const BraceLabel kind = brace_label(label.content);
+    BraceLabel kind = brace_label(label.content);
+    if (kind == BraceLabel::statement && said_at_brace(part.content, label.content)) kind = BraceLabel::name;
     if (kind == BraceLabel::statement)
       return opaque(
           cover(span, span_of(label.content)),

@@ -168,6 +168,7 @@ class RowReader {
     const Argument argument = argument_at(tokens_, skip_star(at_ + 1));
     if (tag) {
       row_.tag = tag_at(tokens_, at_);
+      row_.in_tag.assign(argument.content.begin(), argument.content.end());
     } else {
       row_.label = text_of(argument.content);
     }

@@ -16,6 +16,7 @@ namespace rigor {
 struct Row {
   std::vector<Tokens> cells{1};  // what `&` separates; at least one
   std::string tag;               // `(6)` as it would be printed; empty: none
+  Tokens in_tag;                 // what stands in its braces
   std::string label;
   bool after_text = false;  // \intertext stands above: no chain runs across
 };

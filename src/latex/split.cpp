@@ -8,6 +8,7 @@
 
 #include "latex/blocks.h"
 #include "latex/chain.h"
+#include "latex/conditions.h"
 
 namespace rigor {
 namespace {
@@ -17,6 +18,7 @@ struct Statement {
   Tokens tokens;
   int open_brackets = 0;  // how many brackets more open than close
   std::string tag;
+  Tokens in_tag;
   std::string label;
   std::optional<Obstacle> condition;
   Span condition_span;
@@ -165,7 +167,10 @@ class RowJoiner {
     }
     current.tokens.insert(current.tokens.end(), tokens.begin(), tokens.end());
     current.open_brackets += count_open_brackets(tokens);
-    if (!row.tag.empty()) current.tag = row.tag;
+    if (!row.tag.empty()) {
+      current.tag = row.tag;
+      current.in_tag = row.in_tag;
+    }
     if (!row.label.empty()) current.label = row.label;
   }
 
@@ -202,6 +207,19 @@ void share_single_tag(std::vector<WrittenChain>& chains) {
   share(&WrittenChain::label);
 }
 
+/// `\tag{for $x > 0$}`, and what is said at the braces of the chain.
+void add_conditions(WrittenChain& chain, const std::vector<Tokens>& in_tag) {
+  TokenUses own(0);
+  for (const Tokens& condition : in_tag) chain.assumed.push_back(chain_of(condition, own));
+  for (const WrittenSide& side : chain.sides) {
+    for (const Tokens& condition : said_at_braces(side.tokens))
+      chain.assumed.push_back(chain_of(condition, own));
+  }
+  if (chain.assumed.empty() || chain.doubt) return;
+  chain.doubt = Obstacle{
+      DiagnosticKind::restricted, fmt::format("it is said for `{}`", text_of(chain.assumed.front())), {}};
+}
+
 /// Signs that nobody read keep what stands around them from being judged.
 void refuse(std::vector<WrittenChain>& chains, const Token& left_over) {
   for (WrittenChain& chain : chains) {
@@ -214,6 +232,13 @@ void refuse(std::vector<WrittenChain>& chains, const Token& left_over) {
 }
 
 }  // namespace
+
+std::string text_of(const WrittenChain& chain) {
+  std::string text = text_of(chain.sides.front().tokens);
+  for (std::size_t k = 0; k < chain.relations.size(); ++k)
+    text += fmt::format(" {} {}", chain.relations[k].text, text_of(chain.sides[k + 1].tokens));
+  return text;
+}
 
 std::vector<WrittenChain> split_display(TokenView tokens, std::string_view environment,
                                         Diagnostics& diagnostics) {
@@ -234,7 +259,9 @@ SplitDisplay split_and_count(TokenView tokens, std::string_view environment, Dia
       if (own.empty()) own.push_back(chain_of(statement.tokens, split.uses));
       refuse(own, *left_over);
     }
+    const auto in_tag = conditions_in_tag(statement.in_tag);
     for (WrittenChain& chain : own) {
+      add_conditions(chain, in_tag.value_or(std::vector<Tokens>{}));
       if (chain.tag.empty()) chain.tag = statement.tag;
       chain.label = statement.label;
       chain.statement = number;

@@ -38,6 +38,10 @@ struct WrittenChain {
   Span condition_span;
   /// Words beside the equation that may restrict it ("to first order"): it may be proved, never refuted.
   std::optional<Obstacle> doubt;
+  /// Relations that say when it holds: behind "for" or "if", in its tag, at its braces. Where there are some,
+  /// there is a doubt.
+  std::vector<WrittenChain> assumed;
+  bool alternative = false;  // "or" stands beside it
   /// "(no sum)" beside the equation: no letter is summed but under an explicit sign.
   bool no_sum = false;
   /// "and cyclic permutations", "etc." beside the equation or right behind the display: it is said for
@@ -46,6 +50,9 @@ struct WrittenChain {
   std::size_t statement = 0;  // which statement of the display; equations on one line share it
   Span span;
 };
+
+/// As it was written, without layout around its sides.
+[[nodiscard]] std::string text_of(const WrittenChain& chain);
 
 /// The chains of a display, and what each of its tokens is to them.
 struct SplitDisplay {

@@ -50,6 +50,13 @@ Reading read(const Tokens& tokens, const std::string& environment) {
       if (!opaque && !chain.condition) continue;
       for (const Token& token : side.tokens) reading.excused.insert(token.place);
     }
+    for (const WrittenChain& condition : chain.assumed) {
+      reading.dump += " || " + dump_frame(condition);
+      for (const WrittenSide& side : condition.sides) {
+        SyntaxTree tree;
+        reading.dump += " | " + dump_syntax(tree, parse_side(side.tokens, side.span, tree));
+      }
+    }
     reading.dump += '\n';
     reading.not_understood += understood ? 0 : 1;
   }
