@@ -8,6 +8,7 @@
 
 #include "check/decision_cache.h"
 #include "check/prose_words.h"
+#include "check/restrictions.h"
 #include "expr/differentiate.h"
 
 namespace rigor {
@@ -51,7 +52,9 @@ class Heeding {
     if (!is_open(judgement_) || claim_.recorded != nullptr) return std::move(judgement_);
     const std::vector<const Fact*> bearing = facts_that_bear();
     if (proves_with(bearing) || judgement_.verdict != Verdict::refuted) return std::move(judgement_);
-    if (restricted_by_words() || holds_with(bearing) || rests_on_borrowed()) return std::move(judgement_);
+    if (restricted_by_words() || holds_with(bearing) || rests_on_borrowed() ||
+        restricted_by_what_stands_around())
+      return std::move(judgement_);
     return std::move(judgement_);
   }
 
@@ -141,7 +144,7 @@ class Heeding {
   bool is_meant_for_all() const {
     if (claim_.for_all) return true;
     const std::set<SymbolId> letters = letters_of(claim_.equation);
-    return std::all_of(letters.begin(), letters.end(), [&](SymbolId each) {
+    return !letters.empty() && std::all_of(letters.begin(), letters.end(), [&](SymbolId each) {
       return tree_.symbols[each].for_all || names_.definition_of(each) != nullptr;
     });
   }
@@ -149,19 +152,30 @@ class Heeding {
   bool restricted_by_words() {
     auto word = word_that_demands(at_.beside().lead);
     if (!word) word = word_of_a_special_case(sentence_);
-    const bool in_sentence = word.has_value();
-    if (!word && !is_meant_for_all()) word = word_of_a_special_heading(at_.heading);  // "Incompressible flow"
-    if (word) {
-      withdraw(DiagnosticKind::restricted,
-               fmt::format("it does not hold for all values, and `{}` in its {} may restrict it", *word,
-                           in_sentence ? "sentence" : "heading"),
-               {}, {"`rigor: claim …` states it for itself"});
-      return true;
+    if (word) return restricted_by(*word, "its sentence");
+    if (!is_meant_for_all()) {
+      word = word_of_a_special_heading(at_.heading);  // "Incompressible flow"
+      if (!word) word = restriction_in_heading(at_.heading);
+      if (word) return restricted_by(*word, "its heading");
     }
     if (at_.unread.empty()) return false;
     withdraw(DiagnosticKind::restricted,
-             fmt::format("it does not hold for all values, and `{}` in its sentence is not read", at_.unread),
-             {}, {});
+             fmt::format("it does not hold for all values, and `{}` beside it is not read", at_.unread), {},
+             {"`rigor: claim …` states it for itself"});
+    return true;
+  }
+
+  /// By what is not among the closed lists of words: it is asked last, since the others say more.
+  bool restricted_by_what_stands_around() {
+    if (auto word = restriction_in_sentence(sentence_)) return restricted_by(*word, "its sentence");
+    if (at_.around && !is_meant_for_all()) return restricted_by(at_.around->word, at_.around->where);
+    return false;
+  }
+
+  bool restricted_by(const std::string& word, std::string_view where) {
+    withdraw(DiagnosticKind::restricted,
+             fmt::format("it does not hold for all values, and `{}` in {} may restrict it", word, where), {},
+             {"`rigor: claim …` states it for itself"});
     return true;
   }
 
@@ -228,8 +242,10 @@ class Heeding {
     }
     const bool elsewhere = !is_said_for(at_, borrowed.front().origin);
     withdraw(DiagnosticKind::borrowed,
-             elsewhere ? fmt::format("it fails only with `{}`, which is not said for this section",
-                                     borrowed.front().origin.text)
+             elsewhere ? fmt::format("it fails only with `{}`, which {}", borrowed.front().origin.text,
+                                     borrowed.front().origin.conditional
+                                         ? "a word of its own sentence may limit to a case"
+                                         : "is not said for this section")
                        : fmt::format("it fails only with `{}`, which may mean another case than `{}` in its "
                                      "sentence",
                                      borrowed.front().origin.text, *case_word),

@@ -7,12 +7,14 @@
 // proves what it makes true.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "check/judge.h"
 #include "check/prose.h"
+#include "check/said_around.h"
 
 namespace rigor {
 
@@ -39,9 +41,10 @@ struct Standpoint {
   const Prose& prose;
   std::size_t event = 0;
   const std::vector<Use>& uses;
-  std::vector<Fact> facts;  // that may bear on it
-  std::string heading;      // of its section, in small letters
-  std::string unread;       // a relation of its sentence that shares a letter and was not read
+  std::vector<Fact> facts;                // that may bear on it
+  std::string heading;                    // of its section, in small letters
+  std::string unread;                     // a relation of its sentence that shares a letter and was not read
+  std::optional<SaidAround> around = {};  // what sentences around it, or its tag, may restrict it by
   [[nodiscard]] const ProseBeside& beside() const { return prose.beside[event]; }
 };
 

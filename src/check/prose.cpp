@@ -113,11 +113,15 @@ class ProseReader {
       if (event.kind == ProseEvent::Kind::heading) {
         end_sentence();
         walk_.heading(event.level);
+        take_heading(event.span);
       }
       ProseBeside& beside = prose_.beside[event_];
       beside.lead = sentence_;
       beside.sentence = number_;
       beside.place = walk_.here();
+      beside.paragraph = paragraph_;
+      if (event.kind == ProseEvent::Kind::display) ++displays_;
+      beside.displays = displays_;
       if (event.kind != ProseEvent::Kind::display) continue;
       end_tail();
       last_display_ = event_;
@@ -144,11 +148,33 @@ class ProseReader {
     last_display_.reset();
   }
 
-  void end_sentence() {
+  void end_sentence(char ending = '.') {
     end_tail();
+    const bool has_display = sentence_.find('\n') != std::string::npos;
+    if (sentence_.find_first_not_of(" \n") != std::string::npos)
+      prose_.sentences.push_back({sentence_, number_, walk_.here(), paragraph_, displays_before_, has_display,
+                                  ending == '?', std::move(maths_)});
+    for (std::size_t k = prose_.said.size(); k-- > 0 && prose_.said[k].sentence == number_;)
+      prose_.said[k].alone = !has_display;
+    maths_.clear();
+    displays_before_ = displays_;
     sentence_.clear();
     cue_ = Cue::none;
     ++number_;
+  }
+
+  /// The mathematics of a heading says which case its section is about.
+  void take_heading(Span span) {
+    const std::string text(sources_.text(span));
+    for (std::size_t at = 0; at < text.size();) {
+      const bool opens = text[at] == '$' || text.compare(at, 2, "\\(") == 0;
+      at = opens ? read_inline(text, at, span) : at + 1;
+    }
+    for (SaidInLine& said : prose_.said) {
+      if (said.sentence == number_) said.cue = Cue::condition;
+    }
+    sentence_.clear();
+    end_sentence();
   }
 
   void take(Span span) {
@@ -172,7 +198,9 @@ class ProseReader {
         (at + 1 == text.size() || is_space(text[at + 1]) || text[at + 1] == '*' || text[at + 1] == ')') &&
         !(c == '.' && is_abbreviation(last_word()));
     if (ends) {
-      end_sentence();
+      end_sentence(c);
+    } else if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
+      sentence_ += c;
     } else if (c == ',' || c == ';' || c == ':' || c == '(' || c == ')') {
       sentence_ += c;
     }
@@ -183,8 +211,11 @@ class ProseReader {
     std::size_t lines = 0;
     for (; at < text.size() && is_space(text[at]); ++at) lines += text[at] == '\n' ? 1 : 0;
     const bool capital = at < text.size() && std::isupper(static_cast<unsigned char>(text[at])) != 0;
+    const auto last = sentence_.find_last_not_of(' ');
+    const bool behind_display = last != std::string::npos && sentence_[last] == '\n';
     // A capital behind a blank line or a display begins a sentence, also where no full stop stands.
-    if (lines > 1 && capital) end_sentence();
+    if ((lines > 1 || (lines == 1 && behind_display)) && capital) end_sentence();
+    if (lines > 1) ++paragraph_;
     if (!sentence_.empty() && sentence_.back() != ' ') sentence_ += ' ';
     return at;
   }
@@ -230,8 +261,9 @@ class ProseReader {
       return begin;
     sentence_ += '$';
     const std::string_view inside = std::string_view(text).substr(begin, end - begin);
+    const auto offset = [&](std::size_t k) { return span.begin + static_cast<std::uint32_t>(k); };
+    maths_.push_back({span.file, offset(begin), offset(end)});
     if (relates(inside)) {
-      const auto offset = [&](std::size_t k) { return span.begin + static_cast<std::uint32_t>(k); };
       prose_.said.push_back({{span.file, offset(begin), offset(end)}, cue_, number_, event_, walk_.here()});
     }
     return end + (dollar ? 1 : 2);
@@ -247,6 +279,10 @@ class ProseReader {
   Cue cue_ = Cue::none;
   std::optional<std::size_t> last_display_;
   std::size_t tail_begin_ = 0;
+  std::vector<Span> maths_;  // of the sentence
+  std::size_t paragraph_ = 0;
+  std::size_t displays_ = 0;
+  std::size_t displays_before_ = 0;  // the sentence
 };
 
 }  // namespace

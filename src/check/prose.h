@@ -26,7 +26,20 @@ struct SaidInLine {
   std::size_t sentence = 0;
   std::size_t before = 0;  // the event that stands next behind it
   std::size_t place = 0;
+  bool alone = false;                    // no display stands in its sentence, or it stands in a heading
   std::vector<ParsedChain> chains = {};  // filled by who parses it
+};
+
+/// A whole sentence of the prose.
+struct ProseSentence {
+  std::string text;  // as in `ProseBeside`
+  std::size_t number = 0;
+  std::size_t place = 0;
+  std::size_t paragraph = 0;
+  std::size_t displays = 0;  // that stand before it
+  bool has_display = false;
+  bool asks = false;             // it ends with a question mark
+  std::vector<Span> maths = {};  // in its lines
 };
 
 /// Of one event. Mathematics in a line stands as `$` in the text, a display as `\n`.
@@ -35,12 +48,15 @@ struct ProseBeside {
   std::string tail;  // and behind it, up to the next display
   std::size_t sentence = 0;
   std::size_t place = 0;
+  std::size_t paragraph = 0;
+  std::size_t displays = 0;  // up to this one, if it is one
 };
 
 struct Prose {
   Sections sections;
   std::vector<ProseBeside> beside;  // one for each event
   std::vector<SaidInLine> said;
+  std::vector<ProseSentence> sentences;
 };
 
 /// Where an event stands, and what it is to the prose.

@@ -6,11 +6,9 @@
 #include <vector>
 
 namespace rigor {
-namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// Words, and `$` for mathematics in a line.
 Words words_of(std::string_view text) {
   Words words;
   for (std::size_t at = 0; at < text.size();) {
@@ -27,6 +25,8 @@ Words words_of(std::string_view text) {
   return words;
 }
 
+namespace {
+
 template <std::size_t N>
 bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -36,13 +36,14 @@ std::string_view word_at(const Words& words, std::size_t at) {
   return at < words.size() ? words[at] : std::string_view{};
 }
 
+}  // namespace
+
 bool means_all(std::string_view word) {
   static constexpr std::array<std::string_view, 7> all{"all",       "any",     "every",  "each",
                                                        "arbitrary", "general", "generic"};
   return is_one_of(word, all);
 }
 
-/// What every identity is about: it restricts nothing.
 bool is_general_noun(std::string_view word) {
   static constexpr std::array<std::string_view, 22> nouns{
       "vector",    "vectors", "tensor", "tensors", "scalar", "scalars", "matrix", "matrices",
@@ -51,12 +52,36 @@ bool is_general_noun(std::string_view word) {
   return is_one_of(word, nouns);
 }
 
+bool is_quantity(std::string_view word) {
+  static constexpr std::array<std::string_view, 90> quantities{
+      "mass",          "masses",     "charge",      "charges",      "length",      "distance",
+      "position",      "positions",  "velocity",    "velocities",   "speed",       "acceleration",
+      "accelerations", "force",      "forces",      "torque",       "momentum",    "momenta",
+      "energy",        "energies",   "work",        "power",        "time",        "rate",
+      "rates",         "angle",      "radius",      "area",         "volume",      "density",
+      "pressure",      "frequency",  "period",      "wavelength",   "potential",   "current",
+      "voltage",       "resistance", "product",     "products",     "sum",         "difference",
+      "square",        "derivative", "gradient",    "divergence",   "curl",        "magnitude",
+      "component",     "components", "index",       "displacement", "coordinates", "coordinate",
+      "frame",         "inertia",    "moment",      "moments",      "flux",        "variable",
+      "variables",     "quantity",   "temperature", "entropy",      "heat",        "lagrangian",
+      "hamiltonian",   "action",     "side",        "sides",        "equation",    "expression",
+      "identity",      "height",     "depth",       "width",        "amplitude",   "phase",
+      "impulse",       "stress",     "strain",      "trace",        "determinant", "inverse",
+      "transpose",     "integral",   "field",       "fields",       "stiffness",   "viscosity"};
+  return is_general_noun(word) || is_one_of(word, quantities);
+}
+
+namespace {
+
 bool is_pointing(std::string_view word) {
   static constexpr std::array<std::string_view, 16> words{
       "the",         "this",       "that", "these", "those", "which", "example", "instance",
       "convenience", "simplicity", "us",   "it",    "its",   "our",   "later",   "brevity"};
   return is_one_of(word, words);
 }
+
+}  // namespace
 
 bool is_special(std::string_view word) {
   static constexpr std::array<std::string_view, 116> special{"limit",
@@ -178,6 +203,8 @@ bool is_special(std::string_view word) {
   return is_one_of(word, special);
 }
 
+namespace {
+
 /// "for an acute angle", "for ideal gases"; not "for all", "for two vectors", "for the torque", "for $A$".
 bool restricts_behind_for(const Words& words, std::size_t at) {
   std::string_view next = word_at(words, at + 1);
@@ -189,7 +216,7 @@ bool restricts_behind_for(const Words& words, std::size_t at) {
 }  // namespace
 
 std::optional<std::string> word_that_demands(std::string_view lead) {
-  static constexpr std::array<std::string_view, 51> demanding{
+  static constexpr std::array<std::string_view, 52> demanding{
       "if",        "when",          "whenever",  "suppose",   "supposing",   "let",
       "require",   "requires",      "requiring", "condition", "conditions",  "satisfy",
       "satisfies", "satisfying",    "satisfied", "solve",     "solves",      "solving",
@@ -198,7 +225,7 @@ std::optional<std::string> word_that_demands(std::string_view lead) {
       "imposing",  "want",          "wants",     "seek",      "mistake",     "mistakes",
       "mistaken",  "wrong",         "wrongly",   "incorrect", "incorrectly", "false",
       "falsely",   "untrue",        "believe",   "believes",  "tempting",    "myth",
-      "beware",    "misconception", "fails"};
+      "beware",    "misconception", "fails",     "disprove"};
   const Words words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
     if (words[k] == "let" && word_at(words, k + 1) == "us") continue;

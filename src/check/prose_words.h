@@ -6,8 +6,20 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rigor {
+
+/// The words of a sentence in small letters, with `$` for mathematics in a line.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view text);
+/// "perpendicular", "uniform", "negligible": an adjective of a special case.
+[[nodiscard]] bool is_special(std::string_view word);
+/// "vector", "field", "particle": what every identity is about, so that it restricts nothing.
+[[nodiscard]] bool is_general_noun(std::string_view word);
+/// "mass", "velocity", "product": what a letter can be without being restricted.
+[[nodiscard]] bool is_quantity(std::string_view word);
+/// "all", "any", "arbitrary".
+[[nodiscard]] bool means_all(std::string_view word);
 
 /// "if", "suppose", "let", "require", "solve" …: what follows is no claim. The first such word.
 [[nodiscard]] std::optional<std::string> word_that_demands(std::string_view lead);

@@ -188,7 +188,11 @@ Standpoint Session::standpoint(const ParsedChain& parsed) {
 void Session::add_said(const SaidInLine& said, const ParsedChain& parsed, Standpoint& at) {
   const bool same_sentence = said.sentence == at.beside().sentence;
   const bool in_reach = notes_.prose.sections.reaches(said.place, at.beside().place);
-  if (!same_sentence && !(said.cue == Cue::definition && in_reach && said.before <= event_)) return;
+  // "We know that $ab = 0$." holds from there on.
+  const bool stated_above =
+      said.alone && in_reach && said.before <= event_ && said.sentence < at.beside().sentence;
+  if (!same_sentence && !stated_above && !(said.cue == Cue::definition && in_reach && said.before <= event_))
+    return;
   for (const ParsedChain& chain : said.chains) {
     bool understood = !chain.written.relations.empty() && !chain.written.condition && !chain.written.doubt;
     std::vector<Fact> facts;
@@ -205,15 +209,17 @@ void Session::add_said(const SaidInLine& said, const ParsedChain& parsed, Standp
                          names_.definition_of(left.symbol) == nullptr &&
                          claim->equation.relation == Relation::equal &&
                          !symbols_in(tree_, claim->equation.right).empty();
-      if (!same_sentence && !fresh) continue;
-      Fact fact{claim->equation, {}, said.cue != Cue::none, said.place, said.span};
+      if (!same_sentence && !fresh && !stated_above) continue;
+      const bool brings_in = same_sentence || (fresh && said.cue == Cue::definition);
+      Fact fact{claim->equation, {}, said.cue != Cue::none && brings_in, said.place, said.span};
       fact.text = fmt::format("{} (line {})", written(said.span),
                               sources_.line_column(said.span.file, said.span.begin).line);
       facts.push_back(std::move(fact));
     }
     at.facts.insert(at.facts.end(), facts.begin(), facts.end());
     const bool shares = share_a_letter(notes_.syntax, chain, parsed);
-    if (!understood && same_sentence && shares && at.unread.empty()) at.unread = written(said.span);
+    if (!understood && (same_sentence || stated_above) && shares && at.unread.empty())
+      at.unread = written(said.span);
   }
 }
 
@@ -255,7 +261,9 @@ void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& cl
   if (expected || judgement.verdict == Verdict::proved) return;
   heed_digits(tree_, names_, claim, judgement, options_.cache);
   if (judgement.verdict == Verdict::proved) return;
-  const Standpoint at = standpoint(parsed);
+  Standpoint at = standpoint(parsed);
+  if (judgement.verdict == Verdict::refuted)
+    at.around = said_around(notes_.prose, event_, sources_, parsed.written.span, parsed.written.tag);
   const bool late = which == 0 && judgement.verdict == Verdict::refuted && !claim.nearly &&
                     claim.equation.relation == Relation::equal && !announces_a_conclusion(at.beside().lead) &&
                     is_late_definition(*left.typed, *right.typed);
