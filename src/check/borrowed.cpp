@@ -96,9 +96,9 @@ class Heeding {
 
   void take_for_granted(const Fact& fact) {
     const ExprNode left = tree_[fact.equation.left];
-    const bool names_it = fact.proves && fact.equation.relation == Relation::equal && left.op == Op::symbol &&
-                          left.slot_count == 0 && left.rank == 0 && left.particle == no_particle &&
-                          names_.definition_of(left.symbol) == nullptr &&
+    const bool names_it = fact.proves && !fact.at_instant && fact.equation.relation == Relation::equal &&
+                          left.op == Op::symbol && left.slot_count == 0 && left.rank == 0 &&
+                          left.particle == no_particle && names_.definition_of(left.symbol) == nullptr &&
                           !tree_.symbols[left.symbol].derivation;
     Equation right = fact.equation;
     right.left = right.right;
@@ -106,7 +106,7 @@ class Heeding {
     if (names_it && !letters_of(right).contains(left.symbol)) {
       names_.define({{left.symbol, {}, no_particle, fact.equation.right}, std::move(origin), 0});
     } else {
-      names_.assume({fact.equation, std::move(origin), 0});
+      names_.assume({fact.equation, std::move(origin), 0, fact.at_instant});
     }
   }
 
@@ -271,7 +271,7 @@ bool is_said_for(const Standpoint& at, const Origin& origin) {
 
 bool is_used_here(const Standpoint& at, Names& names, const Origin& origin, SymbolId symbol) {
   const NameKey* key = names.key_of(symbol);
-  for (const Use& use : at.uses) {
+  for (const UseDirective& use : at.uses) {
     if (!at.prose.sections.reaches(use.place, at.beside().place)) continue;
     const bool by_letter =
         key != nullptr && std::find(use.letters.begin(), use.letters.end(), key->base) != use.letters.end();

@@ -26,10 +26,11 @@ struct Fact {
   bool proves = false;  // may a proof rest on it?
   std::size_t place = 0;
   Span span = {};
+  bool at_instant = false;  // a condition: it may hold now only, so that nothing is said of its rates
 };
 
 /// `use (2.1), \mathbf{p}`: these definitions hold from there to the end of the section.
-struct Use {
+struct UseDirective {
   std::size_t directive = 0;
   std::size_t place = 0;
   std::vector<std::string> letters = {};  // bases of symbols
@@ -40,7 +41,7 @@ struct Use {
 struct Standpoint {
   const Prose& prose;
   std::size_t event = 0;
-  const std::vector<Use>& uses;
+  const std::vector<UseDirective>& uses;
   std::vector<Fact> facts;                // that may bear on it
   std::string heading;                    // of its section, in small letters
   std::string unread;                     // a relation of its sentence that shares a letter and was not read

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "check/declared_first.h"
 #include "check/demand.h"
+#include "check/said_kinds.h"
+#include "latex/conditions.h"
 #include "latex/parse.h"
 #include "latex/rows.h"
 #include "latex/scoped_macros.h"
@@ -103,11 +106,79 @@ class NotesReader {
     }
     notes_.prose = read_prose(sources_, events);
     for (SaidInLine& said : notes_.prose.said) {
+      const auto tokens = maths_in_line(said.span);
+      if (!tokens) continue;
       Diagnostics none;
-      const auto tokens = expand(lex(sources_, said.span), macros_.table(), none);
-      if (tokens && unbalanced_brace(*tokens) == nullptr)
-        said.chains = parse_chains(*tokens, "", notes_.syntax, none);
+      said.chains = parse_chains(*tokens, "", notes_.syntax, none);
+      const auto parts = conditions_in(*tokens);  // `x, y > 0`
+      if (parts && parts->size() > 1) said.chains = parse_each(*parts);
     }
+    add_said_kinds();
+  }
+
+  std::optional<Tokens> maths_in_line(Span span) {
+    Diagnostics none;
+    auto tokens = expand(lex(sources_, span), macros_.table(), none);
+    if (!tokens || unbalanced_brace(*tokens) != nullptr) return std::nullopt;
+    return tokens;
+  }
+
+  std::vector<ParsedChain> parse_each(const std::vector<Tokens>& parts) {
+    std::vector<ParsedChain> chains;
+    Diagnostics none;
+    for (const Tokens& part : parts) {
+      for (ParsedChain& chain : parse_chains(part, "", notes_.syntax, none))
+        chains.push_back(std::move(chain));
+    }
+    return chains;
+  }
+
+  /// "For an acute angle $\varphi$": adjectives as relations of the letters that they stand at.
+  void add_said_kinds() {
+    for (const ProseSentence& sentence : notes_.prose.sentences) {
+      if (!sentence.has_display || sentence.asks) continue;
+      for (const SaidKind& kind : said_kinds(sentence.text)) {
+        if (kind.maths >= sentence.maths.size()) continue;
+        const Span span = sentence.maths[kind.maths];
+        const auto tokens = maths_in_line(span);
+        if (!tokens) continue;
+        for (const Tokens& letter : listed_letters(*tokens)) {
+          for (const std::string_view relation : kind.relations)
+            add_said_kind(sentence, span, letter, relation);
+        }
+      }
+    }
+  }
+
+  /// `relation` with the letter for its `$`.
+  void add_said_kind(const ProseSentence& sentence, Span span, const Tokens& letter,
+                     std::string_view relation) {
+    SaidInLine said{
+        .span = span, .cue = Cue::condition, .sentence = sentence.number, .place = sentence.place};
+    Tokens tokens;
+    const Span place = rigor::span_of(TokenView(letter));
+    for (std::size_t at = 0; at < relation.size();) {
+      std::size_t length = 1;
+      if (relation[at] == '$') {
+        tokens.insert(tokens.end(), letter.begin(), letter.end());
+        said.words += text_of(letter);
+      } else if (relation[at] == '\\') {
+        while (at + length < relation.size() &&
+               std::isalpha(static_cast<unsigned char>(relation[at + length])))
+          ++length;
+        tokens.push_back({TokenKind::control, relation.substr(at + 1, length - 1), place});
+        said.words += relation.substr(at, length);
+      } else {
+        const TokenKind kind = relation[at] == '0'   ? TokenKind::digit
+                               : relation[at] == ' ' ? TokenKind::space
+                                                     : TokenKind::other;
+        tokens.push_back({kind, relation.substr(at, 1), place});
+        said.words += relation[at];
+      }
+      at += length;
+    }
+    said.chains = parse_each({tokens});
+    notes_.prose.said.push_back(std::move(said));
   }
 
   SyntaxId read_asked(FileId text) {

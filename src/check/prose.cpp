@@ -87,12 +87,17 @@ bool is_abbreviation(std::string_view word) {
 }
 
 Cue cue_of(std::string_view word) {
+  static constexpr std::array<std::string_view, 24> apart{
+      "unless", "near",          "except", "excluding", "without", "not",   "no",     "never",
+      "nor",    "neither",       "away",   "around",    "close",   "about", "beyond", "approaches",
+      "tends",  "approximately", "nearly", "almost",    "roughly", "far",   "limit",  "cannot"};
+  if (is_one_of(word, apart)) return Cue::apart;
   static constexpr std::array<std::string_view, 17> definitions{
       "with",  "where",   "define",  "defining", "defined",   "let", "put",  "putting",   "set",
       "write", "writing", "setting", "denote",   "introduce", "by",  "here", "abbreviate"};
-  static constexpr std::array<std::string_view, 18> conditions{
-      "if",       "when",    "whenever", "for",   "at",      "limit", "case", "provided", "assume",
-      "assuming", "suppose", "given",    "since", "because", "near",  "on",   "while",    "unless"};
+  static constexpr std::array<std::string_view, 15> conditions{
+      "if",       "when",    "whenever", "for",   "at",      "case", "provided", "assume",
+      "assuming", "suppose", "given",    "since", "because", "on",   "while"};
   if (is_one_of(word, definitions)) return Cue::definition;
   return is_one_of(word, conditions) ? Cue::condition : Cue::none;
 }
@@ -203,6 +208,7 @@ class ProseReader {
       sentence_ += c;
     } else if (c == ',' || c == ';' || c == ':' || c == '(' || c == ')') {
       sentence_ += c;
+      if (cue_ == Cue::apart) cue_ = Cue::none;
     }
     return at + 1;
   }
@@ -226,7 +232,8 @@ class ProseReader {
     std::string word = text.substr(at, end - at);
     std::transform(word.begin(), word.end(), word.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    if (const Cue cue = cue_of(word); cue != Cue::none) cue_ = cue;
+    // "except for $x = 0$", "not at $x = 0$"
+    if (const Cue cue = cue_of(word); cue != Cue::none && cue_ != Cue::apart) cue_ = cue;
     sentence_ += word;
     return end;
   }

@@ -17,6 +17,7 @@ enum class Cue : std::uint8_t {
   none,        // mentioned
   definition,  // with, where, let …
   condition,   // if, for, at …
+  apart,       // unless, near, except, not …: it is not said to hold
 };
 
 /// A relation in a line of prose.
@@ -28,6 +29,7 @@ struct SaidInLine {
   std::size_t place = 0;
   bool alone = false;                    // no display stands in its sentence, or it stands in a heading
   std::vector<ParsedChain> chains = {};  // filled by who parses it
+  std::string words = {};                // that say it, where it is no relation: "acute angle `\varphi`"
 };
 
 /// A whole sentence of the prose.

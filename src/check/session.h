@@ -166,7 +166,7 @@ class Session {
   Sample sample_;                                            // the last one that met the assumptions in force
   std::map<SymbolId, bool> mirrored_;                        // declared polar (true) or axial
   std::size_t event_ = 0;                                    // that is followed
-  std::vector<Use> uses_;
+  std::vector<UseDirective> uses_;
   std::vector<Fact> laws_;              // and definitions behind their first use
   std::vector<StatedEquation> stated_;  // for the lints
   // for the next statement; forgotten when it is over, whatever became of it

@@ -93,7 +93,7 @@ bool speaks_of_units(const ExprTree& tree, ExprId side) {
 }  // namespace
 
 void Session::declare_use(const Directive& directive) {
-  Use use{directive.number, notes_.prose.beside[event_].place, {}, directive.places};
+  UseDirective use{directive.number, notes_.prose.beside[event_].place, {}, directive.places};
   for (const SyntaxId id : directive.symbols)
     use.letters.push_back(take_apart(notes_.syntax.symbol(id), Letters{}, names_).base);
   // A label or a line names the equation by its tag, as its definition does.
@@ -121,8 +121,7 @@ bool Session::is_conditional() const {
 
 /// "or" stands beside it, on its line or in the prose between two displays.
 bool Session::is_alternative(const ParsedChain& parsed) const {
-  const auto& doubt = parsed.written.doubt;
-  if (doubt && doubt->kind == DiagnosticKind::restricted) return true;
+  if (parsed.written.alternative) return true;
   const ProseBeside& beside = notes_.prose.beside[event_];
   const auto before = beside.lead.rfind('\n');
   const auto is_or = [](std::string words) {
@@ -176,6 +175,13 @@ Standpoint Session::standpoint(const ParsedChain& parsed) {
     said.chains.push_back(*chain);
     add_said(said, parsed, at);
   }
+  for (const ParsedChain& chain : parsed.assumed) {
+    SaidInLine said{.span = chain.written.span, .cue = Cue::condition, .sentence = at.beside().sentence};
+    said.words = text_of(chain.written);
+    said.place = at.beside().place;
+    said.chains.push_back(chain);
+    add_said(said, parsed, at);
+  }
   const std::size_t first = laws_.size() - std::min(laws_.size(), most_laws);
   for (std::size_t k = first; k < laws_.size(); ++k) {
     if (notes_.prose.sections.reaches(laws_[k].place, at.beside().place)) at.facts.push_back(laws_[k]);
@@ -211,8 +217,13 @@ void Session::add_said(const SaidInLine& said, const ParsedChain& parsed, Standp
                          !symbols_in(tree_, claim->equation.right).empty();
       if (!same_sentence && !fresh && !stated_above) continue;
       const bool brings_in = same_sentence || (fresh && said.cue == Cue::definition);
-      Fact fact{claim->equation, {}, said.cue != Cue::none && brings_in, said.place, said.span};
-      fact.text = fmt::format("{} (line {})", written(said.span),
+      Fact fact{claim->equation,
+                {},
+                said.cue != Cue::none && said.cue != Cue::apart && brings_in,
+                said.place,
+                said.span};
+      fact.at_instant = said.cue == Cue::condition;
+      fact.text = fmt::format("{} (line {})", said.words.empty() ? written(said.span) : said.words,
                               sources_.line_column(said.span.file, said.span.begin).line);
       facts.push_back(std::move(fact));
     }
@@ -239,7 +250,7 @@ std::optional<std::string> Session::letter_borrowed_for(const ParsedChain& parse
   const LocalKinds local(notes_, names_, event_);
   const auto letter = local.borrowed_letter(notes_.syntax, parsed);
   if (!letter) return std::nullopt;
-  for (const Use& use : uses_) {
+  for (const UseDirective& use : uses_) {
     const bool here = notes_.prose.sections.reaches(use.place, notes_.prose.beside[event_].place);
     if (!here || std::find(use.letters.begin(), use.letters.end(), *letter) == use.letters.end()) continue;
     names_.mark_used(use.directive);

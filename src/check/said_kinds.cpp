@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/said_kinds.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <span>
+
+namespace rigor {
+namespace {
+
+using Words = std::span<const std::string_view>;
+
+/// Words, `$`, `\n` and signs of punctuation.
+std::vector<std::string_view> parts_of(std::string_view text) {
+  std::vector<std::string_view> parts;
+  const auto in_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '\'';
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && in_word(text[end])) ++end;
+    if (end == at) ++end;
+    if (text[at] != ' ') parts.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return parts;
+}
+
+template <std::size_t N>
+bool is_in(std::string_view word, const std::array<std::string_view, N>& list) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// What an adjective says of a letter; nothing for other words.
+std::vector<std::string_view> relations_of(std::string_view word) {
+  if (word == "positive") return {"$ > 0"};
+  if (word == "negative") return {"$ < 0"};
+  if (word == "non-negative" || word == "nonnegative") return {"$ \\ge 0"};
+  if (word == "non-positive" || word == "nonpositive") return {"$ \\le 0"};
+  if (word == "non-zero" || word == "nonzero" || word == "non-vanishing" || word == "nonvanishing")
+    return {"$ \\ne 0"};
+  if (word == "acute") return {"\\cos $ > 0", "\\sin $ > 0"};
+  if (word == "obtuse") return {"\\cos $ < 0", "\\sin $ > 0"};
+  return {};
+}
+
+/// Beside the adjective, they change nothing of what it says.
+bool is_filler(std::string_view word) {
+  static constexpr std::array<std::string_view, 16> fillers{
+      "a",      "an",       "the",  "real", "given", "fixed", "arbitrary", "constant",
+      "finite", "strictly", "both", "all",  "some",  "any",   "every",     "two"};
+  return is_in(word, fillers);
+}
+
+/// What a letter can be that is positive or acute.
+bool is_noun(std::string_view word) {
+  static constexpr std::array<std::string_view, 38> nouns{
+      "number",   "numbers",  "constant",    "constants",    "integer",   "integers",    "real",
+      "reals",    "quantity", "quantities",  "value",        "values",    "parameter",   "parameters",
+      "angle",    "angles",   "mass",        "masses",       "scalar",    "scalars",     "length",
+      "lengths",  "time",     "times",       "charge",       "charges",   "energy",      "energies",
+      "speed",    "speeds",   "coefficient", "coefficients", "frequency", "frequencies", "temperature",
+      "pressure", "radius",   "volume"};
+  return is_in(word, nouns);
+}
+
+/// A sentence with one of them may say the opposite, or something else.
+bool is_doubtful(std::string_view word) {
+  static constexpr std::array<std::string_view, 22> doubts{
+      "not",    "no",     "non",     "never",  "nor",       "neither", "either", "or",
+      "unless", "except", "whether", "cannot", "without",   "nearly",  "almost", "may",
+      "might",  "can",    "could",   "would",  "otherwise", "than"};
+  return is_in(word, doubts);
+}
+
+bool ends(Words words, std::size_t at) {
+  static constexpr std::array<std::string_view, 6> ends{"\n", ",", ";", ":", ")", "("};
+  return at >= words.size() || is_in(words[at], ends);
+}
+
+class KindReader {
+ public:
+  explicit KindReader(Words words) : words_(words) {}
+
+  std::vector<SaidKind> read() {
+    for (std::size_t at = 0; at < words_.size(); ++at) {
+      if (words_[at] == "$") ++maths_;
+      if (relations_of(words_[at]).empty()) continue;
+      if (!of_those_behind(at)) of_those_before(at);
+    }
+    return std::move(said_);
+  }
+
+ private:
+  /// "positive constants $m$, $k$ and $l$": the place behind a noun, if one stands there.
+  [[nodiscard]] std::size_t behind_nouns(std::size_t at) const {
+    while (at < words_.size() && (is_filler(words_[at]) || is_noun(words_[at]))) ++at;
+    return at;
+  }
+
+  bool of_those_behind(std::size_t adjective) {
+    std::size_t at = behind_nouns(adjective + 1);
+    if (at >= words_.size() || words_[at] != "$") return false;
+    std::size_t count = 0;
+    while (at < words_.size() && words_[at] == "$") {
+      ++count;
+      std::size_t next = at + 1;
+      while (next < words_.size() && (words_[next] == "," || words_[next] == "and")) ++next;
+      at = next > at + 1 && next < words_.size() && words_[next] == "$" && !is_spoken_of(next)
+               ? next
+               : words_.size();
+    }
+    for (std::size_t k = 0; k < count; ++k) say(maths_ + k, adjective);
+    return true;
+  }
+
+  /// "$a > 0$ and $b$ is negative": is there a verb behind this one?
+  [[nodiscard]] bool is_spoken_of(std::size_t maths) const {
+    return maths + 1 < words_.size() && is_verb(words_[maths + 1]);
+  }
+
+  static bool is_verb(std::string_view word) { return word == "is" || word == "are" || word == "be"; }
+
+  /// "$m$, $k$ are positive constants", "for $a$ positive,".
+  void of_those_before(std::size_t adjective) {
+    const std::size_t behind = behind_nouns(adjective + 1);
+    const bool goes_on = behind + 1 < words_.size() && words_[behind] == "and" && words_[behind + 1] == "$";
+    if (!ends(words_, behind) && !goes_on) return;
+    std::size_t at = adjective;
+    bool verb = false;
+    while (at > 0 && (is_filler(words_[at - 1]) || (is_verb(words_[at - 1]) && !verb))) {
+      --at;
+      verb = verb || is_verb(words_[at]);
+    }
+    if (at == 0 || words_[at - 1] != "$") return;
+    std::size_t count = 1;
+    --at;
+    while (at >= 2 && (words_[at - 1] == "," || words_[at - 1] == "and")) {
+      std::size_t before = at - 1;
+      if (before > 0 && words_[before] == "and" && words_[before - 1] == ",") --before;
+      if (before == 0 || words_[before - 1] != "$") break;
+      at = before - 1;
+      ++count;
+    }
+    static constexpr std::array<std::string_view, 7> openings{"for",   "with", "where", "let",
+                                                              "since", "and",  "here"};
+    const bool opened = at > 0 && is_in(words_[at - 1], openings);
+    if (!verb && !opened) return;
+    for (std::size_t k = 1; k <= count && k <= maths_; ++k) say(maths_ - k, adjective);
+  }
+
+  void say(std::size_t maths, std::size_t adjective) {
+    said_.push_back({maths, relations_of(words_[adjective])});
+  }
+
+  Words words_;
+  std::size_t maths_ = 0;  // that stand before the word at hand
+  std::vector<SaidKind> said_;
+};
+
+}  // namespace
+
+std::vector<SaidKind> said_kinds(std::string_view sentence) {
+  const std::vector<std::string_view> words = parts_of(sentence);
+  if (std::any_of(words.begin(), words.end(), is_doubtful)) return {};
+  return KindReader(words).read();
+}
+
+}  // namespace rigor
