@@ -23,6 +23,7 @@ constexpr int largest_depth_of_squares = 4;
 constexpr int largest_depth_of_roots = 2;
 constexpr std::size_t largest_root_sum = 20;    // terms
 constexpr std::size_t largest_factored = 12;    // terms
+constexpr int largest_degree_factored = 6;      // in one indeterminate
 constexpr std::size_t largest_quadratic = 150;  // terms
 constexpr double largest_substituted = 4000;    // terms, by the estimate
 
@@ -51,6 +52,17 @@ constexpr double largest_substituted = 4000;    // terms, by the estimate
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
+}
+
+[[nodiscard]] GiNaC::exset letters_of(const ex& value) {
+  GiNaC::exset letters;
+  for (const ex& term : terms_of(value)) {
+    for (const ex& factor : factors_of(term)) {
+      const ex base = GiNaC::is_a<GiNaC::power>(factor) ? factor.op(0) : factor;
+      if (!is_number(base)) letters.insert(base);
+    }
+  }
+  return letters;
 }
 
 }  // namespace
@@ -162,6 +174,15 @@ Sign Order::best(const ex& value, const std::vector<Fact>& facts, int depth) {
   return sign == Sign::any ? by_roots(value, facts, depth) : sign;
 }
 
+/// A polynomial in one indeterminate as a product, another one as a product of powers.
+ex Order::taken_apart(const ex& value) {
+  const GiNaC::exset letters = letters_of(value);
+  if (letters.size() != 1 || value.degree(*letters.begin()) > largest_degree_factored)
+    return with_repeated_factors(value, domain_.budget());
+  domain_.count(price::factored_term * static_cast<double>(term_count(value)));
+  return GiNaC::factor(value);
+}
+
 /// Of a polynomial that is a product: of indeterminates, of facts, of powers, and of what is left.
 Sign Order::by_factors(const ex& value, const std::vector<Fact>& facts) {
   if (!GiNaC::is_a<GiNaC::add>(value) || term_count(value) > largest_factored) return Sign::any;
@@ -180,7 +201,7 @@ Sign Order::by_factors(const ex& value, const std::vector<Fact>& facts) {
   for (const Fact& fact : facts) {
     if (!is_number(fact.value) && term_count(fact.value) <= largest_factored) take(fact.value, fact.sign);
   }
-  for (const ex& factor : factors_of(with_repeated_factors(rest, domain_.budget()))) {
+  for (const ex& factor : factors_of(taken_apart(rest))) {
     const bool raised = GiNaC::is_a<GiNaC::power>(factor);
     const ex base = (raised ? factor.op(0) : factor).expand();
     Sign own = best(base, facts, 0);

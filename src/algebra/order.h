@@ -37,6 +37,7 @@ class Order {
   [[nodiscard]] Sign by_positive_facts(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts);
   [[nodiscard]] Sign by_squares(const GiNaC::ex& value, int depth);
   [[nodiscard]] Sign by_roots(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);
+  [[nodiscard]] GiNaC::ex taken_apart(const GiNaC::ex& value);
   [[nodiscard]] Sign by_factors(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts);
   [[nodiscard]] Sign best(const GiNaC::ex& value, const std::vector<Signs::Fact>& facts, int depth);
 

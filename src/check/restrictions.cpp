@@ -160,11 +160,17 @@ Found by_preposition(const Sentence& words, std::size_t at) {
   const std::string_view word = words[at];
   const std::string_view next = words[at + 1];
   const bool begins = words.begins_clause(at);
-  if (is_in(word, {"near",      "among",      "amongst", "beyond",   "inside",     "outside",  "within",
-                   "without",   "throughout", "during",  "along",    "whilst",     "iff",      "until",
-                   "till",      "except",     "unless",  "if",       "when",       "whenever", "provided",
-                   "providing", "whether",    "insofar", "wherever", "everywhere", "far"}))
+  if (is_in(word, {"near",       "among",   "amongst",  "beyond",     "inside",   "outside",  "within",
+                   "throughout", "during",  "along",    "whilst",     "iff",      "until",    "till",
+                   "except",     "unless",  "if",       "when",       "whenever", "provided", "providing",
+                   "whether",    "insofar", "wherever", "everywhere", "far"}))
     return words.one(at);
+  if (word == "without") {  // "without friction", and not "without loss of generality"
+    const bool of_the_writing =
+        is_in(next, {"", "them", "it", "loss", "further", "proof", "calculation", "indices", "components",
+                     "coordinates", "brackets", "words", "using", "writing"});
+    return of_the_writing ? Found{} : words.two(at);
+  }
   if (word == "far" && next == "as") return std::nullopt;
   if (word == "while") return begins && next != "the" ? words.one(at) : Found{};
   if (word == "where" && (words[at + 1].empty() || !is_in(next, {"$", "the", "we", "a", "an", "in", "now"})))
