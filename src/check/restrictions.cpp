@@ -111,9 +111,13 @@ bool restricts_as_adjective(const Sentence& words, std::size_t at) {
   if (is_in(word, {"positive", "negative"})) return !is_in(next, {"sign", "root", "of"});
   if (is_in(word, {"real", "imaginary"})) return !is_in(next, {"part", "parts", "axis"});
   if (is_in(word, {"integer", "integers", "nonzero", "odd", "normalized", "normalised"})) return true;
-  if (word == "same")
-    return !is_in(next, {"way", "argument", "reason", "result", "manner", "method", "steps", "expression",
-                         "form", "formula", "as", "for", "token", "", "rule"});
+  if (word == "same")  // "of the same mass", and not "the same vector"
+    return is_in(next,
+                 {"mass",   "masses",    "charge",    "charges",   "length",    "lengths",     "radius",
+                  "radii",  "size",      "magnitude", "direction", "sign",      "temperature", "pressure",
+                  "volume", "density",   "speed",     "velocity",  "frequency", "amplitude",   "phase",
+                  "energy", "dimension", "number",    "value",     "values",    "particle",    "particles",
+                  "point",  "time",      "instant",   "place",     "plane"});
   return false;
 }
 
@@ -137,13 +141,13 @@ bool behind_in_is_neutral(const Sentence& words, std::size_t at) {
   if (words.soon(at, 2, {"dimension", "dimensions"})) return words[at + 1] == "three" || words[at + 1] == "3";
   const std::string_view next = words[at + 1];
   if (is_in(next,
-            {"",          "front",    "without", "by",      "for",       "with",  "to",     "and",
-             "from",      "place",    "one",     "two",     "steps",     "pairs", "terms",  "components",
-             "component", "form",     "fact",    "general", "turn",      "other", "detail", "full",
-             "order",     "addition", "index",   "vector",  "cartesian", "what",  "which",  "this",
-             "that",      "these",    "matrix",  "words",   "symbols",   "our",   "any",    "all",
-             "every",     "each",     "it",      "cyclic",  "suffix",    "both",  "three",  "section",
-             "chapter",   "equation", "eq",      "brackets"}))
+            {"",           "as",        "front",    "without", "by",      "for",       "with",  "to",
+             "and",        "from",      "place",    "one",     "two",     "steps",     "pairs", "terms",
+             "components", "component", "form",     "fact",    "general", "turn",      "other", "detail",
+             "full",       "order",     "addition", "index",   "vector",  "cartesian", "what",  "which",
+             "this",       "that",      "these",    "matrix",  "words",   "symbols",   "our",   "any",
+             "all",        "every",     "each",     "it",      "cyclic",  "suffix",    "both",  "three",
+             "section",    "chapter",   "equation", "eq",      "brackets"}))
     return true;
   const bool article = is_in(next, {"the", "a", "an", "its", "their", "another"});
   return article &&

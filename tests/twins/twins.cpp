@@ -74,7 +74,7 @@ std::string summary_of(const Step& step) {
 Span left_of(const Step& step) { return {step.span.file, step.span.begin, step.relation_span.begin}; }
 Span right_of(const Step& step) { return {step.span.file, step.relation_span.end, step.span.end}; }
 
-constexpr int most_uses = 3;  // rounds: one definition may show the next
+constexpr int most_uses = 5;  // rounds: one definition may show the next
 
 /// What is proved of the chain at `relation` of these notes is tried on random samples: the first failure.
 std::string failure_of_proofs(const std::string& path, std::string text, std::size_t relation) {
