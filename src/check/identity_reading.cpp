@@ -177,6 +177,27 @@ std::vector<SymbolId> symbols_below(const Question& question, ExprId root, const
   return primitive;
 }
 
+/// What stands on one side only.
+struct OwnSymbols {
+  std::set<SymbolId> left;
+  std::set<SymbolId> right;
+
+  [[nodiscard]] std::set<SymbolId> all() const {
+    std::set<SymbolId> both = left;
+    both.insert(right.begin(), right.end());
+    return both;
+  }
+};
+
+OwnSymbols own_symbols(const std::set<SymbolId>& left, const std::set<SymbolId>& right) {
+  OwnSymbols own;
+  std::set_difference(left.begin(), left.end(), right.begin(), right.end(),
+                      std::inserter(own.left, own.left.end()));
+  std::set_difference(right.begin(), right.end(), left.begin(), left.end(),
+                      std::inserter(own.right, own.right.end()));
+  return own;
+}
+
 }  // namespace
 
 std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
@@ -186,8 +207,8 @@ std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
 std::vector<SymbolId> law_symbols(const Question& question, bool restates, const std::set<SymbolId>& frames,
                                   DecisionCache* cache) {
   const ExprTree& tree = *question.tree;
-  const std::set<SymbolId> left = as_set(symbols_below(question, question.claim.left, frames));
-  const std::set<SymbolId> right = as_set(symbols_below(question, question.claim.right, frames));
+  const std::set<SymbolId> left = as_set(primitive_symbols(question, question.claim.left));
+  const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
   std::set<SymbolId> all = left;
   all.insert(right.begin(), right.end());
   const std::vector<SymbolId> open = not_for_all(tree, all);
@@ -198,14 +219,17 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates, const
   if (tree.is_zero_literal(question.claim.left))
     return law_against_zero(question, question.claim.right, open, cache);
 
-  std::set<SymbolId> only_left;
-  std::set<SymbolId> only_right;
-  std::set_difference(left.begin(), left.end(), right.begin(), right.end(),
-                      std::inserter(only_left, only_left.end()));
-  std::set_difference(right.begin(), right.end(), left.begin(), left.end(),
-                      std::inserter(only_right, only_right.end()));
-  std::set<SymbolId> own = only_left;
-  own.insert(only_right.begin(), only_right.end());
+  const bool defines = std::any_of(
+      question.definitions.begin(), question.definitions.end(),
+      [&](const Definition& each) { return !frames.contains(base_of(tree.symbols, each.symbol)); });
+  if (!frames.empty() && !defines) {
+    const OwnSymbols written = own_symbols(as_set(symbols_below(question, question.claim.left, frames)),
+                                           as_set(symbols_below(question, question.claim.right, frames)));
+    const std::vector<SymbolId> open_written = not_for_all(tree, written.all());
+    if (!written.left.empty() && !written.right.empty() && !open_written.empty()) return open_written;
+  }
+  const auto [only_left, only_right] = own_symbols(left, right);
+  const std::set<SymbolId> own = OwnSymbols{only_left, only_right}.all();
   const std::vector<SymbolId> open_own = not_for_all(tree, own);
   if (!open_own.empty()) {
     const bool one_sided = only_left.empty() || only_right.empty();
