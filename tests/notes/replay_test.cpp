@@ -38,6 +38,7 @@ std::string value_of(const Json& value) {
 bool is_plain(const Json& step) {
   const Json& example = step["counterexample"];
   if (step["source"].get<std::string>().find("(cyclic image ") != std::string::npos) return false;
+  if (step["source"].get<std::string>().find("O(") != std::string::npos) return false;  // coefficients
   for (const Json& use : step["uses"]) {
     if (use.get<std::string>().starts_with("definition")) return false;
   }
