@@ -22,7 +22,6 @@ struct Evidence {
   std::set<std::string> letters;   // all that stand in equations, without faces and accents; `i` among them
   std::set<std::string> points;    // of names such as `ABC` in the prose
   std::set<std::string> functionals;  // `E[X]`: square brackets stand directly behind
-  std::set<std::string> units;        // "the unit matrix $I$", "the identity $E$"
   bool operators = false;             // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
   bool speaks_of_order = false;       // the words speak of matrices or operators: then capitals may be some
   bool order_in_heading = false;      // a heading does: then small letters may be some as well
