@@ -109,6 +109,8 @@ class Session {
                Step& step);
   bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right,
                  const Context& context, Step& step);
+  bool takes_apart(const ParsedChain& parsed, const Typed& left, const Typed& right, const Context& context,
+                   Step& step);
   std::vector<Label> earlier_place(const NamedDefinition& earlier) const;
   void add_definition(const Typed& left, const Typed& right, const ParsedChain& parsed,
                       const Context& context, Step& step);

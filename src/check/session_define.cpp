@@ -6,6 +6,7 @@
 #include <array>
 
 #include "check/contradiction.h"
+#include "check/decomposition.h"
 #include "check/prose_words.h"
 #include "check/session.h"
 
@@ -237,6 +238,22 @@ bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, c
                     use_of(names_, tree_, earlier->definition.symbol))}});
   add_definition(left, right, parsed, {}, step);
   return true;
+}
+
+/// A part of a sum above is said by the whole.
+bool Session::takes_apart(const ParsedChain& parsed, const Typed& left, const Typed& right,
+                          const Context& context, Step& step) {
+  if (context.role != Role::display || !expectations_.empty() || is_conditional()) return false;
+  const auto apart = decomposition(tree_, names_, left.id, right.id, notes_.prose.beside[event_].place);
+  if (!apart) return false;
+  Names::Scene before = names_.scene();
+  take_apart(tree_, names_, *apart, tree_[left.id].symbol);
+  if (as_definition(left, right)) {
+    add_definition(left, right, parsed, context, step);
+    if (find_sample()) return true;
+  }
+  names_.replace(std::move(before));
+  return false;
 }
 
 /// Does a definition say already what the symbol is, or how it changes? A second one beside it would be

@@ -213,6 +213,7 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   if (open && context.role == Role::display && claim->recorded == nullptr &&
       proves_alternatives(parsed, step))
     return;
+  if (open && may_define && takes_apart(parsed, *left.typed, *right.typed, context, step)) return;
   if (may_replace && redefines(judgement, parsed, *left.typed, *right.typed, context, step)) return;
   heed(parsed, which, *claim, left, right, context, judgement);
   if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
