@@ -6,6 +6,7 @@
 
 #include "elaborate/ordered_letters.h"
 #include "elaborate/seen_letters.h"
+#include "elaborate/unit_matrices.h"
 
 namespace rigor {
 namespace {
@@ -30,6 +31,7 @@ std::vector<std::size_t> beginnings(const Notes& notes, std::optional<std::size_
 void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evidence& evidence) {
   for (const ParsedChain& chain : chains) {
     for (const SyntaxId side : chain.sides) see_kinds(notes.syntax, side, evidence);
+    see_components(notes.syntax, chain.sides, evidence);
     see_order(notes.syntax, chain.sides, chain.written, evidence);
     see_letters(notes.syntax, chain.sides, chain.written, evidence);
   }
@@ -41,6 +43,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   const std::string_view text = sources.text({before.file, before.end, behind.begin});
   see_words(text, evidence);
   see_said(text, evidence);
+  see_unit_matrices(text, evidence);
 }
 
 }  // namespace
@@ -68,6 +71,10 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         for (const SyntaxId symbol : placed->directive.symbols) see_kinds(notes.syntax, symbol, evidence);
         see_chains(notes, placed->directive.chains, evidence);
       }
+    }
+    for (const SaidInLine& said : notes.prose.said) {
+      if (said.before < begin || said.before > k) continue;
+      for (const ParsedChain& chain : said.chains) see_components(notes.syntax, chain.sides, evidence);
     }
     if (k == notes.events.size()) {
       const auto size = static_cast<std::uint32_t>(sources.text(notes.file).size());

@@ -231,7 +231,8 @@ std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, 
     if (names_.is_plain({name.base, rank, particle}))
       return make_symbol(written, name.base, rank, name, {}, span);
   }
-  if (!names_.is_declared(scalar) && !defined) {
+  const bool component = names_.evidence.components.contains(name.base);
+  if (!names_.is_declared(scalar) && !defined && !component) {
     const bool bold_seen =
         names_.sightings.bold.contains({name.base, particle}) || names_.is_declared({name.base, 1, particle});
     const bool by_company = !bold_seen && written.lower.size() == name.particles.size() &&

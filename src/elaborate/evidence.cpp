@@ -91,6 +91,24 @@ void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
   }
 }
 
+void see_components(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  for (const SyntaxId tuple : sides) {
+    if (syntax[tuple].kind != SyntaxKind::tuple) continue;
+    std::set<std::string> entries;
+    for (const SyntaxChild& child : syntax.children(tuple)) {
+      const WrittenSymbol* entry = symbol_at(syntax, child.id);
+      if (entry != nullptr && is_small_latin(*entry)) entries.insert(letter_with_marks(*entry));
+    }
+    // `(r, \theta, \phi)` are coordinates, and r is the length of the position.
+    if (entries.size() != syntax.children(tuple).size()) continue;
+    for (const SyntaxId side : sides) {
+      const WrittenSymbol* whole = symbol_at(syntax, side);
+      if (whole != nullptr && whole->face == Face::vector && entries.contains(letter_with_marks(*whole)))
+        evidence.components.insert(entries.begin(), entries.end());
+    }
+  }
+}
+
 std::string letter_with_marks(const WrittenSymbol& symbol) {
   std::string base = symbol.letter;
   if (symbol.accent == Accent::hat) base = "\\hat{" + base + "}";

@@ -21,6 +21,8 @@ struct Evidence {
   std::set<std::string> complex;   // conjugated somewhere: `\bar z`, `\psi^*`
   std::set<std::string> letters;   // all that stand in equations, without faces and accents; `i` among them
   std::set<std::string> points;    // of names such as `ABC` in the prose
+  std::set<std::string> components;   // u, v, w of `\mathbf u = (u, v, w)`: no lengths
+  std::set<std::string> units;        // "the unit matrix $I$": 1 among matrices
   std::set<std::string> functionals;  // `E[X]`: square brackets stand directly behind
   bool operators = false;             // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
   bool speaks_of_order = false;       // the words speak of matrices or operators: then capitals may be some
@@ -35,6 +37,9 @@ struct Evidence {
 
 /// Adds what the faces, products and fractions below `root` show.
 void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence);
+
+/// Adds what equations between a vector and its components show.
+void see_components(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
 
 /// `\hat n` for `\hat n_i`: letter, accent, change and primes.
 [[nodiscard]] std::string letter_with_marks(const WrittenSymbol& symbol);
