@@ -317,10 +317,17 @@ class Judging {
   /// The letters can be something else than real numbers.
   void heed_other_reading() {
     const bool proved = judgement_.verdict == Verdict::proved;
-    if (!proved && judgement_.verdict != Verdict::refuted) return;
     Question asked = prepared_.question;
     asked.tree = &tree_;
     asked.claim = claim_.equation;
+    if (!proved && holds_with_unit_matrix(asked, names_)) {
+      judgement_.verdict = Verdict::proved;
+      judgement_.route = "products in their order, with 1 for the unit matrix";
+      judgement_.counterexample.reset();
+      judgement_.diagnostics.clear();
+      return;
+    }
+    if (!proved && judgement_.verdict != Verdict::refuted) return;
     auto other = other_reading(asked, names_, proved);
     if (!other) return;
     judgement_.verdict = Verdict::not_understood;

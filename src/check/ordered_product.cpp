@@ -30,7 +30,9 @@ using Words = std::map<Word, std::int64_t>;
 
 class WordReader {
  public:
-  WordReader(const ExprTree& tree, const std::set<SymbolId>& ordered) : tree_(tree), ordered_(ordered) {}
+  /// `units`: 1 among `ordered`.
+  WordReader(const ExprTree& tree, const std::set<SymbolId>& ordered, const std::set<SymbolId>& units = {})
+      : tree_(tree), ordered_(ordered), units_(units) {}
 
   std::optional<Words> read(ExprId id) {
     const ExprNode& node = tree_[id];
@@ -64,6 +66,7 @@ class WordReader {
   std::optional<Words> atom(ExprId id) const {
     const bool in_order = holds_ordered(id);
     if (in_order && tree_[id].op != Op::symbol) return std::nullopt;
+    if (in_order && units_.contains(tree_[id].symbol)) return Words{{Word{}, 1}};
     Word word;
     (in_order || tree_[id].rank > 0 ? word.ordered : word.commuting).push_back(dump(tree_, id));
     return Words{{std::move(word), 1}};
@@ -184,6 +187,7 @@ class WordReader {
 
   const ExprTree& tree_;
   const std::set<SymbolId>& ordered_;
+  const std::set<SymbolId> units_;
 };
 
 /// Is it made of sums, products, powers, multiples and power series alone?
@@ -219,6 +223,14 @@ bool is_series(const ExprTree& tree, ExprId id, const std::set<SymbolId>& ordere
 bool equal_in_order(const ExprTree& tree, ExprId left, ExprId right, const std::set<SymbolId>& ordered) {
   if (ordered.size() == 1 && is_series(tree, left, ordered) && is_series(tree, right, ordered)) return true;
   WordReader reader(tree, ordered);
+  const auto first = reader.read(left);
+  const auto second = reader.read(right);
+  return first && second && *first == *second;
+}
+
+bool equal_with_units(const ExprTree& tree, ExprId left, ExprId right, const std::set<SymbolId>& ordered,
+                      const std::set<SymbolId>& units) {
+  WordReader reader(tree, ordered, units);
   const auto first = reader.read(left);
   const auto second = reader.read(right);
   return first && second && *first == *second;
@@ -370,6 +382,20 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
   for (const Equation& assumption : question.assumptions) look_at(assumption);
   remove_defined_numbers(tree, names, question, found);
   return found;
+}
+
+std::set<SymbolId> unit_matrices(const Names& names, const Question& question,
+                                 const std::set<SymbolId>& ordered) {
+  std::set<SymbolId> units;
+  for (const SymbolId symbol : ordered) {
+    const NameKey* key = names.key_of(symbol);
+    const bool defined =
+        std::any_of(question.definitions.begin(), question.definitions.end(),
+                    [&](const Definition& definition) { return definition.symbol == symbol; });
+    if (key != nullptr && key->rank == 0 && !defined && names.evidence.units.contains(key->base))
+      units.insert(symbol);
+  }
+  return units;
 }
 
 }  // namespace rigor

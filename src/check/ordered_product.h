@@ -18,6 +18,10 @@ namespace rigor {
 [[nodiscard]] bool equal_in_order(const ExprTree& tree, ExprId left, ExprId right,
                                   const std::set<SymbolId>& ordered);
 
+/// The same without the help of numbers, with 1 in the place of `units`, which are among `ordered`.
+[[nodiscard]] bool equal_with_units(const ExprTree& tree, ExprId left, ExprId right,
+                                    const std::set<SymbolId>& ordered, const std::set<SymbolId>& units);
+
 /// Does no term of the claim, definitions unfolded, have two factors of `ordered`, and no assumption one?
 /// Then there is no order to keep, and what holds for numbers holds for matrices and operators. Cost: linear
 /// in the tree for each use of a definition, which are bounded.
@@ -27,5 +31,9 @@ namespace rigor {
 /// operators and no directive declares to be anything else.
 [[nodiscard]] std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names,
                                                  const Question& question);
+
+/// Those of them that the words call the unit matrix.
+[[nodiscard]] std::set<SymbolId> unit_matrices(const Names& names, const Question& question,
+                                               const std::set<SymbolId>& ordered);
 
 }  // namespace rigor

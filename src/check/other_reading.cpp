@@ -50,6 +50,35 @@ std::optional<OtherReading> in_complex_numbers(const Question& question, const N
                           quoted(*question.tree, complex)));
 }
 
+bool is_capital(const NameKey& key) {
+  return key.rank == 0 && key.base[0] >= 'A' && key.base[0] <= 'Z' &&
+         (key.base.size() == 1 || key.base[1] == '_');
+}
+
+/// `(I - P)^2 = I - 2P + P^2` between capitals, of which nothing says what they are.
+std::optional<OtherReading> with_unit_matrix(const Question& question, const Names& names, bool proved) {
+  const ExprTree& tree = *question.tree;
+  const Equation& claim = question.claim;
+  if (proved || claim.relation != Relation::equal) return std::nullopt;
+  std::set<SymbolId> letters;
+  for (const ExprId side : {claim.left, claim.right}) {
+    for (const SymbolId symbol : symbols_in(tree, side)) letters.insert(symbol);
+  }
+  std::optional<SymbolId> unit;
+  for (const SymbolId symbol : letters) {
+    const NameKey* key = names.key_of(symbol);
+    if (key == nullptr || !is_capital(*key)) return std::nullopt;
+    const bool open = !tree.symbols[symbol].declared && names.definition_of(symbol) == nullptr;
+    if (open && (key->base == "I" || key->base == "E")) unit = symbol;
+  }
+  if (!unit || letters.size() < 2 || !equal_with_units(tree, claim.left, claim.right, {*unit}, {*unit}))
+    return std::nullopt;
+  return says(
+      tree, {*unit},
+      fmt::format("{} can be the unit matrix, with which it holds, or a number, for which it does not",
+                  quoted(tree, {*unit})));
+}
+
 std::optional<OtherReading> in_determinants(const Question& question, const Names& names, bool proved) {
   const std::set<SymbolId> matrices = symbols_of_determinants(question, names);
   if (matrices.empty()) return std::nullopt;
@@ -64,7 +93,16 @@ std::optional<OtherReading> in_determinants(const Question& question, const Name
 std::optional<OtherReading> other_reading(const Question& question, const Names& names, bool proved) {
   if (auto order = in_order(question, names, proved)) return order;
   if (auto complex = in_complex_numbers(question, names, proved)) return complex;
+  if (auto unit = with_unit_matrix(question, names, proved)) return unit;
   return in_determinants(question, names, proved);
+}
+
+bool holds_with_unit_matrix(const Question& question, const Names& names) {
+  if (names.evidence.units.empty() || question.claim.relation != Relation::equal) return false;
+  const ExprTree& tree = *question.tree;
+  const std::set<SymbolId> ordered = ordered_symbols(tree, names, question);
+  const std::set<SymbolId> units = unit_matrices(names, question, ordered);
+  return !units.empty() && equal_with_units(tree, question.claim.left, question.claim.right, ordered, units);
 }
 
 }  // namespace rigor

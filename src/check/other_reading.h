@@ -23,4 +23,8 @@ struct OtherReading {
 [[nodiscard]] std::optional<OtherReading> other_reading(const Question& question, const Names& names,
                                                         bool proved);
 
+/// Does the claim hold for matrices and operators, in their order, with 1 in the place of what the section
+/// calls the unit matrix? Not asked where it calls none so.
+[[nodiscard]] bool holds_with_unit_matrix(const Question& question, const Names& names);
+
 }  // namespace rigor
