@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -76,9 +77,15 @@ Span right_of(const Step& step) { return {step.span.file, step.relation_span.end
 
 constexpr int most_uses = 5;  // rounds: one definition may show the next
 
+/// How many samples for each proved twin; a long run asks for more.
+std::uint32_t wanted_samples() {
+  const char* wanted = std::getenv("RIGOR_PROPERTY_SAMPLES");
+  return wanted == nullptr ? 100 : static_cast<std::uint32_t>(std::strtoul(wanted, nullptr, 10));
+}
+
 /// What is proved of the chain at `relation` of these notes is tried on random samples: the first failure.
 std::string failure_of_proofs(const std::string& path, std::string text, std::size_t relation) {
-  constexpr std::uint32_t wanted = 40;
+  const std::uint32_t wanted = wanted_samples();
   constexpr std::uint64_t seed = 0x7477696e;
   Limits limits;
   limits.steps = 10'000ull * wanted;
