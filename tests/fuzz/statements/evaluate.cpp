@@ -386,8 +386,7 @@ Truth on_components(const Claim& claim, Evaluation& evaluation, const JetSpace& 
   Truth all = claim.relation == Relation::unequal ? Truth::fails : Truth::holds;
   for (std::size_t c = 0; c < left.size(); ++c) {
     const Jet difference = left[c] - right[c];
-    if (const double unit = last_digit(claim); unit > 0.0)
-      return rounded(claim, difference.value(), unit);
+    if (const double unit = last_digit(claim); unit > 0.0) return rounded(claim, difference.value(), unit);
     Truth here = related(claim.relation, difference.value() / largest);
     if (claim.relation == Relation::nearly && has_small(space)) {
       Exponents first{};

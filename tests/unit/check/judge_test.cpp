@@ -245,7 +245,7 @@ TEST_CASE("what is differentiated and may change is a doubt, not a refutation") 
   CHECK(verdict_on("\\mathbf{v}\\times\\frac{d}{dt}(m\\mathbf{v}) = m\\mathbf{v}\\times\\dot{\\mathbf{v}}") ==
         "proved");
   CHECK(verdict_on_claim("\\frac{d}{dt}(m\\mathbf{v}) = m\\dot{\\mathbf{v}}",
-                   rigor_says("scalar m") + rigor_says("vector \\mathbf{v}") + rigor_says("variable m"))
+                         rigor_says("scalar m") + rigor_says("vector \\mathbf{v}") + rigor_says("variable m"))
             .starts_with("refuted"));
 }
 

@@ -36,10 +36,11 @@ TEST_CASE("the centre of mass") {
 
 TEST_CASE("a symmetric tensor, a unit vector, a right angle, equal numbers") {
   CHECK(first(rigor_says("tensor T_{ij}") + "$$T_{ij}A_iB_j = T_{ij}B_iA_j$$\n") == "T_{ij} = T_{ji}");
-  CHECK(first(rigor_says("for all x, \\mathbf{n}") +
-              "$$\\mathbf{n}\\cdot(\\mathbf{n}\\,x) = x$$\n") == "|\\mathbf{n}| = 1");
+  CHECK(first(rigor_says("for all x, \\mathbf{n}") + "$$\\mathbf{n}\\cdot(\\mathbf{n}\\,x) = x$$\n") ==
+        "|\\mathbf{n}| = 1");
   CHECK(first("$$|\\mathbf{A} + \\mathbf{B}|^2 = A^2 + B^2$$\n") == "\\mathbf{A}\\cdot\\mathbf{B} = 0");
-  CHECK(first(rigor_says("scalar I_1, I_2, x") + rigor_says("for all I_1, I_2, x") + "$$(I_1 - I_2)x = 0$$\n") == "I_{1} = I_{2}");
+  CHECK(first(rigor_says("scalar I_1, I_2, x") + rigor_says("for all I_1, I_2, x") +
+              "$$(I_1 - I_2)x = 0$$\n") == "I_{1} = I_{2}");
 }
 
 TEST_CASE("something constant") {
@@ -49,7 +50,8 @@ TEST_CASE("something constant") {
 }
 
 TEST_CASE("ordered numbers, for an order") {
-  CHECK(first(rigor_says("scalar I_1, I_2") + rigor_says("for all I_1, I_2") + "$$I_2 - I_1 > 0$$\n") == "I_{1} < I_{2}");
+  CHECK(first(rigor_says("scalar I_1, I_2") + rigor_says("for all I_1, I_2") + "$$I_2 - I_1 > 0$$\n") ==
+        "I_{1} < I_{2}");
 }
 
 TEST_CASE("to first order in what is small") {

@@ -59,7 +59,8 @@ TEST_CASE("what stands on the right side is not defined") {
 TEST_CASE("a definition in index notation holds for the whole vector, and for other letters") {
   const std::string momentum = display("L_i = \\epsilon_{ijk}r_jp_k");
   CHECK(verdicts(momentum + display("\\mathbf{L} = \\mathbf{r}\\times\\mathbf{p}")) == "definition proved");
-  CHECK(verdicts(momentum + "Hence\n" + display("\\mathbf{L} = \\mathbf{p}\\times\\mathbf{r}")) == "definition refuted");
+  CHECK(verdicts(momentum + "Hence\n" + display("\\mathbf{L} = \\mathbf{p}\\times\\mathbf{r}")) ==
+        "definition refuted");
   CHECK(verdicts(momentum + display("L_m r_m = 0")) == "definition proved");
 }
 

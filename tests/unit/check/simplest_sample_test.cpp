@@ -91,8 +91,7 @@ TEST_CASE("the sample of a refutation is the simplest") {
 
 TEST_CASE("what defined symbols in the step are worth is said, as far as the notes have them") {
   CHECK(
-      sample_of("for all m, \\mathbf{v}\nlet \\mathbf{p} = m\\mathbf{v}",
-                "\\mathbf{p} = \\mathbf{v}") ==
+      sample_of("for all m, \\mathbf{v}\nlet \\mathbf{p} = m\\mathbf{v}", "\\mathbf{p} = \\mathbf{v}") ==
       "sample: m = 0, \\mathbf{v} = (1, 0, 0); hence \\mathbf{p} = (0, 0, 0); component 1: left 0, right 1");
   const std::string frame =
       "vector \\mathbf{r}, \\boldsymbol{\\omega}\nframe rot rotates with \\boldsymbol{\\omega} in in";
