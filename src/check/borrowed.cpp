@@ -7,6 +7,8 @@
 #include <set>
 
 #include "check/decision_cache.h"
+#include "check/law_diagnostic.h"
+#include "check/one_direction.h"
 #include "check/prose_words.h"
 #include "check/restrictions.h"
 #include "expr/differentiate.h"
@@ -53,7 +55,7 @@ class Heeding {
     const std::vector<const Fact*> bearing = facts_that_bear();
     if (proves_with(bearing) || judgement_.verdict != Verdict::refuted) return std::move(judgement_);
     if (restricted_by_words() || holds_with(bearing) || rests_on_borrowed() ||
-        restricted_by_what_stands_around())
+        restricted_by_what_stands_around() || restricted_to_one_direction())
       return std::move(judgement_);
     return std::move(judgement_);
   }
@@ -170,6 +172,45 @@ class Heeding {
     if (auto word = restriction_in_sentence(sentence_)) return restricted_by(*word, "its sentence");
     if (at_.around && !is_meant_for_all()) return restricted_by(at_.around->word, at_.around->where);
     return false;
+  }
+
+  /// By nothing that is said: by how vectors are written without a figure.
+  bool restricted_to_one_direction() {
+    if (is_meant_for_all()) return false;
+    const std::vector<SymbolId> vectors = lengths_or_components(tree_, claim_.equation);
+    if (!vectors.empty() && !fails_for_numbers()) {
+      withdraw(DiagnosticKind::restricted,
+               fmt::format("it does not hold for all directions of {}, of which plain letters can be lengths "
+                           "or components along one direction",
+                           quoted_names(tree_, vectors)),
+               {}, {meant_for_all()});
+      return true;
+    }
+    if (!may_be_in_the_plane(tree_, names_.evidence, claim_.equation)) return false;
+    withdraw(
+        DiagnosticKind::restricted,
+        "it does not hold in space, and nothing in this section has a third component: it may be meant in "
+        "the plane",
+        {}, {meant_for_all()});
+    return true;
+  }
+
+  bool fails_for_numbers() {
+    const auto equation = with_numbers_for_lengths(tree_, claim_.equation);
+    if (!equation) return false;
+    Claim numbers = claim_;
+    numbers.equation = *equation;
+    return judge(tree_, names_, numbers, {}, cache_).verdict == Verdict::refuted;
+  }
+
+  /// The directive that says so of all letters that stand open.
+  std::string meant_for_all() const {
+    std::vector<std::string> open;
+    for (const SymbolId letter : letters_of(claim_.equation)) {
+      if (!tree_.symbols[letter].for_all && names_.definition_of(letter) == nullptr)
+        open.push_back(tree_.symbols[letter].name);
+    }
+    return fmt::format("`rigor: for all {}` says that all are meant", fmt::join(open, ", "));
   }
 
   bool restricted_by(const std::string& word, std::string_view where) {

@@ -24,6 +24,15 @@ bool is_small_latin(const WrittenSymbol& symbol) {
          symbol.face == Face::plain && symbol.accent == Accent::none;
 }
 
+/// `z`, `\hat z`, `a_3`, `a_z`, `\mathbf k`.
+bool shows_third_axis(const WrittenSymbol& symbol) {
+  const bool letter = symbol.letter == "z" || (symbol.letter == "k" && symbol.face == Face::vector) ||
+                      (symbol.letter == "k" && symbol.accent == Accent::hat);
+  return letter || std::any_of(symbol.lower.begin(), symbol.lower.end(), [](const WrittenIndex& index) {
+           return index.text == "3" || index.text == "z";
+         });
+}
+
 const WrittenSymbol* symbol_at(const SyntaxTree& syntax, SyntaxId id) {
   if (syntax[id].kind == SyntaxKind::power) id = syntax.child(id, 0);
   return syntax[id].kind == SyntaxKind::symbol ? &syntax.symbol(id) : nullptr;
@@ -80,12 +89,14 @@ void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
     for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
     if (syntax[id].kind == SyntaxKind::fraction) see_divisor(syntax, syntax.child(id, 1), evidence);
     if (syntax[id].kind == SyntaxKind::term) see_product(syntax, id, evidence);
+    if (syntax[id].kind == SyntaxKind::tuple && syntax[id].count == 3) evidence.third_axis = true;
     const bool angle = syntax[id].kind == SyntaxKind::function &&
                        (syntax.text(id) == "sin" || syntax.text(id) == "cos" || syntax.text(id) == "tan");
     if (angle) see_angle(syntax, syntax.child(id, 0), evidence);
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
     evidence.letters.insert(symbol.letter);
+    evidence.third_axis = evidence.third_axis || shows_third_axis(symbol);
     if (symbol.accent == Accent::bar) evidence.complex.insert(symbol.letter);
     if (symbol.face == Face::vector) evidence.vectors.insert(letter_with_marks(symbol));
   }

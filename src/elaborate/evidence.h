@@ -24,12 +24,13 @@ struct Evidence {
   std::set<std::string> components;   // u, v, w of `\mathbf u = (u, v, w)`: no lengths
   std::set<std::string> units;        // "the unit matrix $I$": 1 among matrices
   std::set<std::string> functionals;  // `E[X]`: square brackets stand directly behind
-  bool operators = false;             // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
-  bool speaks_of_order = false;       // the words speak of matrices or operators: then capitals may be some
-  bool order_in_heading = false;      // a heading does: then small letters may be some as well
-  bool speaks_of_complex = false;     // the words do
-  bool speaks_of_segments = false;    // of triangles and segments: `AB` can be the name of one
-  bool sentence_is_open = false;      // while reading: such a sentence goes on with the next display
+  bool third_axis = false;          // a component along z, or three of them: it is not about the plane alone
+  bool operators = false;           // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
+  bool speaks_of_order = false;     // the words speak of matrices or operators: then capitals may be some
+  bool order_in_heading = false;    // a heading does: then small letters may be some as well
+  bool speaks_of_complex = false;   // the words do
+  bool speaks_of_segments = false;  // of triangles and segments: `AB` can be the name of one
+  bool sentence_is_open = false;    // while reading: such a sentence goes on with the next display
 
   /// May the letter be a matrix or an operator?
   [[nodiscard]] bool is_ordered(const std::string& letter) const;
