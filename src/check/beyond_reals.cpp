@@ -46,47 +46,45 @@ bool may_be_complex(const Evidence& evidence, const std::string& letter) {
 }
 
 class ComplexValues {
-  static constexpr int deepest = 12;  // definitions in definitions
-
-  template <typename Body>
-  auto unfolds(const Body& body) {
-    ++depth_;
-    auto result = body();
-    --depth_;
-    return result;
-  }
-
  public:
   ComplexValues(const Question& question, const std::set<SymbolId>& complex)
-      : question_(question), tree_(*question.tree), complex_(complex) {}
-
-  /// Is a modulus or a root taken of what is complex?
-  bool tells_apart(ExprId id) {
-    const ExprNode& node = tree_[id];
-    if ((node.op == Op::absolute || node.op == Op::root) && is_complex(id)) return true;
-    const std::span<const ExprId> children = tree_.children(id);
-    if (std::any_of(children.begin(), children.end(), [&](ExprId child) { return tells_apart(child); }))
-      return true;
-    const Definition* definition = definition_of(id);
-    return definition != nullptr && depth_ < deepest &&
-           unfolds([&] { return tells_apart(definition->body); });
+      : question_(question), tree_(*question.tree), drawn_(complex), complex_(complex) {
+    for (bool grew = true; grew;) {
+      grew = false;
+      for (const Definition& each : question.definitions) {
+        if (!complex_.contains(each.symbol) && is_complex(each.body))
+          grew = complex_.insert(each.symbol).second;
+      }
+    }
   }
 
-  bool is_complex(ExprId id) {
-    for (const SymbolId symbol : symbols_in(tree_, id)) {
-      if (complex_.contains(symbol)) return true;
+  /// Is a modulus or a root taken of what is complex, definitions unfolded?
+  bool tells_apart(ExprId root) const {
+    std::set<SymbolId> seen;
+    std::vector<ExprId> pending{root};
+    while (!pending.empty()) {
+      const ExprId id = pending.back();
+      pending.pop_back();
+      const ExprNode& node = tree_[id];
+      if ((node.op == Op::absolute || node.op == Op::root) && is_complex(id)) return true;
+      const std::span<const ExprId> children = tree_.children(id);
+      pending.insert(pending.end(), children.begin(), children.end());
+      if (node.op != Op::symbol || !seen.insert(node.symbol).second) continue;
+      if (const Definition* definition = definition_of(id)) pending.push_back(definition->body);
     }
+    return false;
+  }
+
+  bool is_complex(ExprId id) const {
     const std::vector<SymbolId> symbols = symbols_in(tree_, id);
-    return std::any_of(
-        question_.definitions.begin(), question_.definitions.end(), [&](const Definition& each) {
-          const bool has = std::find(symbols.begin(), symbols.end(), each.symbol) != symbols.end();
-          return has && depth_ < deepest && unfolds([&] { return is_complex(each.body); });
-        });
+    return std::any_of(symbols.begin(), symbols.end(),
+                       [&](SymbolId symbol) { return complex_.contains(symbol); });
   }
 
   void draw(std::uint64_t seed) {
     random_ = SplitMix(seed);
     values_.clear();
+    defined_.clear();
   }
 
   std::optional<Complex> value(ExprId id) {
@@ -96,10 +94,7 @@ class ComplexValues {
       case Op::number:
         return Complex(std::stod(tree_.digits(id)));
       case Op::symbol:
-        if (const Definition* definition = definition_of(id)) {
-          if (depth_ >= deepest) return std::nullopt;
-          return unfolds([&] { return value(definition->body); });
-        }
+        if (const Definition* definition = definition_of(id)) return value_of_defined(*definition);
         return node.rank == 0 ? std::optional(value_of(node.symbol)) : std::nullopt;
       case Op::add:
         return folded(children, Complex(0), [](Complex a, Complex b) { return a + b; });
@@ -165,26 +160,36 @@ class ComplexValues {
     const auto known = values_.find(symbol);
     if (known != values_.end()) return known->second;
     const double real = 0.3 + draw_unit();
-    const Complex value = complex_.contains(symbol) ? Complex(real - 0.8, 0.2 + draw_unit()) : Complex(real);
+    const Complex value = drawn_.contains(symbol) ? Complex(real - 0.8, 0.2 + draw_unit()) : Complex(real);
     values_.emplace(symbol, value);
     return value;
+  }
+
+  /// Once a draw, however often it stands.
+  std::optional<Complex> value_of_defined(const Definition& definition) {
+    const auto known = defined_.find(definition.symbol);
+    if (known != defined_.end()) return known->second;
+    const std::optional<Complex> found = value(definition.body);
+    defined_.emplace(definition.symbol, found);
+    return found;
   }
 
   double draw_unit() { return static_cast<double>(random_.next() >> 11) * 0x1p-53; }
 
   const Question& question_;
   const ExprTree& tree_;
-  const std::set<SymbolId>& complex_;
+  const std::set<SymbolId>& drawn_;  // complex by themselves
+  std::set<SymbolId> complex_;       // and what is defined by them
   std::map<SymbolId, Complex> values_;
+  std::map<SymbolId, std::optional<Complex>> defined_;
   SplitMix random_{0};
-  int depth_ = 0;
 };
 
 bool is_met(Relation relation, Complex left, Complex right) {
   const double scale = 1 + std::abs(left) + std::abs(right);
   constexpr double tolerance = 1e-9;
   if (relation == Relation::equal) return std::abs(left - right) < tolerance * scale;
-  if (relation == Relation::unequal) return true;
+  if (relation == Relation::unequal) return false;  // x^2 + 1 is 0 for no real number
   // An order is one of real numbers.
   return std::abs(left.imag()) < tolerance * scale && std::abs(right.imag()) < tolerance * scale &&
          left.real() < right.real() + tolerance * scale;
@@ -210,12 +215,14 @@ bool holds_for_complex(const Question& question, const std::set<SymbolId>& symbo
   if (symbols.empty()) return true;
   ComplexValues values(question, symbols);
   const Equation& claim = question.claim;
+  const auto is_of_complex = [&](const Equation& each) {
+    return values.is_complex(each.left) || values.is_complex(each.right);
+  };
   const auto tells_apart = [&](const Equation& each) {
     const bool order = each.relation != Relation::equal && each.relation != Relation::unequal;
-    const bool complex = values.is_complex(each.left) || values.is_complex(each.right);
-    return (order && complex) || values.tells_apart(each.left) || values.tells_apart(each.right);
+    return (order && is_of_complex(each)) || values.tells_apart(each.left) || values.tells_apart(each.right);
   };
-  const bool asked = tells_apart(claim) ||
+  const bool asked = (claim.relation == Relation::unequal && is_of_complex(claim)) || tells_apart(claim) ||
                      std::any_of(question.assumptions.begin(), question.assumptions.end(), tells_apart);
   if (!asked) return true;
   const ExprTree& tree = *question.tree;

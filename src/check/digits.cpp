@@ -2,6 +2,7 @@
 #include "check/digits.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "check/decision_cache.h"
@@ -133,13 +134,19 @@ class Comparison {
     return decided(reverse).outcome == Outcome::proved ? std::optional(false) : std::nullopt;
   }
 
-  bool holds_pi(ExprId root) {
-    const std::vector<SymbolId> symbols = symbols_in(tree_, root);
-    return std::any_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
-      const NamedDefinition* named = names_.definition_of(symbol);
-      return is_circle_number(tree_, names_, symbol) ||
-             (named != nullptr && holds_pi(named->definition.body));
-    });
+  bool holds_pi(ExprId root) const {
+    std::set<SymbolId> seen;
+    std::vector<ExprId> pending{root};
+    while (!pending.empty()) {
+      const std::vector<SymbolId> symbols = symbols_in(tree_, pending.back());
+      pending.pop_back();
+      for (const SymbolId symbol : symbols) {
+        if (is_circle_number(tree_, names_, symbol)) return true;
+        const NamedDefinition* named = names_.definition_of(symbol);
+        if (named != nullptr && seen.insert(symbol).second) pending.push_back(named->definition.body);
+      }
+    }
+    return false;
   }
 
   void bound_pi(Question& question) {
@@ -176,13 +183,15 @@ class Comparison {
 /// No letter but units is left when definitions are unfolded.
 bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
   std::vector<ExprId> pending{root};
-  for (std::size_t seen = 0; !pending.empty(); ++seen) {
+  std::set<SymbolId> seen;
+  while (!pending.empty()) {
     const ExprId id = pending.back();
     pending.pop_back();
     for (const SymbolId symbol : symbols_in(tree, id)) {
       if (tree.symbols[symbol].unit_of_measure || is_circle_number(tree, names, symbol)) continue;
+      if (!seen.insert(symbol).second) continue;
       const NamedDefinition* named = names.definition_of(symbol);
-      if (named == nullptr || seen > 1000) return false;
+      if (named == nullptr) return false;
       pending.push_back(named->definition.body);
     }
   }

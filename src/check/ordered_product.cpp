@@ -220,14 +220,6 @@ bool is_series(const ExprTree& tree, ExprId id, const std::set<SymbolId>& ordere
 
 }  // namespace
 
-bool equal_in_order(const ExprTree& tree, ExprId left, ExprId right, const std::set<SymbolId>& ordered) {
-  if (ordered.size() == 1 && is_series(tree, left, ordered) && is_series(tree, right, ordered)) return true;
-  WordReader reader(tree, ordered);
-  const auto first = reader.read(left);
-  const auto second = reader.read(right);
-  return first && second && *first == *second;
-}
-
 bool equal_with_units(const ExprTree& tree, ExprId left, ExprId right, const std::set<SymbolId>& ordered,
                       const std::set<SymbolId>& units) {
   WordReader reader(tree, ordered, units);
@@ -326,12 +318,31 @@ class FactorCount {
 
 }  // namespace
 
+namespace {
+
+/// Does an assumption speak of one of them?
+bool is_assumed(FactorCount& count, const Question& question) {
+  return std::any_of(question.assumptions.begin(), question.assumptions.end(), [&](const Equation& each) {
+    return count.of(each.left) > 0 || count.of(each.right) > 0;
+  });
+}
+
+}  // namespace
+
+bool equal_in_order(const Question& question, const std::set<SymbolId>& ordered) {
+  const ExprTree& tree = *question.tree;
+  const Equation& claim = question.claim;
+  if (ordered.size() == 1 && is_series(tree, claim.left, ordered) && is_series(tree, claim.right, ordered)) {
+    FactorCount count(question, ordered);
+    if (!is_assumed(count, question)) return true;
+  }
+  return equal_with_units(tree, claim.left, claim.right, ordered, {});
+}
+
 bool is_linear_in(const Question& question, const std::set<SymbolId>& ordered) {
   FactorCount count(question, ordered);
-  const bool assumed =
-      std::any_of(question.assumptions.begin(), question.assumptions.end(),
-                  [&](const Equation& each) { return count.of(each.left) > 0 || count.of(each.right) > 0; });
-  return !assumed && count.of(question.claim.left) < 2 && count.of(question.claim.right) < 2;
+  return !is_assumed(count, question) && count.of(question.claim.left) < 2 &&
+         count.of(question.claim.right) < 2;
 }
 
 namespace {

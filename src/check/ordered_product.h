@@ -10,13 +10,13 @@
 
 namespace rigor {
 
-/// Are both sides equal for matrices and operators in the place of `ordered`, by the rules of sums, products,
-/// powers and multiples alone? It is assumed that they are equal for numbers. The sides become sums of words
-/// with a factor of commuting symbols; with x(y + z) = xy + xz and (y + z)x = yx + zx nothing else is used.
-/// One symbol that stands alone in `ordered` commutes with itself, and with what is made of it. False: not
-/// known. Cost: grows with the words, which are bounded.
-[[nodiscard]] bool equal_in_order(const ExprTree& tree, ExprId left, ExprId right,
-                                  const std::set<SymbolId>& ordered);
+/// Are both sides of the claim equal for matrices and operators in the place of `ordered`, by the rules of
+/// sums, products, powers and multiples alone? It is assumed that they are equal for numbers. The sides
+/// become sums of words with a factor of commuting symbols; with x(y + z) = xy + xz and (y + z)x = yx + zx
+/// nothing else is used. One symbol that stands alone in `ordered` commutes with itself, and with what is
+/// made of it, where no assumption is about it: `M^2 = 0` gives M = 0 for numbers only. False: not known.
+/// Cost: grows with the words, which are bounded.
+[[nodiscard]] bool equal_in_order(const Question& question, const std::set<SymbolId>& ordered);
 
 /// The same without the help of numbers, with 1 in the place of `units`, which are among `ordered`.
 [[nodiscard]] bool equal_with_units(const ExprTree& tree, ExprId left, ExprId right,

@@ -11,11 +11,12 @@
 namespace rigor {
 namespace {
 
-OtherReading says(const ExprTree& tree, const std::set<SymbolId>& symbols, std::string message) {
+OtherReading says(const ExprTree& tree, const std::set<SymbolId>& symbols, std::string message,
+                  std::string_view what = "a number") {
   const std::string& first = tree.symbols[*symbols.begin()].name;
   return {std::move(message),
-          {fmt::format("`rigor: scalar {}` says that {}", first,
-                       symbols.size() == 1 ? "it is a number" : "the first is a number")}};
+          {fmt::format("`rigor: scalar {}` says that {} {}", first,
+                       symbols.size() == 1 ? "it is" : "the first is", what)}};
 }
 
 std::string quoted(const ExprTree& tree, const std::set<SymbolId>& symbols) {
@@ -31,7 +32,7 @@ std::optional<OtherReading> in_order(const Question& question, const Names& name
   ordered.merge(symbols_in_both_orders(tree, names, claim));
   if (ordered.empty()) return std::nullopt;
   if (proved && claim.relation == Relation::equal &&
-      (equal_in_order(tree, claim.left, claim.right, ordered) || is_linear_in(question, ordered)))
+      (equal_in_order(question, ordered) || is_linear_in(question, ordered)))
     return std::nullopt;
   const bool one = ordered.size() == 1;
   return says(tree, ordered,
@@ -47,7 +48,8 @@ std::optional<OtherReading> in_complex_numbers(const Question& question, const N
   if (holds_for_complex(question, complex)) return std::nullopt;
   return says(*question.tree, complex,
               fmt::format("{} can be complex, and it is proved for real numbers only",
-                          quoted(*question.tree, complex)));
+                          quoted(*question.tree, complex)),
+              "a real number");
 }
 
 bool is_capital(const NameKey& key) {
