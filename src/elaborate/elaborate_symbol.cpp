@@ -233,8 +233,10 @@ std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, 
   }
   const bool component = names_.evidence.components.contains(name.base);
   if (!names_.is_declared(scalar) && !defined && !component) {
-    const bool bold_seen =
-        names_.sightings.bold.contains({name.base, particle}) || names_.is_declared({name.base, 1, particle});
+    // A letter that is bold in another section only is another one here.
+    const bool bold_here = name.base == "r" || names_.evidence.vectors.contains(letter_with_marks(written));
+    const bool bold_seen = (bold_here && names_.sightings.bold.contains({name.base, particle})) ||
+                           names_.is_declared({name.base, 1, particle});
     const bool by_company = !bold_seen && written.lower.size() == name.particles.size() &&
                             letters_.indexed_vectors.contains(name.base);
     if (bold_seen || by_company) {
