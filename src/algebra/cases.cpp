@@ -45,7 +45,7 @@ ex without_factors(ex value, const std::vector<ex>& factors, Budget* budget) {
     if (is_number(factor)) continue;
     while (!is_number(value) && term_count(value) * term_count(factor) <= largest_divided &&
            divides(factor, value, quotient, budget)) {
-      value = quotient.expand();
+      value = quotient;
     }
   }
   return value;

@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Whether a polynomial divides another, and what times. The budget may be none.
+/// Whether a polynomial divides another, and what times, expanded. The budget may be none.
 [[nodiscard]] bool divides(const GiNaC::ex& divisor, const GiNaC::ex& value, GiNaC::ex& quotient,
                            Budget* budget);
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "algebra/expansion.h"
 #include "algebra/undecidable.h"
@@ -181,6 +183,8 @@ Fraction FractionArithmetic::reciprocal(const Fraction& value) {
   }
   check(result);
   const auto divide = [&](const ex& factor, int exponent) {
+    // GiNaC may have put a number there, or not: it counts nothing.
+    if (GiNaC::is_a<GiNaC::numeric>(factor)) return divide_by_polynomial(result, factor, exponent);
     Fraction part{factor, {}, value.terms, value.bits};
     expand(part);
     divide_by_polynomial(result, part.numerator, exponent);
@@ -195,11 +199,21 @@ Fraction FractionArithmetic::reciprocal(const Fraction& value) {
       divide(factor, 1);
     }
   }
+  put_in_order(result.divisors);
   return result;
 }
 
-/// Takes the numeric content out, so that 2A + 2B and A + B are one divisor; a monomial is split into its
-/// indeterminates.
+/// In an order that is the same in every run, which GiNaC's order of factors is not.
+void FractionArithmetic::put_in_order(std::vector<Divisor>& divisors) const {
+  if (divisors.size() < 2) return;
+  std::map<std::string, Divisor> in_order;
+  for (const Divisor& each : divisors) in_order.emplace(indeterminates_.fingerprint(each.base), each);
+  divisors.clear();
+  for (const auto& [fingerprint, divisor] : in_order) divisors.push_back(divisor);
+}
+
+/// Takes the numeric content and the sign out, so that 2A − 2B and B − A are one divisor; a monomial is split
+/// into its indeterminates.
 void FractionArithmetic::divide_by_polynomial(Fraction& value, const ex& expanded, int exponent) const {
   if (expanded.is_zero()) throw Undecidable("a denominator is zero for all values of the symbols");
   if (GiNaC::is_a<GiNaC::numeric>(expanded)) {
@@ -210,22 +224,21 @@ void FractionArithmetic::divide_by_polynomial(Fraction& value, const ex& expande
     const int inner = GiNaC::ex_to<GiNaC::numeric>(expanded.op(1)).to_int();
     divide_by_polynomial(value, expanded.op(0), inner * exponent);
   } else {
-    const GiNaC::numeric content = expanded.integer_content();
+    GiNaC::numeric content = expanded.integer_content();
+    if (indeterminates_.unsigned_fingerprint(expanded).negative) content = -content;
     value.numerator *= GiNaC::pow(content, -exponent);
     const ex primitive = (expanded / content).expand();
     if (!primitive.is_equal(1)) divide_by(value, primitive, exponent);
   }
 }
 
-void FractionArithmetic::divide_by(Fraction& value, const ex& base, int exponent) const {
-  for (Divisor& each : value.divisors) {
-    const bool opposite = each.base.is_equal(-base);
-    if (!opposite && !each.base.is_equal(base)) continue;
-    if (opposite && exponent % 2 != 0) value.numerator = -value.numerator;
-    each.exponent += exponent;
-    return;
+void FractionArithmetic::divide_by(Fraction& value, const ex& base, int exponent) {
+  const auto known = find_divisor(value.divisors, base);
+  if (known == value.divisors.end()) {
+    value.divisors.push_back({base, exponent});
+  } else {
+    known->exponent += exponent;
   }
-  value.divisors.push_back({base, exponent});
 }
 
 }  // namespace rigor

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algebra/exact_number.h"
+#include "algebra/indeterminates.h"
 #include "algebra/prove.h"
 
 namespace rigor {
@@ -20,7 +21,7 @@ struct Divisor {
 
 struct Fraction {
   GiNaC::ex numerator = 0;
-  std::vector<Divisor> divisors = {};  // their bases differ from each other
+  std::vector<Divisor> divisors = {};  // their bases differ from each other, by more than the sign
   double terms = 0;                    // at most so many has the expanded numerator
   double bits = 0;                     // log₂ of the sum of its coefficients' sizes, about
 };
@@ -35,7 +36,8 @@ struct Fraction {
 /// figure.
 class FractionArithmetic {
  public:
-  FractionArithmetic(const Limits& limits, Work& work) : limits_(limits), work_(work) {}
+  FractionArithmetic(const Indeterminates& indeterminates, const Limits& limits, Work& work)
+      : indeterminates_(indeterminates), limits_(limits), work_(work) {}
 
   void add(Fraction& total, const Fraction& summand);
   void negate(Fraction& value);
@@ -55,9 +57,11 @@ class FractionArithmetic {
 
  private:
   void check(const Fraction& value) const;
-  void divide_by(Fraction& value, const GiNaC::ex& base, int exponent) const;
+  static void divide_by(Fraction& value, const GiNaC::ex& base, int exponent);
   void divide_by_polynomial(Fraction& value, const GiNaC::ex& expanded, int exponent) const;
+  void put_in_order(std::vector<Divisor>& divisors) const;
 
+  const Indeterminates& indeterminates_;
   Limits limits_;
   Work& work_;
 };

@@ -25,7 +25,7 @@ class GenericDomain {
   GenericDomain(const Scope& scope, const Limits& limits, Effort effort, Work& work, int angle_divisor = 1)
       : scope_(&scope),
         budget_(limits.budget),
-        arithmetic_(limits, work),
+        arithmetic_(indeterminates_, limits, work),
         signs_(indeterminates_),
         radicals_(indeterminates_, arithmetic_, signs_, effort),
         functions_(indeterminates_, arithmetic_, signs_, radicals_, angle_divisor),

@@ -62,15 +62,40 @@ std::set<std::size_t> Indeterminates::positions_in(const ex& value) const {
 }
 
 std::string Indeterminates::fingerprint(const ex& value) const {
-  if (GiNaC::is_a<GiNaC::symbol>(value)) return fmt::format("x{}", origin(value).position);
+  const Unsigned parts = unsigned_fingerprint(value);
+  return parts.negative ? "-" + parts.text : parts.text;
+}
+
+/// The first term of a sum, by its text, is taken for positive. GiNaC turns the signs of sums under powers
+/// and in products by its own order. Recursion: as deep as the expression.
+Indeterminates::Unsigned Indeterminates::unsigned_fingerprint(const ex& value) const {
+  if (GiNaC::is_a<GiNaC::symbol>(value)) return {fmt::format("x{}", origin(value).position)};
   if (GiNaC::is_a<GiNaC::numeric>(value)) {
-    return to_text(cln::the<Rational>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()));
+    const auto number = cln::the<Rational>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
+    return {to_text(cln::abs(number)), cln::minusp(number)};
   }
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < value.nops(); ++i) parts.push_back(fingerprint(value.op(i)));
-  const char* sign = GiNaC::is_a<GiNaC::power>(value) ? "^" : GiNaC::is_a<GiNaC::mul>(value) ? "*" : "+";
-  if (!GiNaC::is_a<GiNaC::power>(value)) std::sort(parts.begin(), parts.end());
-  return fmt::format("({})", fmt::join(parts, sign));
+  if (GiNaC::is_a<GiNaC::power>(value)) {
+    const Unsigned base = unsigned_fingerprint(value.op(0));
+    return {fmt::format("({}^{})", base.text, fingerprint(value.op(1))),
+            base.negative && value.op(1).info(GiNaC::info_flags::odd)};
+  }
+  std::vector<Unsigned> parts;
+  for (std::size_t i = 0; i < value.nops(); ++i) parts.push_back(unsigned_fingerprint(value.op(i)));
+  std::sort(parts.begin(), parts.end(), [](const Unsigned& a, const Unsigned& b) { return a.text < b.text; });
+  const bool is_product = GiNaC::is_a<GiNaC::mul>(value);
+  bool negative = !parts.empty() && parts.front().negative;
+  if (is_product) {
+    negative =
+        std::count_if(parts.begin(), parts.end(), [](const Unsigned& a) { return a.negative; }) % 2 != 0;
+    std::erase_if(parts, [](const Unsigned& each) { return each.text == "1"; });  // of an opposite
+    if (parts.size() == 1) return {parts.front().text, negative};
+  }
+  std::string text = "(";
+  for (const Unsigned& part : parts) {
+    text += is_product ? '*' : part.negative == negative ? '+' : '-';
+    text += part.text;
+  }
+  return {text + ")", negative};
 }
 
 GiNaC::exmap Indeterminates::twins(Frame from, Frame to) {

@@ -51,8 +51,15 @@ class Indeterminates {
   [[nodiscard]] FrameSet frames_of(const GiNaC::ex& value) const;
   /// The positions of all indeterminates that occur in an expression.
   [[nodiscard]] std::set<std::size_t> positions_in(const GiNaC::ex& value) const;
-  /// A text that is the same in every run, unlike GiNaC's order of terms: equal for equal expressions.
+  /// A text that is the same in every run, unlike GiNaC's order of terms, and the signs of powers' bases that
+  /// go with it: equal for equal expressions.
   [[nodiscard]] std::string fingerprint(const GiNaC::ex& value) const;
+  /// The same of an expression and its opposite; negative for one of both, the same one in every run.
+  struct Unsigned {
+    std::string text;
+    bool negative = false;
+  };
+  [[nodiscard]] Unsigned unsigned_fingerprint(const GiNaC::ex& value) const;
   /// All indeterminates of one frame with their twins in another (coordinates only).
   [[nodiscard]] GiNaC::exmap twins(Frame from, Frame to);
   /// In order of creation.

@@ -47,10 +47,14 @@ using Image = std::vector<std::uint64_t>;  // the coefficients from t^0 on; the 
   return residue(cln::numerator(exact)) * inverse(denominator) % prime;
 }
 
-/// FNV-1a: some residue other than 0 for each name.
+/// FNV-1a, and the end of SplitMix64: some residue other than 0 for each name. FNV-1a alone keeps differences
+/// of names that differ in the last digit, and (a − b)(c − d) looks like a square.
 [[nodiscard]] std::uint64_t scattered(std::string_view name, std::uint64_t seed) {
   std::uint64_t hash = 14695981039346656037U ^ seed;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9U;
+  hash = (hash ^ (hash >> 27U)) * 0x94d049bb133111ebU;
+  hash ^= hash >> 31U;
   return 1 + (hash >> 20U) % (prime - 1);
 }
 

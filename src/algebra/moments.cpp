@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "algebra/division.h"
 #include "algebra/undecidable.h"
 
 namespace rigor {
@@ -34,7 +35,8 @@ ex Moments::take_own_divisor(Fraction& body) const {
     ex quotient;
     const bool try_division =
         !GiNaC::is_a<GiNaC::symbol>(each.base) && term_count(body.numerator) <= largest_division;
-    while (try_division && exponent > 0 && GiNaC::divide(body.numerator, each.base, quotient)) {
+    while (try_division && exponent > 0 &&
+           divides(each.base, body.numerator, quotient, arithmetic_.budget())) {
       body.numerator = quotient;
       --exponent;
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "algebra/division.h"
@@ -191,7 +192,7 @@ Sign Order::by_factors(const ex& value, const std::vector<Fact>& facts) {
   const auto take = [&](const ex& factor, Sign own) {
     ex quotient;
     while (!is_number(rest) && divides(factor, rest, quotient, domain_.budget())) {
-      rest = quotient.expand();
+      rest = quotient;
       sign = product(sign, own);
     }
   };
@@ -201,13 +202,21 @@ Sign Order::by_factors(const ex& value, const std::vector<Fact>& facts) {
   for (const Fact& fact : facts) {
     if (!is_number(fact.value) && term_count(fact.value) <= largest_factored) take(fact.value, fact.sign);
   }
+  std::map<std::string, Divisor> in_order;  // that, and their signs, are the same in every run
   for (const ex& factor : factors_of(taken_apart(rest))) {
     const bool raised = GiNaC::is_a<GiNaC::power>(factor);
-    const ex base = (raised ? factor.op(0) : factor).expand();
-    Sign own = best(base, facts, 0);
-    if (own == Sign::any) own = opposite(best((-base).expand(), facts, 0));
-    if (raised) own = power(own, GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int());
-    sign = product(sign, own);
+    const int exponent = raised ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
+    ex base = (raised ? factor.op(0) : factor).expand();
+    const auto [text, negative] = domain_.indeterminates().unsigned_fingerprint(base);
+    if (negative) base = (-base).expand();
+    if (negative && exponent % 2 != 0) sign = opposite(sign);
+    const auto [at, is_new] = in_order.try_emplace(text, Divisor{base, exponent});
+    if (!is_new) at->second.exponent += exponent;
+  }
+  for (const auto& [text, factor] : in_order) {
+    Sign own = best(factor.base, facts, 0);
+    if (own == Sign::any) own = opposite(best((-factor.base).expand(), facts, 0));
+    sign = product(sign, power(own, factor.exponent));
   }
   return sign;
 }

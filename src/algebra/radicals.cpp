@@ -125,40 +125,27 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
   }
 }
 
-/// In an order that is the same in every run, which GiNaC's is not: the first divisor that fits is taken off
-/// first.
-std::vector<Divisor> Radicals::in_order(const std::vector<Divisor>& divisors) const {
-  if (divisors.size() < 2) return divisors;
-  std::map<std::string, Divisor> by_fingerprint;
-  for (const Divisor& each : divisors) by_fingerprint.emplace(indeterminates_.fingerprint(each.base), each);
-  std::vector<Divisor> ordered;
-  for (const auto& [fingerprint, divisor] : by_fingerprint) ordered.push_back(divisor);
-  return ordered;
-}
-
 std::vector<Radicals::Factor> Radicals::factors(const Fraction& value) {
   std::vector<Factor> found;
-  const std::vector<Divisor> known = in_order(value.divisors);
   for (const ex& factor : factors_of(value.numerator)) {
     const auto [base, exponent] = split_power(factor);
-    note_factors(found, reduced(arithmetic_.expanded(base, value.terms)), exponent, known);
+    if (is_number(base)) {  // GiNaC may have put it there, or not: it counts nothing
+      note(found, base, exponent);
+      continue;
+    }
+    note_factors(found, reduced(arithmetic_.expanded(base, value.terms)), exponent, value.divisors);
   }
   for (const Divisor& each : value.divisors) note(found, each.base, -each.exponent);
   // GiNaC's order, and the signs of what it takes apart, differ from run to run.
   std::map<std::string, Factor> ordered;
   bool turned = false;
   for (Factor& each : found) {
-    std::string fingerprint = indeterminates_.fingerprint(each.base);
-    if (GiNaC::is_a<GiNaC::add>(each.base)) {
-      const ex opposite = (-each.base).expand();
-      std::string of_opposite = indeterminates_.fingerprint(opposite);
-      if (of_opposite < fingerprint) {
-        each.base = opposite;
-        fingerprint = std::move(of_opposite);
-        if (each.exponent % 2 != 0) turned = !turned;
-      }
+    Indeterminates::Unsigned fingerprint = indeterminates_.unsigned_fingerprint(each.base);
+    if (fingerprint.negative) {
+      each.base = (-each.base).expand();
+      if (each.exponent % 2 != 0) turned = !turned;
     }
-    const auto [at, is_new] = ordered.try_emplace(std::move(fingerprint), each);
+    const auto [at, is_new] = ordered.try_emplace(std::move(fingerprint.text), each);
     if (!is_new) at->second.exponent += each.exponent;
   }
   found.clear();

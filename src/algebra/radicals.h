@@ -63,7 +63,6 @@ class Radicals {
   [[nodiscard]] std::vector<Factor> factors(const Fraction& value);
   void note_factors(std::vector<Factor>& found, GiNaC::ex value, int exponent,
                     const std::vector<Divisor>& known);
-  [[nodiscard]] std::vector<Divisor> in_order(const std::vector<Divisor>& divisors) const;
   static void note(std::vector<Factor>& found, const GiNaC::ex& base, int exponent);
   [[nodiscard]] Sign sign_of(const GiNaC::ex& expanded) const;
   [[nodiscard]] bool never_negative(const GiNaC::ex& expanded) const {
