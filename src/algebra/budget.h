@@ -14,9 +14,10 @@ inline constexpr std::uint64_t default_effort = 4'000'000;
 
 /// Units for what GiNaC does with expanded polynomials.
 namespace price {
-inline constexpr std::uint64_t expanded_term = 4;       // of the result, before equal ones are collected
+inline constexpr std::uint64_t expanded_term = 6;       // of the result, before equal ones are collected
 inline constexpr std::uint64_t divided_pair = 25;       // terms of the dividend times terms of the divisor
 inline constexpr std::uint64_t factored_term = 5000;    // of what is taken apart into powers
+inline constexpr std::uint64_t summed_term = 40;        // over particles, `moments.h`
 inline constexpr std::uint64_t looked_at_term = 4;      // along a line, `line_image.h`
 inline constexpr std::uint64_t row_of_multiples = 100;  // an equation times a monomial, `membership.h`
 }  // namespace price

@@ -68,6 +68,7 @@ Fraction Moments::sum(Fraction body) {
   body.numerator = radicals_.reduced(body.numerator);
   const ex divisor = take_own_divisor(body);
   body.numerator = body.numerator.expand();
+  arithmetic_.count(price::summed_term * static_cast<double>(term_count(body.numerator)));
   std::map<ex, GiNaC::exvector, GiNaC::ex_is_less> by_key;
   const auto add_term = [&](const ex& term) {
     const Term parts = split(term, divisor);

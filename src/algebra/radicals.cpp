@@ -241,6 +241,7 @@ ex Radicals::reduced(const ex& expanded) {
   arithmetic_.count(static_cast<double>(term_count(expanded) * radicals_.size()));
   for (std::size_t i = radicals_.size(); i-- > 0;) {
     const Radical each = radicals_[i];
+    arithmetic_.count(price::looked_at_term * static_cast<double>(term_count(value)));
     std::map<int, GiNaC::exvector> coefficients;  // of the powers from the second on
     GiNaC::exvector summands;
     for (const ex& term : terms_of(value)) {
