@@ -92,6 +92,7 @@ int run() {
              "the default lasts, s");
   for (const Slow& each : slow) {
     double least = 1e9;
+    double reading = 1e9;  // with nothing decided
     std::uint64_t units = 0;
     std::size_t unread = 0;
     for (int i = 0; i < runs; ++i) {
@@ -99,6 +100,10 @@ int run() {
       const double start = processor_seconds();
       const FileReport report = check_text(sources, "slow.md", each.note);
       least = std::min(least, processor_seconds() - start);
+      SourceMap again;
+      const double begin = processor_seconds();
+      static_cast<void>(check_text(again, "slow.md", each.note, {.effort = 1}));
+      reading = std::min(reading, processor_seconds() - begin);
       units = unread = 0;
       for (const Step& step : report.steps) {
         units += step.work;
@@ -107,7 +112,7 @@ int run() {
     }
     in_time = in_time && unread == 0;
     if (unread > 0) fmt::print("{}: {} steps are not read\n", each.what, unread);
-    const double a_unit = least / static_cast<double>(std::max<std::uint64_t>(units, 1));
+    const double a_unit = (least - reading) / static_cast<double>(std::max<std::uint64_t>(units, 1));
     const double lasts = a_unit * static_cast<double>(default_effort);
     in_time = in_time && lasts < most_seconds;
     fmt::print("{:<28} {:>12} {:>10.1f} {:>10.0f} {:>22.2f}\n", each.what, units, least * 1e3, a_unit * 1e9,
