@@ -38,6 +38,22 @@ class Rehearsal {
   Names::Scene before_;
 };
 
+/// The letters that it leads to, definitions unfolded.
+std::set<SymbolId> letters_of(const ExprTree& tree, const Names& names, const Equation& equation) {
+  std::set<SymbolId> letters;
+  std::vector<ExprId> pending{equation.left, equation.right};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(tree, id)) {
+      const SymbolId base = base_of(tree.symbols, symbol);
+      if (!letters.insert(base).second) continue;
+      if (const NamedDefinition* named = names.definition_of(base)) pending.push_back(named->definition.body);
+    }
+  }
+  return letters;
+}
+
 class Heeding {
  public:
   Heeding(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement, const Standpoint& at,
@@ -62,19 +78,7 @@ class Heeding {
 
  private:
   std::set<SymbolId> letters_of(const Equation& equation) const {
-    std::set<SymbolId> letters;
-    std::vector<ExprId> pending{equation.left, equation.right};
-    while (!pending.empty()) {
-      const ExprId id = pending.back();
-      pending.pop_back();
-      for (const SymbolId symbol : symbols_in(tree_, id)) {
-        const SymbolId base = base_of(tree_.symbols, symbol);
-        if (!letters.insert(base).second) continue;
-        if (const NamedDefinition* named = names_.definition_of(base))
-          pending.push_back(named->definition.body);
-      }
-    }
-    return letters;
+    return rigor::letters_of(tree_, names_, equation);
   }
 
   std::vector<const Fact*> facts_that_bear() const {
@@ -142,14 +146,7 @@ class Heeding {
         {kind, claim_.relation, std::move(message), std::move(labels), std::move(help)}};
   }
 
-  /// By its author's own words: `for all`, `claim`.
-  bool is_meant_for_all() const {
-    if (claim_.for_all) return true;
-    const std::set<SymbolId> letters = letters_of(claim_.equation);
-    return !letters.empty() && std::all_of(letters.begin(), letters.end(), [&](SymbolId each) {
-      return tree_.symbols[each].for_all || names_.definition_of(each) != nullptr;
-    });
-  }
+  bool is_meant_for_all() const { return rigor::is_meant_for_all(tree_, names_, claim_); }
 
   bool restricted_by_words() {
     auto word = word_that_demands(at_.beside().lead);
@@ -238,13 +235,29 @@ class Heeding {
 
   /// What is stated nearby, as a law or in a line, would make it true, or leave it open.
   bool holds_with(const std::vector<const Fact*>& bearing) {
-    if (bearing.empty()) return false;
+    std::vector<const Fact*> here;
+    std::copy_if(bearing.begin(), bearing.end(), std::back_inserter(here),
+                 [](const Fact* fact) { return !fact->elsewhere; });
+    if (!here.empty() && holds_with_what_is_said_here(here)) return true;
+    if (here.size() == bearing.size() || is_meant_for_all()) return false;
+    // One at a time: two special cases together prove anything.
+    for (const Fact* fact : bearing) {
+      if (fact->elsewhere && judge_with({fact}).verdict == Verdict::proved) return may_hold_with({fact});
+    }
+    return false;
+  }
+
+  bool holds_with_what_is_said_here(const std::vector<const Fact*>& bearing) {
     Judgement other = judge_with(bearing);
     if (other.verdict == Verdict::refuted) {
       if (other.counterexample && judgement_.counterexample) keep_what_is_asked(*other.counterexample);
       judgement_ = std::move(other);  // on a sample that meets what is stated
       return false;
     }
+    return may_hold_with(bearing);
+  }
+
+  bool may_hold_with(const std::vector<const Fact*>& bearing) {
     std::vector<Label> labels;
     for (const Fact* fact : bearing) labels.push_back({fact->span, "stated here"});
     withdraw(DiagnosticKind::borrowed,
@@ -304,6 +317,14 @@ class Heeding {
 };
 
 }  // namespace
+
+bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& claim) {
+  if (claim.for_all) return true;
+  const std::set<SymbolId> letters = letters_of(tree, names, claim.equation);
+  return !letters.empty() && std::all_of(letters.begin(), letters.end(), [&](SymbolId each) {
+    return tree.symbols[each].for_all || names.definition_of(each) != nullptr;
+  });
+}
 
 bool is_said_for(const Standpoint& at, const Origin& origin) {
   if (origin.conditional && origin.event != at.event) return false;

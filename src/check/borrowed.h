@@ -26,6 +26,7 @@ struct Fact {
   bool proves = false;  // may a proof rest on it?
   std::size_t place = 0;
   Span span = {};
+  bool elsewhere = false;   // in another section: it makes a refutation undecided if it proves the row
   bool at_instant = false;  // a condition: it may hold now only, so that nothing is said of its rates
 };
 
@@ -54,6 +55,9 @@ struct Standpoint {
 
 /// Is an earlier definition said for this place, or is it borrowed from elsewhere?
 [[nodiscard]] bool is_said_for(const Standpoint& at, const Origin& origin);
+
+/// Is it meant for all values by its author's own words: `for all`, `claim`?
+[[nodiscard]] bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& claim);
 
 /// The judgement of a step that stands there: a proof with the help of what was said, or a refutation taken
 /// back.

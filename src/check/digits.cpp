@@ -198,7 +198,31 @@ bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
   return true;
 }
 
+/// Is a number in it written with a point, definitions unfolded? Then it is measured or rounded already.
+bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
+  std::set<SymbolId> seen;
+  std::vector<ExprId> pending{root};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    const ExprNode& node = tree[id];
+    if (node.op == Op::number && tree.digits(id).find('.') != std::string::npos) return true;
+    const std::span<const ExprId> children = tree.children(id);
+    pending.insert(pending.end(), children.begin(), children.end());
+    if (node.op != Op::symbol || !seen.insert(node.symbol).second) continue;
+    if (const NamedDefinition* named = names.definition_of(node.symbol))
+      pending.push_back(named->definition.body);
+  }
+  return false;
+}
+
 }  // namespace
+
+bool compares_decimals(const ExprTree& tree, const Names& names, const Equation& equation) {
+  const auto is_number = [&](ExprId side) { return is_a_number(tree, names, side); };
+  return is_number(equation.left) && is_number(equation.right) &&
+         (has_decimal(tree, names, equation.left) || has_decimal(tree, names, equation.right));
+}
 
 bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol) {
   const NameKey* key = names.key_of(symbol);
@@ -215,12 +239,14 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names,
                                                    DecisionCache* cache) {
   const Equation& equation = claim.equation;
   if (equation.relation != Relation::equal || tree[equation.left].rank != 0) return std::nullopt;
+  std::optional<DigitComparison> differs;  // ≈ has two sides, and the coarser one counts
   for (const bool swap : {false, true}) {
     const ExprId side = swap ? equation.left : equation.right;
     const ExprId value = swap ? equation.right : equation.left;
     const bool order = claim.nearly && is_power_of_ten(tree, side);  // `1024 \approx 10^3`
     if (order && is_a_number(tree, names, value)) return DigitComparison{};
-    const auto shown = shown_in(tree, side, claim.nearly);
+    // `0.5 \cdot 9.8 \cdot 3^2 = 44`
+    const auto shown = shown_in(tree, side, claim.nearly || has_decimal(tree, names, value));
     if (!shown || !is_a_number(tree, names, value)) continue;
     Comparison comparison(tree, names, value, side, *shown, cache);
     // Of 1000 behind ≈, two digits must be right, and one may be all that is meant.
@@ -232,9 +258,10 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names,
     const auto may_round = comparison.lies_within(claim.nearly ? 2 : 1, shown->unsure);
     if (!may_round) return std::nullopt;
     if (*may_round) return DigitComparison{};
-    return DigitComparison{.agreement = Agreement::differs, .bound = comparison.bound()};
+    if (!differs) differs = DigitComparison{.agreement = Agreement::differs, .bound = comparison.bound()};
+    if (!claim.nearly) return differs;
   }
-  return std::nullopt;
+  return differs;
 }
 
 }  // namespace rigor

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A number that is written with a decimal point, or behind ≈, stands for all numbers that round to it:
-// 27/16 = 1.69 holds, 27/16 = 1.68 does not, 2^{-53} ≈ 1.11·10^{-16} does. Trailing zeros of a whole number
-// behind ≈ may be digits or not. A root is compared by its square, and π by bounds of 14 digits.
+// 27/16 = 1.69 holds, 27/16 = 1.68 does not, 2^{-53} ≈ 1.11·10^{-16} does. So does a whole number
+// that is computed from decimals: 0.5·9.8·3^2 = 44. Trailing zeros of a whole number may be digits or not. A
+// root is compared by its square, and π by bounds of 14 digits.
 #pragma once
 
 #include <optional>
@@ -29,6 +30,9 @@ struct DigitComparison {
 /// `\pi = 3.14`: such a row says what π is worth, and defines nothing.
 [[nodiscard]] bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left,
                                        const Typed& right);
+
+/// Are both sides numbers, and is one of them made of decimals? What is not shown to be rounded may be so.
+[[nodiscard]] bool compares_decimals(const ExprTree& tree, const Names& names, const Equation& equation);
 
 /// Nothing where neither side is such a number, where the other depends on a letter, or where that cannot be
 /// decided.

@@ -45,6 +45,12 @@ void sight_events(const Notes& notes, Names& names, const std::function<bool(std
   for (const auto& sides : statements) {
     for (const SyntaxId side : sides) sight_sums(notes.syntax, side, names.sightings);
   }
+  // "With $\sum_\alpha\mathbf p_\alpha = 0$": a letter that is summed over in a line is so everywhere.
+  for (const SaidInLine& said : notes.prose.said) {
+    for (const ParsedChain& chain : said.chains) {
+      for (const SyntaxId side : chain.sides) sight_sums(notes.syntax, side, names.sightings);
+    }
+  }
   const std::set<std::string> greek_only = summed;
   summed.insert(latin_particles.begin(), latin_particles.end());
   for (const auto& sides : statements) {

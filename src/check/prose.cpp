@@ -111,7 +111,8 @@ class ProseReader {
     for (event_ = 0; event_ < events.size(); ++event_) {
       const ProseEvent& event = events[event_];
       if (event.kind != ProseEvent::Kind::passed_over) {
-        std::uint32_t& at = read_to_[event.span.file];
+        std::uint32_t& at =
+            read_to_.try_emplace(event.span.file, behind_preamble(event.span.file)).first->second;
         if (at < event.span.begin) take({event.span.file, at, event.span.begin});
         at = std::max(at, event.span.end);
       }
@@ -140,6 +141,13 @@ class ProseReader {
   }
 
  private:
+  /// The preamble of a document in LaTeX is no prose.
+  std::uint32_t behind_preamble(FileId file) const {
+    constexpr std::string_view begins = "\\begin{document}";
+    const auto at = sources_.text(file).find(begins);
+    return at == std::string_view::npos ? 0 : static_cast<std::uint32_t>(at + begins.size());
+  }
+
   void take_rest(const std::vector<ProseEvent>& events) {
     const FileId file = events.back().span.file;
     const auto size = static_cast<std::uint32_t>(sources_.text(file).size());

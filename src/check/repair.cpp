@@ -270,7 +270,8 @@ class Search {
       if (repairs.empty()) nearest = candidate.distance;
       wrong_coefficient = wrong_coefficient || candidate.slip == Slip::sign || candidate.slip == Slip::factor;
       repairs.push_back({candidate.side == 0, statement_of(candidate), candidate.change,
-                         text_of(candidates_.side(candidate.side)), text_of(candidate.tokens)});
+                         text_of(candidates_.side(candidate.side)), text_of(candidate.tokens),
+                         candidate.slip == Slip::term_missing});
     }
     return repairs;
   }

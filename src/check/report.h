@@ -57,6 +57,7 @@ struct Repair {
   std::string change;            // in words
   std::string replaced = {};     // the changed side as it was read, blanks folded, macros replaced
   std::string replacement = {};  // the same side of the statement
+  bool adds_a_term = false;      // rather than changing what stands there
 };
 
 /// Diagnostics that are mended by a true statement near by: a refutation, indices or ranks that do not fit.

@@ -121,6 +121,9 @@ class Session {
   void declare_use(const Directive& directive);
   void heed(const ParsedChain& parsed, std::size_t which, const Claim& claim, const Side& left,
             const Side& right, const Context& context, Judgement& judgement);
+  std::optional<std::pair<std::string, std::string>> condition_left_open(const ParsedChain& parsed,
+                                                                         std::size_t which,
+                                                                         const Context& context);
   [[nodiscard]] bool is_late_definition(const Typed& left, const Typed& right) const;
   std::optional<std::string> letter_borrowed_for(const ParsedChain& parsed, std::size_t which,
                                                  const Claim& claim);
@@ -169,8 +172,9 @@ class Session {
   std::map<SymbolId, bool> mirrored_;                        // declared polar (true) or axial
   std::size_t event_ = 0;                                    // that is followed
   std::vector<UseDirective> uses_;
-  std::vector<Fact> laws_;              // and definitions behind their first use
-  std::vector<StatedEquation> stated_;  // for the lints
+  std::vector<Fact> laws_;                                 // and definitions behind their first use
+  std::vector<std::pair<std::size_t, Span>> unread_rows_;  // where, and what: relations such as `\perp`
+  std::vector<StatedEquation> stated_;                     // for the lints
   // for the next statement; forgotten when it is over, whatever became of it
   std::vector<const Directive*> expectations_;
   const Directive* skip_ = nullptr;

@@ -8,8 +8,11 @@
 
 #include "check/digits.h"
 #include "check/local_kinds.h"
+#include "check/missing_condition.h"
+#include "check/open_words.h"
 #include "check/prose_words.h"
 #include "check/session.h"
+#include "check/unread.h"
 
 namespace rigor {
 namespace {
@@ -75,6 +78,10 @@ void heed_digits(ExprTree& tree, Names& names, const Claim& claim, Judgement& ju
     judgement.diagnostics.clear();
   } else if (agreement == Agreement::unclear && judgement.verdict == Verdict::refuted) {
     withdraw("it depends on how many of the digits shown are meant", "write as many digits as are meant");
+  } else if (!agreement && judgement.verdict == Verdict::refuted &&
+             compares_decimals(tree, names, claim.equation)) {
+    withdraw("decimals are rounded, and nothing shows to how many digits the other side is meant",
+             "write it as a decimal, or `\\approx`");
   } else if (!agreement && claim.nearly && names.small().empty() && judgement.verdict == Verdict::refuted) {
     withdraw("nothing says what is small here", "`rigor: small …` says so");
   }
@@ -82,6 +89,13 @@ void heed_digits(ExprTree& tree, Names& names, const Claim& claim, Judgement& ju
 
 bool can_be_assumed(RelationKind kind) {
   return kind == RelationKind::equal || kind == RelationKind::defines || is_order(kind);
+}
+
+/// `\mathbf B = (0, 0, B)`
+bool is_vector_by_components(const ExprTree& tree, const Equation& equation) {
+  const ExprNode& left = tree[equation.left];
+  return equation.relation == Relation::equal && left.op == Op::symbol && left.rank == 1 &&
+         tree[equation.right].op == Op::tuple;
 }
 
 bool speaks_of_units(const ExprTree& tree, ExprId side) {
@@ -182,9 +196,21 @@ Standpoint Session::standpoint(const ParsedChain& parsed) {
     said.chains.push_back(chain);
     add_said(said, parsed, at);
   }
+  const std::set<std::string> own = letters_of(text_of(parsed.written));
+  for (const auto& [place, span] : unread_rows_) {
+    if (!at.unread.empty() || !notes_.prose.sections.reaches(place, at.beside().place)) continue;
+    const std::string text = written(span);
+    const std::set<std::string> letters = letters_of(text);
+    const bool shares = std::any_of(letters.begin(), letters.end(),
+                                    [&](const std::string& letter) { return own.contains(letter); });
+    if (shares) at.unread = text;
+  }
   const std::size_t first = laws_.size() - std::min(laws_.size(), most_laws);
   for (std::size_t k = first; k < laws_.size(); ++k) {
-    if (notes_.prose.sections.reaches(laws_[k].place, at.beside().place)) at.facts.push_back(laws_[k]);
+    at.facts.push_back(laws_[k]);
+    Fact& law = at.facts.back();
+    law.elsewhere = !notes_.prose.sections.reaches(law.place, at.beside().place);
+    law.proves = law.proves && !law.elsewhere;
   }
   return at;
 }
@@ -264,6 +290,23 @@ std::optional<std::string> Session::letter_borrowed_for(const ParsedChain& parse
   return std::nullopt;
 }
 
+/// A usual condition that makes the step true, and a word beside it that may name it. Where the step is also
+/// true with another sign, factor or letter, that is likelier.
+std::optional<std::pair<std::string, std::string>> Session::condition_left_open(const ParsedChain& parsed,
+                                                                                std::size_t which,
+                                                                                const Context& context) {
+  auto word = open_word(notes_.prose, event_);
+  if (!word) return std::nullopt;
+  const WrongStep wrong{.parsed = parsed, .which = which, .first_order = context.first_order};
+  auto conditions = missing_conditions(tree_, names_, wrong, options_.cache);
+  if (conditions.empty()) return std::nullopt;
+  const std::vector<Repair> repairs = nearest_true_statements(tree_, names_, wrong, options_.cache);
+  const bool slip =
+      std::any_of(repairs.begin(), repairs.end(), [](const Repair& repair) { return !repair.adds_a_term; });
+  if (slip) return std::nullopt;
+  return std::pair(std::move(conditions.front()), *std::move(word));
+}
+
 /// A refutation that rests on what is not said for this place is taken back; laws are kept for later.
 void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& claim, const Side& left,
                    const Side& right, const Context& context, Judgement& judgement) {
@@ -302,8 +345,23 @@ void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& cl
                fmt::format("it fails only where `{}` is read as in another section", *letter),
                {fmt::format("`rigor: use {}` says that it is meant so here, too", *letter)});
   }
+  if (judgement.verdict == Verdict::refuted && !is_meant_for_all(tree_, names_, claim)) {
+    if (const auto condition = condition_left_open(parsed, which, context)) {
+      withdraw(DiagnosticKind::restricted,
+               fmt::format("it does not hold for all values; it holds if `{}`, and `{}` beside it may say so",
+                           condition->first, condition->second),
+               {"`rigor: given …` says so, `rigor: claim …` states it without"});
+    }
+  }
   refute_by_digits(parsed, claim, judgement);
   const bool stays_late = late && judgement.verdict == Verdict::refuted;
+  const bool chooses_axes = judgement.verdict == Verdict::refuted && which == 0 &&
+                            is_vector_by_components(tree_, claim.equation) &&
+                            !is_meant_for_all(tree_, names_, claim);
+  if (chooses_axes)
+    withdraw(DiagnosticKind::restricted,
+             fmt::format("it may say along which axes `{}` is", written(claim.left)),
+             {"`rigor: given …` says so, `rigor: claim …` states it"});
   const auto remember = [&](bool proves) {
     const std::string text =
         fmt::format("{} (line {})", written(cover(claim.left, claim.right)),
@@ -320,6 +378,8 @@ void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& cl
                                           written(tree_[left.typed->id].span)),
                               {},
                               {"`therefore` or `hence` in its sentence announces a conclusion"}}};
+    remember(true);
+  } else if (chooses_axes) {
     remember(true);
   } else if (judgement.verdict != Verdict::refuted && is_law(judgement) && !claim.nearly) {
     remember(false);

@@ -82,6 +82,8 @@ void Session::step(const ParsedChain& parsed, std::size_t which, ChainReading& r
         {condition.kind, parsed.written.condition_span, condition.message, {}, condition.help});
   } else if (const auto reason = why_not_decided(relation)) {
     step.diagnostics.push_back(*reason);
+    if (context.role == Role::display)
+      unread_rows_.emplace_back(notes_.prose.beside[event_].place, step.span);
   } else if (readable) {
     decide_step(parsed, which, reading, context, step);
   }

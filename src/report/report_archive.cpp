@@ -67,8 +67,8 @@ void fields(Archive& archive, ChainPlace& place) {
 
 template <class Archive>
 void fields(Archive& archive, Repair& repair) {
-  auto& [on_left, statement, change, replaced, replacement] = repair;
-  archive(on_left, statement, change, replaced, replacement);
+  auto& [on_left, statement, change, replaced, replacement, adds_a_term] = repair;
+  archive(on_left, statement, change, replaced, replacement, adds_a_term);
 }
 
 template <class Archive>
