@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "check/ordered_product.h"
+
 namespace rigor {
 namespace {
 
@@ -225,6 +227,61 @@ std::set<SymbolId> symbols_in_both_orders(const ExprTree& tree, const Names& nam
   products.look(claim.left);
   products.look(claim.right);
   return products.found();
+}
+
+namespace {
+
+/// Below a fraction, a root or a sine only numbers stand.
+void remove_numbers(const ExprTree& tree, ExprId root, std::set<SymbolId>& symbols) {
+  std::vector<ExprId> pending{root};
+  while (!pending.empty()) {
+    const ExprNode& node = tree[pending.back()];
+    const std::span<const ExprId> children = tree.children(pending.back());
+    pending.pop_back();
+    pending.insert(pending.end(), children.begin(), children.end());
+    const bool divides = node.op == Op::divide;
+    if (!divides && node.op != Op::function && node.op != Op::absolute) continue;
+    for (const SymbolId symbol : symbols_in(tree, children[divides ? 1 : 0])) symbols.erase(symbol);
+  }
+}
+
+bool is_single_capital(const ExprTree& tree, const Names& names, SymbolId symbol) {
+  const NameKey* key = names.key_of(symbol);
+  return key != nullptr && key->rank == 0 && is_capital(key->base) && !tree.symbols[symbol].derivation;
+}
+
+bool is_defined_by_numbers(const Question& question, const Names& names, SymbolId symbol) {
+  return std::any_of(question.definitions.begin(), question.definitions.end(), [&](const Definition& each) {
+    if (each.symbol != symbol) return false;
+    const std::vector<SymbolId> body = symbols_in(*question.tree, each.body);
+    return std::none_of(body.begin(), body.end(),
+                        [&](SymbolId inside) { return is_single_capital(*question.tree, names, inside); });
+  });
+}
+
+}  // namespace
+
+std::set<SymbolId> capitals_that_must_commute(const Question& question, const Names& names) {
+  const ExprTree& tree = *question.tree;
+  const auto [left, right] = std::pair(question.claim.left, question.claim.right);
+  if (question.claim.relation != Relation::equal || names.evidence.speaks_of_numbers) return {};
+  std::set<SymbolId> capitals;
+  for (const ExprId side : {left, right}) {
+    for (const SymbolId symbol : symbols_in(tree, side)) {
+      if (!is_single_capital(tree, names, symbol) || tree.symbols[symbol].declared) continue;
+      const std::string& letter = names.key_of(symbol)->base;
+      const bool number = names.evidence.numbers.contains(letter) || names.evidence.real.contains(letter) ||
+                          names.evidence.vectors.contains(letter);
+      if (!number && !is_defined_by_numbers(question, names, symbol)) capitals.insert(symbol);
+    }
+  }
+  for (const ExprId side : {left, right}) remove_numbers(tree, side, capitals);
+  const auto equal = [&](ExprId one, ExprId other, const std::set<SymbolId>& ordered) {
+    return equal_with_units(tree, one, other, ordered, {});
+  };
+  if (capitals.size() < 2 || !equal(left, right, {}) || equal(left, right, capitals)) return {};
+  const bool read = equal(left, left, capitals) && equal(right, right, capitals);
+  return read ? capitals : std::set<SymbolId>{};
 }
 
 }  // namespace rigor

@@ -17,4 +17,9 @@ namespace rigor {
 [[nodiscard]] std::set<SymbolId> symbols_in_both_orders(const ExprTree& tree, const Names& names,
                                                         const Equation& claim);
 
+/// The single capitals of a claim that is an identity of numbers, but none in the order of their factors:
+/// `(AB)^2 = A^2B^2`, `(A + B)(A - B) = A^2 - B^2`. Not those that a directive declares, a definition makes
+/// of numbers, or the section shows to be numbers. Cost: that of `equal_with_units`.
+[[nodiscard]] std::set<SymbolId> capitals_that_must_commute(const Question& question, const Names& names);
+
 }  // namespace rigor

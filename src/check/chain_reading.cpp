@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "expr/differentiate.h"
+#include "latex/rewritings.h"
 
 namespace rigor {
 namespace {
@@ -64,6 +65,15 @@ bool drops_prime_on_rotation(const SyntaxTree& syntax, std::vector<SyntaxId> pen
     if (symbol.lower.size() == 2 && bare && letter_with_marks(symbol) == key->base) return true;
   }
   return false;
+}
+
+/// The step on one line; none where the words beside it, or another order of its axes, belong to it.
+std::string written_step(const ParsedChain& parsed, std::size_t which) {
+  const WrittenChain& chain = parsed.written;
+  const Tokens left = without_layout(chain.sides[which].tokens);
+  const Tokens right = without_layout(chain.sides[which + 1].tokens);
+  if (parsed.image != 0 || chain.no_sum || chain.cyclic || left.empty() || right.empty()) return {};
+  return text_of(left) + " " + chain.relations[which].text + " " + text_of(right);
 }
 
 }  // namespace
@@ -124,6 +134,7 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
                .relation = relation.span,
                .left = parsed.written.sides[which].span,
                .right = parsed.written.sides[which + 1].span,
+               .written = written_step(parsed, which),
                .reading = &elaborator_,
                .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr};
 }

@@ -201,12 +201,17 @@ class DirectiveReader {
     return with_symbols(*tokens, std::move(directive));
   }
 
-  /// `use (2.1), line 12, \mathbf{p}`
+  /// `use (2.1), line 12, label hooke, \mathbf{p}`
   std::optional<Directive> use(Span rest, Directive directive) {
     const auto tokens = expand(lex(sources_, rest), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
     for (const TokenView part : split_at_commas(*tokens)) {
+      static constexpr std::string_view label_word = "label ";
       const std::string text(sources_.text(span_of(part)));
+      if (text.starts_with(label_word)) {
+        directive.places.push_back(text.substr(label_word.size()));
+        continue;
+      }
       const bool tag = text.size() > 2 && text.front() == '(' && text.back() == ')';
       const bool label = text.find(':') != std::string::npos;
       if (tag || label || text.starts_with("line ")) {
@@ -215,8 +220,8 @@ class DirectiveReader {
       }
       const SyntaxId symbol = parse_side(part, span_of(part), syntax_);
       if (syntax_[symbol].kind != SyntaxKind::symbol)
-        return bad(span_of(part), fmt::format("`{}` is no tag, no line and no symbol", text),
-                   "e.g. `use (2.1), line 12, \\mathbf{p}`");
+        return bad(span_of(part), fmt::format("`{}` is no tag, no label, no line and no symbol", text),
+                   "e.g. `use (2.1), line 12, label hooke, \\mathbf{p}`");
       directive.symbols.push_back(symbol);
     }
     return directive;

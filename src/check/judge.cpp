@@ -305,12 +305,16 @@ class Judging {
     const std::vector<SymbolId>& written = claim_.reading->unknown_changes();
     unknown.insert(unknown.end(), written.begin(), written.end());
     if (unknown.empty()) return false;
+    unknown = bases_of(tree_, unknown);
+    const bool one = unknown.size() == 1;
+    const std::string& first = tree_.symbols[unknown.front()].name;
     judgement_.verdict = Verdict::not_understood;
     add(DiagnosticKind::unknown_change,
-        fmt::format("nothing says whether {} {} constant", quoted_names(tree_, unknown),
-                    unknown.size() == 1 ? "is" : "are"),
-        {"`rigor: constant …` says so; a derivative that is written somewhere, or `rigor: given`, says how "
-         "it changes"});
+        fmt::format("nothing says whether {} {}", quoted_names(tree_, unknown), one ? "changes" : "change"),
+        {fmt::format(
+            "`rigor: constant {0}` or `rigor: variable {0}` says so{1}; a derivative that is written "
+            "somewhere, or `rigor: given`, says how it changes",
+            first, one ? "" : " of the first")});
     return true;
   }
 

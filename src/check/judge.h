@@ -40,6 +40,7 @@ struct Claim {
   Span relation = {};
   Span left = {};
   Span right = {};
+  std::string written = {};             // both sides and the relation, where they can be pasted
   const Elaborator* reading = nullptr;  // for its conventions and guesses
   const Obstacle* doubt = nullptr;      // words beside it that may restrict it
   bool explains = false;                // `names` and `nearly_question` are wanted

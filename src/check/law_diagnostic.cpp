@@ -48,6 +48,18 @@ std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symb
   return text;
 }
 
+std::vector<SymbolId> bases_of(const ExprTree& tree, const std::vector<SymbolId>& symbols) {
+  std::vector<SymbolId> bases;
+  for (const SymbolId symbol : symbols) {
+    const SymbolId base = base_of(tree.symbols, symbol);
+    const auto has_its_name = [&](SymbolId other) {
+      return tree.symbols[other].name == tree.symbols[base].name;
+    };
+    if (std::none_of(bases.begin(), bases.end(), has_its_name)) bases.push_back(base);
+  }
+  return bases;
+}
+
 std::string bare_name(std::string name) {
   for (const char* mark : {"\\mathbf", "\\boldsymbol", "\\text", "\\mathrm", "{", "}", "'"}) {
     for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark))
@@ -57,7 +69,8 @@ std::string bare_name(std::string name) {
 }
 
 Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
-                          const std::vector<SymbolId>& symbols) {
+                          const std::vector<SymbolId>& open) {
+  const std::vector<SymbolId> symbols = bases_of(tree, open);
   Diagnostic diagnostic{
       DiagnosticKind::undeclared_symbol, claim.relation,
       fmt::format(
@@ -75,9 +88,13 @@ Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim&
     if (const auto near = likely_meant(name, known, in_statement))
       diagnostic.help.push_back(fmt::format("is `{}` meant for `{}`?", *near, name));
   }
-  diagnostic.help.push_back(
-      "`rigor: given` makes it an assumption, `rigor: let` a definition, `rigor: for all …` an identity in "
-      "what it names");
+  constexpr std::size_t longest_line = 120;
+  const bool fits = !claim.written.empty() && claim.written.size() <= longest_line;
+  diagnostic.help.push_back(fmt::format(
+      "`rigor: given {}` takes it for a law; `rigor: let …`, with a symbol on the left, defines it",
+      fits ? claim.written : "EQUATION"));
+  diagnostic.help.emplace_back(
+      "if it is an identity, `rigor: for all …` names what it holds for all values of");
   return diagnostic;
 }
 

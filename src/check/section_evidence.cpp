@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "elaborate/ordered_letters.h"
+#include "elaborate/seen_functions.h"
 #include "elaborate/seen_letters.h"
+#include "elaborate/spaces.h"
 #include "elaborate/unit_matrices.h"
 
 namespace rigor {
@@ -34,6 +36,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
     see_components(notes.syntax, chain.sides, evidence);
     see_order(notes.syntax, chain.sides, chain.written, evidence);
     see_letters(notes.syntax, chain.sides, chain.written, evidence);
+    see_functions(notes.syntax, chain.sides, evidence);
   }
 }
 
@@ -44,6 +47,8 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   see_words(text, evidence);
   see_said(text, evidence);
   see_unit_matrices(text, evidence);
+  see_spaces(text, evidence);
+  see_inline_functions(text, evidence);
 }
 
 }  // namespace
@@ -63,6 +68,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_words(title->title, evidence);
         see_said(title->title, evidence);
         see_heading(title->title, evidence);
+        see_spaces(title->title, evidence);
       }
       last = place;
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))

@@ -67,7 +67,9 @@ std::optional<Typed> Elaborator::symbol(const WrittenSymbol& written, Span span)
       !names_.is_declared({name.base, 1, false})) {
     return fail(DiagnosticKind::ambiguous_reading, span,
                 fmt::format("`{}` can be a unit vector or an operator", name.base),
-                {fmt::format("`rigor: vector {}` or a bold letter settles it", name.base)});
+                {fmt::format("`rigor: vector {}` or a bold letter says that it is a vector; with operators "
+                             "nothing is decided",
+                             name.base)});
   }
   if (name.particles.size() > 1) return unsupported(span, "a quantity of two particles is not decided yet");
   if (written.face != Face::plain || written.accent == Accent::hat)
@@ -108,10 +110,8 @@ std::optional<Typed> Elaborator::special_symbol(const WrittenSymbol& written, Sp
     }
     if ((written.letter == "i" || written.letter == "j") && written.primes == 0) {
       return unsupported(
-          span,
-          fmt::format("`{}` without a subscript can be the imaginary unit, which is not decided with",
-                      written.letter),
-          {fmt::format("`rigor: scalar {}` makes it a quantity", written.letter)});
+          span, fmt::format("`{}` without a subscript can be the imaginary unit, which is not decided with",
+                            written.letter));
     }
     if (written.letter == "\\pi")
       guess_ = Obstacle{DiagnosticKind::unsupported, "`\\pi` was taken as any number", {}};
@@ -233,8 +233,10 @@ std::optional<Typed> Elaborator::length_or_scalar(const WrittenSymbol& written, 
   }
   const bool component = names_.evidence.components.contains(name.base);
   if (!names_.is_declared(scalar) && !defined && !component) {
-    // A letter that is bold in another section only is another one here.
-    const bool bold_here = name.base == "r" || names_.evidence.vectors.contains(letter_with_marks(written));
+    // A letter that is bold in another section only is another one here, where it stands at all.
+    const Evidence& here = names_.evidence;
+    const bool bold_here = name.base == "r" || !here.letters.contains(written.letter) ||
+                           here.vectors.contains(letter_with_marks(written));
     const bool bold_seen = (bold_here && names_.sightings.bold.contains({name.base, particle})) ||
                            names_.is_declared({name.base, 1, particle});
     const bool by_company = !bold_seen && written.lower.size() == name.particles.size() &&

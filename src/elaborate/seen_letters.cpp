@@ -102,14 +102,26 @@ bool speaks_of(std::string_view lower, Words words) {
   });
 }
 
-constexpr std::array<std::string_view, 12> complex_words{
-    "complex", "wave function", "wavefunction", "phasor",   "impedance", "quantum",
-    "schr",    "holomorphic",   "analytic",     "conjugat", "argand",    "spinor"};
+constexpr std::array<std::string_view, 16> complex_words{
+    "complex", "wave function", "wavefunction",  "phasor",        "impedance", "quantum",
+    "schr",    "holomorphic",   "analytic",      "conjugat",      "argand",    "spinor",
+    "qubit",   "modulus one",   "root of unity", "roots of unity"};
+/// Then fields and amplitudes are complex vectors as well.
+constexpr std::array<std::string_view, 2> complex_vector_words{"complex", "jones vector"};
+/// In formulas of a line.
+constexpr std::array<std::string_view, 10> imaginary_signs{
+    "\\mathbb{C}", "\\mathbb C", "\\in\\C", "\\mathbf C", "e^{i",
+    "e^{-i",       "e^{\\pm",    "+iy",     "+ iy",       "\\mathrm{i}"};
 constexpr std::array<std::string_view, 9> segment_words{"triangle",   "segment",    "parallelogram",
                                                         "polygon",    "chord",      "quadrilateral",
                                                         "the line $", "the side $", "hypotenuse"};
 constexpr std::array<std::string_view, 7> number_words{"number",  "scalar",   "constant",   "real",
                                                        "integer", "positive", "coefficient"};
+constexpr std::array<std::string_view, 13> plural_words{
+    "two numbers",      "three numbers", "any numbers",      "all numbers", "real numbers",
+    "rational numbers", "whole numbers", "positive numbers", "are numbers", "scalars",
+    "constants",        "coefficients",  "amplitudes"};
+constexpr std::array<std::string_view, 4> denying_words{"not ", "no ", "nobody", "structure constants"};
 constexpr std::array<std::string_view, 3> real_words{"real", "integer", "positive"};
 constexpr std::array<std::string_view, 8> other_words{"matri",     "operator", "vector",    "tensor",
                                                       "generator", "complex",  "real part", "constant of"};
@@ -178,6 +190,9 @@ void see_sentence(std::string_view sentence, Evidence& evidence) {
   const bool number = !other && speaks_of(lower, number_words);
   const bool real = !other && speaks_of(lower, real_words);
   std::size_t open = sentence.find('$');
+  if (open == std::string_view::npos && !other && speaks_of(lower, plural_words) &&
+      !speaks_of(lower, denying_words))
+    evidence.speaks_of_numbers = true;
   while (open != std::string_view::npos) {
     const std::size_t close = sentence.find('$', open + 1);
     if (close == std::string_view::npos) return;
@@ -214,7 +229,11 @@ void see_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, c
 
 void see_said(std::string_view text, Evidence& evidence) {
   const std::string lower = lower_case(text);
-  evidence.speaks_of_complex = evidence.speaks_of_complex || speaks_of(lower, complex_words);
+  const bool imaginary =
+      std::any_of(imaginary_signs.begin(), imaginary_signs.end(),
+                  [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });
+  evidence.speaks_of_complex |= imaginary || speaks_of(lower, complex_words);
+  evidence.complex_vectors |= imaginary || speaks_of(lower, complex_vector_words);
   if (speaks_of(lower, segment_words)) {
     evidence.speaks_of_segments = true;
     see_points(text, evidence);

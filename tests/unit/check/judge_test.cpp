@@ -121,7 +121,7 @@ TEST_CASE("a symbol that looks like a known one is suggested") {
   const Court::Elaborated known = court.elaborate("\\mathbf{F} = 0");
   for (const SymbolId symbol : symbols_in(court.tree, known.equation.left)) court.names.mark_seen(symbol);
   const Judgement judgement = court.judge("m\\mathbf{a} = \\mathbf{F}'");
-  REQUIRE(judgement.diagnostics.at(0).help.size() == 2);
+  REQUIRE(judgement.diagnostics.at(0).help.size() == 3);
   CHECK(judgement.diagnostics[0].help[0] == "is `\\mathbf{F}` meant for `\\mathbf{F}'`?");
 }
 
