@@ -260,20 +260,31 @@ class Search {
     std::vector<Repair> repairs;
     std::size_t judged = 0;
     int nearest = 0;
-    bool wrong_coefficient = false;  // then a term more, which makes up for it, says the same
+    bool mends_a_term = false;  // then a term more says the same: it makes up for it
     for (const RepairCandidate& candidate : candidates) {
       const bool far = !repairs.empty() && candidate.distance > nearest + widest_choice;
-      const bool says_the_same = candidate.slip == Slip::term_missing && wrong_coefficient;
-      if (says_the_same) continue;
+      const bool says_the_same = candidate.slip == Slip::term_missing && mends_a_term;
+      if (says_the_same || says_nothing(candidate)) continue;
       if (far || repairs.size() == most_repairs || judged++ == most_judged) break;
       if (!is_proved(candidate)) continue;
       if (repairs.empty()) nearest = candidate.distance;
-      wrong_coefficient = wrong_coefficient || candidate.slip == Slip::sign || candidate.slip == Slip::factor;
+      mends_a_term = mends_a_term || candidate.slip == Slip::sign || candidate.slip == Slip::factor ||
+                     candidate.slip == Slip::term_missing || text_of(candidate.tokens) == "0";
       repairs.push_back({candidate.side == 0, statement_of(candidate), candidate.change,
                          text_of(candidates_.side(candidate.side)), text_of(candidate.tokens),
                          candidate.slip == Slip::term_missing});
     }
     return repairs;
+  }
+
+  /// A term beside 0 only repeats the other side, as one that is the other side does: X = X + 0. What the
+  /// calculation began with is not mended by a 0.
+  bool says_nothing(const RepairCandidate& candidate) const {
+    const std::string old = text_of(candidates_.side(candidate.side));
+    const std::string now = text_of(candidate.tokens);
+    const std::string other = text_of(candidates_.side(1 - candidate.side));
+    if (candidate.slip != Slip::term_missing) return candidate.side == 0 && now == "0" && old != "0";
+    return old == "0" || now == old + " + " + other || now == old + "+" + other || now == old + other;
   }
 
   /// As it would be read in the place of what was written.

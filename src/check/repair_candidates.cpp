@@ -56,6 +56,16 @@ bool are_alike(TokenView a, TokenView b) {
   return without_brackets(a) == without_brackets(b);
 }
 
+/// In `\mathbf a\cdot\mathbf b` a face and its letter are shown together.
+void show_with_faces(TokenView side, Rewriting& change) {
+  const auto is_face = [](const Token& token) { return style_of(token).has_value() || dots_of(token) > 0; };
+  while (change.shown_begin > 0 && change.shown_begin < side.size() && is_face(side[change.shown_begin - 1]))
+    --change.shown_begin;
+  while (change.shown_end > change.shown_begin && change.shown_end < side.size() &&
+         is_face(side[change.shown_end - 1]))
+    ++change.shown_end;
+}
+
 }  // namespace
 
 /// How unlikely it is that the slip is on this side: another step supports it, or it is a name that is
@@ -77,7 +87,9 @@ RepairCandidate RepairCandidates::made(std::size_t which, Slip slip, Tokens toke
 
 /// A sign or factor inside of brackets is less likely than one before a term, and factors stand in the order
 /// of the alphabet as a rule.
-RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& change) const {
+RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& rewriting) const {
+  Rewriting change = rewriting;
+  show_with_faces(side(which), change);
   const std::string from =
       text_of(side(which).subspan(change.shown_begin, change.shown_end - change.shown_begin));
   const std::string to = text_of(shown_after(side(which), change));

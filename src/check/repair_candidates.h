@@ -63,7 +63,7 @@ class RepairCandidates {
  private:
   [[nodiscard]] RepairCandidate made(std::size_t which, Slip slip, Tokens tokens, std::string change,
                                      int further) const;
-  [[nodiscard]] RepairCandidate made(std::size_t which, const Rewriting& change) const;
+  [[nodiscard]] RepairCandidate made(std::size_t which, const Rewriting& rewriting) const;
   template <class Rewrite>
   [[nodiscard]] std::vector<RepairCandidate> made_by(const Rewrite& rewrite) const;
   [[nodiscard]] int suspicion(std::size_t which) const;

@@ -113,6 +113,40 @@ TEST_CASE("what is true already is not offered: a = a, 0 = 0") {
   }
 }
 
+TEST_CASE("a term that only repeats the other side is not offered") {
+  const Checked zero(rigor_says("vector \\mathbf a") +
+                     "$$\\mathbf a\\cdot\\mathbf a = \\mathbf a^2 + 1 - 2$$" + rigor_says("for all \\theta") +
+                     "$$\\cos2\\theta = \\cos^2\\theta + \\sin^2\\theta - 1$$");
+  for (const Step& step : zero.report.steps) {
+    for (const Repair& repair : step.repairs) {
+      CHECK_FALSE(repair.statement.starts_with("0 ="));
+      CHECK(repair.statement.find("+ \\cos2\\theta") == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("one missing term is offered once, whatever its order and its side") {
+  const Checked checked(rigor_says("unit vector \\mathbf n") +
+                        "$$(\\mathbf s - 2(\\mathbf s\\cdot\\mathbf n)\\mathbf n)^2 = s^2 - 4(\\mathbf "
+                        "s\\cdot\\mathbf n)^2 + 2(\\mathbf s\\cdot\\mathbf n)^2$$");
+  const std::vector<Repair>& repairs = refuted_step(checked).repairs;
+  CHECK(std::count_if(repairs.begin(), repairs.end(), [](const Repair& each) { return each.adds_a_term; }) ==
+        1);
+}
+
+TEST_CASE("a change is shown with the faces of its letters") {
+  const Repair repair = nearest(rigor_says("for all \\mathbf a") + "$$\\mathbf a\\cdot\\mathbf a = 0$$");
+  CHECK(repair.change == "`\\mathbf a\\times\\mathbf a` for `\\mathbf a\\cdot\\mathbf a` on the left side");
+}
+
+TEST_CASE("where a side is 0, no term is missing on the other") {
+  const Checked checked(rigor_says("for all \\mathbf a, \\mathbf b") +
+                        "$$\\mathbf a\\cdot(\\mathbf a\\times\\mathbf b) = \\mathbf a\\cdot\\mathbf b$$");
+  const std::vector<Repair>& repairs = refuted_step(checked).repairs;
+  REQUIRE(repairs.size() == 1);
+  CHECK(repairs[0].change == "the right side is 0");
+}
+
 TEST_CASE("what is offered says something, and TeX can set it") {
   for (const std::string statement : {"$$\\mathbf v = 0$$", "$$\\mathbf u - \\mathbf v = 0$$",
                                       "$$\\mathbf v + \\mathbf v = 0$$", "$$\\mathbf u = \\dot{\\mathbf u}$$",
