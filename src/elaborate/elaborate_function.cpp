@@ -2,10 +2,12 @@
 // Named functions, determinants and traces, and integrals over a body.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "elaborate/elaborator.h"
+#include "elaborate/seen_functions.h"
 
 namespace rigor {
 
@@ -28,6 +30,18 @@ std::optional<Typed> Elaborator::function(SyntaxId id) {
   if (!inside) return inside;
   if (const auto of_field = field_operator(name)) return apply_nabla(*of_field, *inside, span);
   return elementary(name, *inside, span);
+}
+
+/// `\omega(2k)` where the section has `\omega(k) = …`, and neither ω nor k is declared.
+bool Elaborator::applies_elsewhere(SyntaxId symbol, SyntaxId bracket) const {
+  if (syntax_[bracket].kind == SyntaxKind::power) bracket = syntax_.child(bracket, 0);
+  if (syntax_[bracket].kind != SyntaxKind::group) return false;
+  const WrittenSymbol& written = syntax_.symbol(symbol);
+  const std::set<std::string>* arguments = arguments_of(syntax_, symbol, bracket, names_.evidence);
+  if (arguments == nullptr || names_.is_declared({written.letter, 0, false})) return false;
+  return std::any_of(arguments->begin(), arguments->end(), [&](const std::string& letter) {
+    return !names_.is_declared({letter, 0, false});
+  });
 }
 
 std::optional<Typed> Elaborator::elementary(const std::string& name, const Typed& argument, Span span) {

@@ -143,6 +143,13 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
                         one_symbol ? syntax_.symbol(argument).letter : symbol.letter)});
       return true;
     }
+    if (applies_elsewhere(id, next)) {
+      fail(DiagnosticKind::ambiguous_reading, cover(syntax_[id].span, syntax_[next].span),
+           fmt::format("`{}` is written as a function elsewhere: this can be its value or a product",
+                       symbol.letter),
+           {fmt::format("`rigor: scalar {}` makes it a product", symbol.letter)});
+      return true;
+    }
     const bool bare_d =
         symbol.letter == "d" && symbol.lower.empty() && symbol.face == Face::plain && symbol.primes == 0;
     SyntaxId changed = next;
@@ -375,9 +382,18 @@ void Elaborator::guess_dyad(const std::vector<Operand>& vectors, Span span) {
   note("two vectors side by side are their dyad");
   if (!undeclared) return;
   dyad_ = span;
-  guess_ = Obstacle{DiagnosticKind::ambiguous_reading,
-                    "bold letters side by side can be a dyad of vectors or a product of matrices",
-                    {"`rigor: vector …` settles it"}};
+  const bool hats = std::any_of(vectors.begin(), vectors.end(), [&](const Operand& vector) {
+    const ExprNode& node = tree_[vector.typed.id];
+    return node.op == Op::symbol && tree_.symbols[node.symbol].name.starts_with("\\hat");
+  });
+  guess_ =
+      hats ? Obstacle{DiagnosticKind::ambiguous_reading,
+                      "letters with hats side by side can be a dyad of vectors or a product of operators, "
+                      "which are not decided with",
+                      {}}
+           : Obstacle{DiagnosticKind::ambiguous_reading,
+                      "bold letters side by side can be a dyad of vectors or a product of matrices",
+                      {"`rigor: vector …` says that they are vectors"}};
 }
 
 }  // namespace rigor

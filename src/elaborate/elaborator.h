@@ -189,6 +189,7 @@ class Elaborator {
     Span joint_span;
   };
   bool reads_as_application(std::span<const SyntaxChild> factors);
+  [[nodiscard]] bool applies_elsewhere(SyntaxId symbol, SyntaxId bracket) const;
   bool looks_like_argument(const WrittenSymbol& symbol, SyntaxId bracket) const;
   [[nodiscard]] bool is_declared_letter(const WrittenSymbol& symbol) const;
   bool repeats_greek(std::span<const SyntaxChild> factors);
