@@ -24,8 +24,9 @@ bool holds_opaque(const SyntaxTree& tree, SyntaxId side) {
 }  // namespace
 
 SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree, Choices* choices) {
-  SideAccount account(tokens);
-  const SyntaxId side = Parser(tree, account, 0, choices).expression(tokens, place);
+  Tokens written(tokens.begin(), tokens.end());
+  SideAccount account(written);
+  const SyntaxId side = Parser(tree, account, 0, choices, written).expression(written, place);
   const Token* left_over = account.left_over();
   if (left_over == nullptr || holds_opaque(tree, side)) return side;
   return tree.add_opaque(left_over->span,

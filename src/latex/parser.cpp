@@ -12,6 +12,7 @@
 #include "latex/differential.h"
 #include "latex/parse.h"
 #include "latex/parse_indices.h"
+#include "latex/unseen_braces.h"
 
 namespace rigor {
 namespace {
@@ -85,7 +86,7 @@ SyntaxId Parser::inner(TokenView tokens, Span place) {
     return opaque(place, fmt::format("brackets nest deeper than {} levels", max_nesting),
                   DiagnosticKind::nesting_too_deep);
   }
-  return Parser(tree_, account_, depth_ + 1, choices_).expression(tokens, place);
+  return Parser(tree_, account_, depth_ + 1, choices_, side_).expression(tokens, place);
 }
 
 SyntaxId Parser::expression(TokenView tokens, Span place) {
@@ -95,6 +96,7 @@ SyntaxId Parser::expression(TokenView tokens, Span place) {
   std::vector<SyntaxChild> terms;
   Span span = cursor.token().span;
   while (!cursor.done()) {
+    while (lifts_braces(cursor)) cursor.skip_spacing();
     Joint joint = Joint::plus;
     Span joint_span = cursor.token().span;
     bool signed_term = false;
@@ -108,6 +110,7 @@ SyntaxId Parser::expression(TokenView tokens, Span place) {
       read_sign(cursor);
       ++cursor.at;
       cursor.skip_spacing();
+      while (lifts_braces(cursor)) cursor.skip_spacing();
     }
     if (cursor.done()) {
       terms.push_back(
@@ -163,6 +166,7 @@ SyntaxId Parser::term(Cursor& cursor) {
       ++cursor.at;
       continue;
     }
+    if (lifts_braces(cursor)) continue;
     const std::size_t begin = cursor.at;
     SyntaxId node = factor(cursor);
     if (is_box_operator(cursor.tokens, begin, cursor.at)) node = box_operator(tree_[node].span);
@@ -256,7 +260,8 @@ SyntaxId Parser::primary(Cursor& cursor) {
       return control(cursor);
     case TokenKind::begin_group: {
       const Argument group = argument_at(cursor.tokens, cursor.at);
-      cursor.at = group.next;
+      if (stacks_powers(cursor.tokens, std::exchange(cursor.at, group.next)))
+        return stacked_powers(token.span);
       // `{}-A`: an empty group holds the place of an operand; before an operand it means nothing.
       const std::size_t behind = skip_blank(cursor.tokens, group.next);
       if (trim(group.content).empty() && behind < cursor.tokens.size() && is_script(cursor.tokens[behind])) {

@@ -20,8 +20,9 @@ namespace rigor {
 
 class Parser {
  public:
-  Parser(SyntaxTree& tree, SideAccount& account, int depth, Choices* choices)
-      : tree_(tree), account_(account), depth_(depth), choices_(choices) {}
+  /// `side`: where the tokens of the side stand, whose braces a second reading may lift; or nothing.
+  Parser(SyntaxTree& tree, SideAccount& account, int depth, Choices* choices, std::span<Token> side)
+      : tree_(tree), account_(account), depth_(depth), choices_(choices), side_(side) {}
 
   /// A sum of terms; `place` is where to point if there is nothing.
   SyntaxId expression(TokenView tokens, Span place);
@@ -46,6 +47,12 @@ class Parser {
   SyntaxId add_indices(SyntaxId base, TokenView content, Span place);
   SyntaxId exponent(SyntaxId base, TokenView content, Span place);
   static bool starts_sign(const Cursor& cursor);
+
+  // parser_braces.cpp
+  bool lifts_braces(const Cursor& cursor);
+  bool lifts_braces_of_argument(const Cursor& cursor, std::size_t begin);
+  bool lifts(const Cursor& cursor, std::size_t begin);
+  SyntaxId stacked_powers(Span span);
 
   // parser_brackets.cpp
   SyntaxId bracketed(Cursor& cursor);
@@ -170,7 +177,9 @@ class Parser {
   SideAccount& account_;
   int depth_;
   Choices* choices_;
-  Measure* measure_ = nullptr;  // of the integral whose integrand is being read, outside its brackets
+  std::span<Token> side_;
+  const Token* asked_ = nullptr;  // the brace that was asked about last
+  Measure* measure_ = nullptr;    // of the integral whose integrand is being read, outside its brackets
 };
 
 }  // namespace rigor
