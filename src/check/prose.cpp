@@ -7,6 +7,8 @@
 #include <map>
 #include <string_view>
 
+#include "check/prose_behind.h"
+
 namespace rigor {
 namespace {
 
@@ -102,6 +104,14 @@ Cue cue_of(std::string_view word) {
   return is_one_of(word, conditions) ? Cue::condition : Cue::none;
 }
 
+/// "On the wall, where $u = a + b$": what is said there need not hold beside it.
+bool names_a_place(std::string_view word) {
+  static constexpr std::array<std::string_view, 14> words{
+      "at",     "on",   "inside", "outside",   "along",    "within", "near",
+      "during", "when", "across", "initially", "whenever", "while",  "until"};
+  return is_one_of(word, words);
+}
+
 class ProseReader {
  public:
   explicit ProseReader(const SourceMap& sources) : sources_(sources), walk_(prose_.sections) {}
@@ -167,9 +177,17 @@ class ProseReader {
     if (sentence_.find_first_not_of(" \n") != std::string::npos)
       prose_.sentences.push_back({sentence_, number_, walk_.here(), paragraph_, displays_before_, has_display,
                                   ending == '?', std::move(maths_)});
-    for (std::size_t k = prose_.said.size(); k-- > 0 && prose_.said[k].sentence == number_;)
-      prose_.said[k].alone = !has_display;
+    const std::vector<SaidOf> said_of_each = said_of(sentence_, texts_);
+    for (std::size_t k = prose_.said.size(); k-- > 0 && prose_.said[k].sentence == number_;) {
+      SaidInLine& said = prose_.said[k];
+      said.alone = !has_display;
+      const SaidOf of = said_of_each[said.maths];
+      said.named = of == SaidOf::a_name;
+      if (of == SaidOf::something && said.cue != Cue::apart) said.cue = Cue::none;
+    }
     maths_.clear();
+    texts_.clear();
+    at_place_ = false;
     displays_before_ = displays_;
     sentence_.clear();
     cue_ = Cue::none;
@@ -242,6 +260,7 @@ class ProseReader {
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     // "except for $x = 0$", "not at $x = 0$"
     if (const Cue cue = cue_of(word); cue != Cue::none && cue_ != Cue::apart) cue_ = cue;
+    at_place_ = at_place_ || names_a_place(word);
     sentence_ += word;
     return end;
   }
@@ -278,8 +297,11 @@ class ProseReader {
     const std::string_view inside = std::string_view(text).substr(begin, end - begin);
     const auto offset = [&](std::size_t k) { return span.begin + static_cast<std::uint32_t>(k); };
     maths_.push_back({span.file, offset(begin), offset(end)});
-    if (relates(inside)) {
+    texts_.push_back({std::string(inside), relates(inside)});
+    if (texts_.back().relates) {
       prose_.said.push_back({{span.file, offset(begin), offset(end)}, cue_, number_, event_, walk_.here()});
+      prose_.said.back().at_place = at_place_;
+      prose_.said.back().maths = texts_.size() - 1;
     }
     return end + (dollar ? 1 : 2);
   }
@@ -295,6 +317,8 @@ class ProseReader {
   std::optional<std::size_t> last_display_;
   std::size_t tail_begin_ = 0;
   std::vector<Span> maths_;  // of the sentence
+  std::vector<MathsInLine> texts_;
+  bool at_place_ = false;
   std::size_t paragraph_ = 0;
   std::size_t displays_ = 0;
   std::size_t displays_before_ = 0;  // the sentence

@@ -14,7 +14,7 @@ namespace rigor {
 
 /// How a relation in a line is meant, by the last such word before it in its sentence.
 enum class Cue : std::uint8_t {
-  none,        // mentioned
+  none,        // mentioned, or restricted by words around it
   definition,  // with, where, let …
   condition,   // if, for, at …
   apart,       // unless, near, except, not …: it is not said to hold
@@ -27,6 +27,9 @@ struct SaidInLine {
   std::size_t sentence = 0;
   std::size_t before = 0;  // the event that stands next behind it
   std::size_t place = 0;
+  bool at_place = false;                 // behind "at the wall", "on the axis": it holds there only
+  bool named = false;                    // "is the frequency": it holds only if it brings in its letter
+  std::size_t maths = 0;                 // its number among the mathematics of its sentence
   bool alone = false;                    // no display stands in its sentence, or it stands in a heading
   std::vector<ParsedChain> chains = {};  // filled by who parses it
   std::string words = {};                // that say it, where it is no relation: "acute angle `\varphi`"

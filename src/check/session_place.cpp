@@ -91,6 +91,21 @@ bool can_be_assumed(RelationKind kind) {
   return kind == RelationKind::equal || kind == RelationKind::defines || is_order(kind);
 }
 
+/// `c`, `-c`, `2c`, `c/2`
+bool is_one_letter(const ExprTree& tree, ExprId id) {
+  const ExprNode& node = tree[id];
+  if (node.op == Op::symbol) return !tree.symbols[node.symbol].derivation;
+  if (node.op != Op::negate && node.op != Op::multiply && node.op != Op::divide) return false;
+  std::vector<ExprId> children(tree.children(id).begin(), tree.children(id).end());
+  std::erase_if(children, [&](ExprId child) { return symbols_in(tree, child).empty(); });
+  return children.size() == 1 && is_one_letter(tree, children[0]);
+}
+
+/// `v = gt`, `\kappa = a/b`, not `\psi = c`, `x = 2a`: it says at all times and places what its left side is.
+bool is_meaning(const ExprTree& tree, const Equation& equation) {
+  return !tree.symbols[tree[equation.left].symbol].derivation && !is_one_letter(tree, equation.right);
+}
+
 /// `\mathbf B = (0, 0, B)`
 bool is_vector_by_components(const ExprTree& tree, const Equation& equation) {
   const ExprNode& left = tree[equation.left];
@@ -248,7 +263,9 @@ void Session::add_said(const SaidInLine& said, const ParsedChain& parsed, Standp
                 said.cue != Cue::none && said.cue != Cue::apart && brings_in,
                 said.place,
                 said.span};
-      fact.at_instant = said.cue == Cue::condition;
+      const bool meaning = fresh && is_meaning(tree_, claim->equation);
+      fact.at_instant = said.cue == Cue::condition || said.at_place || !meaning;
+      fact.proves = fact.proves && (meaning || !said.named);
       fact.text = fmt::format("{} (line {})", said.words.empty() ? written(said.span) : said.words,
                               sources_.line_column(said.span.file, said.span.begin).line);
       facts.push_back(std::move(fact));

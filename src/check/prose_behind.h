@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is a relation in a line a fact of its sentence? "With $v = 0$ the energy is" says so of what follows; "with
+// $v = 0$ at the top", "if $a_i = 0$ for some $i$", "where $n = 1$ is the ground state" and "$x > 0$ or $y >
+// 0$" speak of a time, a place, a case or a name. Nothing says how far such words reach, so that only what is
+// known to restrict nothing may stand behind the relation. The lists are closed, and stand in
+// docs/notation.md.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rigor {
+
+/// Words, numbers, `$`, `\n` and signs of punctuation of a sentence as in `ProseBeside`.
+[[nodiscard]] std::vector<std::string_view> parts_of_sentence(std::string_view sentence);
+
+/// One piece of mathematics in a line of a sentence.
+struct MathsInLine {
+  std::string text;
+  bool relates = false;
+};
+
+enum class SaidOf {
+  the_row,  // of what follows; and of all that is no relation
+  a_name,   // "where $\omega = \sqrt{k/m}$ is the frequency": of a letter that it brings in, and of no other
+  something,  // restricted by the words around it
+};
+
+/// Of what each of `maths`, the `$` of the sentence in order, is said.
+[[nodiscard]] std::vector<SaidOf> said_of(std::string_view sentence, const std::vector<MathsInLine>& maths);
+
+/// The part of a sentence up to its next display, from `begin` on, with "or", "iff", "unless", "only", …: it
+/// chooses or doubts, and says nothing of any part of it.
+[[nodiscard]] bool has_doubt(const std::vector<std::string_view>& parts, std::size_t begin = 0);
+
+/// Do the words behind the `$` at `parts[at]` leave what is said of it as it is? A relation behind it is not
+/// looked at.
+[[nodiscard]] bool stands_free(const std::vector<std::string_view>& parts, std::size_t at);
+
+}  // namespace rigor
