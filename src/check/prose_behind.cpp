@@ -83,6 +83,20 @@ bool speaks_of_indices(std::string_view condition, std::string_view relation) {
   });
 }
 
+/// `k > 0`: "where $k > 0$ is the stiffness" gives no name to a value.
+bool is_order(std::string_view text) {
+  if (text.find('=') != std::string_view::npos) return false;
+  if (text.find_first_of("<>") != std::string_view::npos) return true;
+  for (const std::string_view sign : {"\\le", "\\ge", "\\ne"}) {
+    for (std::size_t at = text.find(sign); at != std::string_view::npos; at = text.find(sign, at + 1)) {
+      const std::string_view behind = text.substr(at + sign.size());
+      if (behind.empty() || behind[0] == 'q' || std::isalpha(static_cast<unsigned char>(behind[0])) == 0)
+        return true;
+    }
+  }
+  return false;
+}
+
 /// Reads on behind one `$` of a sentence.
 class Behind {
  public:
@@ -265,7 +279,7 @@ class Restrictions {
     const Behind::Found found = behind.read(place);
     if (found == Behind::Found::free) return;
     if (found == Behind::Found::named) {
-      said_of_[k] = std::max(said_of_[k], SaidOf::a_name);
+      if (!is_order(maths_[k].text)) said_of_[k] = std::max(said_of_[k], SaidOf::a_name);
       return;
     }
     const std::size_t next = maths_from(behind.at());

@@ -3,29 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <span>
+
+#include "check/prose_behind.h"
+#include "check/words_behind.h"
 
 namespace rigor {
 namespace {
 
-using Words = std::span<const std::string_view>;
-
-/// Words, `$`, `\n` and signs of punctuation.
-std::vector<std::string_view> parts_of(std::string_view text) {
-  std::vector<std::string_view> parts;
-  const auto in_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '\'';
-  };
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = at;
-    while (end < text.size() && in_word(text[end])) ++end;
-    if (end == at) ++end;
-    if (text[at] != ' ') parts.push_back(text.substr(at, end - at));
-    at = end;
-  }
-  return parts;
-}
+using Words = std::vector<std::string_view>;
 
 template <std::size_t N>
 bool is_in(std::string_view word, const std::array<std::string_view, N>& list) {
@@ -65,6 +50,15 @@ bool is_noun(std::string_view word) {
   return is_in(word, nouns);
 }
 
+/// Of one letter: "positive mass $m$ and $q$" says nothing of q.
+bool is_of_one(std::string_view word) {
+  static constexpr std::array<std::string_view, 20> singular{
+      "a",         "an",    "number", "constant", "integer",  "quantity",   "value",
+      "parameter", "angle", "mass",   "scalar",   "length",   "time",       "charge",
+      "energy",    "speed", "radius", "volume",   "pressure", "temperature"};
+  return is_in(word, singular);
+}
+
 /// A sentence with one of them may say the opposite, or something else.
 bool is_doubtful(std::string_view word) {
   static constexpr std::array<std::string_view, 22> doubts{
@@ -81,7 +75,7 @@ bool ends(Words words, std::size_t at) {
 
 class KindReader {
  public:
-  explicit KindReader(Words words) : words_(words) {}
+  explicit KindReader(const Words& words) : words_(words) {}
 
   std::vector<SaidKind> read() {
     for (std::size_t at = 0; at < words_.size(); ++at) {
@@ -102,17 +96,38 @@ class KindReader {
   bool of_those_behind(std::size_t adjective) {
     std::size_t at = behind_nouns(adjective + 1);
     if (at >= words_.size() || words_[at] != "$") return false;
+    const bool noun = is_noun(words_[at - 1]);
+    const bool one = (adjective > 0 && is_of_one(words_[adjective - 1])) ||
+                     std::any_of(words_.begin() + static_cast<std::ptrdiff_t>(adjective),
+                                 words_.begin() + static_cast<std::ptrdiff_t>(at), is_of_one);
     std::size_t count = 0;
+    std::size_t last = at;
     while (at < words_.size() && words_[at] == "$") {
       ++count;
+      last = at;
       std::size_t next = at + 1;
       while (next < words_.size() && (words_[next] == "," || words_[next] == "and")) ++next;
       at = next > at + 1 && next < words_.size() && words_[next] == "$" && !is_spoken_of(next)
                ? next
                : words_.size();
     }
+    // "the positive $x$ axis", "positive $m$, $q$ arbitrary": of the last one something else is said, and of
+    // those between, who knows.
+    const bool of_the_thing = count == 1 && noun && !is_case(last + 1);
+    if ((!stands_free(words_, last) && !of_the_thing) || (count > 1 && one)) {
+      if (count == 1) return true;
+      count = 1;
+    }
     for (std::size_t k = 0; k < count; ++k) say(maths_ + k, adjective);
     return true;
+  }
+
+  /// "a positive charge $q$ for protons"; not "a positive charge $q$ at the origin".
+  [[nodiscard]] bool is_case(std::size_t at) const {
+    static constexpr std::array<std::string_view, 7> cases{"for",   "when", "whenever", "if",
+                                                           "while", "to",   "initially"};
+    while (at < words_.size() && (words_[at] == "," || is_filler_behind(words_[at]))) ++at;
+    return at < words_.size() && is_in(words_[at], cases);
   }
 
   /// "$a > 0$ and $b$ is negative": is there a verb behind this one?
@@ -126,7 +141,7 @@ class KindReader {
   void of_those_before(std::size_t adjective) {
     const std::size_t behind = behind_nouns(adjective + 1);
     const bool goes_on = behind + 1 < words_.size() && words_[behind] == "and" && words_[behind + 1] == "$";
-    if (!ends(words_, behind) && !goes_on) return;
+    if ((!ends(words_, behind) || !stands_free(words_, behind - 1)) && !goes_on) return;
     std::size_t at = adjective;
     bool verb = false;
     while (at > 0 && (is_filler(words_[at - 1]) || (is_verb(words_[at - 1]) && !verb))) {
@@ -154,7 +169,7 @@ class KindReader {
     said_.push_back({maths, relations_of(words_[adjective])});
   }
 
-  Words words_;
+  const Words& words_;
   std::size_t maths_ = 0;  // that stand before the word at hand
   std::vector<SaidKind> said_;
 };
@@ -162,8 +177,9 @@ class KindReader {
 }  // namespace
 
 std::vector<SaidKind> said_kinds(std::string_view sentence) {
-  const std::vector<std::string_view> words = parts_of(sentence);
-  if (std::any_of(words.begin(), words.end(), is_doubtful)) return {};
+  const Words words = parts_of_sentence(sentence);
+  if (std::any_of(words.begin(), words.end(), [](auto word) { return is_doubtful(word) || is_doubt(word); }))
+    return {};
   return KindReader(words).read();
 }
 

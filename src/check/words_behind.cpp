@@ -15,10 +15,12 @@ bool is_in(std::string_view word, const std::array<std::string_view, N>& list) {
 }  // namespace
 
 bool is_filler_behind(std::string_view word) {
-  static constexpr std::array<std::string_view, 20> fillers{
-      "always",      "everywhere", "identically", "throughout", "here",   "also",          "again",
-      "immediately", "finally",    "directly",    "clearly",    "simply", "indeed",        "trivially",
-      "too",         "now",        "easily",      "above",      "below",  "simultaneously"};
+  static constexpr std::array<std::string_view, 29> fillers{
+      "always", "everywhere",     "identically", "throughout", "here",    "also",
+      "again",  "immediately",    "finally",     "directly",   "clearly", "simply",
+      "indeed", "trivially",      "too",         "now",        "easily",  "above",
+      "below",  "simultaneously", "constant",    "constants",  "fixed",   "real",
+      "finite", "given",          "numbers",     "integers",   "scalars"};
   return is_in(word, fillers);
 }
 
@@ -87,16 +89,17 @@ bool restricts_from_before(std::string_view word) {
 }
 
 bool is_named_quantity(std::string_view word) {
-  static constexpr std::array<std::string_view, 58> nouns{
-      "frequency",   "frequencies",  "period",       "wavelength",  "wavenumber", "mass",
-      "masses",      "energy",       "momentum",     "ratio",       "factor",     "parameter",
-      "coefficient", "constant",     "speed",        "velocity",    "density",    "acceleration",
-      "force",       "torque",       "charge",       "field",       "potential",  "current",
-      "resistance",  "impedance",    "power",        "temperature", "pressure",   "moment",
-      "tensor",      "vector",       "operator",     "function",    "lagrangian", "hamiltonian",
-      "rate",        "viscosity",    "capacitance",  "inductance",  "modulus",    "stiffness",
-      "flux",        "entropy",      "conductivity", "number",      "difference", "sum",
-      "product",     "mean",         "average",      "amplitude",   "lifetime",   "mobility",
+  static constexpr std::array<std::string_view, 64> nouns{
+      "constants",   "numbers",      "parameters",   "coefficients", "integer",    "integers",
+      "frequency",   "frequencies",  "period",       "wavelength",   "wavenumber", "mass",
+      "masses",      "energy",       "momentum",     "ratio",        "factor",     "parameter",
+      "coefficient", "constant",     "speed",        "velocity",     "density",    "acceleration",
+      "force",       "torque",       "charge",       "field",        "potential",  "current",
+      "resistance",  "impedance",    "power",        "temperature",  "pressure",   "moment",
+      "tensor",      "vector",       "operator",     "function",     "lagrangian", "hamiltonian",
+      "rate",        "viscosity",    "capacitance",  "inductance",   "modulus",    "stiffness",
+      "flux",        "entropy",      "conductivity", "number",       "difference", "sum",
+      "product",     "mean",         "average",      "amplitude",    "lifetime",   "mobility",
       "diffusivity", "permittivity", "action",       "efficiency"};
   return is_in(word, nouns);
 }
