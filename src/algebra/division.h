@@ -5,9 +5,15 @@
 
 #include <ginac/ginac.h>
 
+#include <cstddef>
+
 #include "algebra/budget.h"
 
 namespace rigor {
+
+/// Pairs of a term of each, weighed by the degree: each step of a long division goes over all terms. A unit
+/// is `price::divided_pair`. Cost: linear in the terms of the dividend.
+[[nodiscard]] std::size_t size_of_division(const GiNaC::ex& divisor, const GiNaC::ex& value);
 
 /// Whether a polynomial divides another, and what times, expanded. The budget may be none.
 [[nodiscard]] bool divides(const GiNaC::ex& divisor, const GiNaC::ex& value, GiNaC::ex& quotient,

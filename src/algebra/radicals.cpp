@@ -21,7 +21,7 @@ using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
 constexpr std::size_t largest_factored = 32;      // terms
-constexpr std::size_t largest_division = 20'000;  // terms times terms: takes up to 50 ms
+constexpr std::size_t largest_division = 20'000;  // takes up to 50 ms
 
 [[nodiscard]] Rational to_rational(const ex& value) {
   return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
@@ -52,12 +52,6 @@ struct SquareSplit {
   return split;
 }
 
-/// base and exponent of a factor; 1 where it is no integer power.
-[[nodiscard]] std::pair<ex, int> split_power(const ex& factor) {
-  if (!GiNaC::is_a<GiNaC::power>(factor)) return {factor, 1};
-  return {factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int()};
-}
-
 }  // namespace
 
 bool Radicals::is_radical(const ex& indeterminate) const {
@@ -72,7 +66,7 @@ Sign Radicals::sign_of(const ex& expanded) const {
   for (const Signs::Fact& fact : signs_.facts()) {
     ex quotient;
     const bool is_multiple = term_count(fact.value) == term_count(expanded) &&
-                             term_count(expanded) * term_count(expanded) <= largest_division &&
+                             size_of_division(fact.value, expanded) <= largest_division &&
                              divides(fact.value, expanded, quotient, arithmetic_.budget());
     if (!is_multiple) continue;
     if (is_number(quotient)) return product(fact.sign, signs_.of(quotient));
@@ -105,8 +99,7 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
     }
     ex quotient;
     const auto is_multiple_of = [&](const ex& base) {
-      const std::size_t terms = term_count(value) * term_count(base);
-      if (GiNaC::is_a<GiNaC::symbol>(base) || terms > largest_division) return false;
+      if (GiNaC::is_a<GiNaC::symbol>(base) || size_of_division(base, value) > largest_division) return false;
       return divides(base, value, quotient, arithmetic_.budget());
     };
     for (const Divisor& each : known) {

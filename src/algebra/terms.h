@@ -23,6 +23,13 @@ namespace rigor {
   return {value.begin(), value.end()};
 }
 
+/// Base and exponent of a factor; 1 where it is no integer power.
+[[nodiscard]] inline std::pair<GiNaC::ex, int> split_power(const GiNaC::ex& factor) {
+  const bool is_power = GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::integer);
+  if (!is_power) return {factor, 1};
+  return {factor.op(0), GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int()};
+}
+
 /// The numeric factor of a term.
 [[nodiscard]] inline GiNaC::numeric coefficient_of(const GiNaC::ex& term) {
   for (const GiNaC::ex& factor : factors_of(term)) {

@@ -61,6 +61,9 @@ $$\frac{1}{a+b} + \frac{1}{b+c} + \frac{1}{c+d} + \frac{1}{d+e} + \frac{1}{e+f} 
 $$\sqrt{a+b}\sqrt{b+c}\sqrt{c+d}\sqrt{a+\sqrt{b+c}} = \sqrt{(a+b)(b+c)(c+d)\left(a+\sqrt{b+c}\right)}$$
 $$\left(\sqrt{a} + \sqrt{b} + \sqrt{c} + \sqrt{d}\right)^6 = \left(\sqrt{a} + \sqrt{b} + \sqrt{c} + \sqrt{d}\right)^4\left(a + b + c + d + 2\sqrt{ab} + 2\sqrt{ac} + 2\sqrt{ad} + 2\sqrt{bc} + 2\sqrt{bd} + 2\sqrt{cd}\right)$$
 )"},
+    {"roots of high powers",
+     R"($$\sqrt{\frac{b}{\frac{(x_i y_i)^{64}}{\sqrt{x_i y_i\,\mathbf{a}\cdot\mathbf{b}}}} + c} - y \approx c$$
+)"},
     {"many indices", R"(<!-- rigor: vector \mathbf a, \mathbf b, \mathbf c, \mathbf d -->
 $$\epsilon_{ijk}\epsilon_{klm}\epsilon_{mnp}\epsilon_{pqr}a_ib_jc_ld_na_qb_r = \epsilon_{rqp}\epsilon_{pnm}\epsilon_{mlk}\epsilon_{kji}a_ib_jc_ld_na_qb_r$$
 )"},

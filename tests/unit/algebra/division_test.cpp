@@ -113,3 +113,19 @@ TEST_CASE("a square is found among terms", "[algebra]") {
   const ex plain = x * x + y * y;
   CHECK(with_repeated_factors(plain, nullptr).is_equal(plain));
 }
+
+TEST_CASE("a division of high degree is longer than one of as many terms", "[algebra]") {
+  const GiNaC::symbol x("x");
+  const GiNaC::symbol y("y");
+  const ex divisor = x + y;
+  const ex low = GiNaC::pow(x, 2) + x * y;
+  const ex high = GiNaC::pow(x, 80) + GiNaC::pow(x, 79) * y;
+  CHECK(size_of_division(divisor, low) == 4);
+  CHECK(size_of_division(divisor, high) > 4 * size_of_division(divisor, low));
+  Budget few;
+  Budget many;
+  ex quotient;
+  CHECK(divides(divisor, low, quotient, &few));
+  CHECK(divides(divisor, high, quotient, &many));
+  CHECK(many.used() > 4 * few.used());
+}
