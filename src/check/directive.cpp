@@ -7,6 +7,7 @@
 #include <array>
 
 #include "check/warning_names.h"
+#include "latex/conditions.h"
 #include "latex/cyclic_image.h"
 #include "latex/parse.h"
 #include "latex/units.h"
@@ -265,7 +266,24 @@ class DirectiveReader {
   }
 
   std::optional<Directive> with_chains(TokenView tokens, Directive directive) {
-    directive.chains = parse_chains(tokens, "", syntax_, diagnostics_);
+    const bool assumes = directive.kind == DirectiveKind::given || directive.kind == DirectiveKind::where;
+    const auto parts = assumes ? conditions_in(tokens) : std::nullopt;
+    if (parts && parts->size() > 1) {
+      // `x, y > 0`, `x > 0, y > 0`: each is given, and none is a condition of the others.
+      for (const Tokens& part : *parts) {
+        for (ParsedChain& chain : parse_chains(part, "", syntax_, diagnostics_))
+          directive.chains.push_back(std::move(chain));
+      }
+    } else {
+      directive.chains = parse_chains(tokens, "", syntax_, diagnostics_);
+    }
+    for (const ParsedChain& chain : directive.chains) {
+      if (directive.kind == DirectiveKind::claim || chain.assumed.empty()) continue;
+      const std::string condition = text_of(chain.assumed.front().written);
+      return bad(directive.span,
+                 fmt::format("what is given holds without a condition, and `{}` stands beside it", condition),
+                 "a comma or `and` between two relations gives both");
+    }
     const bool relation =
         !directive.chains.empty() &&
         std::all_of(directive.chains.begin(), directive.chains.end(),
