@@ -76,7 +76,9 @@ ClaimVectors vectors_of(const Question& question) {
 /// A length is not the root of `a·a` for complex vectors, whose squares need not be positive.
 std::optional<OtherReading> in_complex_vectors(const Question& question, const Names& names) {
   const Evidence& evidence = names.evidence;
-  const auto is_imaginary = [&](const char* letter) { return evidence.letters.contains(letter); };
+  const auto is_imaginary = [&](const char* letter) {
+    return evidence.letters.contains(letter) && !names.labels_particles(letter);
+  };
   if (!evidence.complex_vectors && !is_imaginary("i") && !is_imaginary("\\mathrm{i}")) return std::nullopt;
   bool asked = question.claim.relation != Relation::equal;
   for_each_node(question, [&](const ExprNode& node) { asked = asked || node.op == Op::length; });
@@ -133,6 +135,23 @@ std::optional<OtherReading> in_another_space(const Question& question, const Nam
       std::move(help)};
 }
 
+/// What holds for real numbers need not in another arithmetic.
+std::optional<OtherReading> in_another_arithmetic(const Question& question, const Names& names, bool proved) {
+  const std::string& words = names.evidence.other_arithmetic;
+  if (!proved || words.empty()) return std::nullopt;
+  std::set<SymbolId> open;
+  for (const ExprId side : {question.claim.left, question.claim.right}) {
+    for (const SymbolId symbol : symbols_in(*question.tree, side)) {
+      const SymbolId base = base_of(question.tree->symbols, symbol);
+      if (!question.tree->symbols[base].declared) open.insert(base);
+    }
+  }
+  if (open.empty()) return std::nullopt;
+  return says(*question.tree, open,
+              fmt::format("the words speak of `{}`, and it is proved for real numbers only", words),
+              "a real number");
+}
+
 /// A claim that real numbers refute is refuted for complex ones, too.
 std::optional<OtherReading> in_complex_numbers(const Question& question, const Names& names, bool proved) {
   if (!proved) return std::nullopt;
@@ -187,6 +206,7 @@ std::optional<OtherReading> in_determinants(const Question& question, const Name
 
 std::optional<OtherReading> other_reading(const Question& question, const Names& names, bool proved) {
   if (auto order = in_order(question, names, proved)) return order;
+  if (auto arithmetic = in_another_arithmetic(question, names, proved)) return arithmetic;
   if (auto complex = in_complex_numbers(question, names, proved)) return complex;
   if (auto space = in_another_space(question, names, proved)) return space;
   if (auto unit = with_unit_matrix(question, names, proved)) return unit;

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "elaborate/ordered_letters.h"
+#include "elaborate/raised_indices.h"
+#include "elaborate/said_order.h"
 #include "elaborate/seen_functions.h"
 #include "elaborate/seen_letters.h"
 #include "elaborate/spaces.h"
@@ -37,6 +39,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
     see_order(notes.syntax, chain.sides, chain.written, evidence);
     see_letters(notes.syntax, chain.sides, chain.written, evidence);
     see_functions(notes.syntax, chain.sides, evidence);
+    see_raised(notes.syntax, chain.sides, evidence);
   }
 }
 
@@ -45,10 +48,12 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   if (before.file != behind.file || before.end >= behind.begin) return;
   const std::string_view text = sources.text({before.file, before.end, behind.begin});
   see_words(text, evidence);
+  see_said_order(text, evidence);
   see_said(text, evidence);
   see_unit_matrices(text, evidence);
   see_spaces(text, evidence);
   see_inline_functions(text, evidence);
+  see_said_raised(text, evidence);
 }
 
 }  // namespace
@@ -66,9 +71,11 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
       if (title != nullptr && k > begin) break;
       if (title != nullptr) {
         see_words(title->title, evidence);
+        see_said_order(title->title, evidence);
         see_said(title->title, evidence);
         see_heading(title->title, evidence);
         see_spaces(title->title, evidence);
+        see_said_raised(title->title, evidence);
       }
       last = place;
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "elaborate/elaborator.h"
+#include "elaborate/raised_indices.h"
 
 namespace rigor {
 namespace {
@@ -82,6 +83,14 @@ std::optional<Typed> Elaborator::power(SyntaxId id) {
                 fmt::format("a {} above `{}` can be a power, or say of which order it is",
                             syntax_.text(syntax_.child(id, 1)), symbol.letter),
                 {"a power of a bracket is no label: `(a)^0`"});
+  }
+  if (const SyntaxId raised = syntax_.child(id, 0);
+      syntax_[raised].kind == SyntaxKind::symbol && integer(syntax_.child(id, 1)).has_value() &&
+      may_be_raised(syntax_.symbol(raised), names_.evidence) && !is_declared_letter(syntax_.symbol(raised))) {
+    const std::string& letter = syntax_.symbol(raised).letter;
+    return fail(DiagnosticKind::ambiguous_reading, span,
+                fmt::format("`{}` has upper indices elsewhere: this can be one of them or a power", letter),
+                {fmt::format("`rigor: scalar {}` makes it a power", letter)});
   }
   squared_ = integer(syntax_.child(id, 1)) == 2 && syntax_[syntax_.child(id, 0)].kind == SyntaxKind::symbol;
   const Maybe base = expression(syntax_.child(id, 0));

@@ -26,15 +26,18 @@ struct Evidence {
   std::set<std::string> units;                             // "the unit matrix $I$": 1 among matrices
   std::set<std::string> functionals;                       // `E[X]`: square brackets stand directly behind
   std::map<std::string, std::set<std::string>> functions;  // \omega of `\omega(k) = …`, with k
-  bool third_axis = false;          // a component along z, or three of them: it is not about the plane alone
-  bool operators = false;           // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
-  bool speaks_of_order = false;     // the words speak of matrices or operators: then capitals may be some
-  bool order_in_heading = false;    // a heading does: then small letters may be some as well
-  bool speaks_of_numbers = false;   // they say "numbers" and name none
-  bool speaks_of_complex = false;   // the words do
-  bool complex_vectors = false;     // and so that fields and amplitudes may be complex as well
-  std::string other_space;          // words of another number of dimensions, or another metric
-  std::string other_axes;           // words of components that are not Cartesian
+  bool third_axis = false;         // a component along z, or three of them: it is not about the plane alone
+  bool operators = false;          // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
+  bool speaks_of_order = false;    // the words speak of matrices or operators: then capitals may be some
+  bool order_in_heading = false;   // a heading does, or words of a group: then small letters may be some, too
+  bool speaks_of_numbers = false;  // they say "numbers" and name none
+  bool speaks_of_complex = false;  // the words do
+  bool complex_vectors = false;    // and so that fields and amplitudes may be complex as well
+  std::string other_space;         // words of another number of dimensions, or another metric
+  std::string other_axes;          // words of components that are not Cartesian
+  std::string other_arithmetic;    // words of sums and products that are not those of real numbers
+  std::set<std::string> raised;    // x of `x^\mu`, `x^1 = x`: its upper indices are no powers
+  bool speaks_of_raised = false;   // the words do, and name no letter
   bool speaks_of_segments = false;  // of triangles and segments: `AB` can be the name of one
   bool sentence_is_open = false;    // while reading: such a sentence goes on with the next display
 

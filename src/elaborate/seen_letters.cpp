@@ -148,9 +148,10 @@ ListedLetters listed_letters(std::string_view formula) {
       const std::string word(formula.substr(at, end - at));
       const bool order = word == "\\ge" || word == "\\geq" || word == "\\le" || word == "\\leq";
       const std::string_view rest = formula.substr(end);
-      const bool member = word == "\\in" && (rest.find("{R}") != std::string_view::npos ||
-                                             rest.find(" R") != std::string_view::npos ||
-                                             rest.find("\\R") != std::string_view::npos);
+      const bool member =
+          word == "\\in" &&
+          (rest.find("{R}") != std::string_view::npos || rest.find("bb R") != std::string_view::npos ||
+           rest.find("bf R") != std::string_view::npos || rest.find("\\R") != std::string_view::npos);
       found.ordered = order || member;
       if (found.ordered) return found;
       if (!is_greek(word)) return {};
