@@ -35,6 +35,14 @@ bool is_interval(const Token& open, const Token& closing, TokenView content) {
          });
 }
 
+/// `[A, B\}`: a commutator, or an anticommutator where both are odd.
+bool is_graded(const Token& open, const Token& closing, TokenView content) {
+  Nesting nesting(false);
+  return is_sign(open, "[") && is_control(closing, "}") &&
+         std::any_of(content.begin(), content.end(),
+                     [&](const Token& token) { return nesting.enter(token) == 0 && is_sign(token, ","); });
+}
+
 bool is_bar(const Token& token) { return is_sign(token, "|") || is_control(token, "vert"); }
 bool is_double_bar(const Token& token) { return is_control(token, "|") || is_control(token, "Vert"); }
 
@@ -140,6 +148,18 @@ bool are_columns(TokenView tokens) {
   });
 }
 
+/// `\exp[x]`, `\frac{d}{dx}[f]`: is there a function or a derivative before the bracket in its term?
+bool is_acted_on(TokenView tokens, std::size_t open) {
+  while (open > 0) {
+    const Token& token = tokens[--open];
+    if (is_sign(token, "+") || is_sign(token, "-")) return false;
+    const bool derivative = is_partial(token) || is_control(token, "nabla") ||
+                            (token.kind == TokenKind::letter && token.text == "d");
+    if (derivative || (token.kind == TokenKind::control && !function_name(token.text).empty())) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 /// Signs between the cells of a matrix.
@@ -168,11 +188,40 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
   if (auto derivative = operator_in(content)) return bracketed_operator(cursor, std::move(*derivative), span);
   const bool interval = is_interval(open, closing, content);
   if (interval) return opaque(span, "a half-open interval is not read");
+  if (is_graded(open, closing, content)) return opaque(span, "a graded commutator is not read");
   if (!are_a_pair(open, closing)) {
     return opaque(closing.span, fmt::format("`{}` does not close `{}`", closing.text, open.text),
                   DiagnosticKind::unbalanced);
   }
-  return bracket_contents(content, span);
+  const std::size_t begin = static_cast<std::size_t>(content.data() - cursor.tokens.data()) - 1;
+  const SyntaxId group = bracket_contents(content, span);
+  if (is_sign(open, "(") || !holds_one_letter(group) || is_acted_on(cursor.tokens, begin)) return group;
+  const bool component = close + 1 < cursor.tokens.size() && is_bold_letter(group) &&
+                         cursor.tokens[close + 1].kind == TokenKind::subscript;
+  if (component) return group;
+  return opaque(
+      span,
+      fmt::format("brackets around `{0}` alone group nothing: this can be the matrix, the unit or the "
+                  "whole part of it",
+                  text_of(content)),
+      DiagnosticKind::ambiguous_reading, {"without brackets, or in round ones, it is the letter itself"});
+}
+
+/// `[T]`, `[T^{-1}]`
+bool Parser::holds_one_letter(SyntaxId group) const {
+  if (tree_[group].kind != SyntaxKind::group) return false;
+  SyntaxId inside = tree_.child(group, 0);
+  if (tree_[inside].kind == SyntaxKind::power) {
+    const SyntaxId exponent = tree_.child(inside, 1);
+    if (tree_[exponent].kind != SyntaxKind::sum) return false;
+    inside = tree_.child(inside, 0);
+  }
+  return tree_[inside].kind == SyntaxKind::symbol;
+}
+
+bool Parser::is_bold_letter(SyntaxId group) const {
+  const SyntaxId inside = tree_.child(group, 0);
+  return tree_[inside].kind == SyntaxKind::symbol && tree_.symbol(inside).face != Face::plain;
 }
 
 /// One expression in brackets, or several with commas between: the components of a vector.

@@ -100,7 +100,7 @@ SyntaxId Parser::function_argument(Cursor& cursor, Span place, std::string_view 
   if (!cursor.done() && cursor.token().kind == TokenKind::subscript)
     cursor.at = skip_narrow(cursor.tokens, script_argument_at(cursor.tokens, cursor.at + 1).next);
   if (cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
-    return opaque(place, fmt::format("`{}` has no argument", name), DiagnosticKind::bad_syntax);
+    return opaque(place, fmt::format("`{}` without an argument is not read", name));
   if (lifts_braces_of_argument(cursor, begin)) cursor.at = skip_narrow(cursor.tokens, cursor.at);
   if (opens_bracket(cursor.token())) return bracket_argument(cursor);
   if (is_bold(cursor.tokens, cursor.at) || !is_plain_factor(cursor.tokens, cursor.at)) {

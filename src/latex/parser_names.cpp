@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "latex/cover_tokens.h"
 #include "latex/differential.h"
@@ -27,6 +29,20 @@ bool all_plain_letters(TokenView tokens) {
   return tokens.size() > 1 && std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
            return token.kind == TokenKind::letter && token.text.size() == 1;
          });
+}
+
+/// Of packages, and short names that authors give to macros of their own: `\vu = …`, where `\vu` is a vector.
+bool may_be_a_macro_of_the_author(std::string_view name) {
+  static constexpr std::array<std::string_view, 6> names{"vu", "vb", "va", "vv", "bm", "tensor"};
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool can_be_an_argument(TokenView tokens, std::size_t at) {
+  if (at >= tokens.size() || relation_kind(tokens[at]) || factor_joint(tokens[at]) != Joint::none)
+    return false;
+  const TokenKind kind = tokens[at].kind;
+  return kind == TokenKind::letter || kind == TokenKind::digit || kind == TokenKind::begin_group ||
+         kind == TokenKind::control;
 }
 
 }  // namespace
@@ -134,6 +150,11 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
     return restyle(inside, style, cover(token.span, tree_[inside].span));
   }
   if (token.text == "bf" || token.text == "rm" || token.text == "bold") return switched(cursor, style, at);
+  if (may_be_a_macro_of_the_author(token.text) && !can_be_an_argument(cursor.tokens, at)) {
+    cursor.at = at;
+    return opaque(token.span, fmt::format("`\\{}` without an argument is not read", token.text),
+                  DiagnosticKind::unsupported, {"if it is a macro of your own, its definition was not seen"});
+  }
   const Argument argument = argument_at(cursor.tokens, at);
   cursor.at = argument.next;
   const TokenView content = trim(argument.content);
