@@ -414,7 +414,8 @@ class Judging {
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
       judgement_.verdict = Verdict::not_understood;
-      judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law));
+      judgement_.diagnostics.push_back(
+          law_diagnostic(tree_, names_, claim_, law, !prepared_.assumptions.empty()));
       return;
     }
     prepared_.question.tree = &tree_;

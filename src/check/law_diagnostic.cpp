@@ -69,14 +69,15 @@ std::string bare_name(std::string name) {
 }
 
 Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
-                          const std::vector<SymbolId>& open) {
+                          const std::vector<SymbolId>& open, bool assumed) {
   const std::vector<SymbolId> symbols = bases_of(tree, open);
   Diagnostic diagnostic{
       DiagnosticKind::undeclared_symbol, claim.relation,
       fmt::format(
-          "nothing says that {} {} meant for all values, so this reads as a law or a condition, not as an "
+          "{}nothing says that {} {} meant for all values, so this reads as a law or a condition, not as an "
           "identity",
-          quoted_names(tree, symbols), symbols.size() == 1 ? "is" : "are")};
+          assumed ? "it does not follow from what is assumed, and " : "", quoted_names(tree, symbols),
+          symbols.size() == 1 ? "is" : "are")};
   const std::vector<std::string> known = names.known_names(tree);
   std::set<std::string> in_statement;
   for (const ExprId side : {claim.equation.left, claim.equation.right}) {
@@ -90,9 +91,12 @@ Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim&
   }
   constexpr std::size_t longest_line = 120;
   const bool fits = !claim.written.empty() && claim.written.size() <= longest_line;
+  const std::string_view written = fits ? std::string_view(claim.written) : "EQUATION";
+  if (assumed)
+    diagnostic.help.push_back(fmt::format("`rigor: claim {}` asks for values for which it fails", written));
   diagnostic.help.push_back(fmt::format(
       "`rigor: given {}` takes it for a law; `rigor: let …`, with a symbol on the left, defines it",
-      fits ? claim.written : "EQUATION"));
+      written));
   diagnostic.help.emplace_back(
       "if it is an identity, `rigor: for all …` names what it holds for all values of");
   return diagnostic;

@@ -19,8 +19,9 @@ namespace rigor {
 /// A symbol's name without face and braces: `\boldsymbol{\omega}` is `\omega`.
 [[nodiscard]] std::string bare_name(std::string name);
 
-/// The claim depends on these symbols, of which nothing says that all values are meant.
+/// The claim depends on these symbols, of which nothing says that all values are meant. `assumed`: it fails
+/// though assumptions bear on it.
 [[nodiscard]] Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
-                                        const std::vector<SymbolId>& open);
+                                        const std::vector<SymbolId>& open, bool assumed);
 
 }  // namespace rigor

@@ -122,6 +122,12 @@ bool Elaborator::reads_as_application(std::span<const SyntaxChild> factors) {
     const SyntaxId id = factors[k].id;
     const SyntaxId next = factors[k + 1].id;
     if (factors[k + 1].joint != Joint::juxtaposed) continue;
+    if (syntax_[id].kind == SyntaxKind::unit && syntax_[next].kind == SyntaxKind::number) {
+      fail(DiagnosticKind::ambiguous_reading, cover(syntax_[id].span, syntax_[next].span),
+           "a number behind a unit can be added, as in 1 h 30 min, or multiplied",
+           {"a sign between them says which is meant"});
+      return true;
+    }
     if (is_taken_at(syntax_, id, next)) {
       fail(DiagnosticKind::ambiguous_reading, cover(syntax_[id].span, syntax_[next].span),
            "this can be a product, or the derivative at what the bracket says");

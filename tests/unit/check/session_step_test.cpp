@@ -233,3 +233,18 @@ TEST_CASE("vectors and tensors are unequal as a whole") {
   CHECK(step.counterexample->values.at(0).components == std::vector<std::string>{"1", "0", "2"});
   CHECK(step.diagnostics.at(0).message == "the sides are equal, component by component");
 }
+
+TEST_CASE(
+    "what does not follow from assumptions is asked for by a claim, and what is no law is not called one") {
+  const std::string spring = rigor_says("constant m, k") + rigor_says("given m\\ddot x = -kx") + "\n";
+  const std::string energy = "\\frac{d}{dt}(\\frac12m\\dot x^2 - \\frac12kx^2) = 0";
+  const Checked open(spring + display(energy));
+  const Diagnostic& diagnostic = open.report.steps.back().diagnostics.at(0);
+  CHECK(diagnostic.message.starts_with("it does not follow from what is assumed, and nothing says"));
+  const std::string help = diagnostic.help.at(0);
+  REQUIRE(help.starts_with("`rigor: claim " + energy + "`"));
+  CHECK(verdicts(spring + rigor_says("claim " + energy)) == "given refuted");
+  const Checked law(display("m\\ddot x = -kx"));
+  CHECK(law.report.steps.back().diagnostics.at(0).message.starts_with("nothing says"));
+  CHECK(law.report.steps.back().diagnostics.at(0).help.at(0).starts_with("`rigor: given m\\ddot x = -kx`"));
+}
