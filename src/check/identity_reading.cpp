@@ -198,6 +198,26 @@ OwnSymbols own_symbols(const std::set<SymbolId>& left, const std::set<SymbolId>&
   return own;
 }
 
+/// `a^2 + b^2 + c` for own c, `a_1b_1 + a_2b_2`: what holds them can be dropped, once, and the rest stays. In
+/// `(x - a)^2 + y^2` and `(p + p')(V - V')` it cannot: they are coordinates, or changes of what is there.
+bool are_a_term_of_their_own(const Question& question, ExprId side, const std::set<SymbolId>& own) {
+  const ExprTree& tree = *question.tree;
+  const auto holds_own = [&](ExprId id) {
+    const std::vector<SymbolId> written = symbols_in(tree, id);
+    return std::any_of(written.begin(), written.end(), [&](SymbolId each) { return own.contains(each); });
+  };
+  if (!holds_own(side)) return true;  // a definition brings them in
+  if (std::any_of(own.begin(), own.end(),
+                  [&](SymbolId each) { return tree.symbols[each].derivation.has_value(); }))
+    return true;  // a derivative of a product does
+  while (tree[side].op == Op::component || tree[side].op == Op::index_sum) side = tree.children(side)[0];
+  std::vector<SignedTerm> terms;
+  add_terms(tree, side, false, terms);
+  const auto holding =
+      std::count_if(terms.begin(), terms.end(), [&](const SignedTerm& term) { return holds_own(term.id); });
+  return terms.size() > 1 && holding == 1;
+}
+
 }  // namespace
 
 std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
@@ -233,8 +253,10 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates, const
   const std::vector<SymbolId> open_own = not_for_all(tree, own);
   if (!open_own.empty()) {
     const bool one_sided = only_left.empty() || only_right.empty();
+    const ExprId longer = only_left.empty() ? question.claim.right : question.claim.left;
     const bool term_too_many = one_sided && open_own.size() == own.size() &&
                                !says_that_terms_vanish(tree, question.claim) &&
+                               (!frames.empty() || are_a_term_of_their_own(question, longer, own)) &&
                                holds_without(question, open_own, cache);
     return term_too_many ? std::vector<SymbolId>{} : open_own;
   }

@@ -8,8 +8,9 @@
 // For the others the form decides. An equation reads as an identity if
 //  - both sides have the same symbols (one symbol alone, to the first power on both sides, is a condition:
 //  T_ij = T_ji),
-//  - or one side has symbols of its own and the equation becomes a true identity, not 0 = 0, when they are 0:
-//  a term too many (`H + \partial_tF = H` says that one vanishes: a condition),
+//  - or one side has symbols of its own, all in one term of a sum, and the equation becomes a true identity,
+//  not 0 = 0, when they are 0: a term too many (`(x - a)^2 + y^2 = a^2` is a circle, `H + \partial_tF = H`
+//  says that one vanishes: a condition),
 //  - or one side is 0 and the other a sum whose terms have the same degree in every symbol: a wrong Jacobi
 //  identity.
 #pragma once

@@ -8,6 +8,7 @@
 
 #include "check/digits.h"
 #include "check/local_kinds.h"
+#include "check/equation_of_letters.h"
 #include "check/missing_condition.h"
 #include "check/open_words.h"
 #include "check/prose_words.h"
@@ -372,6 +373,18 @@ void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& cl
   }
   refute_by_digits(parsed, claim, judgement);
   const bool stays_late = late && judgement.verdict == Verdict::refuted;
+  if (judgement.verdict == Verdict::refuted && which == 0 && parsed.written.relations.size() == 1 &&
+      !is_meant_for_all(tree_, names_, claim) && may_be_an_equation_of_letters(tree_, claim.equation) &&
+      !announces_an_identity(at.beside().lead)) {
+    const WrongStep wrong{.parsed = parsed, .which = which, .first_order = context.first_order};
+    if (names_an_equation_of_letters(at.beside().lead) ||
+        (!reads_as_identity(tree_, claim.equation) &&
+         nearest_true_statements(tree_, names_, wrong, options_.cache).empty()))
+      withdraw(DiagnosticKind::restricted,
+               "it does not hold for all values, no slip of the pen explains it, and it may say which values "
+               "are meant",
+               {"`rigor: claim …` states it for all, and so does `hence` or `identity` in its sentence"});
+  }
   const bool chooses_axes = judgement.verdict == Verdict::refuted && which == 0 &&
                             is_vector_by_components(tree_, claim.equation) &&
                             !is_meant_for_all(tree_, names_, claim);
