@@ -56,6 +56,8 @@ class Parser {
 
   // parser_brackets.cpp
   SyntaxId bracketed(Cursor& cursor);
+  [[nodiscard]] bool holds_one_letter(SyntaxId group) const;
+  [[nodiscard]] bool is_bold_letter(SyntaxId group) const;
   SyntaxId bars(Cursor& cursor);
   std::size_t outer_bar(const Cursor& cursor, std::size_t close);
   std::optional<SyntaxId> reversed_interval(Cursor& cursor);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "latex/differential.h"
 #include "latex/parser.h"
 
 namespace rigor {

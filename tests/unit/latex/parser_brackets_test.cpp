@@ -24,9 +24,9 @@ std::string repeated(const std::string& text, int count) {
 
 TEST_CASE("visible brackets are a group, braces are none") {
   CHECK(parsed("(a+b)c") == "(term (group (sum +a +b)) c)");
-  CHECK(parsed("[a]\\{b\\}") == "(term (group a) (group b))");
+  CHECK(parsed("[2a]\\{2b\\}") == "(term (group (term 2 a)) (group (term 2 b)))");
   CHECK(parsed("{a+b}c") == "(term (sum +a +b) c)");
-  CHECK(parsed("\\left(a\\right)\\bigl[b\\bigr]") == "(term (group a) (group b))");
+  CHECK(parsed("\\left(a\\right)\\bigl[2b\\bigr]") == "(term (group a) (group (term 2 b)))");
   CHECK(parsed("\\qty(a+b)c") == "(term (group (sum +a +b)) c)");
 }
 
@@ -136,4 +136,12 @@ TEST_CASE("a style over an expression is not read, over a zero it is") {
 TEST_CASE("words are not read as letters") {
   CHECK(parsed("\\text{torque}") == "<passed-over>");
   CHECK(parsed("\\mathrm{Re}\\,a") == "(term <unsupported> a)");
+}
+
+TEST_CASE("square brackets around one letter group nothing", "[parse]") {
+  CHECK(parsed("[a]") == "<ambiguous-reading>");
+  CHECK(parsed("[a_1^{-1}]b") == "(term <ambiguous-reading> b)");
+  CHECK(parsed("(a)") == "(group a)");
+  CHECK(parsed("[a^2]") == "(group (power a 2))");
+  CHECK(parsed("\\exp[a]") == "(exp a)");
 }
