@@ -91,6 +91,11 @@ Unknown DimensionRecorder::unknown_of(SymbolId symbol) {
   return made;
 }
 
+void DimensionRecorder::enter_section() {
+  ++section_;
+  if (record_.units.empty()) unknowns_.clear();
+}
+
 void DimensionRecorder::renew(SymbolId symbol) {
   if (declared_.contains(symbol) || is(symbol, {"t", 0, false})) return;
   unknowns_.erase(symbol);

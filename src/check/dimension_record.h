@@ -75,7 +75,8 @@ class DimensionRecorder {
   void declare(ExprId symbol, const Dimension& dimension, Span span, std::size_t directive);
   /// `frame`: an angular velocity turns by so much a time.
   void declare_angular_velocity(ExprId symbol);
-  void enter_section() { ++section_; }
+  /// Without `units` above it, letters of earlier sections are taken for other quantities.
+  void enter_section();
   /// The symbol is now the name of another quantity.
   void renew(SymbolId symbol);
 

@@ -414,8 +414,10 @@ class Judging {
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
       judgement_.verdict = Verdict::not_understood;
-      judgement_.diagnostics.push_back(
-          law_diagnostic(tree_, names_, claim_, law, !prepared_.assumptions.empty()));
+      const bool assumed =
+          std::any_of(prepared_.assumptions.begin(), prepared_.assumptions.end(),
+                      [](const NamedAssumption* each) { return each != nullptr && each->origin.directive; });
+      judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law, assumed));
       return;
     }
     prepared_.question.tree = &tree_;
