@@ -43,6 +43,7 @@ class Conditions {
     rates();
     numbers();
     vectors();
+    weights();
     for (const Symbol* scalar : of_rank(0, false)) add(scalar->name, true);
     return std::move(conditions_);
   }
@@ -133,6 +134,23 @@ class Conditions {
     }
   }
 
+  /// Probabilities and fractions: all of them, or two that are each other's rest.
+  void weights() {
+    for (const Symbol* weight : of_rank(0, true))
+      add(fmt::format("\\sum_{0} {1}_{0} = 1", particle_, weight->name));
+    const bool latin = particle_.size() == 1;
+    for (const Symbol* weight : of_rank(1, false)) {
+      if (latin && !is_vector_name(*weight))
+        add(fmt::format("\\sum_{0} {1}_{0} = 1", particle_, weight->name));
+    }
+    const std::vector<const Symbol*> scalars = of_rank(0, false);
+    if (scalars.size() > 4) return;
+    for (std::size_t a = 0; a < scalars.size(); ++a) {
+      for (std::size_t b = a + 1; b < scalars.size(); ++b)
+        given("{} + {} = 1", scalars[a]->name, scalars[b]->name);
+    }
+  }
+
   void vectors() {
     std::vector<const Symbol*> vectors = of_rank(1, false);
     std::erase_if(vectors, [](const Symbol* vector) { return !is_vector_name(*vector); });
@@ -204,6 +222,11 @@ class Search {
   }
 
   std::string particle_letter() const {
+    if (const auto at = written_.find("\\sum_"); at != std::string::npos && at + 5 < written_.size()) {
+      const std::string_view behind = std::string_view(written_).substr(at + 5);
+      if (behind[0] >= 'a' && behind[0] <= 'z') return std::string(behind.substr(0, 1));
+      if (behind.size() > 2 && behind[0] == '{' && behind[2] == '}') return std::string(behind.substr(1, 1));
+    }
     const auto& summed = names_.sightings.summed_greek;
     return summed.empty() ? "\\alpha" : *summed.begin();
   }
@@ -275,6 +298,15 @@ class Search {
 };
 
 }  // namespace
+
+bool is_sum_of_weights(const std::string& condition) {
+  if (!condition.starts_with("\\sum") || !condition.ends_with("= 1")) return false;
+  for (const std::string_view letter :
+       {" p_", " P_", " w_", " W_", " f_", " c_", " x_", " \\pi_", " \\lambda_", " \\rho_"}) {
+    if (condition.find(letter) != std::string::npos) return true;
+  }
+  return false;
+}
 
 std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& names, const WrongStep& wrong,
                                             DecisionCache* cache) {

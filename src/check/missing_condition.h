@@ -23,4 +23,7 @@ inline constexpr std::size_t most_conditions = 2;
                                                           const WrongStep& wrong,
                                                           DecisionCache* cache = nullptr);
 
+/// `\sum_i p_i = 1` of what can be a weight: pages of probabilities and fractions do not write it.
+[[nodiscard]] bool is_sum_of_weights(const std::string& condition);
+
 }  // namespace rigor

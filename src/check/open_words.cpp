@@ -52,7 +52,37 @@ std::optional<std::string> open_word_in(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<std::string> dropping_word_in(std::string_view text) {
+  static constexpr std::array<std::string_view, 18> stems{
+      "averag",      "incoherent",  "random",   "uncorrelated", "independent", "cancel",
+      "cross",       "drop",        "fluctuat", "washes",       "mean",        "integrates",
+      "statistical", "expectation", "noise",    "interference", "oscillat",    "ensemble"};
+  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    const std::string_view word = text.substr(at, end - at);
+    const bool drops =
+        word != "means" && word != "meaning" &&
+        std::any_of(stems.begin(), stems.end(), [&](auto stem) { return word.starts_with(stem); });
+    if (drops && (word != "cross" || text.substr(end).starts_with(" term"))) return std::string(word);
+    at = std::max(end, at + 1);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+std::optional<std::string> word_of_dropped_terms(const Prose& prose, std::size_t event) {
+  const ProseBeside& beside = prose.beside[event];
+  if (auto word = dropping_word_in(beside.lead)) return word;
+  if (auto word = dropping_word_in(beside.tail)) return word;
+  for (const ProseSentence& sentence : prose.sentences) {
+    const bool before = sentence.number + 1 == beside.sentence && sentence.place == beside.place;
+    if (before) return dropping_word_in(sentence.text);
+  }
+  return std::nullopt;
+}
 
 std::optional<std::string> open_word(const Prose& prose, std::size_t event) {
   const ProseBeside& beside = prose.beside[event];

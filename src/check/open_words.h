@@ -14,4 +14,8 @@ namespace rigor {
 /// before it in the same section.
 [[nodiscard]] std::optional<std::string> open_word(const Prose& prose, std::size_t event);
 
+/// "averaging", "incoherent", "the cross terms cancel": of its sentence, or of the sentence directly above
+/// it. Terms that are not written may be dropped.
+[[nodiscard]] std::optional<std::string> word_of_dropped_terms(const Prose& prose, std::size_t event);
+
 }  // namespace rigor

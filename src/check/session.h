@@ -121,9 +121,9 @@ class Session {
   void declare_use(const Directive& directive);
   void heed(const ParsedChain& parsed, std::size_t which, const Claim& claim, const Side& left,
             const Side& right, const Context& context, Judgement& judgement);
-  std::optional<std::pair<std::string, std::string>> condition_left_open(const ParsedChain& parsed,
-                                                                         std::size_t which,
-                                                                         const Context& context);
+  std::optional<std::pair<std::string, std::string>> doubt_left(const ParsedChain& parsed, std::size_t which,
+                                                                const Claim& claim, const Context& context);
+  bool speaks_of_integration() const;
   [[nodiscard]] bool is_late_definition(const Typed& left, const Typed& right) const;
   std::optional<std::string> letter_borrowed_for(const ParsedChain& parsed, std::size_t which,
                                                  const Claim& claim);

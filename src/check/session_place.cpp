@@ -8,9 +8,6 @@
 
 #include "check/digits.h"
 #include "check/local_kinds.h"
-#include "check/equation_of_letters.h"
-#include "check/missing_condition.h"
-#include "check/open_words.h"
 #include "check/prose_words.h"
 #include "check/session.h"
 #include "check/unread.h"
@@ -308,23 +305,6 @@ std::optional<std::string> Session::letter_borrowed_for(const ParsedChain& parse
   return std::nullopt;
 }
 
-/// A usual condition that makes the step true, and a word beside it that may name it. Where the step is also
-/// true with another sign, factor or letter, that is likelier.
-std::optional<std::pair<std::string, std::string>> Session::condition_left_open(const ParsedChain& parsed,
-                                                                                std::size_t which,
-                                                                                const Context& context) {
-  auto word = open_word(notes_.prose, event_);
-  if (!word) return std::nullopt;
-  const WrongStep wrong{.parsed = parsed, .which = which, .first_order = context.first_order};
-  auto conditions = missing_conditions(tree_, names_, wrong, options_.cache);
-  if (conditions.empty()) return std::nullopt;
-  const std::vector<Repair> repairs = nearest_true_statements(tree_, names_, wrong, options_.cache);
-  const bool slip =
-      std::any_of(repairs.begin(), repairs.end(), [](const Repair& repair) { return !repair.adds_a_term; });
-  if (slip) return std::nullopt;
-  return std::pair(std::move(conditions.front()), *std::move(word));
-}
-
 /// A refutation that rests on what is not said for this place is taken back; laws are kept for later.
 void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& claim, const Side& left,
                    const Side& right, const Context& context, Judgement& judgement) {
@@ -364,27 +344,11 @@ void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& cl
                {fmt::format("`rigor: use {}` says that it is meant so here, too", *letter)});
   }
   if (judgement.verdict == Verdict::refuted && !is_meant_for_all(tree_, names_, claim)) {
-    if (const auto condition = condition_left_open(parsed, which, context)) {
-      withdraw(DiagnosticKind::restricted,
-               fmt::format("it does not hold for all values; it holds if `{}`, and `{}` beside it may say so",
-                           condition->first, condition->second),
-               {"`rigor: given …` says so, `rigor: claim …` states it without"});
-    }
+    if (auto doubt = doubt_left(parsed, which, claim, context))
+      withdraw(DiagnosticKind::restricted, std::move(doubt->first), {std::move(doubt->second)});
   }
   refute_by_digits(parsed, claim, judgement);
   const bool stays_late = late && judgement.verdict == Verdict::refuted;
-  if (judgement.verdict == Verdict::refuted && which == 0 && parsed.written.relations.size() == 1 &&
-      !is_meant_for_all(tree_, names_, claim) && may_be_an_equation_of_letters(tree_, claim.equation) &&
-      !announces_an_identity(at.beside().lead)) {
-    const WrongStep wrong{.parsed = parsed, .which = which, .first_order = context.first_order};
-    if (names_an_equation_of_letters(at.beside().lead) ||
-        (!reads_as_identity(tree_, claim.equation) &&
-         nearest_true_statements(tree_, names_, wrong, options_.cache).empty()))
-      withdraw(DiagnosticKind::restricted,
-               "it does not hold for all values, no slip of the pen explains it, and it may say which values "
-               "are meant",
-               {"`rigor: claim …` states it for all, and so does `hence` or `identity` in its sentence"});
-  }
   const bool chooses_axes = judgement.verdict == Verdict::refuted && which == 0 &&
                             is_vector_by_components(tree_, claim.equation) &&
                             !is_meant_for_all(tree_, names_, claim);
