@@ -4,11 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "check/chain_reading.h"
 #include "elaborate/possible_ranks.h"
+#include "latex/vocabulary.h"
 
 namespace rigor {
 namespace {
@@ -44,6 +50,82 @@ std::optional<OpenPart> angle(const WrittenChain& written) {
   return OpenPart{found->span, fmt::format("`{}` can be a bracket", found->text)};
 }
 
+bool holds(const SyntaxTree& syntax, SyntaxId root, const std::function<bool(SyntaxId)>& is_it) {
+  std::vector<SyntaxId> pending{root};
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    if (is_it(id)) return true;
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  }
+  return false;
+}
+
+/// `\mathbf x \ge \mathbf 0`, `\mathbf x < 1`: in each component.
+std::optional<OpenPart> order_of_components(const SyntaxTree& syntax, const Names& names,
+                                            const ParsedChain& parsed, std::size_t which) {
+  const WrittenRelation& relation = parsed.written.relations[which];
+  if (!is_order(relation.kind) || relation.kind == RelationKind::unequal) return std::nullopt;
+  const Letters letters = read_letters(syntax, parsed.sides, names);
+  for (const SyntaxId side : {parsed.sides[which], parsed.sides[which + 1]}) {
+    std::vector<OpenPart> open;
+    const bool vector = (possible_ranks(syntax, side, letters, names, open) & 0b0010) != 0;
+    if (!vector && syntax[side].kind != SyntaxKind::number) return std::nullopt;
+  }
+  return OpenPart{relation.span, "an order of vectors can be meant in each component"};
+}
+
+/// `A = (l, 0, 0)`, `X = \{a, b\}`, `\tau^3 = …` of a plain letter, whatever is bold elsewhere; `(a_m)_j` of
+/// a vector with a number.
+std::optional<OpenPart> open_letter(const SyntaxTree& syntax, const Names& names, const ParsedChain& parsed,
+                                    std::size_t which) {
+  for (const auto& [one, other] : {std::pair(which, which + 1), std::pair(which + 1, which)}) {
+    SyntaxId alone = parsed.sides[one];
+    if (syntax[alone].kind == SyntaxKind::power) alone = syntax.child(alone, 0);
+    const SyntaxKind kind = syntax[parsed.sides[other]].kind;
+    const bool table = kind == SyntaxKind::tuple || kind == SyntaxKind::matrix;
+    if (!table || syntax[alone].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = syntax.symbol(alone);
+    const bool declared = names.is_declared({symbol.letter, 0, false});
+    if (symbol.face != Face::plain || !symbol.lower.empty() || declared) continue;
+    return OpenPart{syntax[alone].span, fmt::format("`{}` can be a point, a set or a matrix", symbol.letter)};
+  }
+  std::optional<OpenPart> found;
+  for (const std::size_t side : {which, which + 1}) {
+    holds(syntax, parsed.sides[side], [&](SyntaxId id) {
+      if (syntax[id].kind != SyntaxKind::component) return false;
+      SyntaxId inside = syntax.child(id, 0);
+      if (syntax[inside].kind == SyntaxKind::group) inside = syntax.child(inside, 0);
+      const bool labelled = syntax[inside].kind == SyntaxKind::symbol && !syntax.symbol(inside).lower.empty();
+      if (labelled) found = OpenPart{syntax[inside].span, "this can be one vector of several"};
+      return labelled;
+    });
+  }
+  return found;
+}
+
+/// `I_{Cij}`: a label and indices in one subscript.
+std::optional<OpenPart> open_subscript(const SyntaxTree& syntax, const ParsedChain& parsed,
+                                       std::size_t which) {
+  std::optional<OpenPart> found;
+  for (const std::size_t side : {which, which + 1}) {
+    holds(syntax, parsed.sides[side], [&](SyntaxId id) {
+      if (syntax[id].kind != SyntaxKind::symbol) return false;
+      const std::vector<WrittenIndex>& lower = syntax.symbol(id).lower;
+      for (const WrittenIndex& index : lower) {
+        const bool capital = lower.size() > 1 && index.form == IndexForm::letter && index.text.size() == 1 &&
+                             index.text[0] >= 'A' && index.text[0] <= 'Z';
+        if (capital) found = OpenPart{index.span, fmt::format("`{}` can be a label", index.text)};
+        const bool word = index.form == IndexForm::word && !is_subscript_word(index.text) &&
+                          index.text.find_first_of("ijklmn") != std::string::npos;
+        if (word) found = OpenPart{index.span, fmt::format("`{}` can hold a label and indices", index.text)};
+      }
+      return found.has_value();
+    });
+  }
+  return found;
+}
+
 /// Numbers have an order, and symmetric matrices.
 bool has_order(RankSet ranks) { return (ranks & 0b0101) != 0; }
 
@@ -65,6 +147,18 @@ std::optional<OpenPart> open_rank(const SyntaxTree& syntax, const Names& names, 
 }
 
 }  // namespace
+
+bool can_be_labels(const SyntaxTree& syntax, const ParsedChain& parsed, std::size_t which) {
+  std::array<std::set<std::string>, 2> letters;
+  for (const std::size_t k : {0, 1}) {
+    holds(syntax, parsed.sides[which + k], [&](SyntaxId id) {
+      if (syntax[id].kind != SyntaxKind::symbol) return false;
+      for (const WrittenIndex& index : syntax.symbol(id).lower) letters[k].insert(index.text);
+      return false;
+    });
+  }
+  return letters[0] == letters[1];
+}
 
 bool is_malformation(DiagnosticKind kind) {
   switch (kind) {
@@ -92,8 +186,14 @@ void doubt_errors(const SyntaxTree& syntax, const Names& names, const ParsedChai
     const bool broken =
         diagnostic.kind == DiagnosticKind::unbalanced || diagnostic.kind == DiagnosticKind::bad_syntax;
     if (!open && broken) open = angle(parsed.written);
-    if (!open && diagnostic.kind == DiagnosticKind::rank_mismatch && which + 1 < parsed.sides.size())
-      open = open_rank(syntax, names, parsed, which);
+    const bool step = which + 1 < parsed.sides.size();
+    if (!open && step && diagnostic.kind == DiagnosticKind::rank_mismatch) {
+      open = order_of_components(syntax, names, parsed, which);
+      if (!open) open = open_letter(syntax, names, parsed, which);
+      if (!open) open = open_rank(syntax, names, parsed, which);
+    }
+    if (!open && step && diagnostic.kind == DiagnosticKind::free_index_mismatch)
+      open = open_subscript(syntax, parsed, which);
     if (!open) continue;
     diagnostic.kind = broken ? DiagnosticKind::unsupported : DiagnosticKind::ambiguous_reading;
     diagnostic.message += ", if the row is read rightly: " + open->doubt;

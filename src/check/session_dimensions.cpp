@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the walk through the notes tells the dimensions of, and when they are solved.
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "check/dimensions.h"
 #include "check/session.h"
@@ -11,6 +13,40 @@ namespace {
 /// Relations between quantities of one dimension.
 bool compares(RelationKind kind) {
   return kind != RelationKind::other && kind != RelationKind::implies && kind != RelationKind::demanded;
+}
+
+/// `x(\SI{7.6}{s})`: a value at that time, or a product.
+bool takes_measured_argument(const SyntaxTree& syntax, std::span<const SyntaxChild> factors) {
+  for (std::size_t k = 1; k < factors.size(); ++k) {
+    const bool beside = factors[k].joint == Joint::juxtaposed &&
+                        syntax[factors[k - 1].id].kind == SyntaxKind::symbol &&
+                        syntax[factors[k].id].kind == SyntaxKind::group;
+    if (!beside) continue;
+    bool unit = false;
+    bool other = false;
+    std::vector<SyntaxId> pending(1, factors[k].id);
+    while (!pending.empty()) {
+      const SyntaxId id = pending.back();
+      pending.pop_back();
+      unit = unit || syntax[id].kind == SyntaxKind::unit;
+      other = other || syntax[id].kind == SyntaxKind::symbol || syntax[id].kind == SyntaxKind::sum;
+      for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    }
+    if (unit && !other) return true;
+  }
+  return false;
+}
+
+bool has_measured_argument(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
+  std::vector<SyntaxId> pending(sides.begin(), sides.end());
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    if (syntax[id].kind == SyntaxKind::term && takes_measured_argument(syntax, syntax.children(id)))
+      return true;
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  }
+  return false;
 }
 
 }  // namespace
@@ -31,6 +67,7 @@ void Session::record_dimensions(const ParsedChain& parsed, ChainReading& reading
                                 std::size_t first_step) {
   const auto guess = reading.elaborator().guess();
   if (guess && guess->kind == DiagnosticKind::ambiguous_reading) return;
+  if (has_measured_argument(notes_.syntax, parsed.sides)) return;
   const bool where = context.role == Role::given &&
                      std::find(wheres_.begin(), wheres_.end(), context.directive) != wheres_.end();
   const bool local = where || context.role == Role::claim;

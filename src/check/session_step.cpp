@@ -220,9 +220,13 @@ void Session::decide_step(const ParsedChain& parsed, std::size_t which, ChainRea
   heed(parsed, which, *claim, left, right, context, judgement);
   if (options_.forms != nullptr) options_.forms->note(relation.span, judgement);
   if (judgement.verdict == Verdict::refuted && !reading.how().unsummed.empty()) {
-    step.diagnostics = {{DiagnosticKind::free_index_mismatch, relation.span,
-                         fmt::format("index `{}` is free on one side and summed on the other",
-                                     *reading.how().unsummed.begin())}};
+    const std::string& index = *reading.how().unsummed.begin();
+    const bool labels = can_be_labels(notes_.syntax, parsed, which);
+    step.diagnostics = {
+        {labels ? DiagnosticKind::ambiguous_reading : DiagnosticKind::free_index_mismatch, relation.span,
+         labels ? fmt::format("`{}` can be a label of both sides, or a free index of one side only", index)
+                : fmt::format("index `{}` is free on one side and summed on the other", index)}};
+    if (labels) step.verdict = Verdict::not_understood;
     return;
   }
   const Op op = tree_[left.typed->id].op;

@@ -154,8 +154,18 @@ bool holds_a_vector(const SyntaxTree& syntax, SyntaxId root) {
   return found;
 }
 
+/// How often each letter stands in a subscript.
+using IndexCounts = std::map<std::string, int>;
+
+/// `a_n` beside `\mathbf a`: the normal component as well as one of three, unless n stands there twice.
+bool may_label(const std::string& letter, const IndexCounts& counts) {
+  const auto found = counts.find(letter);
+  return letter != "i" && letter != "j" && letter != "k" && found != counts.end() && found->second == 1;
+}
+
 /// Letters that are indices by what they stand on alone.
-void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, std::set<std::string>& sure) {
+void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, const IndexCounts& counts,
+               std::set<std::string>& sure) {
   const SyntaxKind kind = syntax[id].kind;
   std::vector<std::string> found;
   if (kind == SyntaxKind::term) find_repeated_components(syntax, id, sure);
@@ -174,8 +184,8 @@ void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, std::s
     const std::string base = letter_with_marks(symbol);
     const int rank = static_cast<int>(own.size());
     const bool declared = names.is_declared({base, rank, false}) || names.is_declared({base, rank, true});
-    const bool component =
-        symbol.face == Face::plain && own.size() == 1 && names.evidence.vectors.contains(base);
+    const bool component = symbol.face == Face::plain && own.size() == 1 &&
+                           names.evidence.vectors.contains(base) && !may_label(own[0], counts);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol) || declared || component)
       found = own;
   }
@@ -187,7 +197,12 @@ void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, std::s
 /// A symbol that carries one index for sure carries no labels beside it, nor elsewhere in the statement.
 void read_sure(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names,
                Letters& letters) {
-  for_each_node(syntax, sides, [&](SyntaxId id) { find_sure(syntax, id, names, letters.sure); });
+  IndexCounts counts;
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    for (const std::string& letter : latin_letters(syntax.symbol(id).lower)) ++counts[letter];
+  });
+  for_each_node(syntax, sides, [&](SyntaxId id) { find_sure(syntax, id, names, counts, letters.sure); });
   std::set<std::string> indexed;
   for (bool grown = true; grown;) {
     const std::size_t before = letters.sure.size() + indexed.size();

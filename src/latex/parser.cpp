@@ -176,9 +176,7 @@ SyntaxId Parser::term(Cursor& cursor) {
   }
   if (measured && factors.empty()) return tree_.add_text(SyntaxKind::number, joint_span, "1");
   if (joint == Joint::dot || joint == Joint::cross || joint == Joint::slash || factors.empty()) {
-    factors.push_back(
-        {opaque(joint_span, "an operand is missing behind this sign", DiagnosticKind::bad_syntax), joint,
-         joint_span});
+    factors.push_back({missing_operand(joint, joint_span, factors), joint, joint_span});
   }
   divide_by_all_behind(cursor.tokens, factors);
   if (factors.size() == 1) return factors[0].id;

@@ -39,6 +39,7 @@ class Parser {
  private:
   SyntaxId term(Cursor& cursor);
   void divide_by_all_behind(TokenView tokens, std::vector<SyntaxChild>& factors);
+  SyntaxId missing_operand(Joint joint, Span place, std::span<const SyntaxChild> before);
   SyntaxId factor(Cursor& cursor);
   SyntaxId signed_factor(Cursor& cursor);
   SyntaxId primary(Cursor& cursor);

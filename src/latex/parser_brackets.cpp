@@ -241,6 +241,15 @@ SyntaxId Parser::bracket_contents(TokenView content, Span span) {
   return tree_.add(entries.size() == 1 ? SyntaxKind::group : SyntaxKind::tuple, span, entries);
 }
 
+/// `\boldsymbol\omega\times` is the matrix that takes the cross product.
+SyntaxId Parser::missing_operand(Joint joint, Span place, std::span<const SyntaxChild> before) {
+  const bool matrix = joint == Joint::cross && !before.empty() &&
+                      tree_[before.back().id].kind == SyntaxKind::symbol &&
+                      tree_.symbol(before.back().id).face == Face::vector;
+  if (matrix) return opaque(place, "the matrix of a cross product is not read");
+  return opaque(place, "an operand is missing behind this sign", DiagnosticKind::bad_syntax);
+}
+
 SyntaxId Parser::bars(Cursor& cursor) {
   const Token open = cursor.token();
   const bool sized = is_control(open, "lvert") || is_control(open, "lVert");
@@ -382,6 +391,10 @@ SyntaxId Parser::matrix(TokenView body, Span span, bool determinant) {
     columns = in_row;
     in_row = 0;
   }
+  const bool dots = std::any_of(body.begin(), body.end(), [](const Token& token) {
+    return token.kind == TokenKind::control && token.text.ends_with("dots");
+  });
+  if (ragged && dots) return opaque(span, "a matrix with dots is not read");
   if (ragged || entries.empty())
     return opaque(span, "the rows of this matrix have different lengths", DiagnosticKind::bad_syntax);
   if (determinant) return tree_.add(SyntaxKind::determinant, span, entries, columns);
