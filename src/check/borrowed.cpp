@@ -8,8 +8,10 @@
 
 #include "check/decision_cache.h"
 #include "check/law_diagnostic.h"
+#include "check/number_words.h"
 #include "check/one_direction.h"
 #include "check/prose_words.h"
+#include "check/rehearsal.h"
 #include "check/restrictions.h"
 #include "expr/differentiate.h"
 
@@ -24,19 +26,6 @@ bool is_open(const Judgement& judgement) {
                                });
   return law || judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided;
 }
-
-/// Puts the names back as they were.
-class Rehearsal {
- public:
-  explicit Rehearsal(Names& names) : names_(names), before_(names.scene()) {}
-  ~Rehearsal() { names_.replace(std::move(before_)); }
-  Rehearsal(const Rehearsal&) = delete;
-  Rehearsal& operator=(const Rehearsal&) = delete;
-
- private:
-  Names& names_;
-  Names::Scene before_;
-};
 
 /// The letters that it leads to, definitions unfolded.
 std::set<SymbolId> letters_of(const ExprTree& tree, const Names& names, const Equation& equation) {
@@ -70,6 +59,10 @@ class Heeding {
     if (!is_open(judgement_) || claim_.recorded != nullptr) return std::move(judgement_);
     const std::vector<const Fact*> bearing = facts_that_bear();
     if (proves_with(bearing) || judgement_.verdict != Verdict::refuted) return std::move(judgement_);
+    if (is_of_numbers()) {
+      restricted_as_numbers();
+      return std::move(judgement_);
+    }
     if (restricted_by_words() || holds_with(bearing) || rests_on_borrowed() ||
         restricted_by_what_stands_around() || restricted_to_one_direction())
       return std::move(judgement_);
@@ -151,6 +144,7 @@ class Heeding {
   bool restricted_by_words() {
     auto word = word_that_demands(at_.beside().lead);
     if (!word) word = word_of_a_special_case(sentence_);
+    if (!word) word = at_.denied;
     if (word) return restricted_by(*word, "its sentence");
     if (!is_meant_for_all()) {
       word = word_of_a_special_heading(at_.heading);  // "Incompressible flow"
@@ -162,6 +156,35 @@ class Heeding {
              fmt::format("it does not hold for all values, and `{}` beside it is not read", at_.unread), {},
              {"`rigor: claim …` states it for itself"});
     return true;
+  }
+
+  bool is_of_numbers() const {
+    std::vector<ExprId> pending{claim_.equation.left, claim_.equation.right};
+    while (!pending.empty()) {
+      const ExprNode& node = tree_[pending.back()];
+      const std::span<const ExprId> children = tree_.children(pending.back());
+      pending.pop_back();
+      pending.insert(pending.end(), children.begin(), children.end());
+      const bool letter = node.op == Op::symbol && !tree_.symbols[node.symbol].unit_of_measure;
+      if (letter || node.rank > 0 || node.slot_count > 0) return false;
+    }
+    return true;
+  }
+
+  /// `70/24 = 36/12`, `\mathrm{1\,h} = \mathrm{100\,min}`.
+  void restricted_as_numbers() {
+    auto word = word_that_demands(at_.beside().lead);
+    if (!word) word = at_.denied;
+    if (!word) word = word_on_numbers(sentence_);
+    if (word) {
+      restricted_by(*word, "its sentence");
+    } else if (const std::string& arithmetic = names_.evidence.other_arithmetic; !arithmetic.empty()) {
+      restricted_by(arithmetic, "its section");
+    } else if (auto heading = word_on_numbers(at_.heading)) {
+      restricted_by(*heading, "its heading");
+    } else if (at_.around) {
+      if (const auto around = word_on_numbers(at_.around->word)) restricted_by(*around, at_.around->where);
+    }
   }
 
   /// By what is not among the closed lists of words: it is asked last, since the others say more.

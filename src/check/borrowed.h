@@ -43,10 +43,11 @@ struct Standpoint {
   const Prose& prose;
   std::size_t event = 0;
   const std::vector<UseDirective>& uses;
-  std::vector<Fact> facts;                // that may bear on it
-  std::string heading;                    // of its section, in small letters
-  std::string unread;                     // a relation of its sentence that shares a letter and was not read
-  std::optional<SaidAround> around = {};  // what sentences around it, or its tag, may restrict it by
+  std::vector<Fact> facts;                 // that may bear on it
+  std::string heading;                     // of its section, in small letters
+  std::string unread;                      // a relation of its sentence that shares a letter and was not read
+  std::optional<SaidAround> around = {};   // what sentences around it, or its tag, may restrict it by
+  std::optional<std::string> denied = {};  // the word by which the page says that it does not hold
   [[nodiscard]] const ProseBeside& beside() const { return prose.beside[event]; }
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace rigor {
@@ -215,21 +216,63 @@ bool restricts_behind_for(const Words& words, std::size_t at) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::array<std::string_view, 36> denying{
+    "mistake",       "mistakes",     "mistaken",  "wrong",         "wrongly",     "incorrect",
+    "incorrectly",   "false",        "falsely",   "untrue",        "believe",     "believes",
+    "tempting",      "myth",         "beware",    "misconception", "fails",       "fail",
+    "failed",        "disprove",     "disproves", "disproved",     "contradict",  "contradicts",
+    "contradicting", "contradicted", "absurd",    "erroneous",     "erroneously", "invalid",
+    "nonsense",      "naive",        "naively",   "misleading",    "refuted",     "refutes"};
+
+/// "no longer true", "common error", "often write", "cannot hold", "not true".
+std::optional<std::string> denial_of_two_words(const Words& words, std::size_t at) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> pairs{
+      {{"not", "true"},       {"not", "correct"},    {"not", "right"},       {"not", "valid"},
+       {"not", "hold"},       {"cannot", "hold"},    {"cannot", "be"},       {"never", "holds"},
+       {"never", "true"},     {"longer", "true"},    {"longer", "holds"},    {"longer", "valid"},
+       {"longer", "correct"}, {"longer", "hold"},    {"common", "error"},    {"often", "write"},
+       {"often", "written"},  {"students", "write"}, {"beginners", "write"}, {"people", "write"},
+       {"typical", "error"}}};
+  const std::pair<std::string_view, std::string_view> here{words[at], word_at(words, at + 1)};
+  if (std::find(pairs.begin(), pairs.end(), here) == pairs.end()) return std::nullopt;
+  return std::string(here.first) + " " + std::string(here.second);
+}
+
+/// "no mistake", "not wrong", "avoid mistakes"; "wrong to think", "a wrong sign".
+bool denies_nothing(const Words& words, std::size_t at) {
+  static constexpr std::array<std::string_view, 10> before{
+      "no", "not", "nothing", "never", "avoid", "avoids", "avoiding", "without", "isn't", "hardly"};
+  static constexpr std::array<std::string_view, 6> behind{"to",  "sign",      "signs",
+                                                          "way", "direction", "answer"};
+  return (at > 0 && is_one_of(words[at - 1], before)) ||
+         (at > 1 && words[at - 1] == "a" && is_one_of(words[at - 2], before)) ||
+         (words[at] != "tempting" && words[at] != "fails" && is_one_of(word_at(words, at + 1), behind));
+}
+
+}  // namespace
+
+std::optional<std::string> word_that_denies(std::string_view text) {
+  const Words words = words_of(text);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one_of(words[k], denying) && !denies_nothing(words, k)) return std::string(words[k]);
+    if (auto both = denial_of_two_words(words, k)) return both;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> word_that_demands(std::string_view lead) {
-  static constexpr std::array<std::string_view, 52> demanding{
-      "if",        "when",          "whenever",  "suppose",   "supposing",   "let",
-      "require",   "requires",      "requiring", "condition", "conditions",  "satisfy",
-      "satisfies", "satisfying",    "satisfied", "solve",     "solves",      "solving",
-      "solved",    "demand",        "demands",   "demanding", "assume",      "assumes",
-      "assuming",  "assumed",       "unless",    "provided",  "impose",      "imposes",
-      "imposing",  "want",          "wants",     "seek",      "mistake",     "mistakes",
-      "mistaken",  "wrong",         "wrongly",   "incorrect", "incorrectly", "false",
-      "falsely",   "untrue",        "believe",   "believes",  "tempting",    "myth",
-      "beware",    "misconception", "fails",     "disprove"};
+  static constexpr std::array<std::string_view, 36> demanding{
+      "if",        "when",      "whenever",   "suppose",  "supposing", "let",        "require",   "requires",
+      "requiring", "condition", "conditions", "satisfy",  "satisfies", "satisfying", "satisfied", "solve",
+      "solves",    "solving",   "solved",     "demand",   "demands",   "demanding",  "assume",    "assumes",
+      "assuming",  "assumed",   "unless",     "provided", "impose",    "imposes",    "imposing",  "want",
+      "wants",     "seek",      "seeks",      "seeking"};
   const Words words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
     if (words[k] == "let" && word_at(words, k + 1) == "us") continue;
-    if (is_one_of(words[k], demanding)) return std::string(words[k]);
+    if (is_one_of(words[k], demanding) || is_one_of(words[k], denying)) return std::string(words[k]);
     if (words[k] == "not" && word_at(words, k + 1) == "true") return "not true";
   }
   return std::nullopt;
@@ -269,13 +312,18 @@ std::optional<std::string> word_of_a_case(std::string_view sentence) {
   return std::nullopt;
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 34> announcing{
+    "therefore", "hence",  "so",       "thus",      "follows",   "find",       "finds",
+    "gives",     "give",   "giving",   "yields",    "yield",     "obtain",     "obtains",
+    "get",       "gets",   "becomes",  "become",    "implies",   "imply",      "consequently",
+    "then",      "equals", "equal",    "conclude",  "rewritten", "simplifies", "reduces",
+    "shows",     "means",  "expanded", "expanding", "ie",        "accordingly"};
+
+}  // namespace
+
 bool announces_a_conclusion(std::string_view lead) {
-  static constexpr std::array<std::string_view, 34> announcing{
-      "therefore", "hence",  "so",       "thus",      "follows",   "find",       "finds",
-      "gives",     "give",   "giving",   "yields",    "yield",     "obtain",     "obtains",
-      "get",       "gets",   "becomes",  "become",    "implies",   "imply",      "consequently",
-      "then",      "equals", "equal",    "conclude",  "rewritten", "simplifies", "reduces",
-      "shows",     "means",  "expanded", "expanding", "ie",        "accordingly"};
   const Words words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
     if (is_one_of(words[k], announcing)) return true;
@@ -283,6 +331,79 @@ bool announces_a_conclusion(std::string_view lead) {
     if (words[k] == "i" && word_at(words, k + 1) == "e") return true;
   }
   return false;
+}
+
+bool has_own_words(std::string_view lead) {
+  static constexpr std::array<std::string_view, 66> pointing{"we",
+                                                             "this",
+                                                             "it",
+                                                             "which",
+                                                             "that",
+                                                             "now",
+                                                             "finally",
+                                                             "and",
+                                                             "is",
+                                                             "are",
+                                                             "be",
+                                                             "can",
+                                                             "to",
+                                                             "the",
+                                                             "from",
+                                                             "by",
+                                                             "of",
+                                                             "in",
+                                                             "as",
+                                                             "result",
+                                                             "results",
+                                                             "equation",
+                                                             "equations",
+                                                             "expression",
+                                                             "these",
+                                                             "those",
+                                                             "two",
+                                                             "both",
+                                                             "us",
+                                                             "one",
+                                                             "have",
+                                                             "has",
+                                                             "e",
+                                                             "i",
+                                                             "$",
+                                                             "combining",
+                                                             "inserting",
+                                                             "substituting",
+                                                             "substitution",
+                                                             "using",
+                                                             "simplifying",
+                                                             "rearranging",
+                                                             "rearranged",
+                                                             "solving",
+                                                             "dividing",
+                                                             "multiplying",
+                                                             "integrating",
+                                                             "differentiating",
+                                                             "adding",
+                                                             "subtracting",
+                                                             "putting",
+                                                             "together",
+                                                             "above",
+                                                             "at",
+                                                             "once",
+                                                             "immediately",
+                                                             "also",
+                                                             "just",
+                                                             "written",
+                                                             "write",
+                                                             "into",
+                                                             "because",
+                                                             "since",
+                                                             "must",
+                                                             "directly",
+                                                             "definition"};
+  const Words words = words_of(lead);
+  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+    return !is_one_of(word, announcing) && !is_one_of(word, pointing);
+  });
 }
 
 }  // namespace rigor

@@ -23,6 +23,9 @@ namespace rigor {
 
 /// "if", "suppose", "let", "require", "solve" …: what follows is no claim. The first such word.
 [[nodiscard]] std::optional<std::string> word_that_demands(std::string_view lead);
+/// "wrong", "incorrect", "a common error", "often write", "contradicts": what stands there is said not to
+/// hold. Not "it is wrong to think", "no mistake". The first such word.
+[[nodiscard]] std::optional<std::string> word_that_denies(std::string_view words);
 /// "plane", "acute", "constant", "for a sphere": a case that even an equation without definitions may be
 /// about.
 [[nodiscard]] std::optional<std::string> word_of_a_special_case(std::string_view sentence);
@@ -33,5 +36,8 @@ namespace rigor {
 [[nodiscard]] std::optional<std::string> word_of_a_case(std::string_view sentence);
 /// "therefore", "hence", "we find", "gives", "i.e.": what follows is concluded.
 [[nodiscard]] bool announces_a_conclusion(std::string_view lead);
+/// Does it name anything of its own, as "going down, so" and "the plate then gives" do, and "this gives" and
+/// "we therefore find" do not?
+[[nodiscard]] bool has_own_words(std::string_view lead);
 
 }  // namespace rigor

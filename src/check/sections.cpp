@@ -25,6 +25,14 @@ bool names_section(const std::string& word) {
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return word == name; });
 }
 
+/// What holds in a theorem holds outside of it.
+bool is_example(std::string_view name) {
+  static constexpr std::array<std::string_view, 5> names{"exercise", "example", "problem", "question",
+                                                         "task"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](std::string_view each) { return name.starts_with(each); });
+}
+
 /// `**Exercise 3.** …`, `\textbf{Example:} …`: does a paragraph begin with the name of a section?
 bool begins_named(std::string_view line) {
   constexpr std::string_view bold = "\\textbf{";
@@ -77,13 +85,22 @@ bool Sections::reaches(std::size_t from, std::size_t at) const {
   return at == from;
 }
 
-std::size_t Sections::open_in(std::size_t parent) {
+bool Sections::leaves_an_example(std::size_t from, std::size_t at) const {
+  for (; from != 0 && !reaches(from, at); from = parents_[from]) {
+    if (examples_[from]) return true;
+  }
+  return false;
+}
+
+std::size_t Sections::open_in(std::size_t parent, bool example) {
   parents_.push_back(parent);
+  examples_.push_back(example);
   return parents_.size() - 1;
 }
 
 void SectionWalk::open(Kind kind, std::size_t depth, std::string name) {
-  open_.push_back({kind, sections_.open_in(here()), depth, std::move(name)});
+  const bool example = kind == Kind::named || is_example(name);
+  open_.push_back({kind, sections_.open_in(here(), example), depth, std::move(name)});
 }
 
 bool SectionWalk::close(Kind kind, std::string_view name) {

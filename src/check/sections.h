@@ -20,11 +20,14 @@ class Sections {
 
   /// Is what is said at `from` said for `at`: is `from` the same section, or one around it?
   [[nodiscard]] bool reaches(std::size_t from, std::size_t at) const;
+  /// Does an example or an exercise stand between: what is said at `from`, in it, is said for it alone?
+  [[nodiscard]] bool leaves_an_example(std::size_t from, std::size_t at) const;
   /// A new section inside another.
-  std::size_t open_in(std::size_t parent);
+  std::size_t open_in(std::size_t parent, bool example = false);
 
  private:
   std::vector<std::size_t> parents_{0};
+  std::vector<bool> examples_{false};
 };
 
 /// Follows the text of notes from heading to heading and from display to display.

@@ -109,6 +109,8 @@ class Session {
                Step& step);
   bool redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left, const Typed& right,
                  const Context& context, Step& step);
+  [[nodiscard]] bool concludes(const NamedDefinition& earlier) const;
+  [[nodiscard]] bool is_denied(const Context& context) const;
   bool takes_apart(const ParsedChain& parsed, const Typed& left, const Typed& right, const Context& context,
                    Step& step);
   std::vector<Label> earlier_place(const NamedDefinition& earlier) const;
@@ -128,6 +130,7 @@ class Session {
   std::optional<std::string> letter_borrowed_for(const ParsedChain& parsed, std::size_t which,
                                                  const Claim& claim);
   [[nodiscard]] bool is_conditional() const;
+  [[nodiscard]] bool is_of_a_case() const;
   [[nodiscard]] bool is_alternative(const ParsedChain& parsed) const;
   [[nodiscard]] std::vector<const ParsedChain*> conditions_beside(const ParsedChain& parsed) const;
   [[nodiscard]] bool is_condition_beside(const ParsedChain& parsed) const;

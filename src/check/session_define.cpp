@@ -7,11 +7,14 @@
 
 #include "check/contradiction.h"
 #include "check/decomposition.h"
+#include "check/denial.h"
 #include "check/prose_words.h"
 #include "check/session.h"
 
 namespace rigor {
 namespace {
+
+constexpr std::size_t most_words_of_a_run_in = 4;  // "Second way."
 
 bool contains(const std::vector<SymbolId>& symbols, SymbolId symbol) {
   return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
@@ -94,7 +97,7 @@ bool Session::stands_in_brackets(SyntaxId power) const {
 
 bool Session::defines(const ParsedChain& parsed, const Side& left, const Side& right, const Context& context,
                       Step& step) {
-  if (context.role == Role::claim || context.role == Role::given) return false;
+  if (context.role == Role::claim || context.role == Role::given || is_denied(context)) return false;
   const auto definition = as_definition(*left.typed, *right.typed);
   if (!definition && context.role == Role::let && is_circular(*left.typed, *right.typed)) {
     names_.mark_used(context.directive);
@@ -149,6 +152,9 @@ void Session::add_definition(const Typed& left, const Typed& right, const Parsed
   origin.place = notes_.prose.beside[event_].place;
   origin.event = event_;
   origin.conditional = context.role == Role::display && is_conditional();
+  origin.on_its_line =
+      context.role == Role::display && (parsed.written.doubt || !conditions_beside(parsed).empty());
+  origin.of_a_case = context.role == Role::display && is_of_a_case();
   if (names_.is_declared_constant(definition->symbol) && decides() &&
       definition_contradicts(tree_, names_, *definition)) {
     names_.assume({as_equation(tree_, *definition), std::move(origin), 0});
@@ -213,18 +219,38 @@ bool Session::may_redefine(const Typed& left, const Typed& right) {
   return earlier != nullptr && !earlier->origin.directive && earlier->origin.event != event_;
 }
 
+/// "Hence", "this gives" conclude from the earlier meaning; "going down, so", "the plate then gives" and,
+/// above it, "**Plate.**" speak of another case, unless both stand in one sentence.
+bool Session::concludes(const NamedDefinition& earlier) const {
+  const ProseBeside& beside = notes_.prose.beside[event_];
+  if (!announces_a_conclusion(beside.lead)) return false;
+  const std::size_t from = notes_.prose.beside[earlier.origin.event].sentence;
+  if (from == beside.sentence) return true;
+  if (has_own_words(beside.lead.substr(beside.lead.rfind('\n') + 1))) return false;
+  return std::none_of(
+      notes_.prose.sentences.begin(), notes_.prose.sentences.end(), [&](const ProseSentence& each) {
+        return each.number > from && each.number < beside.sentence && !each.has_display &&
+               words_of(each.text).size() <= most_words_of_a_run_in && has_own_words(each.text);
+      });
+}
+
+/// What the page says not to hold defines nothing.
+bool Session::is_denied(const Context& context) const {
+  return context.role == Role::display && denial_of(notes_.prose, event_).has_value();
+}
+
 /// What does not agree with an earlier meaning is a new one: a warning and a new definition. It is a claim
 /// where it is announced as a conclusion, where a `use` says that the earlier meaning holds, and where words
 /// may make a case of it. In other symbols it is a new meaning only in another section, else a law.
 bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
                         const Typed& right, const Context& context, Step& step) {
-  if (context.role != Role::display || !expectations_.empty()) return false;
+  if (context.role != Role::display || !expectations_.empty() || is_denied(context)) return false;
   const NamedDefinition* earlier = names_.definition_of(as_definition(left, right)->symbol);
   const bool law = std::any_of(
       judgement.diagnostics.begin(), judgement.diagnostics.end(),
       [](const Diagnostic& diagnostic) { return diagnostic.kind == DiagnosticKind::undeclared_symbol; });
   const std::string& lead = notes_.prose.beside[event_].lead;
-  const bool stated = !announces_a_conclusion(lead) && !word_that_demands(lead) && !word_of_a_case(lead);
+  const bool stated = !concludes(*earlier) && !word_that_demands(lead) && !word_of_a_case(lead);
   const bool elsewhere = law && earlier->origin.section != section_;
   if (!elsewhere && !(judgement.verdict == Verdict::refuted && stated)) return false;
   if (is_used_here(standpoint(parsed), names_, earlier->origin, earlier->definition.symbol)) return false;
@@ -243,7 +269,8 @@ bool Session::redefines(const Judgement& judgement, const ParsedChain& parsed, c
 /// A part of a sum above is said by the whole.
 bool Session::takes_apart(const ParsedChain& parsed, const Typed& left, const Typed& right,
                           const Context& context, Step& step) {
-  if (context.role != Role::display || !expectations_.empty() || is_conditional()) return false;
+  if (context.role != Role::display || !expectations_.empty() || is_conditional() || is_denied(context))
+    return false;
   const auto apart = decomposition(tree_, names_, left.id, right.id, notes_.prose.beside[event_].place);
   if (!apart) return false;
   Names::Scene before = names_.scene();
