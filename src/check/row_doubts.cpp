@@ -126,6 +126,22 @@ std::optional<OpenPart> open_subscript(const SyntaxTree& syntax, const ParsedCha
   return found;
 }
 
+/// `|\nu\vu|`: `\vu` of the physics package takes the bar, that of the author may take nothing.
+std::optional<OpenPart> author_command(const WrittenChain& written) {
+  for (const WrittenSide& side : written.sides) {
+    for (std::size_t at = 0; at + 1 < side.tokens.size(); ++at) {
+      const Token& command = side.tokens[at];
+      const bool unit = is_control(command, "vu") || is_control(command, "vb") || is_control(command, "va");
+      const std::size_t behind = skip_blank(side.tokens, at + 1);
+      if (!unit || behind >= side.tokens.size()) continue;
+      const Token& next = side.tokens[behind];
+      const bool sign = next.kind == TokenKind::other || relation_kind(next).has_value();
+      if (sign) return OpenPart{command.span, fmt::format("`\\{}` can be the author's own", command.text)};
+    }
+  }
+  return std::nullopt;
+}
+
 /// Numbers have an order, and symmetric matrices.
 bool has_order(RankSet ranks) { return (ranks & 0b0101) != 0; }
 
@@ -186,6 +202,7 @@ void doubt_errors(const SyntaxTree& syntax, const Names& names, const ParsedChai
     const bool broken =
         diagnostic.kind == DiagnosticKind::unbalanced || diagnostic.kind == DiagnosticKind::bad_syntax;
     if (!open && broken) open = angle(parsed.written);
+    if (!open && broken) open = author_command(parsed.written);
     const bool step = which + 1 < parsed.sides.size();
     if (!open && step && diagnostic.kind == DiagnosticKind::rank_mismatch) {
       open = order_of_components(syntax, names, parsed, which);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Braces that act as brackets, which no reader sees: both readings count.
+// Braces that act as brackets, which no reader sees: both readings count. And brackets that group nothing.
 #include <fmt/format.h>
 
 #include <utility>
@@ -53,6 +53,23 @@ bool Parser::lifts(const Cursor& cursor, std::size_t begin) {
     brace = {TokenKind::space, " ", brace.span, brace.place};
   }
   return true;
+}
+
+/// `[T]`, `[T^{-1}]`
+bool Parser::holds_one_letter(SyntaxId group) const {
+  if (tree_[group].kind != SyntaxKind::group) return false;
+  SyntaxId inside = tree_.child(group, 0);
+  if (tree_[inside].kind == SyntaxKind::power) {
+    const SyntaxId exponent = tree_.child(inside, 1);
+    if (tree_[exponent].kind != SyntaxKind::sum) return false;
+    inside = tree_.child(inside, 0);
+  }
+  return tree_[inside].kind == SyntaxKind::symbol;
+}
+
+bool Parser::is_bold_letter(SyntaxId group) const {
+  const SyntaxId inside = tree_.child(group, 0);
+  return tree_[inside].kind == SyntaxKind::symbol && tree_.symbol(inside).face != Face::plain;
 }
 
 }  // namespace rigor

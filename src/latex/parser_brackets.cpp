@@ -208,23 +208,6 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
       DiagnosticKind::ambiguous_reading, {"without brackets, or in round ones, it is the letter itself"});
 }
 
-/// `[T]`, `[T^{-1}]`
-bool Parser::holds_one_letter(SyntaxId group) const {
-  if (tree_[group].kind != SyntaxKind::group) return false;
-  SyntaxId inside = tree_.child(group, 0);
-  if (tree_[inside].kind == SyntaxKind::power) {
-    const SyntaxId exponent = tree_.child(inside, 1);
-    if (tree_[exponent].kind != SyntaxKind::sum) return false;
-    inside = tree_.child(inside, 0);
-  }
-  return tree_[inside].kind == SyntaxKind::symbol;
-}
-
-bool Parser::is_bold_letter(SyntaxId group) const {
-  const SyntaxId inside = tree_.child(group, 0);
-  return tree_[inside].kind == SyntaxKind::symbol && tree_.symbol(inside).face != Face::plain;
-}
-
 /// One expression in brackets, or several with commas between: the components of a vector.
 SyntaxId Parser::bracket_contents(TokenView content, Span span) {
   std::vector<SyntaxChild> entries;
