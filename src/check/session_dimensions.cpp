@@ -21,7 +21,8 @@ bool takes_measured_argument(const SyntaxTree& syntax, std::span<const SyntaxChi
     const bool beside = factors[k].joint == Joint::juxtaposed &&
                         syntax[factors[k - 1].id].kind == SyntaxKind::symbol &&
                         syntax[factors[k].id].kind == SyntaxKind::group;
-    if (!beside) continue;
+    // `\SI{2}{s}` is a group by itself.
+    if (!beside || syntax[syntax.child(factors[k].id, 0)].kind != SyntaxKind::group) continue;
     bool unit = false;
     bool other = false;
     std::vector<SyntaxId> pending(1, factors[k].id);
