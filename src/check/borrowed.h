@@ -48,6 +48,7 @@ struct Standpoint {
   std::string unread;                      // a relation of its sentence that shares a letter and was not read
   std::optional<SaidAround> around = {};   // what sentences around it, or its tag, may restrict it by
   std::optional<std::string> denied = {};  // the word by which the page says that it does not hold
+  std::vector<SymbolId> said_anew = {};    // defined, and given another meaning in a line since
   [[nodiscard]] const ProseBeside& beside() const { return prose.beside[event]; }
 };
 

@@ -131,6 +131,9 @@ class Session {
                                                  const Claim& claim);
   [[nodiscard]] bool is_conditional() const;
   [[nodiscard]] bool is_of_a_case() const;
+  [[nodiscard]] bool is_assumed_about(SymbolId symbol) const;
+  std::vector<SymbolId> said_anew();
+  void heed_proof(const ParsedChain& parsed, const Claim& claim, Judgement& judgement);
   [[nodiscard]] bool is_alternative(const ParsedChain& parsed) const;
   [[nodiscard]] std::vector<const ParsedChain*> conditions_beside(const ParsedChain& parsed) const;
   [[nodiscard]] bool is_condition_beside(const ParsedChain& parsed) const;

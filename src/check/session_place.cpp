@@ -11,9 +11,7 @@
 #include "check/digits.h"
 #include "check/local_kinds.h"
 #include "check/prose_words.h"
-#include "check/restrictions.h"
 #include "check/session.h"
-#include "check/special_definitions.h"
 #include "check/unread.h"
 
 namespace rigor {
@@ -142,25 +140,6 @@ void Session::declare_use(const Directive& directive) {
     }
   }
   uses_.push_back(std::move(use));
-}
-
-/// What its sentence says may make a case of the display at hand.
-bool Session::is_conditional() const {
-  const ProseBeside& beside = notes_.prose.beside[event_];
-  return word_that_demands(beside.lead) || word_of_a_special_case(beside.lead + " " + beside.tail);
-}
-
-/// Its heading is about a special case: "Electrostatics", "In vacuum".
-bool Session::is_of_a_case() const {
-  static constexpr std::array<std::string_view, 6> cases{"statics",      "electrostatics", "magnetostatics",
-                                                         "hydrostatics", "equilibrium",    "vacuum"};
-  std::string heading = section_;
-  for (char& c : heading) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const std::vector<std::string_view> words = words_of(heading);
-  return restriction_in_heading(heading) || word_of_a_special_heading(heading) ||
-         std::any_of(words.begin(), words.end(), [](std::string_view word) {
-           return std::find(cases.begin(), cases.end(), word) != cases.end();
-         });
 }
 
 /// "or" stands beside it, on its line or in the prose between two displays.
@@ -328,12 +307,7 @@ void Session::heed(const ParsedChain& parsed, std::size_t which, const Claim& cl
   if (context.role != Role::display || !decides() || options_.recorded != nullptr) return;
   const bool expected = !expectations_.empty() || (parsed.image > 0 && !in_force_.empty());
   if (expected) return;
-  if (judgement.verdict == Verdict::proved) {
-    Standpoint at = standpoint(parsed);
-    at.denied = denial_of(notes_.prose, event_);
-    judgement = heed_cases(tree_, names_, claim, std::move(judgement), at, options_.cache);
-    return;
-  }
+  if (judgement.verdict == Verdict::proved) return heed_proof(parsed, claim, judgement);
   heed_digits(tree_, names_, claim, judgement, options_.cache);
   if (judgement.verdict == Verdict::proved) return;
   Standpoint at = standpoint(parsed);

@@ -55,7 +55,9 @@ bool is_another_case(std::string_view earlier, std::string_view lead) {
 bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedDefinition& named) {
   const Origin& origin = named.origin;
   if (origin.event == at.event) return false;
-  if (origin.on_its_line) return true;
+  const bool anew =
+      std::find(at.said_anew.begin(), at.said_anew.end(), named.definition.symbol) != at.said_anew.end();
+  if (origin.on_its_line || anew) return true;
   const Prose& prose = at.prose;
   const ProseBeside& said = prose.beside[origin.event];
   if (!prose.sections.reaches(origin.place, at.beside().place))
@@ -89,9 +91,11 @@ Judgement heed_cases(ExprTree& tree, Names& names, const Claim& claim, Judgement
   judgement.diagnostics = {
       {DiagnosticKind::borrowed,
        claim.relation,
-       at.denied ? fmt::format("it follows from `{}`, and `{}` in its sentence says that it does not hold",
-                               first.origin.text, *at.denied)
-                 : fmt::format("it follows from `{}`, which may be said for another case", first.origin.text),
+       at.denied
+           ? fmt::format("it follows from `{}`, and `{}` in its sentence says that it does not hold",
+                         first.origin.text, *at.denied)
+           : fmt::format("it follows from `{}`, which may be said for another case, or be said anew since",
+                         first.origin.text),
        {{tree[first.definition.body].span, "said here"}},
        {fmt::format("`rigor: use {}` says that it holds here, too",
                     use_of(names, tree, first.definition.symbol))}}};
