@@ -256,13 +256,20 @@ class Heeding {
     std::erase_if(example.follows, [&](const auto& value) { return !is_one_of(asked.follows, value); });
   }
 
+  /// A directive says it already.
+  bool is_in_force(const Fact& fact) {
+    Claim said = claim_;
+    said.equation = fact.equation;
+    return judge(tree_, names_, said, {}, cache_).verdict == Verdict::proved;
+  }
+
   /// What is stated nearby, as a law or in a line, would make it true, or leave it open.
   bool holds_with(const std::vector<const Fact*>& bearing) {
     std::vector<const Fact*> here;
     std::copy_if(bearing.begin(), bearing.end(), std::back_inserter(here),
-                 [](const Fact* fact) { return !fact->elsewhere; });
+                 [&](const Fact* fact) { return !fact->elsewhere && !is_in_force(*fact); });
     if (!here.empty() && holds_with_what_is_said_here(here)) return true;
-    if (here.size() == bearing.size() || is_meant_for_all()) return false;
+    if (is_meant_for_all()) return false;
     // One at a time: two special cases together prove anything.
     for (const Fact* fact : bearing) {
       if (fact->elsewhere && judge_with({fact}).verdict == Verdict::proved) return may_hold_with({fact});

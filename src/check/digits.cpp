@@ -254,6 +254,10 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names,
     const auto rounds =
         comparison.lies_within(1, two_are_sure ? shown->unsure : std::max(shown->unsure - 1, 0));
     if (!rounds) return std::nullopt;
+    // `12.28 = 12` may round, and calculates nothing.
+    const bool calculates = tree[value].op != Op::number && tree[value].op != Op::negate;
+    const bool written = claim.nearly || shown_in(tree, side, false).has_value();
+    if (*rounds && !calculates && !written) return DigitComparison{};
     if (*rounds) return DigitComparison{.agreement = Agreement::rounds};
     const auto may_round = comparison.lies_within(claim.nearly ? 2 : 1, shown->unsure);
     if (!may_round) return std::nullopt;

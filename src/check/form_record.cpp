@@ -150,7 +150,7 @@ void FormRecorder::enter(std::size_t event) {
 
 void FormRecorder::note(Span relation, Judgement& judgement) {
   WrittenStep step;
-  if (judgement.route != "to the digits shown") {  // which is another question
+  if (!judgement.of_another_question) {
     step.question = std::move(judgement.question);
     step.question->tree = nullptr;
   }

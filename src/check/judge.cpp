@@ -327,6 +327,7 @@ class Judging {
     if (!proved && holds_with_unit_matrix(asked, names_)) {
       judgement_.verdict = Verdict::proved;
       judgement_.route = "products in their order, with 1 for the unit matrix";
+      judgement_.of_another_question = true;
       judgement_.counterexample.reset();
       judgement_.diagnostics.clear();
       return;

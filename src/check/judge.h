@@ -25,6 +25,7 @@ struct Judgement {
   std::optional<Counterexample> counterexample;
   Diagnostics diagnostics;
   Question question = {};                              // the last one that was asked
+  bool of_another_question = false;                    // proved: of digits, of matrices
   QuestionNames names = {};                            // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
   std::optional<Sample> sample = {};                   // refuted: as the exact side gave it

@@ -73,6 +73,7 @@ void heed_digits(ExprTree& tree, Names& names, const Claim& claim, Judgement& ju
   if (agreement == Agreement::rounds) {
     judgement.verdict = Verdict::proved;
     judgement.route = "to the digits shown";
+    judgement.of_another_question = true;
     judgement.counterexample.reset();
     judgement.sample.reset();
     judgement.diagnostics.clear();
