@@ -10,11 +10,11 @@ namespace rigor {
 namespace {
 
 /// The beginnings of words.
-constexpr std::array<std::string_view, 32> beginnings{
-    "approx",  "rough",     "about",  "nearly",  "almost",    "around",  "estimat",   "guess",
-    "round",   "truncat",   "negl",   "ignor",   "omit",      "drop",    "magnitude", "quadratur",
-    "decibel", "logarithm", "modulo", "modular", "remainder", "integer", "binar",     "hexadec",
-    "octal",   "bits",      "byte",   "base",    "boolean",   "logic",   "xor",       "clock"};
+constexpr std::array<std::string_view, 35> beginnings{
+    "approx",  "rough",   "about",     "nearly",  "almost", "around",    "estimat",   "guess",   "round",
+    "truncat", "negl",    "ignor",     "omit",    "drop",   "magnitude", "quadratur", "decibel", "logarithm",
+    "modulo",  "modular", "remainder", "integer", "binar",  "hexadec",   "octal",     "bits",    "byte",
+    "base",    "boolean", "logic",     "xor",     "clock",  "hand",      "parallel",  "galois"};
 
 }  // namespace
 

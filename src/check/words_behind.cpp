@@ -105,10 +105,11 @@ bool is_named_quantity(std::string_view word) {
 }
 
 bool is_doubt(std::string_view word) {
-  static constexpr std::array<std::string_view, 22> doubts{
-      "or",           "nor",       "either",   "neither",   "unless",   "iff",      "except", "excluding",
-      "else",         "otherwise", "possibly", "perhaps",   "maybe",    "whether",  "only",   "alternatively",
-      "respectively", "resp",      "vice",     "sometimes", "excluded", "whichever"};
+  static constexpr std::array<std::string_view, 23> doubts{
+      "or",      "nor",       "either",    "neither",  "unless",        "iff",
+      "except",  "excluding", "whereas",   "else",     "otherwise",     "possibly",
+      "perhaps", "maybe",     "whether",   "only",     "alternatively", "respectively",
+      "resp",    "vice",      "sometimes", "excluded", "whichever"};
   return is_in(word, doubts);
 }
 

@@ -85,11 +85,32 @@ bool speaks_of_group(std::string_view sentence) {
 }
 
 /// Where sums or products are not those of numbers.
-constexpr std::array<std::string_view, 19> other_arithmetics{
-    "octonion",         "sedenion",           "not associative", "nonassociative",      "non-associative",
-    "tropical algebra", "tropical semiring",  "tropical sum",    "tropical arithmetic", "max-plus",
-    "boolean algebra",  "boolean ring",       "boolean variab",  "finite field",        "characteristic two",
-    "grassmann number", "integer arithmetic", "jordan algebra",  "interval arithmetic"};
+constexpr std::array<std::string_view, 26> other_arithmetics{"\\mathbb{z}_",
+                                                             "\\mathbb z_",
+                                                             "\\mathbb{f}_",
+                                                             "\\mathbb f_",
+                                                             "gf(",
+                                                             "\\pmod",
+                                                             "\\bmod",
+                                                             "octonion",
+                                                             "sedenion",
+                                                             "not associative",
+                                                             "nonassociative",
+                                                             "non-associative",
+                                                             "tropical algebra",
+                                                             "tropical semiring",
+                                                             "tropical sum",
+                                                             "tropical arithmetic",
+                                                             "max-plus",
+                                                             "boolean algebra",
+                                                             "boolean ring",
+                                                             "boolean variab",
+                                                             "finite field",
+                                                             "characteristic two",
+                                                             "grassmann number",
+                                                             "integer arithmetic",
+                                                             "jordan algebra",
+                                                             "interval arithmetic"};
 
 /// "Modulo 2", "mod $p$"; not "modulo $2\\pi$" or "modulo a constant".
 std::string_view modulus_in(std::string_view sentence) {
