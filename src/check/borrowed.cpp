@@ -233,7 +233,14 @@ class Heeding {
     return fmt::format("`rigor: for all {}` says that all are meant", fmt::join(open, ", "));
   }
 
+  /// "To first order", "for small x" beside `\approx`, where something is declared small, say what is asked.
+  bool says_what_is_asked(std::string_view word) const {
+    return claim_.nearly && !names_.small().empty() &&
+           (word.find("small") != std::string_view::npos || word.find("order") != std::string_view::npos);
+  }
+
   bool restricted_by(const std::string& word, std::string_view where) {
+    if (says_what_is_asked(word)) return false;
     withdraw(DiagnosticKind::restricted,
              fmt::format("it does not hold for all values, and `{}` in {} may restrict it", word, where), {},
              {"`rigor: claim …` states it for itself"});
