@@ -20,6 +20,7 @@ namespace {
 
 constexpr int most_lines = 40;
 constexpr std::uint32_t most_weight = 20'000;
+constexpr int most_depth = 6;  // of roots, quotients and functions within each other: texts of them double
 
 /// All values of some free letters, the last one fastest.
 std::vector<std::vector<std::uint8_t>> axes_of(std::size_t letters) {
@@ -35,6 +36,17 @@ std::vector<std::vector<std::uint8_t>> axes_of(std::size_t letters) {
     all = std::move(longer);
   }
   return all;
+}
+
+/// How deep roots, quotients and functions stand within each other.
+int depth_of(const IndexPolynomial& polynomial) {
+  int depth = 0;
+  for (const IndexMonomial& term : polynomial.terms) {
+    for (const IndexFactor& factor : term.factors) {
+      if (factor.argument != nullptr) depth = std::max(depth, 1 + depth_of(*factor.argument));
+    }
+  }
+  return depth;
 }
 
 class Descending {
@@ -182,6 +194,10 @@ class Descending {
   bool push_polynomials(const Rule& down, const Rule& up) {
     std::vector<ExprId> written;
     for (IndexPolynomial& polynomial : polynomials_) {
+      if (depth_of(polynomial) > most_depth) {
+        stopped_ = true;
+        return false;
+      }
       join_powers(tree_, polynomial);
       const bool direct = rules_.notation == DescentNotation::direct;
       const auto expr = direct ? folded(tree_, polynomial, rules_.open) : expression_of(tree_, polynomial);
@@ -212,6 +228,16 @@ class Descending {
   template <class Work>
   bool apply(const Rule& rule, const Work& work) {
     return apply(rule, rule, work);
+  }
+
+  /// A rule on all parts, and on nothing that is opaque in them.
+  template <class Work>
+  bool apply_outside(const Rule& rule, const Work& work) {
+    if (!has_polynomials_ || stopped_) return false;
+    bool changed = false;
+    for (IndexPolynomial& polynomial : polynomials_) changed = work(polynomial) || changed;
+    if (changed) push_polynomials(rule, rule);
+    return changed;
   }
 
   template <class Work>
@@ -266,10 +292,11 @@ class Descending {
               [&](IndexPolynomial& each) { return contract_unit_vectors(symbols, each); }))
       return true;
     for (const NamedReplacement& each : rules_.replacements) {
-      if (apply({RuleKind::named, each.name}, [&](IndexPolynomial& polynomial) {
-            return replace_given(tree_, each.replacement, polynomial);
-          }))
-        return true;
+      const auto replace = [&](IndexPolynomial& polynomial) {
+        return replace_given(tree_, each.replacement, polynomial);
+      };
+      const Rule rule{RuleKind::named, each.name};
+      if (each.replacement.inside ? apply(rule, replace) : apply_outside(rule, replace)) return true;
     }
     if (apply({double_product()}, [&](IndexPolynomial& each) {
           if (!contract_epsilons(each)) return false;

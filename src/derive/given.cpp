@@ -140,6 +140,20 @@ class Matching {
   std::size_t trials_ = 0;
 };
 
+/// The replacement fits what is opaque in the polynomial: used there, it would go deeper each time.
+bool fits_inside(const ExprTree& tree, const Replacement& replacement, const IndexPolynomial& polynomial) {
+  for (const IndexMonomial& term : polynomial.terms) {
+    for (const IndexFactor& factor : term.factors) {
+      if (factor.argument == nullptr) continue;
+      for (const IndexMonomial& each : factor.argument->terms) {
+        if (Matching(tree, replacement, each).find()) return true;
+      }
+      if (fits_inside(tree, replacement, *factor.argument)) return true;
+    }
+  }
+  return false;
+}
+
 /// The monomial without what was matched.
 IndexMonomial rest_of(const IndexMonomial& term, const Replacement& replacement, const Binding& binding) {
   IndexMonomial rest = term;
@@ -241,6 +255,7 @@ std::optional<Replacement> replacement_of(ExprTree& tree, const Equation& equati
   left->terms.erase(left->terms.begin());
   result.by = *right;
   gather(result.by, *left);
+  result.inside = !fits_inside(tree, result, result.by);
   return result;
 }
 

@@ -14,6 +14,8 @@ struct Replacement {
   IndexPolynomial by;
   std::vector<IndexId> indices = {};
   std::vector<ParticleId> particles = {};
+  bool inside = true;  // used under roots, in quotients and functions too: not where it fits its own, as in
+                       // B_i → B_j B_j under a root · δ_i3
 };
 
 enum class Orientation : std::uint8_t {

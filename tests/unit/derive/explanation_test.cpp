@@ -100,6 +100,17 @@ TEST_CASE("an assumption is used by its own words") {
   CHECK(lines.find('?') == std::string::npos);
 }
 
+TEST_CASE("a length inside its own vector is left as it is") {
+  const std::string own =
+      "<!-- rigor: given \\mathbf B = (0, 0, B), \\mathbf E = (E, 0, 0) -->\n$$\\mathbf B\\cdot\\mathbf E = "
+      "0$$";
+  CHECK(explained(own, 2).find('?') == std::string::npos);
+  const std::string each_others =
+      "<!-- rigor: given \\mathbf B = (0, 0, E), \\mathbf E = (B, 0, 0) -->\n$$\\mathbf B\\cdot\\mathbf E = "
+      "0$$";
+  CHECK(explained(each_others, 2).find('?') == std::string::npos);
+}
+
 TEST_CASE("to first order, what has two small factors is left out in a step that says so") {
   const std::string notes = "<!-- rigor:\nscalar x, d\nsmall d\n-->\n$$(x + d)^2 \\approx x^2 + 2xd$$\n";
   CHECK(explained(notes) ==
