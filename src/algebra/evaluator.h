@@ -25,7 +25,6 @@
 // `largest_depth`.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -35,12 +34,6 @@
 #include "algebra/undecidable.h"
 
 namespace rigor {
-
-[[nodiscard]] constexpr std::size_t component_count(int rank) {
-  std::size_t count = 1;
-  for (int axis = 0; axis < rank; ++axis) count *= 3;
-  return count;
-}
 
 /// ε_ijk for axes 1..3: the sign of the permutation, 0 where two are equal.
 [[nodiscard]] constexpr int permutation_sign(int i, int j, int k) { return (i - j) * (j - k) * (k - i) / 2; }

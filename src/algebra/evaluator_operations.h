@@ -3,6 +3,7 @@
 #pragma once
 
 #include "algebra/evaluator.h"
+#include "base/among.h"
 #include "base/check.h"
 
 namespace rigor {
@@ -155,9 +156,7 @@ int Evaluator<Domain>::index_sign(ExprId id) const {
 template <class Domain>
 auto Evaluator<Domain>::index_chain(ExprId id) const -> IndexChain {
   IndexChain chain;
-  const auto is_bound_here = [&](IndexId index) {
-    return std::find(chain.variables.begin(), chain.variables.end(), index) != chain.variables.end();
-  };
+  const auto is_bound_here = [&](IndexId index) { return is_one_of(index, chain.variables); };
   while (node(id).op == Op::index_sum && !is_bound_here(node(id).index)) {
     chain.variables.push_back(node(id).index);
     id = child(id);

@@ -22,7 +22,7 @@ constexpr double expand_above =
     1000;  // products of more terms are expanded at once, so that the estimates stay near
 
 /// How many terms (x_1 + … + x_n)^e has: C(n + e − 1, e), at most.
-[[nodiscard]] double terms_of_power(double terms, int exponent) {
+[[nodiscard]] double terms_of_expanded_power(double terms, int exponent) {
   double count = 1;
   for (int i = 1; i <= exponent; ++i) count *= (terms - 1 + i) / i;
   return std::ceil(count - 1e-6);
@@ -64,7 +64,7 @@ constexpr double expand_above =
     const int missing = each.exponent - (has == present.end() ? 0 : has->exponent);
     if (missing <= 0) continue;
     factor.numerator *= GiNaC::pow(each.base, missing);
-    factor.terms *= terms_of_power(static_cast<double>(term_count(each.base)), missing);
+    factor.terms *= terms_of_expanded_power(static_cast<double>(term_count(each.base)), missing);
   }
   return factor;
 }
@@ -168,7 +168,7 @@ Fraction FractionArithmetic::power(const Fraction& base, int exponent) {
   if (exponent == 0) return to_fraction(1);
   if (exponent < 0) return power(reciprocal(base), -exponent);
   if (base.numerator.is_zero()) return {};
-  Fraction raised{1, base.divisors, terms_of_power(base.terms, exponent), exponent * base.bits};
+  Fraction raised{1, base.divisors, terms_of_expanded_power(base.terms, exponent), exponent * base.bits};
   check(raised);
   raised.numerator = GiNaC::pow(base.numerator, exponent);
   for (Divisor& each : raised.divisors) each.exponent *= exponent;
@@ -179,7 +179,7 @@ Fraction FractionArithmetic::reciprocal(const Fraction& value) {
   Fraction result = to_fraction(1);
   for (const Divisor& each : value.divisors) {
     result.numerator *= GiNaC::pow(each.base, each.exponent);
-    result.terms *= terms_of_power(static_cast<double>(term_count(each.base)), each.exponent);
+    result.terms *= terms_of_expanded_power(static_cast<double>(term_count(each.base)), each.exponent);
   }
   check(result);
   const auto divide = [&](const ex& factor, int exponent) {

@@ -15,7 +15,7 @@ using GiNaC::ex;
 using Triple = std::array<ex, 3>;
 
 constexpr std::size_t most_equations = 6;
-constexpr std::size_t most_terms = 12;  // of a coefficient
+constexpr std::size_t longest_coefficient = 12;  // of a coefficient
 
 /// The coefficients, if the equation is linear and homogeneous in the components.
 [[nodiscard]] std::optional<Triple> coefficients(const ex& equation, const Triple& vector) {
@@ -24,7 +24,7 @@ constexpr std::size_t most_terms = 12;  // of a coefficient
   for (std::size_t i = 0; i < 3; ++i) {
     if (equation.degree(vector[i]) > 1) return std::nullopt;
     row[i] = equation.coeff(vector[i], 1);
-    if (term_count(row[i]) > most_terms) return std::nullopt;
+    if (term_count(row[i]) > longest_coefficient) return std::nullopt;
     const bool mixed = std::any_of(vector.begin(), vector.end(), [&](const ex& x) { return row[i].has(x); });
     if (mixed) return std::nullopt;
     rest = rest.coeff(vector[i], 0);

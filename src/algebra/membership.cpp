@@ -17,8 +17,8 @@ namespace {
 
 using GiNaC::ex;
 
-using Monomial = std::string;  // a byte for each variable: its exponent
-using Row = std::map<Monomial, Rational>;
+using Exponents = std::string;  // a byte for each variable: its exponent
+using Row = std::map<Exponents, Rational>;
 
 /// A combination of equations, and of which.
 struct Multiple {
@@ -29,7 +29,7 @@ struct Multiple {
 constexpr int largest_exponent_here = 100;
 constexpr int more_degrees = 2;  // so far above the value's degree may multiples reach
 
-[[nodiscard]] int degree(const Monomial& monomial) {
+[[nodiscard]] int degree(const Exponents& monomial) {
   int total = 0;
   for (const char exponent : monomial) total += exponent;
   return total;
@@ -42,8 +42,8 @@ constexpr int more_degrees = 2;  // so far above the value's degree may multiple
 }
 
 /// a/b, if b divides a.
-[[nodiscard]] std::optional<Monomial> quotient(const Monomial& a, const Monomial& b) {
-  Monomial result = a;
+[[nodiscard]] std::optional<Exponents> quotient(const Exponents& a, const Exponents& b) {
+  Exponents result = a;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i] < b[i]) return std::nullopt;
     result[i] = static_cast<char>(a[i] - b[i]);
@@ -51,16 +51,16 @@ constexpr int more_degrees = 2;  // so far above the value's degree may multiple
   return result;
 }
 
-[[nodiscard]] Monomial product(const Monomial& a, const Monomial& b) {
-  Monomial result = a;
+[[nodiscard]] Exponents product(const Exponents& a, const Exponents& b) {
+  Exponents result = a;
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = static_cast<char>(a[i] + b[i]);
   return result;
 }
 
 /// Expanded polynomials as rows.
-class Rows {
+class PolynomialRows {
  public:
-  explicit Rows(std::span<const ex> variables) {
+  explicit PolynomialRows(std::span<const ex> variables) {
     for (const ex& each : variables) positions_.emplace(each, positions_.size());
   }
 
@@ -69,7 +69,7 @@ class Rows {
     Row row;
     const bool sum = GiNaC::is_a<GiNaC::add>(value);
     for (std::size_t i = 0; i < (sum ? value.nops() : 1); ++i) {
-      Monomial monomial(positions_.size(), '\0');
+      Exponents monomial(positions_.size(), '\0');
       Rational coefficient = 1;
       const ex term = sum ? value.op(i) : value;
       const bool factors = GiNaC::is_a<GiNaC::mul>(term);
@@ -82,7 +82,7 @@ class Rows {
   }
 
  private:
-  [[nodiscard]] bool take(const ex& factor, Monomial& monomial, Rational& coefficient) const {
+  [[nodiscard]] bool take(const ex& factor, Exponents& monomial, Rational& coefficient) const {
     if (GiNaC::is_a<GiNaC::numeric>(factor)) {
       coefficient = coefficient * cln::the<Rational>(GiNaC::ex_to<GiNaC::numeric>(factor).to_cl_N());
       return true;
@@ -109,20 +109,20 @@ class Multiples {
     largest_degree_ = degree(value) + more_degrees;
     for (const auto& [monomial, coefficient] : value) meet(monomial);
     for (std::size_t i = 0; i < met_.size() && rows_.size() < limit_; ++i) {
-      const Monomial monomial = met_[i];
+      const Exponents monomial = met_[i];
       for (std::size_t k = 0; k < equations_.size(); ++k) add_multiples(k, monomial);
     }
     return std::move(rows_);
   }
 
  private:
-  void meet(const Monomial& monomial) {
+  void meet(const Exponents& monomial) {
     if (known_.insert(monomial).second) met_.push_back(monomial);
   }
 
-  void add_multiples(std::size_t equation, const Monomial& wanted) {
+  void add_multiples(std::size_t equation, const Exponents& wanted) {
     for (const auto& [term, coefficient] : equations_[equation]) {
-      const std::optional<Monomial> factor = quotient(wanted, term);
+      const std::optional<Exponents> factor = quotient(wanted, term);
       if (!factor || rows_.size() >= limit_) continue;
       if (degree(*factor) + degree(equations_[equation]) > largest_degree_) continue;
       if (!taken_.emplace(equation, *factor).second) continue;
@@ -138,9 +138,9 @@ class Multiples {
   const std::vector<Row>& equations_;
   std::size_t limit_;
   int largest_degree_ = 0;
-  std::vector<Monomial> met_;
-  std::set<Monomial> known_;
-  std::set<std::pair<std::size_t, Monomial>> taken_;
+  std::vector<Exponents> met_;
+  std::set<Exponents> known_;
+  std::set<std::pair<std::size_t, Exponents>> taken_;
   std::vector<Multiple> rows_;
 };
 
@@ -186,7 +186,7 @@ class Echelon {
     }
   }
 
-  std::map<Monomial, Multiple> pivots_;  // the last coefficient is 1
+  std::map<Exponents, Multiple> pivots_;  // the last coefficient is 1
   std::size_t left_;
 };
 
@@ -195,7 +195,7 @@ class Echelon {
 std::optional<std::set<std::size_t>> combination(const ex& value, std::span<const ex> equations,
                                                  std::span<const ex> variables,
                                                  const MembershipLimits& limits) {
-  const Rows rows(variables);
+  const PolynomialRows rows(variables);
   std::vector<Row> given;
   for (const ex& equation : equations) given.push_back(rows.row(equation).value_or(Row{}));
   const std::optional<Row> wanted = rows.row(value);

@@ -13,7 +13,7 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::size_t largest_division = 200;  // terms of a numerator that is tried to be divided
+constexpr std::size_t largest_numerator = 200;  // terms of a numerator that is tried to be divided
 
 }  // namespace
 
@@ -34,7 +34,7 @@ ex Moments::take_own_divisor(Fraction& body) const {
     int exponent = each.exponent;
     ex quotient;
     const bool try_division =
-        !GiNaC::is_a<GiNaC::symbol>(each.base) && term_count(body.numerator) <= largest_division;
+        !GiNaC::is_a<GiNaC::symbol>(each.base) && term_count(body.numerator) <= largest_numerator;
     while (try_division && exponent > 0 &&
            divides(each.base, body.numerator, quotient, arithmetic_.budget())) {
       body.numerator = quotient;

@@ -26,7 +26,7 @@ constexpr std::size_t largest_root_sum = 20;    // terms
 constexpr std::size_t largest_factored = 12;    // terms
 constexpr int largest_degree_factored = 6;      // in one indeterminate
 constexpr std::size_t largest_quadratic = 150;  // terms
-constexpr double largest_substituted = 4000;    // terms, by the estimate
+constexpr double largest_ordered = 4000;        // terms, by the estimate
 
 [[nodiscard]] bool is_positive(const ex& value) {
   return is_number(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_positive();
@@ -113,7 +113,7 @@ Sign Order::by_squares(const ex& value, int depth) {
     const ex q = value.coeff(x, 1) / 2;
     const ex r = value.coeff(x, 0);
     const auto terms = static_cast<double>(term_count(p) * term_count(r) + term_count(q) * term_count(q));
-    if (terms > largest_substituted) continue;
+    if (terms > largest_ordered) continue;
     const Sign of_rest = by_squares((p * r - q * q).expand(), depth + 1);
     if (!is_surely(of_rest, Sign::not_negative)) continue;
     if (of_p != Sign::positive && !is_surely(by_squares(r, depth + 1), Sign::not_negative)) continue;
@@ -135,7 +135,7 @@ bool Order::parametrize(ex& value, std::vector<Fact>& facts, bool any_bound) {
       const ex bound = (-fact.value.coeff(*x, 0) / factor).expand();
       if (!any_bound && !is_surely(domain_.signs().of(bound), Sign::not_negative)) continue;
       const auto growth = static_cast<double>(term_count(bound) + 1);
-      if (static_cast<double>(term_count(value)) * std::pow(growth, value.degree(*x)) > largest_substituted) {
+      if (static_cast<double>(term_count(value)) * std::pow(growth, value.degree(*x)) > largest_ordered) {
         continue;
       }
       const ex parameter = domain_.indeterminates().fresh(Indeterminates::Kind::parameter, 0);

@@ -20,8 +20,8 @@ namespace {
 using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
-constexpr std::size_t largest_factored = 32;      // terms
-constexpr std::size_t largest_division = 20'000;  // takes up to 50 ms
+constexpr std::size_t largest_radicand = 32;      // terms
+constexpr std::size_t largest_quotient = 20'000;  // takes up to 50 ms
 
 [[nodiscard]] Rational to_rational(const ex& value) {
   return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
@@ -66,7 +66,7 @@ Sign Radicals::sign_of(const ex& expanded) const {
   for (const Signs::Fact& fact : signs_.facts()) {
     ex quotient;
     const bool is_multiple = term_count(fact.value) == term_count(expanded) &&
-                             size_of_division(fact.value, expanded) <= largest_division &&
+                             size_of_division(fact.value, expanded) <= largest_quotient &&
                              divides(fact.value, expanded, quotient, arithmetic_.budget());
     if (!is_multiple) continue;
     if (is_number(quotient)) return product(fact.sign, signs_.of(quotient));
@@ -99,7 +99,7 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
     }
     ex quotient;
     const auto is_multiple_of = [&](const ex& base) {
-      if (GiNaC::is_a<GiNaC::symbol>(base) || size_of_division(base, value) > largest_division) return false;
+      if (GiNaC::is_a<GiNaC::symbol>(base) || size_of_division(base, value) > largest_quotient) return false;
       return divides(base, value, quotient, arithmetic_.budget());
     };
     for (const Divisor& each : known) {
@@ -108,7 +108,7 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
         value = quotient;
       }
     }
-    if (effort_ == Effort::factored && term_count(value) <= largest_factored) {
+    if (effort_ == Effort::factored && term_count(value) <= largest_radicand) {
       value = with_repeated_factors(value, arithmetic_.budget());
     }
   }

@@ -10,6 +10,7 @@
 #include "algebra/term_estimate.h"
 #include "algebra/terms.h"
 #include "algebra/undecidable.h"
+#include "base/among.h"
 
 namespace rigor {
 namespace {
@@ -173,7 +174,7 @@ class RationalWriter {
 
 bool speaks_of(const ExprTree& tree, ExprId root, SymbolId symbol) {
   const std::vector<SymbolId> symbols = symbols_in(tree, root);
-  return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
+  return is_one_of(symbol, symbols);
 }
 
 /// A polynomial's parts by the powers of some indeterminates, the highest first.
@@ -206,7 +207,7 @@ bool is_hidden(RationalAtoms& atoms, const std::vector<RationalTerm>& terms, Sym
   const ExprTree& tree = atoms.tree();
   for (const RationalTerm& term : terms) {
     for (std::size_t k = 0; k < term.exponents.size(); ++k) {
-      const bool mine = std::find(own.begin(), own.end(), k) != own.end();
+      const bool mine = is_one_of(k, own);
       if (mine || term.exponents[k] == 0) continue;
       const ExprId other = atoms.expression_at(k);
       if (tree[other].op != Op::symbol && speaks_of(tree, other, symbol)) return true;

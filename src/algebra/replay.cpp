@@ -6,6 +6,7 @@
 #include "algebra/decide.h"
 #include "algebra/refute.h"
 #include "algebra/sample_text.h"
+#include "base/among.h"
 
 namespace rigor {
 namespace {
@@ -61,7 +62,7 @@ constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at
   std::vector<SymbolId> symbols;
   for (const ExprId side : {question.claim.left, question.claim.right}) {
     for (const SymbolId symbol : symbols_in(*question.tree, side)) {
-      if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end()) symbols.push_back(symbol);
+      if (!is_one_of(symbol, symbols)) symbols.push_back(symbol);
     }
   }
   return symbols;

@@ -7,13 +7,10 @@
 #include <utility>
 
 #include "algebra/sample_linear.h"
+#include "base/among.h"
 
 namespace rigor {
 namespace {
-
-[[nodiscard]] bool contains(const std::vector<SymbolId>& symbols, SymbolId symbol) {
-  return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
-}
 
 [[nodiscard]] bool all_zero(const std::vector<Rational>& values) {
   return std::all_of(values.begin(), values.end(), [](const Rational& each) { return cln::zerop(each); });
@@ -135,7 +132,7 @@ void AssumptionSolver::order_symbols(std::size_t assumption) {
     bool earlier = false;
     bool elsewhere = false;
     for (std::size_t i = 0; i < symbols_.size(); ++i) {
-      if (i == assumption || !contains(symbols_[i], symbol)) continue;
+      if (i == assumption || !is_one_of(symbol, symbols_[i])) continue;
       elsewhere = true;
       earlier = earlier || i < assumption;
     }
@@ -159,12 +156,12 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
   const ExprTree& tree = scope_->tree();
   std::vector<Coordinate> found;
   for (const Coordinate& at : point.coordinates()) {
-    if (contains(symbols_[assumption], at.symbol) && point.is_free(at)) found.push_back(at);
+    if (is_one_of(at.symbol, symbols_[assumption]) && point.is_free(at)) found.push_back(at);
   }
   const auto is_new = [&](SymbolId symbol) {
     const auto end = symbols_.begin() + static_cast<std::ptrdiff_t>(assumption);
     return std::none_of(symbols_.begin(), end,
-                        [&](const auto& earlier) { return contains(earlier, symbol); });
+                        [&](const auto& earlier) { return is_one_of(symbol, earlier); });
   };
   const auto preference = [&](const Coordinate& at) {
     return std::tuple(is_new(at.symbol), is_side(assumption, at.symbol), at.particle,
@@ -203,7 +200,7 @@ bool AssumptionSolver::solve_together(Search& search, std::span<const std::size_
     const Rational before = changed[at];
     changed.set(at, before + 1);
     for (std::size_t i = 0; i < assumptions.size(); ++i) {
-      if (!contains(symbols_[assumptions[i]], at.symbol)) {
+      if (!is_one_of(at.symbol, symbols_[assumptions[i]])) {
         column.insert(column.end(), residuals[i].size(), 0);
         continue;
       }
@@ -235,8 +232,7 @@ std::vector<Coordinate> AssumptionSolver::unknowns_of(const Search& search,
                                                       std::span<const SymbolId> symbols) const {
   const auto is_taken = [&](const Coordinate& at) {
     return std::any_of(search.owned.begin(), search.owned.end(), [&](const Owned& each) {
-      return each.at == at &&
-             std::find(assumptions.begin(), assumptions.end(), each.assumption) == assumptions.end();
+      return each.at == at && !is_one_of(each.assumption, assumptions);
     });
   };
   std::vector<Coordinate> unknowns;
@@ -259,7 +255,7 @@ void AssumptionSolver::solve_derivatives(Search& search, int order) const {
     if (derivative_orders_[i] != order || equation(i).relation != Relation::equal) continue;
     together.push_back(i);
     for (const SymbolId symbol : symbols_[i]) {
-      if (order_of(scope_->tree().symbols[symbol]) == order && !contains(symbols, symbol))
+      if (order_of(scope_->tree().symbols[symbol]) == order && !is_one_of(symbol, symbols))
         symbols.push_back(symbol);
     }
   }
@@ -350,7 +346,7 @@ AssumptionSolver::Interval AssumptionSolver::interval_of(SampleEvaluator& evalua
   for (std::size_t i = 0; i < assumptions_.size(); ++i) {
     const Equation& order = equation(i);
     const bool bounds = order.relation == Relation::less || order.relation == Relation::less_or_equal;
-    if (!bounds || !contains(symbols_[i], at.symbol)) continue;
+    if (!bounds || !is_one_of(at.symbol, symbols_[i])) continue;
     evaluator.look_at(point);
     for (const Place& place : evaluator.places(order)) {
       const auto zero = Residual(evaluator, point, order, place).zero(at);

@@ -8,10 +8,10 @@
 namespace rigor {
 namespace {
 
-using Triple = std::array<int, 3>;
+using Whole3 = std::array<int, 3>;
 
 // Vectors of rational length; sums and differences of the first nine often have one too.
-constexpr std::array<Triple, 16> rational_lengths{{{3, 0, 0},
+constexpr std::array<Whole3, 16> rational_lengths{{{3, 0, 0},
                                                    {0, 4, 0},
                                                    {3, 4, 0},
                                                    {0, 0, 12},
@@ -90,7 +90,7 @@ constexpr std::array generic_numbers{1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7
 
 /// A vector of rational length: one of the list, its axes permuted, times a small factor.
 [[nodiscard]] std::array<Rational, 3> draw_with_length(SplitMix& random) {
-  const Triple& from = random.pick<Triple>(rational_lengths);
+  const Whole3& from = random.pick<Whole3>(rational_lengths);
   const std::size_t turn = random.below(2) == 0 ? 0 : random.below(3);
   const int factor = random.below(3) == 0 ? -2 : 1;
   std::array<Rational, 3> vector;

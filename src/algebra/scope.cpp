@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algebra/undecidable.h"
+#include "base/among.h"
 #include "base/check.h"
 
 namespace rigor {
@@ -49,9 +50,7 @@ void note_operation(const ExprNode& node, Reach& reached) {
 }
 
 [[nodiscard]] bool share(const std::vector<SymbolId>& some, const std::vector<SymbolId>& others) {
-  return std::any_of(some.begin(), some.end(), [&](SymbolId symbol) {
-    return std::find(others.begin(), others.end(), symbol) != others.end();
-  });
+  return std::any_of(some.begin(), some.end(), [&](SymbolId symbol) { return is_one_of(symbol, others); });
 }
 
 }  // namespace
@@ -189,7 +188,7 @@ std::vector<std::size_t> core_assumptions(const Scope& scope, const std::vector<
   }
   std::vector<SymbolId> needed = reach(scope, scope.question().claim).symbols;
   const auto is_loose = [&](SymbolId symbol) {
-    if (std::find(needed.begin(), needed.end(), symbol) != needed.end()) return false;
+    if (is_one_of(symbol, needed)) return false;
     std::size_t equations = 0;
     for (const Candidate& each : open) {
       if (share(each.symbols, {symbol})) equations += each.numbers;

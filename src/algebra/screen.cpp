@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/screen.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "algebra/refute.h"
+#include "base/among.h"
 #include "base/check.h"
 
 namespace rigor {
@@ -133,7 +133,7 @@ class SampleScreen::Samples {
 
   [[nodiscard]] bool is_reached(SymbolId symbol) const {
     const auto contains = [symbol](const std::vector<SymbolId>& symbols) {
-      return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
+      return is_one_of(symbol, symbols);
     };
     return contains(reach_.symbols) || contains(reach_.unfolded) || contains(question_.zeroed);
   }

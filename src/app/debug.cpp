@@ -11,7 +11,7 @@
 namespace rigor {
 namespace {
 
-constexpr auto table = std::to_array<DebugTopicInfo>({
+constexpr auto topics = std::to_array<DebugTopicInfo>({
     {DebugTopic::time, "time", "milliseconds of each step"},
     {DebugTopic::steps, "steps", "verdict, route and uses of each step"},
     {DebugTopic::work, "work", "units of work of each step, which `--effort` bounds"},
@@ -29,10 +29,10 @@ std::string line_of(DebugTopic topic, const Step& step) {
 
 }  // namespace
 
-std::span<const DebugTopicInfo> debug_topic_table() { return table; }
+std::span<const DebugTopicInfo> debug_topic_table() { return topics; }
 
 std::string print_debug(DebugTopic topic, const FileReport& file, const SourceMap& sources) {
-  const std::string_view name = table[static_cast<std::size_t>(topic)].name;
+  const std::string_view name = topics[static_cast<std::size_t>(topic)].name;
   if (topic == DebugTopic::cache) {
     if (!file.cache) return fmt::format("debug cache: {}: there is none\n", printable(file.path));
     return fmt::format("debug cache: {}: {} of {} decisions were remembered\n", printable(file.path),

@@ -6,7 +6,7 @@
 namespace rigor {
 namespace {
 
-constexpr auto table = std::to_array<ExitCodeInfo>({
+constexpr auto exit_codes = std::to_array<ExitCodeInfo>({
     {ExitCode::ok, "every claim is proved, or as expected; each hole is answered, each replay confirmed"},
     {ExitCode::wrong,
      "something is refuted, malformed or not confirmed; nothing fits a hole; a scene is wrong"},
@@ -18,7 +18,7 @@ constexpr auto table = std::to_array<ExitCodeInfo>({
 
 }  // namespace
 
-std::span<const ExitCodeInfo> exit_code_table() { return table; }
+std::span<const ExitCodeInfo> exit_code_table() { return exit_codes; }
 
 ExitCode exit_code(const Report& report, bool strict) {
   const Tally found = tally(report, strict);

@@ -109,7 +109,7 @@ class Chooser {
 };
 
 /// What is wrong in the notes outside all steps, and in the steps that are not understood.
-void print_errors(const FileReport& report, const SourceMap& sources, std::ostream& err) {
+void print_unread(const FileReport& report, const SourceMap& sources, std::ostream& err) {
   const auto print = [&](const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics) {
       if (each.severity() == Severity::error && each.kind != DiagnosticKind::refuted)
@@ -131,7 +131,7 @@ ExitCode explain_chains(const ExplainCommand& command, std::ostream& out, std::o
     for (const Diagnostic& each : reading.report.diagnostics) err << render(each, sources);
     return ExitCode::no_input;
   }
-  print_errors(reading.report, sources, err);
+  print_unread(reading.report, sources, err);
   const Chooser chooser(command, reading, sources);
   if (!chooser.knows_all_places(err)) return ExitCode::wrong;
   std::vector<ExplainedChain> chains;

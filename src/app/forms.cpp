@@ -36,10 +36,6 @@ struct Forms {
   [[nodiscard]] ExitCode code() const { return malformed ? ExitCode::wrong : ExitCode::ok; }
 };
 
-void print(const Diagnostics& diagnostics, const SourceMap& sources, std::ostream& err) {
-  for (const Diagnostic& diagnostic : diagnostics) err << render(diagnostic, sources);
-}
-
 /// The chains at the places that are asked for. Claims only: what is assumed is not computed.
 ExitCode choose_chains(const FormsCommand& command, Forms& forms, std::ostream& err) {
   const std::vector<WrittenFormChain>& all = forms.reading.forms.chains;
@@ -87,14 +83,15 @@ ExitCode read_all(const FormsCommand& command, Forms& forms, std::ostream& err) 
   request.sidecar = command.sidecar;
   forms.reading = read_forms(forms.sources, command.file, request);
   if (forms.reading.report.unreadable) {
-    print(forms.reading.report.diagnostics, forms.sources, err);
+    for (const Diagnostic& each : forms.reading.report.diagnostics) err << render(each, forms.sources);
     return ExitCode::no_input;
   }
   forms.malformed = print_errors(forms.reading.report, forms.sources, err);
   return choose_chains(command, forms, err);
 }
 
-EvaluatedNotes evaluate_all(const FormsCommand& command, const Forms& forms, const TrialOptions& options) {
+EvaluatedNotes evaluate_all_forms(const FormsCommand& command, const Forms& forms,
+                                  const TrialOptions& options) {
   EvaluatedNotes notes{.path = command.file, .chains = {}};
   for (const WrittenFormChain* chain : forms.chains) {
     ChainResult result = measure_chain(forms.reading.forms, *chain, forms.bodies, options);
@@ -156,7 +153,8 @@ std::optional<std::string> bench_text(const std::vector<EvaluatedChain>& chains,
 ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostream& err) {
   Forms forms;
   if (const ExitCode code = read_all(command.forms, forms, err); code != ExitCode::ok) return code;
-  const EvaluatedNotes notes = evaluate_all(command.forms, forms, trials_for(command.forms, command.times));
+  const EvaluatedNotes notes =
+      evaluate_all_forms(command.forms, forms, trials_for(command.forms, command.times));
   const TerminalOptions options = terminal_options(command.forms.color, out);
   out << (command.json ? evaluation_json(notes, forms.sources)
                        : print_evaluation(notes, forms.sources, options));
@@ -173,7 +171,7 @@ ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostrea
   const std::filesystem::path folder(command.folder);
   std::error_code error;
   if (!command.folder.empty()) std::filesystem::create_directories(folder, error);
-  const EvaluatedNotes notes = evaluate_all(command.forms, forms, trials_for(command.forms, true));
+  const EvaluatedNotes notes = evaluate_all_forms(command.forms, forms, trials_for(command.forms, true));
   const auto text = bench_text(notes.chains, forms.sources, folder, err);
   if (!text) return ExitCode::no_input;
   if (command.folder.empty()) {

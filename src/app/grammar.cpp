@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algebra/engine_version.h"
+#include "base/among.h"
 #include "base/version.h"
 
 namespace rigor {
@@ -74,7 +75,7 @@ std::vector<std::string> Grammar::names() const {
 
 bool Grammar::has(const std::string& name) const {
   const std::vector<std::string> all = names();
-  return std::find(all.begin(), all.end(), name) != all.end();
+  return is_one_of(name, all);
 }
 
 void add_sidecar(CLI::App& to, std::optional<std::string>& sidecar) {
@@ -100,7 +101,7 @@ void add_color(CLI::App& to, ColorWhen& color) {
 CLI::Validator one_of(std::string what, std::vector<std::string> names) {
   std::string joined = fmt::format("{}", fmt::join(names, std::string(1, choice_separator)));
   const auto complain = [what = std::move(what), names = std::move(names)](const std::string& word) {
-    if (std::find(names.begin(), names.end(), word) != names.end()) return std::string();
+    if (is_one_of(word, names)) return std::string();
     return fmt::format("unknown {} `{}`; known: {}", what, word, fmt::join(names, ", "));
   };
   return CLI::Validator(complain, "", std::move(joined));

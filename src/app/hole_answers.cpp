@@ -9,6 +9,7 @@
 
 #include "app/hole_text.h"
 #include "app/write_back.h"
+#include "base/among.h"
 #include "expr/print_latex.h"
 #include "expr/same_expression.h"
 
@@ -178,8 +179,7 @@ class Answering {
       hole.repeats_other = true;
       return;
     }
-    const bool known =
-        std::find(hole.candidates.begin(), hole.candidates.end(), latex) != hole.candidates.end();
+    const bool known = is_one_of(latex, hole.candidates);
     if (!known) hole.candidates.push_back(std::move(latex));
   }
 

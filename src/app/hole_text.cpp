@@ -2,18 +2,14 @@
 #include "app/hole_text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
+#include "base/ascii.h"
 #include "latex/tokens.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// A sum at its outermost level, or a sign before everything.
 bool is_sum(const std::string& latex) {

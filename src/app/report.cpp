@@ -30,7 +30,7 @@ struct Reported {
   std::vector<EvaluatedNotes> evaluated;
 };
 
-void check_all(const ReportCommand& command, Reported& reported, Progress& progress) {
+void check_all_notes(const ReportCommand& command, Reported& reported, Progress& progress) {
   for (const std::string& path : command.files) {
     const CheckOptions options{
         .sidecar = command.sidecar,
@@ -54,7 +54,7 @@ void explain_all(const ReportCommand& command, Reported& reported, Progress& pro
 }
 
 /// Claims only: what is assumed is not computed.
-void evaluate_all(Reported& reported, Progress& progress) {
+void evaluate_all_notes(Reported& reported, Progress& progress) {
   for (const FormsReading& reading : reported.readings) {
     const std::string& path = reading.report.path;
     EvaluatedNotes notes{.path = path, .chains = {}};
@@ -144,7 +144,7 @@ ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ost
   Reported reported;
   {
     Progress progress(err, screen_of(err).is_terminal);
-    check_all(command, reported, progress);
+    check_all_notes(command, reported, progress);
   }
   if (const std::string why = collision(command, reported); !why.empty()) {
     err << "rigor: " << printable(why) << "\n";
@@ -160,7 +160,7 @@ ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ost
   {
     Progress progress(err, screen_of(err).is_terminal);
     explain_all(command, reported, progress);
-    if (command.html && command.forms) evaluate_all(reported, progress);
+    if (command.html && command.forms) evaluate_all_notes(reported, progress);
   }
   if (command.html) {
     std::vector<PageNotes> notes = page_notes(reported, *command.html);

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "app/sample_bodies.h"
+#include "base/among.h"
 #include "base/utf8.h"
 #include "report/scene_json.h"
 #include "report/scene_plot.h"
@@ -86,7 +87,7 @@ bool units_fit(const LoadedScene& loaded, const SourceMap& sources, std::ostream
 bool write_plots(const LoadedScene& loaded, const SceneResult& result, std::ostream& err) {
   if (loaded.scene.plot.empty() || !result.motion) return true;
   const std::filesystem::path name(loaded.scene.plot);
-  const bool inside = !name.is_absolute() && std::find(name.begin(), name.end(), "..") == name.end();
+  const bool inside = !name.is_absolute() && !is_one_of("..", name);
   if (!inside || name.extension() != ".svg") {
     err << "rigor: " << printable(loaded.scene.path) << ": `plot` is `" << printable(loaded.scene.plot)
         << "`, but must be a name that ends in `.svg`, beside the scene or below\n";

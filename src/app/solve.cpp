@@ -9,6 +9,7 @@
 #include "algebra/rational_form.h"
 #include "app/hole_text.h"
 #include "app/write_back.h"
+#include "base/among.h"
 #include "derive/isolate.h"
 #include "derive/propose.h"
 #include "expr/print_latex.h"
@@ -89,8 +90,7 @@ class StatementSolver {
       pending.pop_back();
       const ExprNode& node = tree[id];
       if (node.op == tree[unknown_].op && dump(tree, id) == text) {
-        if (node.span.file == *reading_.statement &&
-            std::find(places_.begin(), places_.end(), node.span) == places_.end())
+        if (node.span.file == *reading_.statement && !is_one_of(node.span, places_))
           places_.push_back(node.span);
         continue;
       }
@@ -136,7 +136,7 @@ class StatementSolver {
     const FormsReading again = read_forms_of_text(sources, notes_.path, notes_.text, request);
     for (const WrittenFormChain& chain : again.forms.chains) {
       if (chain.span.file != *again.statement || chain.steps.empty()) continue;
-      const bool known = std::find(result_.roots.begin(), result_.roots.end(), latex) != result_.roots.end();
+      const bool known = is_one_of(latex, result_.roots);
       if (chain.steps[0].outcome == Outcome::proved && !known) result_.roots.push_back(latex);
       if (chain.steps[0].outcome != Outcome::proved)
         result_.obstacle = fmt::format("`{}` was found, and it could not be proved that it fits", latex);

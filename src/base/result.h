@@ -5,6 +5,7 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
 
 namespace rigor {
 
@@ -14,5 +15,9 @@ struct Error {
 
 template <class T>
 using Result = tl::expected<T, Error>;
+
+[[nodiscard]] inline tl::unexpected<Error> refuse(std::string reason) {
+  return tl::unexpected(Error{std::move(reason)});
+}
 
 }  // namespace rigor

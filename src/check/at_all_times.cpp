@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "base/among.h"
 #include "expr/differentiate.h"
 
 namespace rigor {
@@ -97,7 +98,7 @@ bool speaks_of_any(const ExprTree& tree, Names& names, const Equation& equation)
 /// Does the symbol stand in the argument of a function?
 bool is_argument(const ExprTree& tree, ExprId root, SymbolId symbol) {
   const std::vector<SymbolId> inside = symbols_in(tree, root);
-  if (std::find(inside.begin(), inside.end(), symbol) == inside.end()) return false;
+  if (!is_one_of(symbol, inside)) return false;
   if (tree[root].op == Op::function) return true;
   const auto children = tree.children(root);
   return std::any_of(children.begin(), children.end(),
@@ -148,8 +149,8 @@ std::optional<Equation> at_time_zero(ExprTree& tree, Names& names, const Equatio
 const NamedAssumption* unmatched_assumption(const ExprTree& tree, Names& names, const Prepared& prepared) {
   std::vector<const NamedAssumption*> equations;
   for (const NamedAssumption* each : prepared.assumptions) {
-    const bool fits = each != nullptr && each->equation.relation == Relation::equal &&
-                      std::find(equations.begin(), equations.end(), each) == equations.end();
+    const bool fits =
+        each != nullptr && each->equation.relation == Relation::equal && !is_one_of(each, equations);
     if (fits) equations.push_back(each);
   }
   std::vector<std::set<SymbolId>> choices;
@@ -160,7 +161,7 @@ const NamedAssumption* unmatched_assumption(const ExprTree& tree, Names& names, 
     speaks.push_back(speaks_of_any(tree, names, each->equation));
     if (speaks.back()) timed.insert(choices.back().begin(), choices.back().end());
   }
-  if (std::find(speaks.begin(), speaks.end(), true) == speaks.end()) return nullptr;
+  if (!is_one_of(true, speaks)) return nullptr;
   Matching matching(choices);
   for (std::size_t k = 0; k < equations.size(); ++k) {
     const bool shares = speaks[k] || std::any_of(choices[k].begin(), choices[k].end(),

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/among.h"
 #include "base/splitmix.h"
 #include "check/unread.h"
 
@@ -35,7 +36,7 @@ bool may_be_complex(const Evidence& evidence, const std::string& letter) {
   if (evidence.complex.contains(letter) || evidence.speaks_of_complex || imaginary) return true;
   static constexpr std::array<std::string_view, 7> usual{"z",        "w",     "\\psi", "\\Psi",
                                                          "\\varphi", "\\phi", "\\Phi"};
-  if (std::find(usual.begin(), usual.end(), letter) == usual.end()) return false;
+  if (!is_one_of(letter, usual)) return false;
   // Coordinates x, y, z, velocities u, v, w, and angles θ, φ.
   const auto beside = [&](const char* first, const char* second) {
     return evidence.letters.contains(first) && evidence.letters.contains(second);

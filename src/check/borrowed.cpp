@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/among.h"
 #include "check/decision_cache.h"
 #include "check/law_diagnostic.h"
 #include "check/number_words.h"
@@ -80,7 +81,7 @@ class Heeding {
     for (bool grew = true; grew;) {
       grew = false;
       for (const Fact& fact : at_.facts) {
-        if (std::find(bearing.begin(), bearing.end(), &fact) != bearing.end()) continue;
+        if (is_one_of(&fact, bearing)) continue;
         const std::set<SymbolId> letters = letters_of(fact.equation);
         const bool meets = std::any_of(letters.begin(), letters.end(),
                                        [&](SymbolId letter) { return reached.contains(letter); });
@@ -372,8 +373,7 @@ bool is_used_here(const Standpoint& at, Names& names, const Origin& origin, Symb
   const NameKey* key = names.key_of(symbol);
   for (const UseDirective& use : at.uses) {
     if (!at.prose.sections.reaches(use.place, at.beside().place)) continue;
-    const bool by_letter =
-        key != nullptr && std::find(use.letters.begin(), use.letters.end(), key->base) != use.letters.end();
+    const bool by_letter = key != nullptr && is_one_of(key->base, use.letters);
     const bool by_place = std::any_of(use.places.begin(), use.places.end(), [&](const std::string& place) {
       return origin.text.ends_with(" " + place);
     });

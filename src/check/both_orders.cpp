@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/among.h"
 #include "check/ordered_product.h"
 
 namespace rigor {
@@ -23,7 +24,7 @@ struct Factor {
   friend auto operator<=>(const Factor&, const Factor&) = default;
 };
 
-std::string_view letter_of(const NameKey& key) {
+std::string_view letter_of_key(const NameKey& key) {
   return std::string_view(key.base).substr(0, key.base.find('_'));
 }
 
@@ -35,7 +36,7 @@ bool is_capital(std::string_view letter) {
 bool is_usual_generator(std::string_view letter) {
   static constexpr std::array<std::string_view, 9> letters{
       "\\gamma", "\\sigma", "\\tau", "\\theta", "\\psi", "\\lambda", "\\eta", "\\Gamma", "\\Sigma"};
-  return is_capital(letter) || std::find(letters.begin(), letters.end(), letter) != letters.end();
+  return is_capital(letter) || is_one_of(letter, letters);
 }
 
 /// `a_x`: a component that is written as a number.
@@ -87,7 +88,7 @@ class Products {
       case Op::length:  // `A` where `\vec A` stands in another section
         if (tree_[children[0]].op != Op::symbol) return look(children[0]);
         if (const NameKey* key = names_.key_of(tree_[children[0]].symbol);
-            key != nullptr && !names_.evidence.vectors.contains(std::string(letter_of(*key))))
+            key != nullptr && !names_.evidence.vectors.contains(std::string(letter_of_key(*key))))
           word.push_back({tree_[children[0]].symbol, {}});
         return;
       case Op::multiply:
@@ -147,7 +148,7 @@ class Products {
     if (tree_[id].rank != 0) return;  // dyads keep their order anyway
     see_capital(symbol);
     const NameKey* key = names_.key_of(symbol);
-    const bool number = in_bars_ && key != nullptr && !is_capital(letter_of(*key));
+    const bool number = in_bars_ && key != nullptr && !is_capital(letter_of_key(*key));
     if (!number) word.push_back({symbol, slots_of(id)});
   }
 
@@ -155,7 +156,7 @@ class Products {
   void add_capitals(ExprId id, std::vector<Factor>& word) const {
     for (const SymbolId symbol : symbols_in(tree_, id)) {
       const NameKey* key = names_.key_of(symbol);
-      if (key != nullptr && key->rank == 0 && is_capital(letter_of(*key))) word.push_back({symbol, {}});
+      if (key != nullptr && key->rank == 0 && is_capital(letter_of_key(*key))) word.push_back({symbol, {}});
     }
   }
 
@@ -170,9 +171,9 @@ class Products {
 
   void see_capital(SymbolId symbol) {
     const NameKey* key = names_.key_of(symbol);
-    if (key == nullptr || key->rank != 0 || !is_capital(letter_of(*key))) return;
+    if (key == nullptr || key->rank != 0 || !is_capital(letter_of_key(*key))) return;
     if (tree_.symbols[symbol].declared || is_number(*key) ||
-        names_.evidence.vectors.contains(std::string(letter_of(*key))))
+        names_.evidence.vectors.contains(std::string(letter_of_key(*key))))
       return;
     const bool bare = is_capital(key->base);
     if (in_exponent_ && !bare) labelled_exponents_.insert(symbol);
@@ -188,7 +189,7 @@ class Products {
   }
 
   bool is_number(const NameKey& key) const {
-    return names_.evidence.numbers.contains(std::string(letter_of(key)));
+    return names_.evidence.numbers.contains(std::string(letter_of_key(key)));
   }
 
   bool may_have_order(const Factor& first, const Factor& second) const {
@@ -201,10 +202,10 @@ class Products {
     }
     if (first.slots.empty() != second.slots.empty()) return false;
     const bool speaks = names_.evidence.speaks_of_order || names_.evidence.order_in_heading;
-    const bool same_letter = letter_of(*one) == letter_of(*other);
+    const bool same_letter = letter_of_key(*one) == letter_of_key(*other);
     const bool components = !first.slots.empty() || (is_component(*one) && is_component(*other));
     if (!components) return !is_number(*one) || !is_number(*other);
-    const std::string letter(letter_of(*one));
+    const std::string letter(letter_of_key(*one));
     if (names_.evidence.vectors.contains(letter) && !names_.evidence.labelled.contains(letter)) return false;
     return same_letter ? speaks || is_usual_generator(letter) : speaks && first.slots.empty();
   }

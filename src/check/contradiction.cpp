@@ -18,11 +18,11 @@ namespace rigor {
 namespace {
 
 /// For each assumption, when it is made.
-constexpr Limits brief{.expanded_terms = 6'000,
-                       .steps = 200'000,
-                       .sample_attempts = 40,
-                       .fewest_assumptions = false,
-                       .simplest_sample = false};
+constexpr Limits limits_of_contradictions{.expanded_terms = 6'000,
+                                          .steps = 200'000,
+                                          .sample_attempts = 40,
+                                          .fewest_assumptions = false,
+                                          .simplest_sample = false};
 
 ExprId ones_of_rank(ExprTree& tree, Span span, int rank) {
   ExprId one = tree.add_number(span, "1");
@@ -61,7 +61,8 @@ bool vanishes(ExprTree& tree, Names& names, SymbolId symbol, int order, Decision
   claim.left = tree.add({.op = Op::symbol, .span = tree.symbols[symbol].first_seen, .symbol = symbol});
   claim.right = tree.add_number(tree.symbols[symbol].first_seen, "0");
   const Prepared prepared = prepare(tree, names, claim, 0, Precision::small_order, order);
-  return !prepared.too_large && decide(cache, prepared.question, brief).outcome == Outcome::proved;
+  return !prepared.too_large &&
+         decide(cache, prepared.question, limits_of_contradictions).outcome == Outcome::proved;
 }
 
 /// Is it impossible that all derivatives by place of the body are 0?
@@ -85,7 +86,7 @@ bool changes_with_place(ExprTree& tree, Names& names, const Definition& definiti
   const std::vector<Equation> place = somewhere(tree, names, {question.claim}, By::space);
   question.assumptions.insert(question.assumptions.end(), place.begin(), place.end());
   question.tree = &tree;
-  return assumptions_contradict(question, brief);
+  return assumptions_contradict(question, limits_of_contradictions);
 }
 
 }  // namespace
@@ -103,7 +104,7 @@ bool last_assumption_contradicts(ExprTree& tree, Names& names) {
   const std::vector<Equation> moment = somewhere(tree, names, running, By::time);
   assumptions.insert(assumptions.end(), moment.begin(), moment.end());
   prepared.question.tree = &tree;
-  return assumptions_contradict(prepared.question, brief);
+  return assumptions_contradict(prepared.question, limits_of_contradictions);
 }
 
 bool definition_contradicts(ExprTree& tree, Names& names, const Definition& definition) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algebra/decide.h"
+#include "base/among.h"
 
 namespace rigor {
 namespace {
@@ -61,17 +62,13 @@ class Needed {
     by_claim_ = symbols_of_sample(question);
   }
   [[nodiscard]] bool is_needed(const SampleValue& value) const {
-    if (!tree_.symbols[value.symbol].derivation || is_in(by_claim_, value.symbol)) return true;
+    if (!tree_.symbols[value.symbol].derivation || is_one_of(value.symbol, by_claim_)) return true;
     const bool vanishes = std::all_of(value.components.begin(), value.components.end(),
                                       [](const std::string& each) { return each == "0"; });
-    return !vanishes && is_in(by_assumptions_, value.symbol);
+    return !vanishes && is_one_of(value.symbol, by_assumptions_);
   }
 
  private:
-  static bool is_in(const std::vector<SymbolId>& symbols, SymbolId symbol) {
-    return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
-  }
-
   const ExprTree& tree_;
   std::vector<SymbolId> by_assumptions_;
   std::vector<SymbolId> by_claim_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/among.h"
 #include "expr/differentiate.h"
 
 namespace rigor {
@@ -66,9 +67,7 @@ std::optional<Decomposition> decomposition(const ExprTree& tree, const Names& na
                                            ExprId made_of, std::size_t place) {
   if (tree[part].op != Op::symbol || names.definition_of(tree[part].symbol) != nullptr) return std::nullopt;
   const std::vector<SymbolId> inside = symbols_in(tree, made_of);
-  const auto is_inside = [&](SymbolId symbol) {
-    return std::find(inside.begin(), inside.end(), symbol) != inside.end();
-  };
+  const auto is_inside = [&](SymbolId symbol) { return is_one_of(symbol, inside); };
   for (Decomposition& sum : sums_stated(tree, names, place)) {
     const auto is_part = [&](ExprId term) { return tree[term].symbol == tree[part].symbol; };
     const bool fits = is_inside(sum.whole.symbol) &&

@@ -5,17 +5,13 @@
 #include <array>
 #include <string_view>
 
+#include "base/among.h"
 #include "check/prose_words.h"
 
 namespace rigor {
 namespace {
 
 using Words = std::vector<std::string_view>;
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 /// "which is wrong", "but this cannot hold", "This fails", "No": not "it is false that", which points ahead.
 bool points_back(std::string_view text) {

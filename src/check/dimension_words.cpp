@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
@@ -22,7 +24,7 @@ std::vector<Span> DimensionWords::places_of(const Reasons& reasons, DimensionRea
   std::vector<Span> places;
   for (const auto& [reason, factor] : reasons) {
     const DimensionReason& entry = reasons_[reason];
-    const bool is_new = std::find(places.begin(), places.end(), entry.span) == places.end();
+    const bool is_new = !is_one_of(entry.span, places);
     if (entry.kind == kind && is_new) places.push_back(entry.span);
   }
   return places;

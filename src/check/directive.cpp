@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/ascii.h"
 #include "check/warning_names.h"
 #include "latex/conditions.h"
 #include "latex/cyclic_image.h"
@@ -43,8 +44,6 @@ bool describes_symbols(const std::string& word) {
 bool is_half(const std::string& word) { return word == "first" || word == "for"; }
 
 bool is_adjective(const std::string& word) { return describes_symbols(word) || is_half(word); }
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// The line's leading words: `symmetric tensor`, `tensor (symmetric)`, `unit vector`.
 struct Opening {

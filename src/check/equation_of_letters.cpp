@@ -7,15 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "base/among.h"
 #include "check/prose_words.h"
 
 namespace rigor {
 namespace {
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 /// Since the last display.
 std::vector<std::string_view> last_words(std::string_view lead) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/free_constant.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
 
+#include "base/ascii.h"
 #include "check/chain_reading.h"
 #include "check/decision_cache.h"
 #include "check/judge.h"
@@ -14,16 +14,12 @@
 namespace rigor {
 namespace {
 
-constexpr Limits brief{.expanded_terms = 3'000,
-                       .steps = 20'000,
-                       .quick_points = 2,
-                       .quick_steps = 4'000,
-                       .sample_attempts = 12,
-                       .fewest_assumptions = false};
-
-bool is_letter(const Token& token, std::string_view letter) {
-  return token.kind == TokenKind::letter && token.text == letter;
-}
+constexpr Limits limits_of_constants{.expanded_terms = 3'000,
+                                     .steps = 20'000,
+                                     .quick_points = 2,
+                                     .quick_steps = 4'000,
+                                     .sample_attempts = 12,
+                                     .fewest_assumptions = false};
 
 class Absorption {
  public:
@@ -105,7 +101,7 @@ class Absorption {
     bool holds = false;
     if (reading->sides[wrong_.which].typed && reading->sides[wrong_.which + 1].typed) {
       const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, ignored);
-      holds = claim && judge(tree_, names_, *claim, brief, cache_).verdict == Verdict::proved;
+      holds = claim && judge(tree_, names_, *claim, limits_of_constants, cache_).verdict == Verdict::proved;
     }
     names_ = before;
     return holds;

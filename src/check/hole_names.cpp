@@ -11,13 +11,13 @@ namespace {
 
 constexpr std::size_t most_candidates = 200;
 constexpr std::size_t most_names = 3;
-constexpr Limits brief{.expanded_terms = 10'000,
-                       .steps = 60'000,
-                       .quick_points = 2,
-                       .quick_steps = 4'000,
-                       .sample_attempts = 12,
-                       .fewest_assumptions = false,
-                       .simplest_sample = false};
+constexpr Limits limits_of_names{.expanded_terms = 10'000,
+                                 .steps = 60'000,
+                                 .quick_points = 2,
+                                 .quick_steps = 4'000,
+                                 .sample_attempts = 12,
+                                 .fewest_assumptions = false,
+                                 .simplest_sample = false};
 
 class NameTrial {
  public:
@@ -35,7 +35,7 @@ class NameTrial {
     Claim claim = claim_;
     claim.equation = equation;
     Names names = names_;  // a trial uses nothing
-    return judge(tree_, names, claim, brief).verdict == Verdict::proved;
+    return judge(tree_, names, claim, limits_of_names).verdict == Verdict::proved;
   }
 
   std::vector<SymbolId> symbols_in_scope() const {

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/among.h"
 #include "check/chain_reading.h"
 #include "check/hole_names.h"
 #include "check/question.h"
@@ -18,10 +19,7 @@ namespace {
 
 constexpr std::size_t most_letters = 8;  // that a hole's own are chosen from
 
-bool is_equality(RelationKind kind) {
-  return kind == RelationKind::equal || kind == RelationKind::identical || kind == RelationKind::defines ||
-         kind == RelationKind::nearly;
-}
+bool joins_values(RelationKind kind) { return is_equality(kind) || kind == RelationKind::nearly; }
 
 /// The holes below a node, from left to right.
 std::vector<SyntaxId> holes_below(const SyntaxTree& syntax, SyntaxId root) {
@@ -49,7 +47,7 @@ void letters_below(const SyntaxTree& syntax, SyntaxId root, std::vector<std::str
     for (const WrittenIndex& index : syntax.symbol(id).lower) {
       const bool one_letter = index.form == IndexForm::letter && axis_of_letter(index.text) == 0;
       const std::string key = index.text + std::string(index.primes, '\'');
-      const bool known = std::find(letters.begin(), letters.end(), key) != letters.end();
+      const bool known = is_one_of(key, letters);
       if (one_letter && !known) letters.push_back(key);
     }
   }
@@ -219,10 +217,10 @@ std::optional<std::size_t> partner_of(const HoleChain& chain, std::size_t side) 
   const std::vector<SyntaxId>& sides = chain.parsed.sides;
   const auto& relations = chain.parsed.written.relations;
   const auto fits = [&](std::size_t other) { return holes_below(chain.syntax, sides[other]).empty(); };
-  for (std::size_t k = side; k > 0 && is_equality(relations[k - 1].kind); --k) {
+  for (std::size_t k = side; k > 0 && joins_values(relations[k - 1].kind); --k) {
     if (fits(k - 1)) return k - 1;
   }
-  for (std::size_t k = side; k < relations.size() && is_equality(relations[k].kind); ++k) {
+  for (std::size_t k = side; k < relations.size() && joins_values(relations[k].kind); ++k) {
     if (fits(k + 1)) return k + 1;
   }
   return std::nullopt;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "algebra/decide.h"
+#include "base/among.h"
 #include "check/counterexample.h"
 #include "check/decide_by_record.h"
 #include "check/decision_cache.h"
@@ -194,8 +195,7 @@ class Judging {
   }
 
   void add_use(const std::string& use) {
-    if (std::find(judgement_.uses.begin(), judgement_.uses.end(), use) == judgement_.uses.end())
-      judgement_.uses.push_back(use);
+    if (!is_one_of(use, judgement_.uses)) judgement_.uses.push_back(use);
   }
 
   void name_what_it_rests_on() {
@@ -213,8 +213,7 @@ class Judging {
     for (std::size_t k = 0; k < prepared_.definitions.size(); ++k) {
       const auto& unfolded = decision.unfolded;
       const SymbolId symbol = prepared_.question.definitions[k].symbol;
-      if (std::find(unfolded.begin(), unfolded.end(), symbol) != unfolded.end())
-        add_use(prepared_.definitions[k]->text);
+      if (is_one_of(symbol, unfolded)) add_use(prepared_.definitions[k]->text);
     }
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) add_use(prepared_.assumptions[which]->origin.text);

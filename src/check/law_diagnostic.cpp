@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <set>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "source/suggest.h"
 
 namespace rigor {
@@ -19,9 +20,8 @@ std::optional<std::string> likely_meant(const std::string& name, const std::vect
                                         const std::set<std::string>& in_statement) {
   const std::string bare = bare_name(name);
   const auto is_word = [](const std::string& text) {
-    return std::all_of(text.begin(), text.end(), [](char each) {
-      return std::isalpha(static_cast<unsigned char>(each)) != 0 || each == '\\' || each == '_';
-    });
+    return std::all_of(text.begin(), text.end(),
+                       [](char each) { return is_letter(each) || each == '\\' || each == '_'; });
   };
   for (const std::string& other : known) {
     if (in_statement.contains(other)) continue;
@@ -39,7 +39,7 @@ std::string quoted_names(const ExprTree& tree, const std::vector<SymbolId>& symb
   std::vector<std::string> names;
   for (const SymbolId symbol : symbols) {
     const std::string& name = tree.symbols[symbol].name;
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (!is_one_of(name, names)) names.push_back(name);
   }
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (k > 0) text += k + 1 == names.size() ? " and " : ", ";

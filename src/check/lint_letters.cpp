@@ -3,7 +3,6 @@
 // what the number is, as in `R = R_{ii}`, it is a convention and no slip.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 

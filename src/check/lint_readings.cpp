@@ -6,7 +6,7 @@
 namespace rigor {
 namespace {
 
-ReadAs meaning_of(const ExprNode& node) {
+ReadAs read_as(const ExprNode& node) {
   if (node.op == Op::length) return ReadAs::length;
   if (node.rank == 0) return ReadAs::number;
   return node.rank == 1 ? ReadAs::vector : ReadAs::tensor;
@@ -27,7 +27,7 @@ std::map<Extent, SymbolReading> symbol_readings(const LintInput& input) {
         composed.insert(extent);
         continue;
       }
-      SymbolReading reading{meaning_of(tree[id]), node.symbol, tree.symbols[node.symbol].name, tree[id].span};
+      SymbolReading reading{read_as(tree[id]), node.symbol, tree.symbols[node.symbol].name, tree[id].span};
       const auto [known, fresh] = readings.try_emplace(extent, reading);
       if (!fresh && length) known->second = std::move(reading);  // the vector alone is part of the length
     }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
@@ -64,7 +66,7 @@ const Directive* LintScopes::said_of(DiagnosticKind kind, Span place) const {
   for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
     const std::vector<DiagnosticKind>& kinds = scope->directive->warnings;
     const bool covers = scope->begin <= *event && *event < scope->end;
-    if (covers && std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return scope->directive;
+    if (covers && is_one_of(kind, kinds)) return scope->directive;
   }
   return nullptr;
 }
@@ -77,8 +79,7 @@ bool LintScopes::asks_for(DiagnosticKind kind, Span place) const {
 bool LintScopes::asks_somewhere(DiagnosticKind kind) const {
   return std::any_of(scopes_.begin(), scopes_.end(), [&](const Scope& scope) {
     const std::vector<DiagnosticKind>& kinds = scope.directive->warnings;
-    return scope.directive->kind == DirectiveKind::warn &&
-           std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    return scope.directive->kind == DirectiveKind::warn && is_one_of(kind, kinds);
   });
 }
 

@@ -28,7 +28,7 @@ std::string_view look_of(std::string_view written) {
 }
 
 /// What tells one ε from another.
-std::string name_of(const WrittenSymbol& symbol) {
+std::string spelling_of(const WrittenSymbol& symbol) {
   if (is_levi_civita(symbol)) return "symbol of three indices";
   return with_labels(fmt::format("{}{}{}", static_cast<int>(symbol.face), static_cast<int>(symbol.accent),
                                  std::string(symbol.primes, '\'')),
@@ -54,7 +54,7 @@ Findings lint_spelling(const LintInput& input) {
       const WrittenSymbol& symbol = syntax.symbol(id);
       const std::string_view look = look_of(input.sources.text(symbol.letter_span));
       if (look.empty()) continue;
-      const std::string name = name_of(symbol);
+      const std::string name = spelling_of(symbol);
       const auto [known, fresh] = first.try_emplace(name, Spelling{look, symbol.letter_span});
       if (fresh || known->second.look == look || !said.insert(name).second) continue;
       findings.push_back({{DiagnosticKind::mixed_spelling,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/among.h"
 #include "check/chain_reading.h"
 #include "check/decision_cache.h"
 #include "check/identity_reading.h"
@@ -16,12 +17,12 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_tried = 40;
-constexpr Limits brief{.expanded_terms = 3'000,
-                       .steps = 20'000,
-                       .quick_points = 2,
-                       .quick_steps = 4'000,
-                       .sample_attempts = 12,
-                       .fewest_assumptions = false};
+constexpr Limits limits_of_conditions{.expanded_terms = 3'000,
+                                      .steps = 20'000,
+                                      .quick_points = 2,
+                                      .quick_steps = 4'000,
+                                      .sample_attempts = 12,
+                                      .fewest_assumptions = false};
 
 /// A condition as LaTeX; small: the step is to hold to first order in it.
 struct Condition {
@@ -170,9 +171,9 @@ class Conditions {
   std::vector<Condition> conditions_;
 };
 
-class Search {
+class ConditionSearch {
  public:
-  Search(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
+  ConditionSearch(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
       : tree_(tree), names_(names), cache_(cache), chain_(wrong.parsed) {
     for (std::size_t k = 0; k < chain_.sides.size(); ++k)
       chain_.sides[k] = parse_side(chain_.written.sides[k].tokens, chain_.written.sides[k].span, syntax_);
@@ -207,7 +208,7 @@ class Search {
     const Question question = prepare(tree_, names_, claim_->equation).question;
     std::vector<SymbolId> all;
     const auto add = [&](SymbolId symbol) {
-      if (std::find(all.begin(), all.end(), symbol) == all.end()) all.push_back(symbol);
+      if (!is_one_of(symbol, all)) all.push_back(symbol);
     };
     for (const ExprId side : {claim_->equation.left, claim_->equation.right}) {
       for (const SymbolId symbol : symbols_in(tree_, side)) {
@@ -254,8 +255,9 @@ class Search {
 
   bool holds_given(const std::string& latex) {
     if (!assume(latex)) return false;
-    const Judgement judgement = judge(tree_, names_, *claim_, brief, cache_);
-    return says_something(judgement) && sample_of_assumptions(tree_, names_, {}, brief, cache_).has_value();
+    const Judgement judgement = judge(tree_, names_, *claim_, limits_of_conditions, cache_);
+    return says_something(judgement) &&
+           sample_of_assumptions(tree_, names_, {}, limits_of_conditions, cache_).has_value();
   }
 
   bool holds_to_first_order(const std::string& latex) {
@@ -269,14 +271,14 @@ class Search {
     names_.declare_small({.quantity = reading->sides[0].typed->id});
     Claim nearly = *claim_;
     nearly.nearly = true;
-    return says_something(judge(tree_, names_, nearly, brief, cache_));
+    return says_something(judge(tree_, names_, nearly, limits_of_conditions, cache_));
   }
 
   /// Where both sides are proportional to what is small, it says nothing.
   bool vanishes_without(SymbolId symbol) {
     Question question = prepare(tree_, names_, claim_->equation).question;
     question.zeroed.push_back(symbol);
-    const Decision decision = decide(cache_, question, brief);
+    const Decision decision = decide(cache_, question, limits_of_conditions);
     return decision.outcome != Outcome::proved || decision.vanishes;
   }
 
@@ -312,7 +314,7 @@ std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& n
                                             DecisionCache* cache) {
   ExprTree own_tree = tree;
   Names own_names = names;
-  return Search(own_tree, own_names, wrong, cache).run();
+  return ConditionSearch(own_tree, own_names, wrong, cache).run();
 }
 
 }  // namespace rigor

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/ascii.h"
 #include "elaborate/letters.h"
 #include "expr/latex_name.h"
 #include "latex/tokens.h"
@@ -34,7 +35,7 @@ bool is_common(const std::string& letter) {
 /// `\mathbf A` and `\vec\omega` with their braces.
 std::string with_braces(const std::string& letter) {
   std::size_t end = 1;
-  while (end < letter.size() && std::isalpha(static_cast<unsigned char>(letter[end])) != 0) ++end;
+  while (end < letter.size() && is_letter(letter[end])) ++end;
   if (end >= letter.size() || letter[0] != '\\' || letter[end] == '{') return letter;
   std::size_t argument = end;
   while (argument < letter.size() && letter[argument] == ' ') ++argument;

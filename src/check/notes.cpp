@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <optional>
 #include <set>
 
+#include "base/ascii.h"
 #include "check/declared_first.h"
 #include "check/demand.h"
 #include "check/said_kinds.h"
@@ -163,9 +163,7 @@ class NotesReader {
         tokens.insert(tokens.end(), letter.begin(), letter.end());
         said.words += text_of(letter);
       } else if (relation[at] == '\\') {
-        while (at + length < relation.size() &&
-               std::isalpha(static_cast<unsigned char>(relation[at + length])))
-          ++length;
+        while (at + length < relation.size() && is_letter(relation[at + length])) ++length;
         tokens.push_back({TokenKind::control, relation.substr(at + 1, length - 1), place});
         said.words += relation.substr(at, length);
       } else {

@@ -5,6 +5,8 @@
 #include <array>
 #include <string_view>
 
+#include "base/ascii.h"
+
 namespace rigor {
 namespace {
 
@@ -40,10 +42,9 @@ constexpr std::array<std::string_view, 184> neutral{
 static_assert(std::is_sorted(neutral.begin(), neutral.end()));
 
 std::optional<std::string> open_word_in(std::string_view text) {
-  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
-    while (end < text.size() && is_letter(text[end])) ++end;
+    while (end < text.size() && is_small_letter(text[end])) ++end;
     const std::string_view word = text.substr(at, end - at);
     if (word.size() > 1 && !std::binary_search(neutral.begin(), neutral.end(), word))
       return std::string(word);
@@ -57,10 +58,9 @@ std::optional<std::string> dropping_word_in(std::string_view text) {
       "averag",      "incoherent",  "random",   "uncorrelated", "independent", "cancel",
       "cross",       "drop",        "fluctuat", "washes",       "mean",        "integrates",
       "statistical", "expectation", "noise",    "interference", "oscillat",    "ensemble"};
-  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
-    while (end < text.size() && is_letter(text[end])) ++end;
+    while (end < text.size() && is_small_letter(text[end])) ++end;
     const std::string_view word = text.substr(at, end - at);
     const bool drops =
         word != "means" && word != "meaning" &&

@@ -19,14 +19,14 @@ constexpr std::size_t longest_word = 64;
 constexpr std::string_view inverted = "1/";
 
 /// Commuting factors, sorted, and factors in their order.
-struct Word {
+struct OrderedWord {
   std::vector<std::string> commuting;
   std::vector<std::string> ordered;
-  friend auto operator<=>(const Word&, const Word&) = default;
+  friend auto operator<=>(const OrderedWord&, const OrderedWord&) = default;
 };
 
 /// Words with integer coefficients; no entry is 0.
-using Words = std::map<Word, std::int64_t>;
+using SumOfWords = std::map<OrderedWord, std::int64_t>;
 
 class WordReader {
  public:
@@ -34,7 +34,7 @@ class WordReader {
   WordReader(const ExprTree& tree, const std::set<SymbolId>& ordered, const std::set<SymbolId>& units = {})
       : tree_(tree), ordered_(ordered), units_(units) {}
 
-  std::optional<Words> read(ExprId id) {
+  std::optional<SumOfWords> read(ExprId id) {
     const ExprNode& node = tree_[id];
     const std::span<const ExprId> children = tree_.children(id);
     switch (node.op) {
@@ -63,30 +63,30 @@ class WordReader {
   }
 
   /// What is not looked into: a symbol, or a whole without an ordered symbol in it.
-  std::optional<Words> atom(ExprId id) const {
+  std::optional<SumOfWords> atom(ExprId id) const {
     const bool in_order = holds_ordered(id);
     if (in_order && tree_[id].op != Op::symbol) return std::nullopt;
-    if (in_order && units_.contains(tree_[id].symbol)) return Words{{Word{}, 1}};
-    Word word;
+    if (in_order && units_.contains(tree_[id].symbol)) return SumOfWords{{OrderedWord{}, 1}};
+    OrderedWord word;
     (in_order || tree_[id].rank > 0 ? word.ordered : word.commuting).push_back(dump(tree_, id));
-    return Words{{std::move(word), 1}};
+    return SumOfWords{{std::move(word), 1}};
   }
 
-  std::optional<Words> number(ExprId id) const {
+  std::optional<SumOfWords> number(ExprId id) const {
     const std::string& digits = tree_.digits(id);
     if (digits.size() > 9 || digits.find('.') != std::string::npos) return atom(id);
     const std::int64_t value = std::stoll(digits);
-    return value == 0 ? Words{} : Words{{Word{}, value}};
+    return value == 0 ? SumOfWords{} : SumOfWords{{OrderedWord{}, value}};
   }
 
-  static std::optional<Words> scaled(std::optional<Words> words, std::int64_t by) {
+  static std::optional<SumOfWords> scaled(std::optional<SumOfWords> words, std::int64_t by) {
     if (words) {
       for (auto& [word, count] : *words) count *= by;
     }
     return words;
   }
 
-  static bool add(Words& into, const Word& word, std::int64_t count) {
+  static bool add(SumOfWords& into, const OrderedWord& word, std::int64_t count) {
     constexpr std::int64_t limit = std::int64_t{1} << 40;
     auto& total = into[word];
     total += count;
@@ -95,8 +95,8 @@ class WordReader {
     return small && into.size() <= most_words;
   }
 
-  std::optional<Words> sum(std::span<const ExprId> children) {
-    Words total;
+  std::optional<SumOfWords> sum(std::span<const ExprId> children) {
+    SumOfWords total;
     for (const ExprId child : children) {
       const auto words = read(child);
       if (!words) return words;
@@ -107,11 +107,11 @@ class WordReader {
     return total;
   }
 
-  static std::optional<Words> times(const Words& left, const Words& right) {
-    Words result;
+  static std::optional<SumOfWords> times(const SumOfWords& left, const SumOfWords& right) {
+    SumOfWords result;
     for (const auto& [first, count] : left) {
       for (const auto& [second, other] : right) {
-        Word word = first;
+        OrderedWord word = first;
         word.commuting.insert(word.commuting.end(), second.commuting.begin(), second.commuting.end());
         std::sort(word.commuting.begin(), word.commuting.end());
         for (const std::string& factor : second.ordered) append(word.ordered, factor);
@@ -123,8 +123,8 @@ class WordReader {
     return result;
   }
 
-  std::optional<Words> product(std::span<const ExprId> children) {
-    Words whole{{Word{}, 1}};
+  std::optional<SumOfWords> product(std::span<const ExprId> children) {
+    SumOfWords whole{{OrderedWord{}, 1}};
     for (const ExprId child : children) {
       const auto words = read(child);
       if (!words) return words;
@@ -135,25 +135,25 @@ class WordReader {
     return whole;
   }
 
-  std::optional<Words> power(ExprId id) {
+  std::optional<SumOfWords> power(ExprId id) {
     if (!holds_ordered(id)) return flat_power(id);
     const std::vector<ExprId> factors(static_cast<std::size_t>(tree_[id].exponent), tree_.children(id)[0]);
     return factors.size() <= 16 ? product(factors) : std::nullopt;
   }
 
   /// (xy)⁻¹ = y⁻¹x⁻¹, of one word without a coefficient.
-  std::optional<Words> inverse(ExprId id) {
+  std::optional<SumOfWords> inverse(ExprId id) {
     if (!holds_ordered(id)) return atom(id);
     const auto base = read(tree_.children(id)[0]);
     const bool one_word = base && base->size() == 1 && base->begin()->second == 1;
     if (!one_word || !base->begin()->first.commuting.empty() || tree_[id].exponent < -16) return std::nullopt;
     const std::vector<std::string>& factors = base->begin()->first.ordered;
-    Word word;
+    OrderedWord word;
     for (int time = 0; time < -tree_[id].exponent; ++time) {
       for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor)
         append(word.ordered, inverse_of(*factor));
     }
-    return Words{{std::move(word), 1}};
+    return SumOfWords{{std::move(word), 1}};
   }
 
   static std::string inverse_of(const std::string& factor) {
@@ -170,19 +170,19 @@ class WordReader {
   }
 
   /// A power of what commutes is multiplied out, too, as far as it is short.
-  std::optional<Words> flat_power(ExprId id) {
+  std::optional<SumOfWords> flat_power(ExprId id) {
     if (tree_[id].exponent > 16) return atom(id);
     const std::vector<ExprId> factors(static_cast<std::size_t>(tree_[id].exponent), tree_.children(id)[0]);
     return product(factors);
   }
 
   /// A divisor is a commuting factor of its own, which nothing cancels.
-  std::optional<Words> quotient(std::span<const ExprId> children) {
+  std::optional<SumOfWords> quotient(std::span<const ExprId> children) {
     const auto above = read(children[0]);
     if (!above || holds_ordered(children[1])) return std::nullopt;
-    Word divisor;
+    OrderedWord divisor;
     divisor.commuting.push_back("1/" + dump(tree_, children[1]));
-    return times(*above, Words{{std::move(divisor), 1}});
+    return times(*above, SumOfWords{{std::move(divisor), 1}});
   }
 
   const ExprTree& tree_;

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <string_view>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "check/prose_behind.h"
 
 namespace rigor {
@@ -14,7 +15,6 @@ namespace {
 
 constexpr std::size_t longest_inline = 400;  // bytes of mathematics in a line
 
-bool is_alpha(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 /// Comments become blanks, so that places stay.
@@ -51,7 +51,7 @@ bool relates(std::string_view mathematics) {
     const auto at = mathematics.find(sign);
     if (at == std::string_view::npos) return false;
     const std::size_t behind = at + sign.size();
-    return sign[0] != '\\' || behind >= mathematics.size() || !is_alpha(mathematics[behind]) ||
+    return sign[0] != '\\' || behind >= mathematics.size() || !is_letter(mathematics[behind]) ||
            sign == "\\le" || sign == "\\ge";
   });
 }
@@ -75,11 +75,6 @@ bool ends_sentence(std::string_view display) {
     }
   }
   return !display.empty() && display.back() == '.';
-}
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 bool is_abbreviation(std::string_view word) {
@@ -222,7 +217,7 @@ class ProseReader {
     const char c = text[at];
     if (is_space(c)) return read_blanks(text, at);
     if (c == '$' || text.compare(at, 2, "\\(") == 0) return read_inline(text, at, span);
-    if (is_alpha(c)) return read_word(text, at);
+    if (is_letter(c)) return read_word(text, at);
     if (c == '\\') return read_control(text, at);
     const bool ends =
         (c == '.' || c == '!' || c == '?') &&
@@ -230,7 +225,7 @@ class ProseReader {
         !(c == '.' && is_abbreviation(last_word()));
     if (ends) {
       end_sentence(c);
-    } else if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
+    } else if (is_digit(c)) {
       sentence_ += c;
     } else if (c == ',' || c == ';' || c == ':' || c == '(' || c == ')') {
       sentence_ += c;
@@ -242,7 +237,7 @@ class ProseReader {
   std::size_t read_blanks(const std::string& text, std::size_t at) {
     std::size_t lines = 0;
     for (; at < text.size() && is_space(text[at]); ++at) lines += text[at] == '\n' ? 1 : 0;
-    const bool capital = at < text.size() && std::isupper(static_cast<unsigned char>(text[at])) != 0;
+    const bool capital = at < text.size() && is_capital_letter(text[at]);
     const auto last = sentence_.find_last_not_of(' ');
     const bool behind_display = last != std::string::npos && sentence_[last] == '\n';
     // A capital behind a blank line or a display begins a sentence, also where no full stop stands.
@@ -254,10 +249,8 @@ class ProseReader {
 
   std::size_t read_word(const std::string& text, std::size_t at) {
     std::size_t end = at;
-    while (end < text.size() && (is_alpha(text[end]) || text[end] == '-' || text[end] == '\'')) ++end;
-    std::string word = text.substr(at, end - at);
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    while (end < text.size() && (is_letter(text[end]) || text[end] == '-' || text[end] == '\'')) ++end;
+    const std::string word = lowered(text.substr(at, end - at));
     // "except for $x = 0$", "not at $x = 0$"
     if (const Cue cue = cue_of(word); cue != Cue::none && cue_ != Cue::apart) cue_ = cue;
     at_place_ = at_place_ || names_a_place(word);
@@ -267,14 +260,14 @@ class ProseReader {
 
   std::string last_word() const {
     std::size_t begin = sentence_.size();
-    while (begin > 0 && is_alpha(sentence_[begin - 1])) --begin;
+    while (begin > 0 && is_letter(sentence_[begin - 1])) --begin;
     return sentence_.substr(begin);
   }
 
   /// Commands of the text are no words; `\item`, `\begin` and `\par` end a sentence.
   std::size_t read_control(const std::string& text, std::size_t at) {
     std::size_t end = at + 1;
-    while (end < text.size() && is_alpha(text[end])) ++end;
+    while (end < text.size() && is_letter(text[end])) ++end;
     const std::string name = text.substr(at + 1, end - at - 1);
     if (name == "item" || name == "par") end_sentence();
     const bool names_something = name == "begin" || name == "end" || name == "label" || name == "ref" ||

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "check/words_behind.h"
 
 namespace rigor {
@@ -13,9 +14,7 @@ using Parts = std::vector<std::string_view>;
 
 Parts parts_of_sentence(std::string_view sentence) {
   Parts parts;
-  const auto in_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '\'';
-  };
+  const auto in_word = [](char c) { return is_letter_or_digit(c) || c == '-' || c == '\''; };
   for (std::size_t at = 0; at < sentence.size();) {
     std::size_t end = at;
     while (end < sentence.size() && in_word(sentence[end])) ++end;
@@ -28,15 +27,8 @@ Parts parts_of_sentence(std::string_view sentence) {
 
 namespace {
 
-template <std::size_t N>
-bool is_in(std::string_view word, const std::array<std::string_view, N>& list) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 bool is_punctuation(std::string_view part) { return part == "," || part == ";" || part == ":"; }
-bool is_number(std::string_view part) {
-  return !part.empty() && std::isdigit(static_cast<unsigned char>(part[0])) != 0;
-}
+bool is_number(std::string_view part) { return !part.empty() && is_digit(part[0]); }
 
 /// The letters of indices, `i` to `n` and Greek ones, in `text`.
 std::vector<std::string> index_letters(std::string_view text) {
@@ -44,10 +36,10 @@ std::vector<std::string> index_letters(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '\\') {
       std::size_t end = at + 1;
-      while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) ++end;
+      while (end < text.size() && is_letter(text[end])) ++end;
       letters.emplace_back(text.substr(at, end - at));
       at = std::max(end, at + 2) - 1;
-    } else if (std::isalpha(static_cast<unsigned char>(text[at])) != 0) {
+    } else if (is_letter(text[at])) {
       letters.emplace_back(text.substr(at, 1));
     }
   }
@@ -65,7 +57,7 @@ std::string subscripts_of(std::string_view text) {
     if (text[begin] == '{') {
       end = std::min(text.find('}', begin), text.size());
     } else if (text[begin] == '\\') {
-      while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) ++end;
+      while (end < text.size() && is_letter(text[end])) ++end;
     }
     all += text.substr(begin, end - begin);
     all += ' ';
@@ -78,9 +70,8 @@ bool speaks_of_indices(std::string_view condition, std::string_view relation) {
   const std::vector<std::string> there = index_letters(subscripts_of(relation));
   if (there.empty() || condition.find('_') != std::string_view::npos) return false;
   const std::vector<std::string> own = index_letters(condition);
-  return std::any_of(own.begin(), own.end(), [&](const std::string& letter) {
-    return std::find(there.begin(), there.end(), letter) != there.end();
-  });
+  return std::any_of(own.begin(), own.end(),
+                     [&](const std::string& letter) { return is_one_of(letter, there); });
 }
 
 /// `k > 0`: "where $k > 0$ is the stiffness" gives no name to a value.
@@ -90,8 +81,7 @@ bool is_order(std::string_view text) {
   for (const std::string_view sign : {"\\le", "\\ge", "\\ne"}) {
     for (std::size_t at = text.find(sign); at != std::string_view::npos; at = text.find(sign, at + 1)) {
       const std::string_view behind = text.substr(at + sign.size());
-      if (behind.empty() || behind[0] == 'q' || std::isalpha(static_cast<unsigned char>(behind[0])) == 0)
-        return true;
+      if (behind.empty() || behind[0] == 'q' || !is_letter(behind[0])) return true;
     }
   }
   return false;
@@ -148,7 +138,7 @@ class Behind {
     while (here() == "and" || is_filler_behind(here())) ++at_;
     static constexpr std::array<std::string_view, 8> cues{"with", "for",   "if",      "where",
                                                           "when", "since", "because", "setting"};
-    if (is_in(here(), cues) && part(at_ + 1) == "$") ++at_;
+    if (is_one_of(here(), cues) && part(at_ + 1) == "$") ++at_;
     if (here() == "$") return Found::list;
     return restricts_behind_comma(here()) ? Found::restricted : Found::free;
   }
@@ -157,14 +147,14 @@ class Behind {
   [[nodiscard]] bool is_remark_of_all() const {
     static constexpr std::array<std::string_view, 9> remarks{
         "all", "any", "every", "each", "example", "instance", "simplicity", "convenience", "brevity"};
-    return is_in(part(at_ + 1), remarks);
+    return is_one_of(part(at_ + 1), remarks);
   }
 
   /// "in terms of", "in general".
   [[nodiscard]] bool is_remark_in() const {
     static constexpr std::array<std::string_view, 7> remarks{"terms", "general",    "fact", "short",
                                                              "other", "particular", "turn"};
-    return is_in(part(at_ + 1), remarks);
+    return is_one_of(part(at_ + 1), remarks);
   }
 
   /// "(1)", "(see above)"; not "(in air)".
@@ -175,7 +165,7 @@ class Behind {
       ++at_;
       return false;
     }
-    if (!is_number(first) && !is_in(first, remarks)) return false;
+    if (!is_number(first) && !is_one_of(first, remarks)) return false;
     while (!ends() && here() != ")") ++at_;
     return true;
   }
@@ -185,9 +175,9 @@ class Behind {
     static constexpr std::array<std::string_view, 4> prepositions{"in", "into", "by", "from"};
     static constexpr std::array<std::string_view, 6> grounds{"assumption", "definition",   "hypothesis",
                                                              "symmetry",   "construction", "eq"};
-    if (!is_in(here(), prepositions)) return false;
+    if (!is_one_of(here(), prepositions)) return false;
     std::size_t next = at_ + 1;
-    if (here() == "by" && is_in(part(next), grounds)) {
+    if (here() == "by" && is_one_of(part(next), grounds)) {
       at_ = next + 1;
       return true;
     }
@@ -203,13 +193,13 @@ class Behind {
   bool pass_over_remark() {
     static constexpr std::array<std::string_view, 5> reasons{"simplicity", "convenience", "brevity",
                                                              "example", "instance"};
-    if (here() == "for" && is_in(part(at_ + 1), reasons)) {
+    if (here() == "for" && is_one_of(part(at_ + 1), reasons)) {
       at_ += 2;
       return true;
     }
     if ((here() != "for" && here() != "at") || part(at_ + 1) != "all") return false;
     static constexpr std::array<std::string_view, 5> nouns{"times", "time", "$", "points", "places"};
-    if (!is_in(part(at_ + 2), nouns) || part(at_ + 3) == "but") return false;
+    if (!is_one_of(part(at_ + 2), nouns) || part(at_ + 3) == "but") return false;
     at_ += 3;
     return true;
   }
@@ -218,7 +208,7 @@ class Behind {
   /// top".
   [[nodiscard]] bool is_named() const {
     static constexpr std::array<std::string_view, 6> naming{"is", "are", "be", "denotes", "being", "means"};
-    if (!is_in(here(), naming)) return false;
+    if (!is_one_of(here(), naming)) return false;
     bool named = false;
     bool behind_of = false;
     for (std::size_t k = at_ + 1; k < parts_.size(); ++k) {
@@ -240,7 +230,7 @@ class Behind {
     // "A boost with $\beta = v/c$ has"
     static constexpr std::array<std::string_view, 9> of_a_subject{
         "has", "have", "reads", "becomes", "become", "takes", "satisfies", "satisfy", "obeys"};
-    if (is_in(here(), of_a_subject)) return true;
+    if (is_one_of(here(), of_a_subject)) return true;
     if (here() == "which") return is_consequence(part(at_ + 1));
     if (!opens_noun_phrase(here())) return false;
     for (std::size_t k = at_ + 1; k < parts_.size(); ++k) {

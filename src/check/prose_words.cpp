@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/among.h"
+
 namespace rigor {
 
 using Words = std::vector<std::string_view>;
@@ -27,11 +29,6 @@ Words words_of(std::string_view text) {
 }
 
 namespace {
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 std::string_view word_at(const Words& words, std::size_t at) {
   return at < words.size() ? words[at] : std::string_view{};
@@ -236,7 +233,7 @@ std::optional<std::string> denial_of_two_words(const Words& words, std::size_t a
        {"often", "written"},  {"students", "write"}, {"beginners", "write"}, {"people", "write"},
        {"typical", "error"}}};
   const std::pair<std::string_view, std::string_view> here{words[at], word_at(words, at + 1)};
-  if (std::find(pairs.begin(), pairs.end(), here) == pairs.end()) return std::nullopt;
+  if (!is_one_of(here, pairs)) return std::nullopt;
   return std::string(here.first) + " " + std::string(here.second);
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/among.h"
 #include "check/at_all_times.h"
 #include "expr/differentiate.h"
 
@@ -21,7 +22,7 @@ constexpr int largest_order = 2 * most_rates + most_axes;
 constexpr int most_compared = 3;
 
 /// A definition that the notes give, or that follows for a derivative.
-struct Found {
+struct FoundAssumption {
   Definition definition;
   const Origin* origin;
   bool at_instant;
@@ -181,15 +182,15 @@ class Preparation {
 
   // --- definitions
 
-  std::optional<Found> definition_of(SymbolId symbol, int depth) {
+  std::optional<FoundAssumption> definition_of(SymbolId symbol, int depth) {
     if (const NamedDefinition* named = names_.definition_of(symbol))
-      return Found{named->definition, &named->origin, named->at_instant};
+      return FoundAssumption{named->definition, &named->origin, named->at_instant};
     const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
     if (!derivation || derivation->time + derivation->space + derivation->small > largest_order ||
         depth > largest_order)
       return std::nullopt;
     if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
-    std::optional<Found> result;
+    std::optional<FoundAssumption> result;
     for (const By by : {By::small, By::space, By::time}) {
       if (result) break;
       if (const auto parent = parent_of(*derivation, by)) {
@@ -197,7 +198,7 @@ class Preparation {
         if (of && of->at_instant && by == By::time) {
           note_unknown(derivation->base);
         } else if (of) {
-          result = Found{differentiated(*of, symbol, by), of->origin, of->at_instant};
+          result = FoundAssumption{differentiated(*of, symbol, by), of->origin, of->at_instant};
         }
       }
     }
@@ -219,7 +220,7 @@ class Preparation {
     return parent;
   }
 
-  Definition differentiated(const Found& of, SymbolId symbol, By by) {
+  Definition differentiated(const FoundAssumption& of, SymbolId symbol, By by) {
     Definition result = of.definition;
     result.symbol = symbol;
     result.by_square = false;
@@ -253,7 +254,7 @@ class Preparation {
 
   void note_unknown(SymbolId symbol) {
     auto& unknown = prepared_.unknown_changes;
-    if (std::find(unknown.begin(), unknown.end(), symbol) == unknown.end()) unknown.push_back(symbol);
+    if (!is_one_of(symbol, unknown)) unknown.push_back(symbol);
   }
 
   /// A derivative of what does not change.
@@ -513,7 +514,7 @@ class Preparation {
   int highest_order_ = 0;  // of a derivative in the claim, definitions unfolded
   int highest_law_ = 0;    // of a derivative in an assumption as it stands
   int beyond_ = 0;         // how far above it derivatives of assumptions are taken: 0, then `slack_`
-  std::map<SymbolId, std::optional<Found>> derived_;
+  std::map<SymbolId, std::optional<FoundAssumption>> derived_;
   std::map<ExprId, Equation> vanishing_;
   std::set<std::tuple<ExprId, ExprId, int, int>> taken_;
   std::set<std::tuple<ExprId, ExprId, int, int>> at_zero_;

@@ -22,12 +22,12 @@ constexpr std::size_t most_judged = 8;
 constexpr std::size_t most_tokens = 400;          // of both sides; longer ones are not mended
 constexpr std::size_t most_to_first_order = 150;  // candidates, each of which is differentiated
 /// A neighbour of a typical step is proved with a hundredth of this.
-constexpr Limits brief{.expanded_terms = 10'000,
-                       .steps = 60'000,
-                       .quick_points = 2,
-                       .quick_steps = 4'000,
-                       .sample_attempts = 12,
-                       .fewest_assumptions = false};
+constexpr Limits limits_of_candidates{.expanded_terms = 10'000,
+                                      .steps = 60'000,
+                                      .quick_points = 2,
+                                      .quick_steps = 4'000,
+                                      .sample_attempts = 12,
+                                      .fewest_assumptions = false};
 /// For samples that candidates are compared on.
 [[nodiscard]] Limits screening(DecisionCache* cache) {
   return {.steps = 200'000, .budget = cache == nullptr ? nullptr : &cache->budget()};
@@ -52,9 +52,9 @@ bool have_same_places(const ExprTree& tree, const Equation& a, const Equation& b
          tree[a.left].rank == tree[b.left].rank;
 }
 
-class Search {
+class RepairSearch {
  public:
-  Search(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
+  RepairSearch(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
       : tree_(tree),
         names_(names),
         cache_(cache),
@@ -300,7 +300,7 @@ class Search {
     const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
     if (!claim || !mismatches.empty()) return false;
     if (is_trivial(tree_, claim->equation.left, claim->equation.right)) return false;
-    const Judgement judgement = judge(tree_, names_, *claim, brief, cache_);
+    const Judgement judgement = judge(tree_, names_, *claim, limits_of_candidates, cache_);
     return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
   }
 
@@ -331,7 +331,7 @@ std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& n
                                             DecisionCache* cache) {
   ExprTree own_tree = tree;
   Names own_names = names;
-  return Search(own_tree, own_names, wrong, cache).run();
+  return RepairSearch(own_tree, own_names, wrong, cache).run();
 }
 
 }  // namespace rigor

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/ascii.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/report.h"
 
-#include <algorithm>
-
 namespace rigor {
 
 std::string_view name_of(Verdict verdict) {

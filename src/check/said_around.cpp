@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <set>
 #include <string_view>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "check/restrictions.h"
 
 namespace rigor {
@@ -19,13 +20,12 @@ bool is_greek(std::string_view name) {
       "rho",     "varrho",   "sigma", "tau",   "upsilon", "phi",        "varphi",   "chi",
       "psi",     "omega",    "Gamma", "Delta", "Theta",   "Lambda",     "Xi",       "Sigma",
       "Upsilon", "Phi",      "Psi",   "Omega", "ell",     "hbar",       "varsigma", "varpi"};
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return is_one_of(name, names);
 }
 
 /// The letters that are written there, without their faces and accents.
 std::set<std::string> letters_written(std::string_view text) {
   std::set<std::string> letters;
-  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '\\') {
       std::size_t end = at + 1;
@@ -38,12 +38,6 @@ std::set<std::string> letters_written(std::string_view text) {
     }
   }
   return letters;
-}
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 }  // namespace

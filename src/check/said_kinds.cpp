@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/among.h"
 #include "check/prose_behind.h"
 #include "check/words_behind.h"
 
@@ -11,11 +12,6 @@ namespace rigor {
 namespace {
 
 using Words = std::vector<std::string_view>;
-
-template <std::size_t N>
-bool is_in(std::string_view word, const std::array<std::string_view, N>& list) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
 
 /// What an adjective says of a letter; nothing for other words.
 std::vector<std::string_view> relations_of(std::string_view word) {
@@ -35,7 +31,7 @@ bool is_filler(std::string_view word) {
   static constexpr std::array<std::string_view, 16> fillers{
       "a",      "an",       "the",  "real", "given", "fixed", "arbitrary", "constant",
       "finite", "strictly", "both", "all",  "some",  "any",   "every",     "two"};
-  return is_in(word, fillers);
+  return is_one_of(word, fillers);
 }
 
 /// What a letter can be that is positive or acute.
@@ -47,7 +43,7 @@ bool is_noun(std::string_view word) {
       "lengths",  "time",     "times",       "charge",       "charges",   "energy",      "energies",
       "speed",    "speeds",   "coefficient", "coefficients", "frequency", "frequencies", "temperature",
       "pressure", "radius",   "volume"};
-  return is_in(word, nouns);
+  return is_one_of(word, nouns);
 }
 
 /// Of one letter: "positive mass $m$ and $q$" says nothing of q.
@@ -56,7 +52,7 @@ bool is_of_one(std::string_view word) {
       "a",         "an",    "number", "constant", "integer",  "quantity",   "value",
       "parameter", "angle", "mass",   "scalar",   "length",   "time",       "charge",
       "energy",    "speed", "radius", "volume",   "pressure", "temperature"};
-  return is_in(word, singular);
+  return is_one_of(word, singular);
 }
 
 /// A sentence with one of them may say the opposite, or something else.
@@ -65,12 +61,12 @@ bool is_doubtful(std::string_view word) {
       "not",    "no",     "non",     "never",  "nor",       "neither", "either", "or",
       "unless", "except", "whether", "cannot", "without",   "nearly",  "almost", "may",
       "might",  "can",    "could",   "would",  "otherwise", "than"};
-  return is_in(word, doubts);
+  return is_one_of(word, doubts);
 }
 
 bool ends(Words words, std::size_t at) {
   static constexpr std::array<std::string_view, 6> ends{"\n", ",", ";", ":", ")", "("};
-  return at >= words.size() || is_in(words[at], ends);
+  return at >= words.size() || is_one_of(words[at], ends);
 }
 
 class KindReader {
@@ -127,7 +123,7 @@ class KindReader {
     static constexpr std::array<std::string_view, 7> cases{"for",   "when", "whenever", "if",
                                                            "while", "to",   "initially"};
     while (at < words_.size() && (words_[at] == "," || is_filler_behind(words_[at]))) ++at;
-    return at < words_.size() && is_in(words_[at], cases);
+    return at < words_.size() && is_one_of(words_[at], cases);
   }
 
   /// "$a > 0$ and $b$ is negative": is there a verb behind this one?
@@ -160,7 +156,7 @@ class KindReader {
     }
     static constexpr std::array<std::string_view, 7> openings{"for",   "with", "where", "let",
                                                               "since", "and",  "here"};
-    const bool opened = at > 0 && is_in(words_[at - 1], openings);
+    const bool opened = at > 0 && is_one_of(words_[at - 1], openings);
     if (!verb && !opened) return;
     for (std::size_t k = 1; k <= count && k <= maths_; ++k) say(maths_ - k, adjective);
   }

@@ -3,19 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
 
 /// Exercises, examples and theorems. A solution or a proof goes on with what it belongs to, and what stands
 /// in a definition is said for the section around it.
@@ -43,8 +35,8 @@ bool begins_named(std::string_view line) {
   if (end == 0 || !names_section(lowered(line.substr(0, end)))) return false;
   std::string_view rest = line.substr(end);
   while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
-  return !rest.empty() && (std::isdigit(static_cast<unsigned char>(rest.front())) != 0 ||
-                           std::string_view(".:*_}(").find(rest.front()) != std::string_view::npos);
+  return !rest.empty() &&
+         (is_digit(rest.front()) || std::string_view(".:*_}(").find(rest.front()) != std::string_view::npos);
 }
 
 /// The column behind the marker `- `, `* `, `3. `, `b) `, `(iv) ` of a list item; 0 where none stands.
@@ -56,9 +48,8 @@ std::size_t behind_marker(std::string_view line, std::size_t at) {
     const bool bracket = end < line.size() && line[end] == '(';
     end += bracket ? 1 : 0;
     const std::size_t begin = end;
-    while (end < line.size() && end - begin < 3 && std::isalnum(static_cast<unsigned char>(line[end])) != 0)
-      ++end;
-    const bool number = end > begin && std::isdigit(static_cast<unsigned char>(line[begin])) != 0;
+    while (end < line.size() && end - begin < 3 && is_letter_or_digit(line[end])) ++end;
+    const bool number = end > begin && is_digit(line[begin]);
     const bool closed = end < line.size() && (line[end] == ')' || (line[end] == '.' && number));
     if (end == begin || !closed) return 0;
     ++end;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/among.h"
 #include "check/frame.h"
 #include "check/lint_scopes.h"
 #include "check/local_kinds.h"
@@ -195,7 +196,7 @@ void Session::forget_wheres() {
 /// Is this said by a `where`?
 bool Session::is_for_now(const Context& context) const {
   const bool directed = context.role == Role::let || context.role == Role::given;
-  return directed && std::find(wheres_.begin(), wheres_.end(), context.directive) != wheres_.end();
+  return directed && is_one_of(context.directive, wheres_);
 }
 
 /// `(A×B)² = A²B², A·B = 0`: a law beside an equation on its line may be the condition under which it holds.
@@ -244,7 +245,7 @@ void Session::report_unused() {
   }
   end_section();
   for (const Directive* directive : directives_) {
-    const bool pending = std::find(unmatched_.begin(), unmatched_.end(), directive) != unmatched_.end();
+    const bool pending = is_one_of(directive, unmatched_);
     const bool standing = directive->kind != DirectiveKind::expect &&
                           directive->kind != DirectiveKind::skip &&
                           directive->kind != DirectiveKind::first_order;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `a = 0 or b = 0`: one of the equations holds wherever the product of their differences is 0. Each row by
 // itself is neither proved nor refuted.
-#include <cctype>
 
+#include "base/ascii.h"
 #include "check/decision_cache.h"
 #include "check/session.h"
 
@@ -15,11 +15,11 @@ bool says_or_alone(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] == '\\') {  // a control is no word
       ++at;
-      while (at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) != 0) ++at;
+      while (at < text.size() && is_letter(text[at])) ++at;
       continue;
     }
     std::size_t end = at;
-    while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) ++end;
+    while (end < text.size() && is_letter(text[end])) ++end;
     const std::string_view word = text.substr(at, end - at);
     if (!word.empty() && word != "or" && word != "else") return false;
     found = found || word == "or";

@@ -2,11 +2,12 @@
 // What a definition is said for: a case, another place, or until its letter gets another meaning.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "check/denial.h"
 #include "check/prose_words.h"
 #include "check/restrictions.h"
@@ -25,13 +26,11 @@ bool Session::is_conditional() const {
 bool Session::is_of_a_case() const {
   static constexpr std::array<std::string_view, 6> cases{"statics",      "electrostatics", "magnetostatics",
                                                          "hydrostatics", "equilibrium",    "vacuum"};
-  std::string heading = section_;
-  for (char& c : heading) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string heading = lowered(section_);
   const std::vector<std::string_view> words = words_of(heading);
   return restriction_in_heading(heading) || word_of_a_special_heading(heading) ||
-         std::any_of(words.begin(), words.end(), [](std::string_view word) {
-           return std::find(cases.begin(), cases.end(), word) != cases.end();
-         });
+         std::any_of(words.begin(), words.end(),
+                     [](std::string_view word) { return is_one_of(word, cases); });
 }
 
 /// A directive says what is meant here: `given I_{ij} = I_i\delta_{ij}`.

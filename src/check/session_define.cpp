@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/among.h"
 #include "check/contradiction.h"
 #include "check/decomposition.h"
 #include "check/denial.h"
@@ -15,10 +16,6 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_words_of_a_run_in = 4;  // "Second way."
-
-bool contains(const std::vector<SymbolId>& symbols, SymbolId symbol) {
-  return std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
-}
 
 int order_of(const ExprTree& tree, SymbolId symbol) {
   const auto& derivation = tree.symbols[symbol].derivation;
@@ -44,8 +41,7 @@ std::optional<Definition> Session::as_definition(const Typed& left, const Typed&
     definition.indices.push_back(slot.variable);
   }
   const bool letters_fit = std::all_of(right.free.begin(), right.free.end(), [&](const FreeIndex& free) {
-    return std::find(definition.indices.begin(), definition.indices.end(), free.id) !=
-           definition.indices.end();
+    return is_one_of(free.id, definition.indices);
   });
   const bool particles_fit =
       std::all_of(right.particles.begin(), right.particles.end(),
@@ -80,13 +76,13 @@ bool Session::is_circular(const Typed& left, const Typed& right) const {
     const ExprId id = pending.back();
     pending.pop_back();
     for (const SymbolId symbol : symbols_in(tree_, id)) {
-      if (contains(reached, symbol)) continue;
+      if (is_one_of(symbol, reached)) continue;
       reached.push_back(symbol);
       if (const NamedDefinition* definition = names_.definition_of(symbol))
         pending.push_back(definition->definition.body);
     }
   }
-  return contains(reached, tree_[left.id].symbol);
+  return is_one_of(tree_[left.id].symbol, reached);
 }
 
 /// `(\Omega_1)^2` names a number by its square; `v^2 = u^2 + 2as` is a law.

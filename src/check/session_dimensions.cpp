@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/among.h"
 #include "check/dimensions.h"
 #include "check/session.h"
 
@@ -39,7 +40,7 @@ bool takes_measured_argument(const SyntaxTree& syntax, std::span<const SyntaxChi
 }
 
 bool has_measured_argument(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
-  std::vector<SyntaxId> pending(sides.begin(), sides.end());
+  std::vector<SyntaxId> pending = sides;
   while (!pending.empty()) {
     const SyntaxId id = pending.back();
     pending.pop_back();
@@ -69,8 +70,7 @@ void Session::record_dimensions(const ParsedChain& parsed, ChainReading& reading
   const auto guess = reading.elaborator().guess();
   if (guess && guess->kind == DiagnosticKind::ambiguous_reading) return;
   if (has_measured_argument(notes_.syntax, parsed.sides)) return;
-  const bool where = context.role == Role::given &&
-                     std::find(wheres_.begin(), wheres_.end(), context.directive) != wheres_.end();
+  const bool where = context.role == Role::given && is_one_of(context.directive, wheres_);
   const bool local = where || context.role == Role::claim;
   bool read_before = false;
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) {

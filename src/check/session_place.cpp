@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <set>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "check/denial.h"
 #include "check/digits.h"
 #include "check/local_kinds.h"
@@ -177,9 +178,12 @@ bool Session::is_condition_beside(const ParsedChain& parsed) const {
 }
 
 Standpoint Session::standpoint(const ParsedChain& parsed) {
-  Standpoint at{
-      .prose = notes_.prose, .event = event_, .uses = uses_, .facts = {}, .heading = section_, .unread = {}};
-  for (char& c : at.heading) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  Standpoint at{.prose = notes_.prose,
+                .event = event_,
+                .uses = uses_,
+                .facts = {},
+                .heading = lowered(section_),
+                .unread = {}};
   for (const SaidInLine& said : notes_.prose.said) {
     for (const ParsedChain& chain : said.chains) {
       if (!chain.written.relations.empty() && share_a_letter(notes_.syntax, chain, parsed)) {
@@ -279,7 +283,7 @@ bool Session::is_late_definition(const Typed& left, const Typed& right) const {
       names_.definition_of(node.symbol) != nullptr)
     return false;
   const std::vector<SymbolId> direct = symbols_in(tree_, right.id);
-  return std::find(direct.begin(), direct.end(), node.symbol) == direct.end() && is_circular(left, right);
+  return !is_one_of(node.symbol, direct) && is_circular(left, right);
 }
 
 /// The letter by which it fails, and would not if it were read by what its own section says.
@@ -290,7 +294,7 @@ std::optional<std::string> Session::letter_borrowed_for(const ParsedChain& parse
   if (!letter) return std::nullopt;
   for (const UseDirective& use : uses_) {
     const bool here = notes_.prose.sections.reaches(use.place, notes_.prose.beside[event_].place);
-    if (!here || std::find(use.letters.begin(), use.letters.end(), *letter) == use.letters.end()) continue;
+    if (!here || !is_one_of(*letter, use.letters)) continue;
     names_.mark_used(use.directive);
     return std::nullopt;
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/among.h"
 #include "check/decision_cache.h"
 #include "check/question.h"
 #include "check/row_doubts.h"
@@ -23,7 +24,7 @@ constexpr int most_poles = 4;  // x^4 may divide
 int degree(const ExprTree& tree, ExprId id, SymbolId symbol) {
   constexpr int none = 1000;
   const std::vector<SymbolId> inside = symbols_in(tree, id);
-  if (std::find(inside.begin(), inside.end(), symbol) == inside.end()) return 0;
+  if (!is_one_of(symbol, inside)) return 0;
   const ExprNode& node = tree[id];
   int found = 0;
   switch (node.op) {
@@ -245,8 +246,7 @@ bool Session::decides_up_to_order(const ParsedChain& parsed, std::size_t which, 
       heed(pair, 0, part, left, right, context, judgement);
     if (judgement.verdict == Verdict::proved) {
       for (std::string& use : judgement.uses) {
-        if (std::find(result.uses.begin(), result.uses.end(), use) == result.uses.end())
-          result.uses.push_back(std::move(use));
+        if (!is_one_of(use, result.uses)) result.uses.push_back(std::move(use));
       }
       result.question = std::move(judgement.question);
       continue;

@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t longest_side = 60;  // cells of a side that is named in a sentence
 
-bool is_equality(RelationKind kind) {
-  return kind == RelationKind::equal || kind == RelationKind::identical || kind == RelationKind::defines;
-}
-
 Link link_of(const Step& step, const WrittenRelation& relation) {
   if (!is_equality(relation.kind)) return Link::no_equality;
   switch (step.verdict) {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/among.h"
 #include "check/decision_cache.h"
 #include "check/prose_words.h"
 #include "check/rehearsal.h"
@@ -24,14 +25,9 @@ bool is_value(const ExprTree& tree, ExprId id) {
 }
 
 /// The words since the last display.
-std::vector<std::string_view> clause_of(std::string_view lead) {
+std::vector<std::string_view> words_of_clause(std::string_view lead) {
   const auto display = lead.rfind('\n');
   return words_of(display == std::string_view::npos ? lead : lead.substr(display + 1));
-}
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 /// "If it is thick" below "If the rod is thin", "in electrodynamics" below "in electrostatics", "otherwise".
@@ -42,8 +38,8 @@ bool is_another_case(std::string_view earlier, std::string_view lead) {
   static constexpr std::array<std::string_view, 10> contrasting{
       "otherwise", "else",    "however",   "exactly",   "exact",
       "whereas",   "instead", "generally", "including", "unlike"};
-  const std::vector<std::string_view> first = clause_of(earlier);
-  const std::vector<std::string_view> second = clause_of(lead);
+  const std::vector<std::string_view> first = words_of_clause(earlier);
+  const std::vector<std::string_view> second = words_of_clause(lead);
   if (first.empty() || second.empty()) return false;
   const bool contrasts = std::any_of(second.begin(), second.end(),
                                      [](std::string_view word) { return is_one_of(word, contrasting); });
@@ -55,8 +51,7 @@ bool is_another_case(std::string_view earlier, std::string_view lead) {
 bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedDefinition& named) {
   const Origin& origin = named.origin;
   if (origin.event == at.event) return false;
-  const bool anew =
-      std::find(at.said_anew.begin(), at.said_anew.end(), named.definition.symbol) != at.said_anew.end();
+  const bool anew = is_one_of(named.definition.symbol, at.said_anew);
   if (origin.on_its_line || anew) return true;
   const Prose& prose = at.prose;
   const ProseBeside& said = prose.beside[origin.event];
@@ -71,8 +66,7 @@ Judgement heed_cases(ExprTree& tree, Names& names, const Claim& claim, Judgement
   if (judgement.verdict != Verdict::proved) return judgement;
   std::vector<NamedDefinition> of_others;
   for (const NamedDefinition& named : names.definitions()) {
-    const bool used =
-        std::find(judgement.uses.begin(), judgement.uses.end(), named.origin.text) != judgement.uses.end();
+    const bool used = is_one_of(named.origin.text, judgement.uses);
     if (!used || named.origin.directive) continue;
     if (!at.denied && !is_of_another_case(tree, at, named)) continue;
     if (!is_used_here(at, names, named.origin, named.definition.symbol)) of_others.push_back(named);

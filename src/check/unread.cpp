@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "base/among.h"
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// Is it a letter of a Greek name, and no face, accent, function or sign?
 bool names_a_quantity(std::string_view control) {
@@ -18,7 +18,7 @@ bool names_a_quantity(std::string_view control) {
       "phi",   "varphi", "chi",    "psi",   "omega",   "Gamma",      "Delta",  "Theta", "Lambda",
       "Xi",    "Pi",     "Sigma",  "Phi",   "Psi",     "Omega",      "iota",   "pi",    "vartheta",
       "ell",   "hbar",   "varrho", "imath", "jmath",   "varsigma",   "Upsilon"};
-  return std::find(known.begin(), known.end(), control) != known.end();
+  return is_one_of(control, known);
 }
 
 /// Behind what `_` holds.

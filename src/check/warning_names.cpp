@@ -5,14 +5,13 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "source/suggest.h"
 
 namespace rigor {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-bool in_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_'; }
+bool in_name(char c) { return is_letter(c) || c == '-' || c == '_'; }
 
 Diagnostic no_warning(const std::string& name, Span place) {
   Diagnostic diagnostic{DiagnosticKind::bad_directive, place, fmt::format("`{}` is no warning", name)};

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/words_behind.h"
 
-#include <algorithm>
 #include <array>
 
+#include "base/among.h"
+
 namespace rigor {
-namespace {
-
-template <std::size_t N>
-bool is_in(std::string_view word, const std::array<std::string_view, N>& list) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-}  // namespace
+namespace {}  // namespace
 
 bool is_filler_behind(std::string_view word) {
   static constexpr std::array<std::string_view, 29> fillers{
@@ -21,21 +15,21 @@ bool is_filler_behind(std::string_view word) {
       "indeed", "trivially",      "too",         "now",        "easily",  "above",
       "below",  "simultaneously", "constant",    "constants",  "fixed",   "real",
       "finite", "given",          "numbers",     "integers",   "scalars"};
-  return is_in(word, fillers);
+  return is_one_of(word, fillers);
 }
 
 bool opens_main_clause(std::string_view word) {
   static constexpr std::array<std::string_view, 15> opening{
       "so",   "then",  "thus", "hence", "therefore",   "consequently", "we", "it",
       "this", "these", "you",  "i",     "accordingly", "there",        "let"};
-  return is_in(word, opening);
+  return is_one_of(word, opening);
 }
 
 bool is_consequence(std::string_view word) {
   static constexpr std::array<std::string_view, 14> verbs{
       "gives", "give",    "yields",     "yield",    "leads",   "lead",  "follows",
       "turns", "reduces", "simplifies", "produces", "results", "shows", "brings"};
-  return is_in(word, verbs);
+  return is_one_of(word, verbs);
 }
 
 bool is_main_verb(std::string_view word) {
@@ -45,14 +39,14 @@ bool is_main_verb(std::string_view word) {
       "satisfies", "satisfy", "obeys",   "obey",     "holds",  "hold",     "must",   "will",    "agree",
       "agrees",    "cancel",  "cancels", "simplify", "reduce", "remains",  "remain", "states",  "says",
       "implies",   "follow",  "assumes", "goes",     "drops",  "drop",     "means",  "finds"};
-  return is_consequence(word) || is_in(word, verbs);
+  return is_consequence(word) || is_one_of(word, verbs);
 }
 
 bool opens_noun_phrase(std::string_view word) {
   static constexpr std::array<std::string_view, 22> opening{
       "the",      "a",  "an",  "our",       "its",  "their",  "both", "all", "each", "every",      "one",
       "equation", "eq", "eqs", "equations", "that", "either", "any",  "two", "no",   "everything", "nothing"};
-  return is_in(word, opening);
+  return is_one_of(word, opening);
 }
 
 bool is_place_in_text(std::string_view word) {
@@ -60,14 +54,14 @@ bool is_place_in_text(std::string_view word) {
       "equation",   "equations", "eq",          "eqs",       "expression", "formula",
       "result",     "relation",  "identity",    "sum",       "integral",   "integrand",
       "definition", "equality",  "expressions", "relations", "formulas"};
-  return is_in(word, nouns);
+  return is_one_of(word, nouns);
 }
 
 bool points_into_text(std::string_view word) {
   static constexpr std::array<std::string_view, 13> pointing{"the",   "this",    "that",  "these",    "last",
                                                              "first", "second",  "above", "previous", "our",
                                                              "both",  "general", "last"};
-  return is_in(word, pointing);
+  return is_one_of(word, pointing);
 }
 
 bool restricts_behind_comma(std::string_view word) {
@@ -77,7 +71,7 @@ bool restricts_behind_comma(std::string_view word) {
       "until",     "till",        "after",           "before",    "up",     "down",      "locally",  "later",
       "elsewhere", "beyond",      "between",         "above",     "below",  "sometimes", "as",       "across",
       "around",    "momentarily", "instantaneously", "namely"};
-  return is_in(word, words);
+  return is_one_of(word, words);
 }
 
 bool restricts_from_before(std::string_view word) {
@@ -85,7 +79,7 @@ bool restricts_from_before(std::string_view word) {
       "from",   "until", "till",  "to",     "through", "starting", "beginning",
       "before", "after", "past",  "across", "between", "inside",   "outside",
       "some",   "most",  "start", "starts", "begins",  "ending"};
-  return is_in(word, words);
+  return is_one_of(word, words);
 }
 
 bool is_named_quantity(std::string_view word) {
@@ -101,7 +95,7 @@ bool is_named_quantity(std::string_view word) {
       "flux",        "entropy",      "conductivity", "number",       "difference", "sum",
       "product",     "mean",         "average",      "amplitude",    "lifetime",   "mobility",
       "diffusivity", "permittivity", "action",       "efficiency"};
-  return is_in(word, nouns);
+  return is_one_of(word, nouns);
 }
 
 bool is_doubt(std::string_view word) {
@@ -110,7 +104,7 @@ bool is_doubt(std::string_view word) {
       "except",  "excluding", "whereas",   "else",     "otherwise",     "possibly",
       "perhaps", "maybe",     "whether",   "only",     "alternatively", "respectively",
       "resp",    "vice",      "sometimes", "excluded", "whichever"};
-  return is_in(word, doubts);
+  return is_one_of(word, doubts);
 }
 
 }  // namespace rigor

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/among.h"
 #include "derive/letter_choice.h"
 #include "derive/unfold.h"
 
@@ -51,10 +52,8 @@ std::optional<Definition> as_definition(const ExprTree& tree, const Equation& eq
   if (left.op != Op::symbol || equation.relation != Relation::equal) return std::nullopt;
   Definition definition{.symbol = left.symbol, .particle = left.particle, .body = equation.right};
   for (const Slot& slot : tree.slots(equation.left)) {
-    const bool free = slot.axis == 0 && std::find(equation.indices.begin(), equation.indices.end(),
-                                                  slot.variable) != equation.indices.end();
-    const bool repeated = std::find(definition.indices.begin(), definition.indices.end(), slot.variable) !=
-                          definition.indices.end();
+    const bool free = slot.axis == 0 && is_one_of(slot.variable, equation.indices);
+    const bool repeated = is_one_of(slot.variable, definition.indices);
     if (!free || repeated) return std::nullopt;
     definition.indices.push_back(slot.variable);
   }

@@ -5,18 +5,15 @@
 #include <array>
 #include <utility>
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
 using Kind = IndexFactor::Kind;
 
-bool same_slot(const Slot& a, const Slot& b) {
-  return a.axis == b.axis && (a.axis != 0 || a.variable == b.variable);
-}
-
 bool is_summed(const IndexMonomial& term, const Slot& slot) {
-  return slot.axis == 0 &&
-         std::find(term.indices.begin(), term.indices.end(), slot.variable) != term.indices.end();
+  return slot.axis == 0 && is_one_of(slot.variable, term.indices);
 }
 
 void erase_factor(IndexMonomial& term, std::size_t at) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/among.h"
 #include "derive/line.h"
 #include "derive/nodes.h"
 #include "derive/rearrangement.h"
@@ -34,9 +35,7 @@ struct GluedChain {
     return total + (says_nothing ? 100 : 0);
   }
 
-  static bool has(const Rules& rules, RuleKind kind) {
-    return std::find(rules.begin(), rules.end(), Rule{kind}) != rules.end();
-  }
+  static bool has(const Rules& rules, RuleKind kind) { return is_one_of(Rule{kind}, rules); }
 };
 
 /// Is nothing written in index notation?

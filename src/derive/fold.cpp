@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/among.h"
 #include "derive/factor_node.h"
 #include "derive/nodes.h"
 #include "expr/differentiate.h"
@@ -64,7 +65,7 @@ class Folding {
   }
 
   [[nodiscard]] bool is_summed(const Slot& slot) const {
-    return slot.axis == 0 && std::find(summed_.begin(), summed_.end(), slot.variable) != summed_.end();
+    return slot.axis == 0 && is_one_of(slot.variable, summed_);
   }
   static bool same(const Slot& a, const Slot& b) {
     return a.axis == 0 && b.axis == 0 && a.variable == b.variable;
@@ -72,8 +73,7 @@ class Folding {
 
   void take(Piece& into, const Piece& from) {
     for (const ParticleId particle : from.particles) {
-      if (std::find(into.particles.begin(), into.particles.end(), particle) == into.particles.end())
-        into.particles.push_back(particle);
+      if (!is_one_of(particle, into.particles)) into.particles.push_back(particle);
     }
   }
 
@@ -188,8 +188,7 @@ class Folding {
     for (Piece& each : pieces_) {
       std::size_t open = 0;
       for (const Slot& slot : each.slots) {
-        const bool is_open =
-            slot.axis == 0 && std::find(open_.begin(), open_.end(), slot.variable) != open_.end();
+        const bool is_open = slot.axis == 0 && is_one_of(slot.variable, open_);
         if (is_open) seen.push_back(slot.variable);
         open += is_open ? 1 : 0;
       }
@@ -256,8 +255,7 @@ class Folding {
     std::vector<Piece> inside;
     std::vector<Piece> outside;
     for (const Piece& each : pieces) {
-      const bool speaks =
-          std::find(each.particles.begin(), each.particles.end(), particle) != each.particles.end();
+      const bool speaks = is_one_of(particle, each.particles);
       (speaks ? inside : outside).push_back(each);
     }
     Piece sum{.expr = particle_sum_node(tree_, particle, under_sums(inside, {}, 1))};

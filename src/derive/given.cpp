@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "base/among.h"
 #include "derive/collected.h"
 #include "derive/contraction.h"
 
@@ -22,10 +23,6 @@ struct Binding {
   std::map<ParticleId, ParticleId> particles = {};
   std::vector<std::size_t> factors = {};  // positions, one for each factor of the pattern
 };
-
-bool same_slot(const Slot& a, const Slot& b) {
-  return a.axis == b.axis && (a.axis != 0 || a.variable == b.variable);
-}
 
 class Matching {
  public:
@@ -45,7 +42,7 @@ class Matching {
     const IndexFactor& wanted = replacement_.pattern.factors[next];
     for (std::size_t k = 0; k < term_.factors.size(); ++k) {
       if (++trials_ > most_trials) return false;
-      const bool used = std::find(binding.factors.begin(), binding.factors.end(), k) != binding.factors.end();
+      const bool used = is_one_of(k, binding.factors);
       if (used || !same_head(wanted, term_.factors[k])) continue;
       for (const bool swapped : {false, true}) {
         if (swapped && !can_swap(wanted)) break;
@@ -92,28 +89,24 @@ class Matching {
     return fresh || same_slot(entry->second, found);
   }
 
-  template <class Variable>
-  static bool is_among(const std::vector<Variable>& all, Variable variable) {
-    return std::find(all.begin(), all.end(), variable) != all.end();
-  }
   bool is_variable(IndexId index) const {
-    return is_among(replacement_.indices, index) || is_among(replacement_.pattern.indices, index);
+    return is_one_of(index, replacement_.indices) || is_one_of(index, replacement_.pattern.indices);
   }
   bool is_variable(ParticleId particle) const {
-    return is_among(replacement_.particles, particle) || is_among(replacement_.pattern.particles, particle);
+    return is_one_of(particle, replacement_.particles) || is_one_of(particle, replacement_.pattern.particles);
   }
 
   /// What the pattern sums over is summed over here, and stands nowhere else.
   bool sums_fit(const Binding& binding) const {
     for (const IndexId index : replacement_.pattern.indices) {
       const Slot& slot = binding.indices.at(index);
-      if (slot.axis != 0 || !is_among(term_.indices, slot.variable) ||
+      if (slot.axis != 0 || !is_one_of(slot.variable, term_.indices) ||
           stands_elsewhere(slot.variable, binding))
         return false;
     }
     for (const ParticleId particle : replacement_.pattern.particles) {
       const auto bound = binding.particles.find(particle);
-      if (bound == binding.particles.end() || !is_among(term_.particles, bound->second) ||
+      if (bound == binding.particles.end() || !is_one_of(bound->second, term_.particles) ||
           stands_elsewhere(bound->second, binding))
         return false;
     }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/letter_choice.h"
 
-#include <algorithm>
 #include <array>
 #include <map>
+
+#include "base/among.h"
 
 namespace rigor {
 namespace {
@@ -14,7 +15,7 @@ constexpr std::array<const char*, 6> usual_particles{"\\alpha", "\\beta",  "\\ga
                                                      "\\mu",    "\\sigma", "\\rho"};
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
-  if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  if (!name.empty() && !is_one_of(name, names)) names.push_back(name);
 }
 
 /// Recursion: as deep as the tree, which the parser bounds.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From an expression to a sum of monomials.
-#include <algorithm>
 #include <map>
 
 #include "derive/index_polynomial.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/propose.h"
 
-#include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
 
 #include "algebra/decide.h"
 #include "algebra/rational_form.h"
+#include "base/among.h"
 #include "derive/along_axes.h"
 #include "derive/coefficient.h"
 #include "derive/contracted.h"
@@ -18,13 +18,13 @@
 namespace rigor {
 namespace {
 
-constexpr Limits brief{.expanded_terms = 10'000,
-                       .steps = 100'000,
-                       .quick_points = 2,
-                       .sample_attempts = 40,
-                       .fewest_assumptions = false,
-                       .simplest_sample = false};
-constexpr int most_unfoldings = 4;
+constexpr Limits limits_of_proposals{.expanded_terms = 10'000,
+                                     .steps = 100'000,
+                                     .quick_points = 2,
+                                     .sample_attempts = 40,
+                                     .fewest_assumptions = false,
+                                     .simplest_sample = false};
+constexpr int most_unfolded = 4;
 
 class Proposing {
  public:
@@ -67,7 +67,7 @@ class Proposing {
     Question question = problem_.question;
     question.tree = &tree_;
     question.claim = claim;
-    return decide(question, brief).outcome;
+    return decide(question, limits_of_proposals).outcome;
   }
 
   ExprId side_with(ExprId value) {
@@ -148,7 +148,7 @@ class Proposing {
   void compare_coefficients() {
     if (tree_[problem_.node].slot_count == 0) return;
     Equation claim = problem_.claim;
-    for (int times = 0; times <= most_unfoldings; ++times) {
+    for (int times = 0; times <= most_unfolded; ++times) {
       if (const auto value = coefficient_of_vectors(tree_, claim, problem_.hole)) {
         add_all(in_form(tree_, *value, wanted_));
         proposals_.values.push_back(*value);
@@ -166,7 +166,7 @@ class Proposing {
         add_all(in_form(tree_, *short_value, wanted_));
     }
     add_all(in_form(tree_, value, wanted_));
-    for (int times = 0; times < most_unfoldings; ++times) {
+    for (int times = 0; times < most_unfolded; ++times) {
       const ExprId deeper = unfold(value);
       if (deeper == value) break;
       value = deeper;
@@ -182,8 +182,7 @@ class Proposing {
   ExprId unfold(ExprId value) {
     const std::vector<SymbolId> symbols = symbols_in(tree_, value);
     for (const Definition& definition : problem_.question.definitions) {
-      if (std::find(symbols.begin(), symbols.end(), definition.symbol) != symbols.end())
-        value = unfolded(tree_, value, definition);
+      if (is_one_of(definition.symbol, symbols)) value = unfolded(tree_, value, definition);
     }
     return value;
   }

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "base/among.h"
 #include "derive/shape.h"
 
 namespace rigor {
@@ -202,7 +203,7 @@ Rules described(const ExprTree& tree, Rules rules, ExprId before, ExprId after) 
     }
     const bool told = kind == RuleKind::multiplied_out || kind == RuleKind::factored ||
                       kind == RuleKind::like_terms_collected || kind == RuleKind::terms_split;
-    const bool known = std::find(words.begin(), words.end(), Rule{kind}) != words.end();
+    const bool known = is_one_of(Rule{kind}, words);
     if (!known && (rules.size() == 1 || told)) words.push_back({kind});
   }
   if (words.empty()) words.push_back({kind});

@@ -6,11 +6,11 @@
 namespace rigor {
 namespace {
 
-constexpr Limits brief{.expanded_terms = 30'000,
-                       .steps = 400'000,
-                       .sample_attempts = 12,
-                       .fewest_assumptions = false,
-                       .simplest_sample = false};
+constexpr Limits limits_of_small_proofs{.expanded_terms = 30'000,
+                                        .steps = 400'000,
+                                        .sample_attempts = 12,
+                                        .fewest_assumptions = false,
+                                        .simplest_sample = false};
 
 }  // namespace
 
@@ -23,7 +23,7 @@ Decision SmallProofs::decide_from(ExprId left, ExprId right, std::vector<Definit
                     .zeroed = question_.zeroed};
   question.claim.left = left;
   question.claim.right = right;
-  return decide(question, brief);
+  return decide(question, limits_of_small_proofs);
 }
 
 bool SmallProofs::equal(ExprId left, ExprId right, const std::vector<IndexId>& free) {
@@ -37,7 +37,7 @@ bool SmallProofs::equal(ExprId left, ExprId right, const std::vector<IndexId>& f
     if (definitions) question.definitions = question_.definitions;
     if (assumptions) question.assumptions = question_.assumptions;
     if (definitions) question.zeroed = question_.zeroed;
-    return decide(question, brief).outcome == Outcome::proved;
+    return decide(question, limits_of_small_proofs).outcome == Outcome::proved;
   };
   entry->second = proved(false, false) || (!question_.definitions.empty() && proved(true, false)) ||
                   (!question_.assumptions.empty() && proved(true, true));

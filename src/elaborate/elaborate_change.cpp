@@ -2,10 +2,10 @@
 // Derivatives: by the time, by coordinates, and ∇ in front of what it acts on.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 #include <utility>
 
+#include "base/among.h"
 #include "elaborate/elaborator.h"
 
 namespace rigor {
@@ -29,8 +29,7 @@ Differentiator& Elaborator::differentiator(By by, Slot axis, bool partial) {
     const Dependence dependence = names_.dependence(tree_, symbol, by);
     if (by == By::space && dependence.kind == Kind::variable) note_position(symbol);
     const bool guessed = dependence.kind == Kind::varies && !names_.knows_change(tree_, symbol, by);
-    const bool noted =
-        std::find(unknown_changes_.begin(), unknown_changes_.end(), symbol) != unknown_changes_.end();
+    const bool noted = is_one_of(symbol, unknown_changes_);
     if (guessed && !noted) unknown_changes_.push_back(symbol);
     return dependence;
   };

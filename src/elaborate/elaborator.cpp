@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/among.h"
+
 namespace rigor {
 
 Elaborator::Elaborator(const SyntaxTree& syntax, ExprTree& tree, Names& names, Letters letters,
@@ -115,8 +117,7 @@ std::optional<Typed> Elaborator::fail(DiagnosticKind kind, Span span, std::strin
 }
 
 void Elaborator::note(std::string convention) {
-  if (std::find(conventions_.begin(), conventions_.end(), convention) == conventions_.end())
-    conventions_.push_back(std::move(convention));
+  if (!is_one_of(convention, conventions_)) conventions_.push_back(std::move(convention));
 }
 
 Typed Elaborator::make(Op op, Span span, int rank, std::initializer_list<const Typed*> parts, int exponent) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
+
+#include "base/among.h"
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {
@@ -25,14 +27,13 @@ std::string bare(const std::string& words) {
   }
   std::string result;
   for (const char c : text) {
-    if (c == '{' || c == '}' || c == '$' || c == '.' || std::isspace(static_cast<unsigned char>(c)) != 0)
-      continue;
-    result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (c == '{' || c == '}' || c == '$' || c == '.' || is_white(c)) continue;
+    result += lowered(c);
   }
   return result;
 }
 
-bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 /// Tuples such as `123`, `(2,3,1)` or `xyz` in the text, each of exactly `count` axes.
 std::vector<Axes> tuples_in(const std::string& text, std::size_t count) {
@@ -135,7 +136,7 @@ bool says_repeated(const std::string& text, const std::vector<std::string>& lett
                                       "anyofindicesareequal",
                                       "indicesarerepeated",
                                       "therearerepeatedindices"};
-  return std::find(phrases.begin(), phrases.end(), bare_text) != phrases.end();
+  return is_one_of(bare_text, phrases);
 }
 
 std::optional<std::vector<bool>> pair_condition(const std::string& text,
@@ -159,14 +160,14 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words,
   std::string text = bare(words);
   while (!text.empty() && (text.back() == ',' || text.back() == ';')) text.pop_back();
   const std::size_t count = letters.size();
-  if (text.empty() || has(text, "otherwise") || text == "else" || text == "inallothercases") {
+  if (text.empty() || holds(text, "otherwise") || text == "else" || text == "inallothercases") {
     return select(count, [](const Axes&) { return true; });
   }
   for (const char* opening : {"if", "for", "when", "where"}) {
     if (text.starts_with(opening)) text = text.substr(std::string(opening).size());
   }
   if (auto pair = pair_condition(text, letters)) return pair;
-  const bool permutation = has(text, "permutation") || has(text, "cyclic");
+  const bool permutation = holds(text, "permutation") || holds(text, "cyclic");
   if (!permutation && says_repeated(text, letters)) {
     return select(count, [](Axes axes) {
       std::sort(axes.begin(), axes.end());
@@ -175,9 +176,9 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words,
   }
   for (const char* negation :
        {"not", "non", "anti", "unequal", "unless", "except", "all", "distinct", "different"}) {
-    if (has(text, negation) || text.starts_with("no")) return std::nullopt;
+    if (holds(text, negation) || text.starts_with("no")) return std::nullopt;
   }
-  if (has(text, "#")) return std::nullopt;
+  if (holds(text, "#")) return std::nullopt;
   const std::size_t split = std::min(text.find('='), text.find("is"));
   if (split == std::string::npos) return std::nullopt;
   const std::string head = text.substr(0, split);
@@ -187,21 +188,21 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words,
   }
   if (order.empty()) return std::nullopt;
   std::vector<Axes> tuples = tuples_in(text.substr(split), count);
-  const bool even = has(text, "even");
-  const bool odd = has(text, "odd");
+  const bool even = holds(text, "even");
+  const bool odd = holds(text, "odd");
   if (even || odd) {
     if (count != 3 || (even && odd) || (tuples.size() > 1) || (!tuples.empty() && tuples[0] != Axes{1, 2, 3}))
       return std::nullopt;
     tuples = cyclic({even ? Axes{1, 2, 3} : Axes{1, 3, 2}});
   } else if (permutation) {
-    if (!has(text, "cyclic")) return std::nullopt;
+    if (!holds(text, "cyclic")) return std::nullopt;
     tuples = cyclic(tuples);
   }
   if (tuples.empty()) return std::nullopt;
   return select(count, [&](const Axes& axes) {
     Axes written(count);
     for (std::size_t k = 0; k < count; ++k) written[k] = axes[order[k]];
-    return std::find(tuples.begin(), tuples.end(), written) != tuples.end();
+    return is_one_of(written, tuples);
   });
 }
 

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "latex/tokens.h"
 #include "latex/vocabulary.h"
 
@@ -90,7 +91,7 @@ Adjoint adjoint_at(TokenView tokens, std::size_t at) {
   static constexpr std::array transposes{"T",           "\\top",       "\\intercal",
                                          "\\mathsf{T}", "\\mathrm{T}", "\\mathsf T",
                                          "\\mathrm T",  "\\text{T}",   "\\mathsf {T}"};
-  const bool transpose = std::find(transposes.begin(), transposes.end(), text) != transposes.end();
+  const bool transpose = is_one_of(text, transposes);
   return transpose ? Adjoint::transpose : Adjoint::none;
 }
 
@@ -270,13 +271,12 @@ std::size_t speaks_of_order(std::string_view text, std::size_t at) {
       "rotations",       "grassmann",      "lie group",    "matrices",    "operator",    "clifford",
       "fermions",        "commute",        "unitary",      "fermion",     "matrix",      "spinor",
       "gates",           "pauli",          "dirac"};
-  const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
+  const bool begins = at == 0 || !is_letter(text[at - 1]);
   if (!begins) return 0;
   for (const std::string_view word : words) {
     if (text.size() - at < word.size()) continue;
-    const bool same =
-        std::equal(word.begin(), word.end(), text.begin() + static_cast<std::ptrdiff_t>(at),
-                   [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+    const bool same = std::equal(word.begin(), word.end(), text.begin() + static_cast<std::ptrdiff_t>(at),
+                                 [](char a, char b) { return a == lowered(b); });
     if (same) return word.size();
   }
   return 0;
@@ -289,7 +289,7 @@ void see_inline(std::string_view formula, bool follows, Evidence& evidence) {
     const char c = formula[at];
     if (c == '\\') {
       std::size_t end = at + 1;
-      while (end < formula.size() && std::isalpha(static_cast<unsigned char>(formula[end])) != 0) ++end;
+      while (end < formula.size() && is_letter(formula[end])) ++end;
       const std::string word(formula.substr(at, end - at));
       const bool labelled = end < formula.size() && formula[end] == '_';
       if (is_greek(word) && follows) add_letter(word, labelled, evidence);
@@ -356,8 +356,7 @@ void see_words(std::string_view text, Evidence& evidence) {
     }
   };
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool stop = text[at] == '.' &&
-                      (at + 1 >= text.size() || std::isspace(static_cast<unsigned char>(text[at + 1])) != 0);
+    const bool stop = text[at] == '.' && (at + 1 >= text.size() || is_white(text[at + 1]));
     const bool blank_line = text[at] == '\n' && at + 1 < text.size() && text[at + 1] == '\n' &&
                             text.find_first_not_of(" \n\t", at) != std::string_view::npos;
     if (stop || blank_line) {
@@ -380,9 +379,7 @@ void see_heading(std::string_view title, Evidence& evidence) {
   static constexpr std::array<std::string_view, 11> words{"heisenberg", "commut",   "operator",  "quantiz",
                                                           "quantis",    "clifford", "grassmann", "quaterni",
                                                           "fermi",      "pauli",    "dirac"};
-  std::string lower(title);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = lowered(title);
   const bool speaks = std::any_of(words.begin(), words.end(), [&](std::string_view word) {
     return lower.find(word) != std::string::npos;
   });

@@ -3,19 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <set>
 #include <string>
 
+#include "base/among.h"
+#include "base/ascii.h"
+
 namespace rigor {
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-template <std::size_t n>
-bool is_one_of(std::string_view text, const std::array<std::string_view, n>& words) {
-  return std::find(words.begin(), words.end(), text) != words.end();
-}
 
 /// Two of them above a letter are indices.
 bool is_spacetime_index(std::string_view letter) {
@@ -107,7 +102,7 @@ bool is_upper_index(const SyntaxTree& syntax, SyntaxId exponent, const Scripts& 
 // -- words --
 
 /// `x` of `x^0 = ct`, `x^\mu`, `v^1`; with `any_letter` of `x^i` as well.
-void see_formula(std::string_view formula, bool any_letter, Evidence& evidence) {
+void see_raised_in(std::string_view formula, bool any_letter, Evidence& evidence) {
   for (std::size_t at = formula.find('^'); at != std::string_view::npos; at = formula.find('^', at + 1)) {
     std::size_t begin = at;
     while (begin > 0 && is_letter(formula[begin - 1])) --begin;
@@ -119,15 +114,16 @@ void see_formula(std::string_view formula, bool any_letter, Evidence& evidence) 
     if (script.starts_with("{")) script = script.substr(1, std::min(script.find('}'), script.size()) - 1);
     const std::string_view first = script.substr(0, script.find_first_of(" ,=+-()^_}", 1));
     const bool number = (script.starts_with("0") || script.starts_with("1")) &&
-                        (script.size() == 1 || !std::isdigit(static_cast<unsigned char>(script[1]))) &&
-                        !script.substr(1).starts_with("/");
+                        (script.size() == 1 || !is_digit(script[1])) && !script.substr(1).starts_with("/");
     const bool usual = first == "i" || first == "j" || is_spacetime_index(first);
     const bool index = first == "\\mu" || (any_letter && usual);
     if (base != "e" && (number || index)) evidence.raised.insert(std::string(base));
   }
 }
 
-bool has(std::string_view text, std::string_view words) { return text.find(words) != std::string_view::npos; }
+bool holds(std::string_view text, std::string_view words) {
+  return text.find(words) != std::string_view::npos;
+}
 
 }  // namespace
 
@@ -152,19 +148,17 @@ void see_raised(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Ev
 }
 
 void see_said_raised(std::string_view text, Evidence& evidence) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return c == '\n' ? ' ' : static_cast<char>(std::tolower(c)); });
+  const std::string lower = lowered_line(text);
   for (const char* words : {"upper ind", "superscript", "raised ind", "upper and lower ind",
                             "lower and upper ind", "raise and lower", "raising and lowering ind"}) {
-    evidence.speaks_of_raised = evidence.speaks_of_raised || has(lower, words);
+    evidence.speaks_of_raised = evidence.speaks_of_raised || holds(lower, words);
   }
-  const bool indices = has(lower, "coordinate") || has(lower, "component") || has(lower, "contravariant") ||
-                       has(lower, "index") || has(lower, "indices");
+  const bool indices = holds(lower, "coordinate") || holds(lower, "component") ||
+                       holds(lower, "contravariant") || holds(lower, "index") || holds(lower, "indices");
   for (std::size_t open = text.find('$'); open != std::string_view::npos;) {
     const std::size_t close = text.find('$', open + 1);
     if (close == std::string_view::npos) return;
-    see_formula(text.substr(open + 1, close - open - 1), indices, evidence);
+    see_raised_in(text.substr(open + 1, close - open - 1), indices, evidence);
     open = text.find('$', close + 1);
   }
 }

@@ -3,24 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <vector>
 
+#include "base/ascii.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-std::string in_small_letters(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) {
-    return c == '\n' || c == '~' || c == '\t' ? ' ' : static_cast<char>(std::tolower(c));
-  });
-  return lower;
-}
 
 /// The place behind the first of the words that begins a word of the text; `npos` where none does.
 template <std::size_t n>
@@ -221,12 +211,12 @@ void see_named(std::string_view sentence, Evidence& evidence) {
   for (std::size_t open = sentence.find('$'); open != std::string_view::npos;) {
     const std::size_t close = sentence.find('$', open + 1);
     if (close == std::string_view::npos) break;
-    pieces.back().words = in_small_letters(sentence.substr(from, open - from));
+    pieces.back().words = lowered_line(sentence.substr(from, open - from));
     pieces.push_back({sentence.substr(open + 1, close - open - 1), {}});
     from = close + 1;
     open = sentence.find('$', from);
   }
-  pieces.back().words = in_small_letters(sentence.substr(from));
+  pieces.back().words = lowered_line(sentence.substr(from));
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     std::string_view words = pieces[k].words;
     while (!words.empty() && words.back() == ' ') words.remove_suffix(1);
@@ -251,7 +241,7 @@ void see_said_order(std::string_view text, Evidence& evidence) {
     std::size_t end = text.find(". ", begin);
     end = std::min({end, text.find(".\n", begin), text.find("\n\n", begin), text.size()});
     const std::string_view sentence = text.substr(begin, end - begin);
-    const std::string lower = in_small_letters(sentence);
+    const std::string lower = lowered_line(sentence);
     if (denies_commuting(lower) || speaks_of_group(lower)) evidence.order_in_heading = true;
     if (has_any(lower, std::array<std::string_view, 2>{"observable", "quantum mechanic"}))
       evidence.speaks_of_order = true;

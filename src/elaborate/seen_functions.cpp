@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elaborate/seen_functions.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
+
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// `\omega`, `E_n`: without primes and powers, which a function can have as well.
 std::string name_of(const WrittenSymbol& symbol) {
@@ -31,7 +29,7 @@ std::set<std::string> arguments_in(const SyntaxTree& syntax, SyntaxId bracket) {
 }
 
 /// `\omega`, `k`: the letter that begins at `at`, which moves behind it.
-std::string letter_at(std::string_view text, std::size_t& at) {
+std::string take_letter(std::string_view text, std::size_t& at) {
   while (at < text.size() && text[at] == ' ') ++at;
   const std::size_t begin = at;
   if (at < text.size() && text[at] == '\\') {
@@ -42,9 +40,9 @@ std::string letter_at(std::string_view text, std::size_t& at) {
   return at < text.size() && is_letter(text[at]) ? std::string(1, text[at++]) : std::string{};
 }
 
-void see_formula(std::string_view formula, Evidence& evidence) {
+void see_functions_in(std::string_view formula, Evidence& evidence) {
   std::size_t at = 0;
-  std::string name = letter_at(formula, at);
+  std::string name = take_letter(formula, at);
   if (name.empty() || name == "\\left" || name == "\\mathbf" || name == "\\vec") return;
   if (at + 1 < formula.size() && formula[at] == '_') {
     if (!is_letter(formula[at + 1])) return;
@@ -55,7 +53,7 @@ void see_formula(std::string_view formula, Evidence& evidence) {
   std::set<std::string> arguments;
   do {
     ++at;
-    const std::string argument = letter_at(formula, at);
+    const std::string argument = take_letter(formula, at);
     if (argument.empty()) return;
     arguments.insert(argument);
     while (at < formula.size() && formula[at] == ' ') ++at;
@@ -82,13 +80,13 @@ void see_inline_functions(std::string_view text, Evidence& evidence) {
   for (std::size_t open = text.find('$'); open != std::string_view::npos;) {
     const std::size_t close = text.find('$', open + 1);
     if (close == std::string_view::npos) break;
-    see_formula(text.substr(open + 1, close - open - 1), evidence);
+    see_functions_in(text.substr(open + 1, close - open - 1), evidence);
     open = text.find('$', close + 1);
   }
   for (std::size_t open = text.find("\\("); open != std::string_view::npos;) {
     const std::size_t close = text.find("\\)", open + 2);
     if (close == std::string_view::npos) break;
-    see_formula(text.substr(open + 2, close - open - 2), evidence);
+    see_functions_in(text.substr(open + 2, close - open - 2), evidence);
     open = text.find("\\(", close + 2);
   }
 }

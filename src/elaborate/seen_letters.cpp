@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
+#include "base/ascii.h"
 #include "expr/usual_letters.h"
 #include "latex/tokens.h"
 #include "latex/vocabulary.h"
@@ -82,15 +82,6 @@ bool is_value(const SyntaxTree& syntax, SyntaxId id) {
 // -- words --
 
 using Words = std::span<const std::string_view>;
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
 
 /// Does a word of the text begin with one of these?
 bool speaks_of(std::string_view lower, Words words) {
@@ -186,7 +177,7 @@ void see_points(std::string_view text, Evidence& evidence) {
 }
 
 void see_sentence(std::string_view sentence, Evidence& evidence) {
-  const std::string lower = lower_case(sentence);
+  const std::string lower = lowered(sentence);
   const bool other = speaks_of(lower, other_words);
   const bool number = !other && speaks_of(lower, number_words);
   const bool real = !other && speaks_of(lower, real_words);
@@ -229,7 +220,7 @@ void see_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, c
 }
 
 void see_said(std::string_view text, Evidence& evidence) {
-  const std::string lower = lower_case(text);
+  const std::string lower = lowered(text);
   const bool imaginary =
       std::any_of(imaginary_signs.begin(), imaginary_signs.end(),
                   [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
+
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {
@@ -38,16 +39,14 @@ constexpr std::array<std::string_view, 14> other_formulas{
     "\\mathbb R^4",  "\\mathbb R^n",  "\\mathbb R^d",  "n\\times n",    "n \\times n",
     "N\\times N",    "N \\times N",   "2\\times 2",    "2\\times2"};
 
-bool is_word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
-
 /// The first phrase that begins a word of the text, up to the end of its last word; small letters.
 template <std::size_t n>
 std::string_view first_in(std::string_view text, const std::array<std::string_view, n>& phrases) {
   for (const std::string_view phrase : phrases) {
     for (auto at = text.find(phrase); at != std::string_view::npos; at = text.find(phrase, at + 1)) {
-      if (at > 0 && is_word_character(text[at - 1]) && is_word_character(phrase[0])) continue;
+      if (at > 0 && is_letter_or_digit(text[at - 1]) && is_letter_or_digit(phrase[0])) continue;
       std::size_t end = at + phrase.size();
-      while (end < text.size() && is_word_character(phrase.back()) && is_word_character(text[end])) ++end;
+      while (end < text.size() && is_letter_or_digit(phrase.back()) && is_letter_or_digit(text[end])) ++end;
       return text.substr(at, end - at);
     }
   }
@@ -85,10 +84,7 @@ std::string_view counted_indices(std::string_view text) {
 }  // namespace
 
 void see_spaces(std::string_view text, Evidence& evidence) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) {
-    return c == '\n' || c == '~' ? ' ' : static_cast<char>(std::tolower(c));
-  });
+  const std::string lower = lowered_line(text);
   if (evidence.other_space.empty()) evidence.other_space = first_in(lower, other_spaces);
   if (evidence.other_space.empty()) evidence.other_space = first_in(text, other_formulas);
   if (evidence.other_space.empty()) evidence.other_space = counted_dimensions(lower);

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/among.h"
 #include "elaborate/letters.h"
 
 namespace rigor {
@@ -20,11 +21,6 @@ constexpr std::array<std::string_view, 22> acting{
 constexpr std::array<std::string_view, 21> words{"Tr",  "tr",   "Re",   "Im",  "ln",  "lg",  "Pr",
                                                  "max", "min",  "sup",  "inf", "Var", "var", "Cov",
                                                  "dim", "span", "diag", "mod", "Res", "gcd", "cosh"};
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& list) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
 
 SyntaxId base_of(const SyntaxTree& syntax, SyntaxId id) {
   return syntax[id].kind == SyntaxKind::power ? syntax.child(id, 0) : id;

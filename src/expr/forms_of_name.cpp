@@ -8,7 +8,7 @@ namespace rigor {
 namespace {
 
 /// The name that a chain begins with.
-std::optional<SymbolId> name_of(const WrittenForms& forms, const WrittenFormChain& chain) {
+std::optional<SymbolId> symbol_named(const WrittenForms& forms, const WrittenFormChain& chain) {
   if (chain.forms.size() < 2 || !chain.forms[0].expr) return std::nullopt;
   const ExprNode& first = forms.tree[*chain.forms[0].expr];
   const bool whole = first.op == Op::symbol && first.slot_count == 0 && first.particle == no_particle;
@@ -53,7 +53,7 @@ std::vector<WrittenFormChain> forms_of_one_name(const WrittenForms& forms) {
   std::map<SymbolId, std::size_t> known;  // positions in `result`
   std::vector<std::size_t> counts;
   for (const WrittenFormChain& chain : forms.chains) {
-    const auto name = name_of(forms, chain);
+    const auto name = symbol_named(forms, chain);
     if (!name || !is_certain(chain)) continue;
     const auto [entry, fresh] = known.try_emplace(*name, result.size());
     if (fresh) {

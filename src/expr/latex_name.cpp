@@ -2,8 +2,10 @@
 #include "expr/latex_name.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
+
+#include "base/among.h"
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {
@@ -29,8 +31,6 @@ constexpr std::string_view faces[] = {"mathbf",
                                       "mathsf",
                                       "mathbfsf"};
 
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
 /// Behind the control word whose backslash stands at `at`.
 std::size_t behind_word(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
@@ -51,9 +51,7 @@ std::size_t behind_argument(std::string_view text, std::size_t at) {
   return at;
 }
 
-bool is_face(std::string_view word) {
-  return std::find(std::begin(faces), std::end(faces), word) != std::end(faces);
-}
+bool is_face(std::string_view word) { return is_one_of(word, faces); }
 
 std::string_view inside_braces(std::string_view argument) {
   const bool braces = argument.size() >= 2 && argument.front() == '{' && argument.back() == '}';
@@ -82,7 +80,7 @@ bool ends_with_word(std::string_view text) {
 bool LatexName::has_bare_label() const {
   for (std::size_t at = 0; at < labels.size();) {
     if (labels[at] != '\\') {
-      if (std::isalnum(static_cast<unsigned char>(labels[at])) != 0) return true;
+      if (is_letter_or_digit(labels[at])) return true;
       ++at;
       continue;
     }
@@ -140,7 +138,7 @@ bool has_face(std::string_view letter) {
 }
 
 void append_latex(std::string& a, std::string_view b) {
-  const bool sign = !b.empty() && std::isalnum(static_cast<unsigned char>(b.front())) != 0;
+  const bool sign = !b.empty() && is_letter_or_digit(b.front());
   if (sign && ends_with_word(a)) a += ' ';
   a += b;
 }

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
@@ -256,9 +258,7 @@ std::string LatexPrinter::condition(ExprId id, std::size_t value,
     std::rotate(tuple.begin(), tuple.begin() + 1, tuple.end());
     return tuple;
   };
-  const auto has = [&](const std::string& tuple) {
-    return std::find(tuples.begin(), tuples.end(), tuple) != tuples.end();
-  };
+  const auto has = [&](const std::string& tuple) { return is_one_of(tuple, tuples); };
   const bool cyclic = tuples.size() == 3 && has(rotated(tuples[0])) && has(rotated(rotated(tuples[0]))) &&
                       rotated(tuples[0]) != tuples[0];
   if (cyclic) return all + " = " + tuples[0] + " \\text{ or cyclic permutations}";
@@ -271,7 +271,7 @@ LatexPrinter::Piece LatexPrinter::table(ExprId id) {
   const std::vector<std::uint8_t>& entry = tree_.table(id).entry;
   std::vector<std::size_t> used;
   for (std::size_t value = 0; value < tree_.children(id).size(); ++value) {
-    if (std::find(entry.begin(), entry.end(), value) != entry.end()) used.push_back(value);
+    if (is_one_of(value, entry)) used.push_back(value);
   }
   std::string rows;
   for (const std::size_t value : used) {

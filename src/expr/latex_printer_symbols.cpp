@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/among.h"
 #include "expr/latex_printer.h"
 
 namespace rigor {
@@ -12,7 +13,7 @@ namespace {
 /// Letters that mean something else when they stand alone.
 bool has_own_meaning(const std::string& letter) {
   static constexpr std::string_view own[] = {"d", "e", "i", "j", "t", "\\pi", "\\delta", "\\Delta"};
-  return std::find(std::begin(own), std::end(own), letter) != std::end(own);
+  return is_one_of(letter, own);
 }
 
 bool is_greek(const std::string& letter) { return letter.size() > 1 && letter[0] == '\\'; }

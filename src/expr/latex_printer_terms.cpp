@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Products: their factors in the order in which they are read, with the signs and brackets between them.
 #include <algorithm>
-#include <cctype>
 
+#include "base/ascii.h"
 #include "expr/latex_printer.h"
 #include "expr/usual_letters.h"
 
 namespace rigor {
 namespace {
 
-bool starts_with_digit(const std::string& text) {
-  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0;
-}
+bool starts_with_digit(const std::string& text) { return !text.empty() && is_digit(text.front()); }
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "base/among.h"
+
 namespace rigor {
 
 std::optional<PowerSeries> PowerSeriesExpansion::of(ExprId id) {
@@ -48,7 +50,7 @@ std::optional<PowerSeries> PowerSeriesExpansion::of(ExprId id) {
 
 bool PowerSeriesExpansion::depends(ExprId id) const {
   const std::vector<SymbolId> symbols = symbols_in(tree_, id);
-  return std::find(symbols.begin(), symbols.end(), symbol_) != symbols.end();
+  return is_one_of(symbol_, symbols);
 }
 
 PowerSeries PowerSeriesExpansion::constant(ExprId id) const {

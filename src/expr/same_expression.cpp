@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "base/among.h"
 #include "expr/latex_name.h"
 
 namespace rigor {
@@ -132,15 +133,13 @@ class Comparison {
       const View node = view(tree, open.back());
       open.pop_back();
       for (const Slot& slot : node.slots) {
-        const bool is_bound =
-            slot.axis == 0 && std::find(bound.begin(), bound.end(), slot.variable) != bound.end();
-        if (is_bound && std::find(ordered.begin(), ordered.end(), slot.variable) == ordered.end())
-          ordered.push_back(slot.variable);
+        const bool is_bound = slot.axis == 0 && is_one_of(slot.variable, bound);
+        if (is_bound && !is_one_of(slot.variable, ordered)) ordered.push_back(slot.variable);
       }
       open.insert(open.end(), node.children.rbegin(), node.children.rend());
     }
     for (const IndexId index : bound) {
-      if (std::find(ordered.begin(), ordered.end(), index) == ordered.end()) ordered.push_back(index);
+      if (!is_one_of(index, ordered)) ordered.push_back(index);
     }
     return ordered;
   }

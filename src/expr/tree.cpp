@@ -2,9 +2,9 @@
 #include "expr/tree.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include "base/ascii.h"
 #include "base/check.h"
 
 namespace rigor {
@@ -143,10 +143,9 @@ void check_symbol(const SymbolTable& symbols, const ExprNode& node) {
 }
 
 [[nodiscard]] bool is_decimal(std::string_view digits) {
-  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   return std::count(digits.begin(), digits.end(), '.') <= 1 &&
-         std::any_of(digits.begin(), digits.end(), is_digit) &&
-         std::all_of(digits.begin(), digits.end(), [&](char c) { return c == '.' || is_digit(c); });
+         std::any_of(digits.begin(), digits.end(), [](char c) { return is_digit(c); }) &&
+         std::all_of(digits.begin(), digits.end(), [](char c) { return c == '.' || is_digit(c); });
 }
 
 }  // namespace

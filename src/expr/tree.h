@@ -49,11 +49,21 @@ enum class Op : std::uint8_t {
 
 enum class Function : std::uint8_t { sin, cos, exp };
 
+/// Of a value of that rank: 1, 3, 9, …
+[[nodiscard]] constexpr std::size_t component_count(int rank) {
+  std::size_t count = 1;
+  for (int axis = 0; axis < rank; ++axis) count *= 3;
+  return count;
+}
+
 /// A place for an index: a literal axis 1..3, or a variable.
 struct Slot {
   std::uint8_t axis = 0;  // 0: the variable is meant
   IndexId variable{};
 };
+[[nodiscard]] constexpr bool same_slot(const Slot& a, const Slot& b) {
+  return a.axis == b.axis && (a.axis != 0 || a.variable == b.variable);
+}
 
 inline constexpr ParticleId no_particle{0xffffffffu};
 

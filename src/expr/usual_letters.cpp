@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expr/usual_letters.h"
 
-#include <algorithm>
 #include <iterator>
+
+#include "base/among.h"
 
 namespace rigor {
 namespace {
@@ -14,12 +15,8 @@ constexpr std::string_view coordinates[] = {"t", "x", "y", "z", "r", "s", "u", "
 
 }  // namespace
 
-bool is_usual_coefficient(std::string_view letter) {
-  return std::find(std::begin(coefficients), std::end(coefficients), letter) != std::end(coefficients);
-}
+bool is_usual_coefficient(std::string_view letter) { return is_one_of(letter, coefficients); }
 
-bool is_usual_coordinate(std::string_view letter) {
-  return std::find(std::begin(coordinates), std::end(coordinates), letter) != std::end(coordinates);
-}
+bool is_usual_coordinate(std::string_view letter) { return is_one_of(letter, coordinates); }
 
 }  // namespace rigor

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expr/written_forms.h"
 
-#include <algorithm>
+#include "base/among.h"
 
 namespace rigor {
 namespace {
@@ -15,7 +15,7 @@ std::string bare(const std::string& tag) {
 
 bool stands_at(const WrittenFormChain& chain, const std::string& place) {
   if (!chain.tag.empty() && bare(chain.tag) == bare(place)) return true;
-  return std::find(chain.headings.begin(), chain.headings.end(), place) != chain.headings.end();
+  return is_one_of(place, chain.headings);
 }
 
 Notation notation_at(const WrittenForms& forms, const WrittenFormChain& chain) {

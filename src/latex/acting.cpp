@@ -3,15 +3,12 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "latex/differential.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
 namespace {
-
-bool is_letter(const Token& token, std::string_view letter) {
-  return token.kind == TokenKind::letter && token.text == letter;
-}
 
 /// The letters of a word without blanks around it; empty for anything else.
 std::string word_of(TokenView tokens) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/beside.h"
 
-#include <algorithm>
-
+#include "base/ascii.h"
 #include "latex/accounting.h"
 #include "latex/blocks.h"
 #include "latex/differential.h"
@@ -20,7 +19,7 @@ bool is_visible_space(const Token& token) {
 }
 
 /// `\sin~x`: what stands behind the space belongs to the sign before it.
-bool awaits_operand(const Token& token) {
+bool awaits_argument(const Token& token) {
   return token.kind == TokenKind::control && letter_of(token).empty();
 }
 
@@ -113,7 +112,7 @@ Beside behind_space(TokenView before, TokenView tokens, std::size_t at) {
   std::size_t last = before.size();
   while (last > 0 && (is_blank(before[last - 1]) || is_spacing(before[last - 1]))) --last;
   before = before.first(last);
-  if (before.empty() || ends_open(before) || awaits_operand(before.back())) return Beside::goes_on;
+  if (before.empty() || ends_open(before) || awaits_argument(before.back())) return Beside::goes_on;
   const std::size_t first = first_significant(before, 0);
   const std::size_t left = symbol_end(before, first);
   const std::size_t relation = first_significant(before, left);

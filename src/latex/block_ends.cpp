@@ -2,6 +2,7 @@
 // Questions about a stretch of a display: is there a relation, must more follow?
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "latex/blocks.h"
 #include "latex/chain.h"
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "base/ascii.h"
 #include "latex/acting.h"
 #include "latex/beside.h"
 #include "latex/chain.h"
@@ -49,7 +49,7 @@ bool is_index_range(TokenView block) {
   const auto equal = text.find('=');
   if (equal == std::string::npos || equal == 0) return false;
   for (std::size_t i = 0; i < equal; ++i) {
-    if (i % 2 == 0 ? std::islower(static_cast<unsigned char>(text[i])) == 0 : text[i] != ',') return false;
+    if (i % 2 == 0 ? !is_small_letter(text[i]) : text[i] != ',') return false;
   }
   const std::string range = text.substr(equal + 1);
   return range == "1,2,3" || range == "1,2,3." || range == "1\\ldots3" || range == "1,\\ldots,3" ||
@@ -68,7 +68,7 @@ bool is_ornament(TokenView block) {
 /// "or", "or else".
 bool says_or(const std::string& words) {
   std::string letters = " ";
-  for (const char c : words + " ") letters += std::isalpha(static_cast<unsigned char>(c)) != 0 ? c : ' ';
+  for (const char c : words + " ") letters += is_letter(c) ? c : ' ';
   return letters.find(" or ") != std::string::npos;
 }
 

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/box_operator.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
+#include "base/among.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
 namespace {
 
 bool is_box(const Token& token) { return is_control(token, "square") || is_control(token, "Box"); }
-
-bool is_sum_sign(const Token& token) {
-  return is_sign(token, "+") || is_sign(token, "-") || is_control(token, "pm") || is_control(token, "mp");
-}
 
 /// What stands behind a factor and is multiplied by it, or what an operator acts on.
 bool starts_operand(TokenView tokens, std::size_t at) {
@@ -30,7 +26,7 @@ bool starts_operand(TokenView tokens, std::size_t at) {
       return is_sign(token, "(") || is_sign(token, "[");
     case TokenKind::control:
       return !is_spacing(token) && !is_words(token) && factor_joint(token) == Joint::none &&
-             !is_sum_sign(token) && std::find(closing.begin(), closing.end(), token.text) == closing.end();
+             !is_sum_sign(token) && !is_one_of(token.text, closing);
     default:
       return false;
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/among.h"
+
 namespace rigor {
 
 bool opens_conditional(std::string_view control) {
@@ -14,8 +16,7 @@ bool opens_conditional(std::string_view control) {
        "ifdefvoid",  "ifdimcomp",  "ifinlist",        "ifnumcomp",  "ifnumequal", "ifnumgreater",
        "ifnumless",  "ifnumodd",   "ifpackageloaded", "ifstrempty", "ifstrequal", "iftoggle",
        "ifundef"});
-  return control.starts_with("if") &&
-         std::find(with_braces.begin(), with_braces.end(), control) == with_braces.end();
+  return control.starts_with("if") && !is_one_of(control, with_braces);
 }
 
 bool Switches::turn(std::string_view control) {

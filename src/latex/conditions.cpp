@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "base/ascii.h"
 #include "latex/beside.h"
 #include "latex/blocks.h"
 #include "latex/chain.h"
@@ -66,8 +66,7 @@ class ItemReader {
  private:
   void end_word() {
     if (word_.empty()) return;
-    for (char& c : word_) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    items_.push_back({std::move(word_), {}});
+    items_.push_back({lowered(word_), {}});
     word_.clear();
   }
 
@@ -261,7 +260,7 @@ std::optional<std::vector<Tokens>> conditions_in_tag(TokenView tokens) {
   const auto is_number = [](const Item& item) {
     return item.word.empty() ? is_sign(item.token, ",") || is_sign(item.token, ".") ||
                                    is_sign(item.token, ":") || is_sign(item.token, ";")
-                             : std::isdigit(static_cast<unsigned char>(item.word[0])) != 0;
+                             : is_digit(item.word[0]);
   };
   while (!rest.empty() && is_number(rest.front())) rest = rest.subspan(1);
   bool orders_only = true;  // a mere equation in a tag may be a name

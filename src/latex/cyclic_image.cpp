@@ -9,19 +9,17 @@
 #include <string_view>
 #include <utility>
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
 using Cycle = std::array<std::string_view, 3>;
 
 constexpr Cycle digits{"1", "2", "3"};
-constexpr Cycle letters{"x", "y", "z"};
+constexpr Cycle coordinates{"x", "y", "z"};
 constexpr Cycle hatted{"i", "j", "k"};
 constexpr Cycle dotless{"\\imath", "\\jmath", "k"};
-
-bool is_in(const Cycle& cycle, std::string_view text) {
-  return std::find(cycle.begin(), cycle.end(), text) != cycle.end();
-}
 
 /// Replaces a member of the cycle by the next one.
 void turn(std::string& text, const Cycle& cycle) {
@@ -30,12 +28,12 @@ void turn(std::string& text, const Cycle& cycle) {
 }
 
 void turn(std::vector<WrittenIndex>& indices) {
-  for (WrittenIndex& index : indices) turn(index.text, is_in(digits, index.text) ? digits : letters);
+  for (WrittenIndex& index : indices) turn(index.text, is_one_of(index.text, digits) ? digits : coordinates);
 }
 
 bool has_axis(const std::vector<WrittenIndex>& indices, const Cycle& cycle) {
   return std::any_of(indices.begin(), indices.end(),
-                     [&](const WrittenIndex& index) { return is_in(cycle, index.text); });
+                     [&](const WrittenIndex& index) { return is_one_of(index.text, cycle); });
 }
 
 /// A subscript that can be an axis: `i` and `1`, not `\alpha` and `\text{cm}`.
@@ -48,13 +46,13 @@ bool has_index(const std::vector<WrittenIndex>& indices) {
 /// The letter itself is a coordinate or an axis: x, \dot{y}_\alpha, \hat{z}; not \mathbf{x} or x_i.
 bool is_coordinate(const WrittenSymbol& symbol) {
   const bool face = symbol.face == Face::plain || symbol.accent == Accent::hat;
-  return is_in(letters, symbol.letter) && face && !has_index(symbol.lower);
+  return is_one_of(symbol.letter, coordinates) && face && !has_index(symbol.lower);
 }
 
 /// \hat{i}, \hat{\imath}, \hat{\mathbf{k}}.
 bool is_hatted_axis(const WrittenSymbol& symbol) {
   return symbol.accent == Accent::hat && symbol.lower.empty() &&
-         (is_in(hatted, symbol.letter) || is_in(dotless, symbol.letter));
+         (is_one_of(symbol.letter, hatted) || is_one_of(symbol.letter, dotless));
 }
 
 bool is_basis_vector(const WrittenSymbol& symbol) {
@@ -82,7 +80,7 @@ void for_each_symbol(const SyntaxTree& syntax, std::vector<SyntaxId> pending, co
 /// The symbol with other axes.
 void turn(WrittenSymbol& symbol, const WrittenAxes& axes) {
   if (axes.hatted && is_hatted_axis(symbol)) turn(symbol.letter, axes.dotless ? dotless : hatted);
-  if (axes.letters && is_coordinate(symbol)) turn(symbol.letter, letters);
+  if (axes.letters && is_coordinate(symbol)) turn(symbol.letter, coordinates);
   turn(symbol.lower);
 }
 
@@ -116,23 +114,23 @@ SyntaxId image_of(SyntaxTree& syntax, SyntaxId id, const std::vector<SyntaxChild
 WrittenAxes axes_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
   WrittenAxes axes;
   bool any_digit = false;
-  std::set<std::string> coordinates;
+  std::set<std::string> letters;
   Span coordinate;
   const auto see_indices = [&](const std::vector<WrittenIndex>& indices) {
     any_digit = any_digit || has_axis(indices, digits);
-    axes.letters = axes.letters || has_axis(indices, letters);
+    axes.letters = axes.letters || has_axis(indices, coordinates);
   };
   const auto see = [&](const WrittenSymbol& symbol, Span span, bool by) {
     see_indices(symbol.lower);
     if (is_coordinate(symbol)) {
-      coordinates.insert(symbol.letter);
+      letters.insert(symbol.letter);
       coordinate = span;
       axes.letters = axes.letters || by || symbol.accent == Accent::hat;
     }
     if (!is_hatted_axis(symbol)) return;
     if (symbol.letter == "k") return;  // which alone can be the direction of a vector
     axes.hatted = true;
-    axes.dotless = axes.dotless || is_in(dotless, symbol.letter);
+    axes.dotless = axes.dotless || is_one_of(symbol.letter, dotless);
   };
   for_each_symbol(syntax, sides, see, see_indices);
 
@@ -153,9 +151,9 @@ WrittenAxes axes_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides
            "`\\hat{k}` alone can be an axis that is permuted, or the direction of a vector", help);
   };
   for_each_symbol(syntax, sides, doubt, [](const auto&) {});
-  if (any_digit && !axes.letters && coordinates.size() > 1)
+  if (any_digit && !axes.letters && letters.size() > 1)
     stop(coordinate, DiagnosticKind::ambiguous_reading,
-         "beside the axes 1, 2, 3, the letters x, y, z can be coordinates that are permuted, or stay", help);
+         "beside the axes 1, 2, 3, the letters x, y, z can be letters that are permuted, or stay", help);
   if (!any_digit && !axes.letters && !axes.hatted && !axes.obstacle) {
     const Span whole = cover(syntax[sides.front()].span, syntax[sides.back()].span);
     stop(whole, DiagnosticKind::unsupported,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/differential.h"
 
+#include "base/ascii.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
@@ -20,7 +21,7 @@ std::size_t behind_sign(TokenView tokens, std::size_t at) {
   return content.size() == 1 && is_d(content[0]) ? argument.next : at;
 }
 
-int order_of(TokenView content) {
+int order_in(TokenView content) {
   content = trim(content);
   const bool digit = content.size() == 1 && content[0].kind == TokenKind::digit;
   return digit ? content[0].text[0] - '0' : 0;
@@ -57,11 +58,11 @@ std::optional<Differential> differential_at(TokenView tokens, std::size_t at) {
   if (tokens[script].kind == TokenKind::subscript || is_sign(tokens[script], "'")) return std::nullopt;
   if (tokens[script].kind == TokenKind::superscript) {
     const Argument order = script_argument_at(tokens, script + 1);
-    found.order = order_of(order.content);
+    found.order = order_in(order.content);
     found.next = order.next;
   } else if (tokens[at].kind == TokenKind::control) {  // \dd[3]{r}
     const Argument order = optional_argument_at(tokens, found.next);
-    if (order.next != found.next) found.order = order_of(order.content);
+    if (order.next != found.next) found.order = order_in(order.content);
     found.next = order.next;
   }
   return found;

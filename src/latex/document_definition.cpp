@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "base/ascii.h"
 #include "base/utf8.h"
-#include "latex/ascii.h"
 
 namespace rigor {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "latex/ascii.h"
+#include "base/ascii.h"
 #include "latex/prose.h"
 
 namespace rigor {

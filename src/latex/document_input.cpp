@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <system_error>
 #include <utility>
 
+#include "base/among.h"
 #include "source/read_file.h"
 
 namespace rigor {
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t deepest = 16;
+constexpr std::size_t deepest_input = 16;
 constexpr std::size_t most_requests = 1000;
 
 /// Empty where the file system cannot say.
@@ -49,9 +49,9 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
   }
   const fs::path asked{without_quotes(name)};
   const std::string shown = asked.string() + (asked.has_extension() ? "" : ".tex");
-  if (stack_.size() > deepest) {
+  if (stack_.size() > deepest_input) {
     return report(DiagnosticKind::missing_input, place,
-                  fmt::format("`{}` is read more than {} files deep, and left out", shown, deepest));
+                  fmt::format("`{}` is read more than {} files deep, and left out", shown, deepest_input));
   }
   const fs::path path = find(asked);
   const fs::path real = real_path(path);
@@ -61,7 +61,7 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
     return report(DiagnosticKind::input_outside, place,
                   fmt::format("`{}` is outside the folder of the notes", shown));
   }
-  if (std::find(stack_.begin(), stack_.end(), real) != stack_.end()) {
+  if (is_one_of(real, stack_)) {
     return report(DiagnosticKind::missing_input, place, fmt::format("`{}` reads itself", shown));
   }
   const auto [before, fresh] = claims_in_.emplace(real, false);

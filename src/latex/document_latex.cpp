@@ -6,7 +6,8 @@
 #include <set>
 #include <string>
 
-#include "latex/ascii.h"
+#include "base/among.h"
+#include "base/ascii.h"
 #include "latex/document_reader.h"
 
 namespace rigor {
@@ -190,7 +191,7 @@ class LatexReader : NotesReader {
   bool read_own_verbatim(std::string_view word) {
     static constexpr auto declaring = std::to_array<std::string_view>(
         {"DefineVerbatimEnvironment", "excludecomment", "lstnewenvironment", "newtcblisting", "newverbatim"});
-    if (std::find(declaring.begin(), declaring.end(), word) == declaring.end()) return false;
+    if (!is_one_of(word, declaring)) return false;
     at_ += 1 + word.size();
     if (const auto mark = text_.environment_mark(at_)) {
       reading_.aliases.verbatims.emplace(mark->name);

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "latex/ascii.h"
+#include "base/ascii.h"
 #include "latex/document_reader.h"
 #include "latex/markdown_dialects.h"
 #include "latex/markdown_fences.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "latex/ascii.h"
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "latex/ascii.h"
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {

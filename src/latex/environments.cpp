@@ -5,12 +5,13 @@
 #include <array>
 #include <utility>
 
-#include "latex/ascii.h"
+#include "base/among.h"
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {
 
-constexpr std::size_t longest_name = 200;  // of an environment, with its `\begin`
+constexpr std::size_t longest_beginning = 200;  // of an environment, with its `\begin`
 
 constexpr auto displays = std::to_array<std::string_view>(
     {"IEEEeqnarray", "align", "alignat", "darray", "displaymath", "dmath", "empheq", "eqnarray", "equation",
@@ -30,7 +31,7 @@ constexpr auto fillings = std::to_array<std::pair<std::string_view, std::string_
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& names, std::string_view name) {
   if (name.ends_with('*')) name.remove_suffix(1);
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return is_one_of(name, names);
 }
 
 /// Without white space at both ends, and without comments at the beginning.
@@ -112,7 +113,7 @@ bool opens_display(std::string_view text) {
     const std::string_view rest = text.substr(at);
     if (rest.starts_with("$$") || rest.starts_with("\\[")) return true;
     if (rest.starts_with("\\begin{")) {
-      const std::size_t end = rest.substr(0, longest_name).find('}');
+      const std::size_t end = rest.substr(0, longest_beginning).find('}');
       if (end != std::string_view::npos && is_display_environment(rest.substr(7, end - 7))) return true;
     }
     if (text[at] == '\\') ++at;

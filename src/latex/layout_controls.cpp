@@ -4,15 +4,12 @@
 #include <array>
 #include <map>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "latex/layout_reader.h"
 
 namespace rigor {
 namespace {
-
-template <std::size_t N>
-bool is_one_of(std::string_view name, const std::array<std::string_view, N>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// 1 for `\big` to 4 for `\Bigg`, whatever letter says on which side the bracket stands; 0 for other
 /// controls.

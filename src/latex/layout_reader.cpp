@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/layout_reader.h"
 
-#include <algorithm>
-
 namespace rigor {
 namespace {
 

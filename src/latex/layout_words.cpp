@@ -2,6 +2,7 @@
 // Words inside mathematics, and numbers with units as siunitx writes them.
 #include <map>
 
+#include "base/ascii.h"
 #include "latex/layout_reader.h"
 #include "latex/vocabulary.h"
 
@@ -55,9 +56,9 @@ const UnitWord* unit_word(std::string_view name) {
 }
 
 /// `\kilo\metre\per\second\squared` or `kg.m/s^2` as a row.
-class UnitReader {
+class UnitPrinter {
  public:
-  explicit UnitReader(TokenView tokens) : tokens_(tokens) {}
+  explicit UnitPrinter(TokenView tokens) : tokens_(tokens) {}
 
   Box read() {
     for (at_ = 0; at_ < tokens_.size(); ++at_) step();
@@ -226,7 +227,7 @@ bool LayoutReader::quantity(std::string_view name) {
   }
   if (name == "si" || name == "unit") {
     static_cast<void>(take_optional());
-    push(UnitReader(take_argument()).read());
+    push(UnitPrinter(take_argument()).read());
     return true;
   }
   if (name != "SI" && name != "qty") return false;
@@ -240,7 +241,7 @@ bool LayoutReader::quantity(std::string_view name) {
   }
   push(number_box(text_of(value)));
   push(space_box(0.1667));
-  push(UnitReader(take_argument()).read());
+  push(UnitPrinter(take_argument()).read());
   return true;
 }
 

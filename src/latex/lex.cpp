@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "base/utf8.h"
-#include "latex/ascii.h"
 #include "latex/token.h"
 
 namespace rigor {

@@ -48,7 +48,7 @@ int highest_parameter(TokenView body) {
 
 Token made_token(TokenKind kind, std::string_view text) { return {kind, text, {}}; }
 
-void append(Tokens& tokens, TokenView more) { tokens.insert(tokens.end(), more.begin(), more.end()); }
+void append_tokens(Tokens& tokens, TokenView more) { tokens.insert(tokens.end(), more.begin(), more.end()); }
 
 class DefinitionReader {
  public:
@@ -176,7 +176,7 @@ class DefinitionReader {
     macro_.body = {made_token(TokenKind::control, "operatorname")};
     if (starred_) macro_.body.push_back(made_token(TokenKind::other, "*"));
     macro_.body.push_back(made_token(TokenKind::begin_group, "{"));
-    append(macro_.body, name->tokens);
+    append_tokens(macro_.body, name->tokens);
     macro_.body.push_back(made_token(TokenKind::end_group, "}"));
     return true;
   }
@@ -190,10 +190,12 @@ class DefinitionReader {
     if (macro_.use == MacroUse::unreadable) return true;
     macro_.use = MacroUse::delimiters;
     macro_.body = {made_token(TokenKind::control, "left")};
-    append(macro_.body, left->tokens.empty() ? Tokens{made_token(TokenKind::other, ".")} : left->tokens);
-    append(macro_.body, inside->tokens);
+    append_tokens(macro_.body,
+                  left->tokens.empty() ? Tokens{made_token(TokenKind::other, ".")} : left->tokens);
+    append_tokens(macro_.body, inside->tokens);
     macro_.body.push_back(made_token(TokenKind::control, "right"));
-    append(macro_.body, right->tokens.empty() ? Tokens{made_token(TokenKind::other, ".")} : right->tokens);
+    append_tokens(macro_.body,
+                  right->tokens.empty() ? Tokens{made_token(TokenKind::other, ".")} : right->tokens);
     return true;
   }
 

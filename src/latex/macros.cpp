@@ -12,7 +12,7 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t deepest = 200;
+constexpr std::size_t deepest_macro = 200;
 constexpr std::size_t most_expansions = 20'000;
 constexpr std::size_t most_tokens = 200'000;
 
@@ -104,7 +104,7 @@ class Expander {
   }
 
   bool call(const Token& control, const Macro& macro) {
-    if (stream_.depth() >= deepest || ++expansions_ > most_expansions) return fail_endless(control);
+    if (stream_.depth() >= deepest_macro || ++expansions_ > most_expansions) return fail_endless(control);
     std::vector<TakenArgument> arguments;
     if (!take_arguments(control, macro, arguments)) return false;
     Span written = control.span;

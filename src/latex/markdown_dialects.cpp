@@ -7,7 +7,7 @@ namespace rigor {
 namespace {
 
 /// Containers inside containers, each of which shows when the one around it is gone.
-constexpr int most_passes = 24;
+constexpr int most_nested = 24;
 
 class DialectMarks {
  public:
@@ -92,7 +92,7 @@ std::vector<MarkdownBlock> blocks_of_dialects(const NotesText& text, const LineS
                                               MarkdownShape& shape, std::set<std::size_t>& open_fences) {
   std::vector<MarkdownBlock> blocks = markdown_blocks(shape.text());
   DialectMarks marks(text, lines, shape, open_fences);
-  for (int pass = 1; pass < most_passes && marks.take_from(blocks); ++pass)
+  for (int pass = 1; pass < most_nested && marks.take_from(blocks); ++pass)
     blocks = markdown_blocks(shape.text());
   return blocks;
 }

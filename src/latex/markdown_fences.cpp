@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "latex/ascii.h"
+#include "base/among.h"
+#include "base/ascii.h"
 #include "latex/markdown_lines.h"
 
 namespace rigor {
@@ -45,7 +46,7 @@ std::string_view first_word(std::string_view words) {
   return without_blanks_around(words).substr(0, without_blanks_around(words).find_first_of(" \t,;"));
 }
 
-bool is_code(std::string_view name) { return std::find(codes.begin(), codes.end(), name) != codes.end(); }
+bool is_code(std::string_view name) { return is_one_of(name, codes); }
 
 bool is_option(std::string_view line) {
   const std::size_t end = line.starts_with(':') ? line.find(':', 1) : std::string_view::npos;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "latex/ascii.h"
+#include "base/ascii.h"
 #include "latex/document_display.h"
 
 namespace rigor {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "latex/ascii.h"
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {

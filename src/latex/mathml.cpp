@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/among.h"
 #include "base/utf8.h"
 #include "base/xml.h"
 #include "latex/layout_reader.h"
@@ -27,7 +28,7 @@ std::string words_text(std::string_view words) {
 bool has_usual_space(std::string_view sign) {
   static constexpr std::array<std::string_view, 14> signs{"=", "≈", "≡", "<", ">", "≤", "≥",
                                                           "≠", "≪", "≫", "∝", "×", "·", "±"};
-  return std::find(signs.begin(), signs.end(), sign) != signs.end();
+  return is_one_of(sign, signs);
 }
 
 class MathmlWriter {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "latex/cover_tokens.h"
 #include "latex/vocabulary.h"
 
@@ -35,8 +37,7 @@ TokenView letter_run(TokenView tokens, std::size_t at) {
 bool is_label_sign(const Token& token) {
   static constexpr std::string_view controls[] = {"perp", "parallel", "pm",   "mp",  "infty",
                                                   "odot", "oplus",    "circ", "ast", "star"};
-  if (token.kind == TokenKind::control)
-    return std::find(std::begin(controls), std::end(controls), token.text) != std::end(controls);
+  if (token.kind == TokenKind::control) return is_one_of(token.text, controls);
   return false;
 }
 

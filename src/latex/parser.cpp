@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/ascii.h"
 #include "latex/box_operator.h"
 #include "latex/cover_tokens.h"
 #include "latex/differential.h"
@@ -21,10 +22,6 @@ std::optional<Joint> sign_joint(const Token& token) {
   if (is_sign(token, "+")) return Joint::plus;
   if (is_sign(token, "-") || (token.kind == TokenKind::letter && token.text == "−")) return Joint::minus;
   return std::nullopt;
-}
-
-bool is_script(const Token& token) {
-  return token.kind == TokenKind::subscript || token.kind == TokenKind::superscript || is_sign(token, "'");
 }
 
 std::string_view again_name(TokenKind script) {

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/ascii.h"
 #include "latex/parser.h"
 #include "latex/unseen_braces.h"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "latex/differential.h"
 #include "latex/parser.h"
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 
+#include "base/ascii.h"
 #include "latex/acting.h"
 #include "latex/beside.h"
 #include "latex/conditions.h"
@@ -32,8 +32,8 @@ BraceLabel brace_label(TokenView label) {
   if (worded && !symbol) {
     const std::string words = spoken(label);
     if (remark_of(words) == Remark::remark) return BraceLabel::name;
-    const bool plain = std::all_of(words.begin(), words.end(), [](unsigned char c) {
-      return std::isalpha(c) != 0 || std::isspace(c) != 0 || c == '-' || c == ',' || c == '.' || c == '\'';
+    const bool plain = std::all_of(words.begin(), words.end(), [](char c) {
+      return is_letter(c) || is_white(c) || c == '-' || c == ',' || c == '.' || c == '\'';
     });
     return plain ? BraceLabel::words : BraceLabel::statement;
   }

@@ -18,7 +18,7 @@ bool is_bold(TokenView tokens, std::size_t at) {
   return style && style->face != Face::plain;
 }
 
-bool opens_bracket(const Token& token) {
+bool opens_argument(const Token& token) {
   return is_sign(token, "(") || is_sign(token, "[") || is_control(token, "{") ||
          is_control(token, "lbrace") || token.kind == TokenKind::begin_group;
 }
@@ -102,7 +102,7 @@ SyntaxId Parser::function_argument(Cursor& cursor, Span place, std::string_view 
   if (cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
     return opaque(place, fmt::format("`{}` without an argument is not read", name));
   if (lifts_braces_of_argument(cursor, begin)) cursor.at = skip_narrow(cursor.tokens, cursor.at);
-  if (opens_bracket(cursor.token())) return bracket_argument(cursor);
+  if (opens_argument(cursor.token())) return bracket_argument(cursor);
   if (is_bold(cursor.tokens, cursor.at) || !is_plain_factor(cursor.tokens, cursor.at)) {
     const bool matrix_function = name == "det" || name == "tr";
     const SyntaxId argument = factor(cursor);
@@ -223,13 +223,13 @@ SyntaxId Parser::field_function(Cursor& cursor, std::string_view name) {
   const std::size_t at = skip_narrow(cursor.tokens, cursor.at + 1);
   ++cursor.at;
   const bool missing = at >= cursor.tokens.size();
-  const bool divided = is_control(token, "div") && !missing && !opens_bracket(cursor.tokens[at]) &&
+  const bool divided = is_control(token, "div") && !missing && !opens_argument(cursor.tokens[at]) &&
                        !is_bold(cursor.tokens, at) && !is_control(cursor.tokens[at], "qty");
   if (divided) return opaque(token.span, "`\\div` is read before a vector or a bracket only");
   cursor.at = at;
   if (missing || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
     return opaque(token.span, fmt::format("`\\{}` has nothing behind it to act on", token.text));
-  const SyntaxId argument = opens_bracket(cursor.token()) ? bracket_argument(cursor) : factor(cursor);
+  const SyntaxId argument = opens_argument(cursor.token()) ? bracket_argument(cursor) : factor(cursor);
   return tree_.add_named(SyntaxKind::function, cover(token.span, tree_[argument].span), std::string(name),
                          argument);
 }

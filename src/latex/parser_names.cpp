@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "base/among.h"
 #include "latex/cover_tokens.h"
 #include "latex/differential.h"
 #include "latex/parse.h"
@@ -34,7 +35,7 @@ bool all_plain_letters(TokenView tokens) {
 /// Of packages, and short names that authors give to macros of their own: `\vu = …`, where `\vu` is a vector.
 bool may_be_a_macro_of_the_author(std::string_view name) {
   static constexpr std::array<std::string_view, 6> names{"vu", "vb", "va", "vv", "bm", "tensor"};
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return is_one_of(name, names);
 }
 
 bool can_be_an_argument(TokenView tokens, std::size_t at) {

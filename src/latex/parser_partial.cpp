@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/among.h"
 #include "latex/differential.h"
 #include "latex/parse_indices.h"
 #include "latex/parser.h"
@@ -15,8 +16,7 @@ namespace {
 bool may_be_coordinate(const WrittenIndex& index) {
   static constexpr std::string_view coordinates[] = {"t", "x",       "y",        "z",     "u",     "v",
                                                      "w", "\\theta", "\\varphi", "\\phi", "\\psi", "\\tau"};
-  return index.primes == 0 &&
-         std::find(std::begin(coordinates), std::end(coordinates), index.text) != std::end(coordinates);
+  return index.primes == 0 && is_one_of(index.text, coordinates);
 }
 
 /// ∂_t and ∂_x are by that coordinate, ∂_i and ∂_1 by x_i and x_1.

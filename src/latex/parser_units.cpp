@@ -14,8 +14,6 @@ namespace {
 
 constexpr int most_tens = 300;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// `3.2e5` as digits, `320000`; nothing for what is no such number.
 std::optional<std::string> digits_of(std::string_view text, bool& negative) {
   std::string digits;

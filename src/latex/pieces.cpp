@@ -5,29 +5,26 @@
 #include <array>
 #include <string_view>
 
+#include "base/among.h"
+#include "base/ascii.h"
+
 namespace rigor {
 namespace {
-
-template <std::size_t N>
-bool is_one_of(const Token& token, const std::array<std::string_view, N>& controls) {
-  return token.kind == TokenKind::control &&
-         std::find(controls.begin(), controls.end(), token.text) != controls.end();
-}
 
 bool is_layout(const Token& token) {
   static constexpr std::array<std::string_view, 10> controls{"\\", ",",    ";",     ":",     "!",
                                                              " ",  "quad", "qquad", "notag", "nonumber"};
-  return is_blank(token) || token.kind == TokenKind::align || is_one_of(token, controls);
+  return is_blank(token) || token.kind == TokenKind::align || is_control_of(token, controls);
 }
 
 bool is_size(const Token& token) {
   static constexpr std::array<std::string_view, 14> controls{"left",  "right", "big",   "Big",  "bigg",
                                                              "Bigg",  "bigl",  "bigr",  "Bigl", "Bigr",
                                                              "biggl", "biggr", "Biggl", "Biggr"};
-  return is_one_of(token, controls);
+  return is_control_of(token, controls);
 }
 
-bool is_bar(const Token& token) {
+bool is_length_bar(const Token& token) {
   return is_sign(token, "|") || is_control(token, "lvert") || is_control(token, "rvert");
 }
 
@@ -47,7 +44,7 @@ struct Inner {
 bool takes_sum(const Token& control) {
   static constexpr std::array<std::string_view, 9> controls{"frac", "tfrac", "dfrac",      "sqrt", "abs",
                                                             "norm", "qty",   "underbrace", "boxed"};
-  return is_one_of(control, controls);
+  return is_control_of(control, controls);
 }
 
 /// Cuts one level into pieces; what it passes by on the way down is kept as further levels.
@@ -95,8 +92,8 @@ class Cutter {
     if (at_ < tokens_.size() && is_size(tokens_[at_])) ++at_;
     if (at_ >= tokens_.size()) return;
     const Token& token = tokens_[at_];
-    if (is_bar(token))
-      return enclosed(factor, PieceKind::bars, [](const Token& other) { return is_bar(other); });
+    if (is_length_bar(token))
+      return enclosed(factor, PieceKind::bars, [](const Token& other) { return is_length_bar(other); });
     if (is_sign(token, "(") || is_sign(token, "[")) {
       return enclosed(factor, PieceKind::factor,
                       [](const Token& other) { return is_sign(other, ")") || is_sign(other, "]"); });

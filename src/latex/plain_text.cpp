@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/plain_text.h"
 
-#include <algorithm>
 #include <map>
 #include <optional>
 

@@ -3,26 +3,21 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
 #include <vector>
+
+#include "base/among.h"
+#include "base/ascii.h"
 
 namespace rigor {
 namespace {
 
 using List = std::unordered_set<std::string_view>;
 
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
-}
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
+/// A letter of any language.
+bool is_of_word(char c) { return is_letter(c) || static_cast<unsigned char>(c) >= 0x80; }
 
 /// Words that restrict nothing: they name an equation, its parts, or where it comes from.
 const List& harmless() {
@@ -98,7 +93,7 @@ struct Spoken {
 
 std::string_view control_at(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
-  while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) ++end;
+  while (end < text.size() && is_letter(text[end])) ++end;
   return text.substr(at + 1, end - at - 1);
 }
 
@@ -130,17 +125,17 @@ Spoken spoken_in(std::string_view text) {
       at = behind == at ? at + 1 : behind;
       continue;
     }
-    const bool letter = is_letter(text[at]);
-    const bool digit = std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+    const bool letter = is_of_word(text[at]);
+    const bool digit = is_digit(text[at]);
     if (letter || digit) {
       word += text[at++];
       continue;
     }
     spoken.foreign = spoken.foreign || signs.find(text[at]) == std::string_view::npos;
-    const bool abbreviated =
-        text[at] == '.' && word.size() == 1 && at + 1 < text.size() && is_letter(text[at + 1]);  // i.e., e.g.
-    const bool possessive =
-        text[at] == '\'' && text.substr(at, 2) == "'s" && (at + 2 == text.size() || !is_letter(text[at + 2]));
+    const bool abbreviated = text[at] == '.' && word.size() == 1 && at + 1 < text.size() &&
+                             is_of_word(text[at + 1]);  // i.e., e.g.
+    const bool possessive = text[at] == '\'' && text.substr(at, 2) == "'s" &&
+                            (at + 2 == text.size() || !is_of_word(text[at + 2]));
     if (!abbreviated) finish();
     at += possessive ? 2 : 1;
   }
@@ -156,11 +151,6 @@ bool is_symbol(const std::string& word) {
   return (word.size() == 1 && !is_number(word)) || greek().contains(word);
 }
 
-template <std::size_t N>
-bool is_among(const std::string& word, const std::array<std::string_view, N>& list) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 /// "no sum", "no summation over repeated indices", "(not summed on j)".
 bool says_no_sum(const std::vector<std::string>& words) {
   static constexpr std::array<std::string_view, 4> negations{"no", "not", "without", "never"};
@@ -170,12 +160,12 @@ bool says_no_sum(const std::vector<std::string>& words) {
                                                          "here",  "implied", "intended", "convention"};
   std::size_t at = 0;
   if (words.size() > 1 && (words[0] == "with" || words[0] == "but" || words[0] == "and")) ++at;
-  if (at + 1 >= words.size() || !is_among(words[at], negations)) return false;
+  if (at + 1 >= words.size() || !is_one_of(words[at], negations)) return false;
   const bool implied = words[at + 1] == "implied" || words[at + 1] == "einstein";
   at += implied ? 2 : 1;
-  if (at >= words.size() || !is_among(words[at], sums)) return false;
+  if (at >= words.size() || !is_one_of(words[at], sums)) return false;
   return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(at) + 1, words.end(),
-                     [](const std::string& word) { return is_symbol(word) || is_among(word, rest); });
+                     [](const std::string& word) { return is_symbol(word) || is_one_of(word, rest); });
 }
 
 /// "and cyclic permutations of 1, 2, 3", "plus cyclic", "etc."; other letters than those of the axes are
@@ -189,16 +179,16 @@ bool says_cyclic(const std::vector<std::string>& words) {
   if (words.size() == 1) return words[0] == "etc";
   if (words.size() < 2 || (words[0] != "and" && words[0] != "plus")) return false;
   if (words.size() == 2 && words[1] == "etc") return true;
-  return is_among(words[1], cyclic) &&
+  return is_one_of(words[1], cyclic) &&
          std::all_of(words.begin() + 2, words.end(), [](const std::string& word) {
-           return is_among(word, rest) || word == "x" || word == "y" || word == "z";
+           return is_one_of(word, rest) || word == "x" || word == "y" || word == "z";
          });
 }
 
 /// "for all vectors", "for every $i$".
 bool says_for_all(const std::vector<std::string>& words) {
   static constexpr std::array<std::string_view, 4> all{"all", "any", "every", "each"};
-  if (words.size() < 3 || words[0] != "for" || !is_among(words[1], all)) return false;
+  if (words.size() < 3 || words[0] != "for" || !is_one_of(words[1], all)) return false;
   return std::all_of(words.begin() + 2, words.end(),
                      [](const std::string& word) { return is_symbol(word) || quantified().contains(word); });
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/among.h"
 #include "latex/rewritings.h"
 
 namespace rigor {
@@ -124,8 +125,7 @@ std::vector<Role> roles_of(TokenView term) {
   std::vector<Role> roles(term.size(), Role::none);
   for (std::size_t k = 0; k < term.size(); ++k) {
     const bool letter = term[k].kind == TokenKind::letter ||
-                        (term[k].kind == TokenKind::control &&
-                         std::find(greek.begin(), greek.end(), term[k].text) != greek.end());
+                        (term[k].kind == TokenKind::control && is_one_of(term[k].text, greek));
     if (letter) roles[k] = Role::letter;
   }
   for (std::size_t k = 0; k < term.size(); ++k) {

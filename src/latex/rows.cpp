@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "latex/blocks.h"
 #include "latex/cover_tokens.h"
 #include "latex/vocabulary.h"

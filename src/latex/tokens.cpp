@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "base/among.h"
+#include "base/ascii.h"
+
 namespace rigor {
 
 bool is_control(const Token& token, std::string_view name) {
@@ -13,6 +16,16 @@ bool is_sign(const Token& token, std::string_view text) {
   return token.kind == TokenKind::other && token.text == text;
 }
 
+bool is_letter(const Token& token, std::string_view letter) {
+  return token.kind == TokenKind::letter && token.text == letter;
+}
+bool is_script(const Token& token) {
+  return token.kind == TokenKind::subscript || token.kind == TokenKind::superscript || is_sign(token, "'");
+}
+bool is_sum_sign(const Token& token) {
+  return is_sign(token, "+") || is_sign(token, "-") || is_letter(token, "−") || is_control(token, "pm") ||
+         is_control(token, "mp");
+}
 bool is_blank(const Token& token) {
   return token.kind == TokenKind::space || token.kind == TokenKind::paragraph;
 }
@@ -83,8 +96,7 @@ bool is_length(TokenView tokens) {
   const auto letters = text.find_first_not_of("-+.0123456789 ");
   if (letters == std::string::npos || letters == 0) return false;
   static constexpr std::string_view units[] = {"pt", "em", "ex", "mm", "cm", "in", "mu"};
-  return std::find(std::begin(units), std::end(units), std::string_view(text).substr(letters)) !=
-         std::end(units);
+  return is_one_of(std::string_view(text).substr(letters), units);
 }
 
 const Token* unbalanced_brace(TokenView tokens) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "latex/token.h"
 
 namespace rigor {
@@ -17,7 +19,15 @@ using TokenView = std::span<const Token>;
 
 [[nodiscard]] bool is_control(const Token& token, std::string_view name);
 [[nodiscard]] bool is_sign(const Token& token, std::string_view text);  // TokenKind::other
-[[nodiscard]] bool is_blank(const Token& token);                        // space or paragraph
+[[nodiscard]] bool is_letter(const Token& token, std::string_view letter);
+[[nodiscard]] bool is_blank(const Token& token);     // space or paragraph
+[[nodiscard]] bool is_script(const Token& token);    // `_`, `^` or a prime
+[[nodiscard]] bool is_sum_sign(const Token& token);  // `+`, `-`, `\pm`, `\mp`
+/// A control of the list.
+template <class List>
+[[nodiscard]] bool is_control_of(const Token& token, const List& names) {
+  return token.kind == TokenKind::control && is_one_of(token.text, names);
+}
 
 /// The first place at or after `at` that is not blank; the size at the end.
 [[nodiscard]] std::size_t skip_blank(TokenView tokens, std::size_t at);

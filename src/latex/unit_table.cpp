@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "base/ascii.h"
+
 namespace rigor {
 namespace {
 
@@ -83,8 +85,6 @@ WrittenUnit unit_of(const NamedUnit& named, int ten = 0) {
   unit.ten = named.ten + ten;
   return unit;
 }
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool take_word(std::string_view& text, std::string_view word) {
   const bool fits = text.size() > word.size() && text[0] == '\\' && text.substr(1).starts_with(word) &&

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <utility>
 
+#include "base/ascii.h"
 #include "latex/unit_table.h"
 
 namespace rigor {
@@ -20,9 +21,6 @@ std::optional<WrittenUnit> dimension_by_letter(std::string_view letter) {
   unit.exponents[static_cast<std::size_t>(found - letters.begin())] = 1;
   return unit;
 }
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 class UnitReader {
  public:

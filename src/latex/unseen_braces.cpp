@@ -5,28 +5,15 @@
 #include <array>
 #include <string_view>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "latex/vocabulary.h"
 
 namespace rigor {
 namespace {
 
-bool is_sum_sign(const Token& token) {
-  return is_sign(token, "+") || is_sign(token, "-") ||
-         (token.kind == TokenKind::letter && token.text == "−") || is_control(token, "pm") ||
-         is_control(token, "mp");
-}
-
 bool means_nothing(const Token& token) {
   return is_blank(token) || is_spacing(token) || is_wide_space(token) || token.kind == TokenKind::align;
-}
-
-bool is_script(const Token& token) {
-  return token.kind == TokenKind::superscript || token.kind == TokenKind::subscript || is_sign(token, "'");
-}
-
-template <std::size_t N>
-bool is_one_of(const Token& token, const std::array<std::string_view, N>& names) {
-  return token.kind == TokenKind::control && std::find(names.begin(), names.end(), token.text) != names.end();
 }
 
 /// `a \over b` is seen as what it is, and a switch such as `\rm` is about the look of what it holds.
@@ -34,14 +21,14 @@ bool is_seen(const Token& token) {
   static constexpr std::array<std::string_view, 17> controls{
       "over", "atop", "choose", "above", "brack", "brace", "rm",       "bf", "it",
       "cal",  "sf",   "tt",     "frak",  "scr",   "sc",    "oldstyle", "sl"};
-  return is_one_of(token, controls) || relation_kind(token).has_value();
+  return is_control_of(token, controls) || relation_kind(token).has_value();
 }
 
 /// What acts on all that follows in its term, or may.
 bool acts(const Token& token) {
   static constexpr std::array<std::string_view, 12> controls{
       "nabla", "partial", "sum", "int", "oint", "prod", "iint", "iiint", "lim", "grad", "curl", "dd"};
-  return is_one_of(token, controls) ||
+  return is_control_of(token, controls) ||
          (token.kind == TokenKind::control && !function_name(token.text).empty());
 }
 

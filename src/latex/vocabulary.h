@@ -30,6 +30,10 @@ enum class RelationKind : std::uint8_t {
   other,         // \propto, \in…: read as a relation, not decided
   implies,       // \Rightarrow, \iff…: between equations
 };
+/// `=`, `\equiv`, `:=`: both sides are said to be the same.
+[[nodiscard]] constexpr bool is_equality(RelationKind kind) {
+  return kind == RelationKind::equal || kind == RelationKind::identical || kind == RelationKind::defines;
+}
 
 /// The relation that a control word (`leq`) or a sign (`<`) writes.
 [[nodiscard]] std::optional<RelationKind> relation_kind(const Token& token);

@@ -18,8 +18,6 @@ namespace {
 
 using Number = baseline::DoubleDouble<double>;
 
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
-
 Result<void> check_mass(double mass) {
   if (!std::isfinite(mass) || mass <= 0)
     return refuse(fmt::format("the body has the mass {} kg, which must be finite and positive", mass));

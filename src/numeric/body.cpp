@@ -19,8 +19,6 @@ constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
 /// Of a centre of mass from sharp sums, beside the extent of its body.
 constexpr double centre_rounding = 0x1p-90;
 
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
-
 }  // namespace
 
 Result<void> check_count(const Body& body) {

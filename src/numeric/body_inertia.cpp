@@ -15,8 +15,6 @@ namespace {
 
 using Exact = std::array<std::array<qd_real, 3>, 3>;
 
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
-
 double unit_in_last_place(double value) {
   return std::nextafter(value, std::numeric_limits<double>::infinity()) - value;
 }

@@ -19,6 +19,9 @@ struct FormResult {
   std::vector<double> first;  // what it is worth on the first sample, in double, by components
   FormMeasure measure;
 };
+[[nodiscard]] inline const ErrorMeasure& in_double(const FormResult& form) {
+  return form.measure.arithmetics[static_cast<std::size_t>(Arithmetic::plain)];
+}
 
 struct TrialResult {
   std::string name;  // `random`, `book`

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <thread>
 #include <utility>
 
+#include "base/ascii.h"
 #include "numeric/cloud_text.h"
 #include "source/mapped_file.h"
 
@@ -16,8 +16,6 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t record_size = 4 * sizeof(double);
-
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
 
 /// The records of a mapped file, where they lie: a page begins at any double's alignment.
 Result<PointColumns> records_of(std::string_view bytes) {
@@ -35,8 +33,7 @@ Result<PointColumns> records_of(std::string_view bytes) {
 enum class CloudFormat { binary, text };
 
 Result<CloudFormat> format_of(const std::string& path) {
-  std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lowered(path.substr(std::min(path.rfind('.'), path.size())));
   if (ending == ".bin") return CloudFormat::binary;
   if (ending == ".txt" || ending == ".csv") return CloudFormat::text;
   return refuse("a cloud's name ends in `.bin`, `.txt` or `.csv`");

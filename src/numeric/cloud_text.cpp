@@ -31,22 +31,21 @@ Result<std::optional<std::array<double, 4>>> parse_line(std::string_view line) {
   std::size_t count = 0;
   while (at != end && is_separator(*at) && *at != ',') ++at;
   while (at != end) {
-    if (count == numbers.size())
-      return tl::unexpected(Error{"more than the 4 numbers x, y, z and m are on the line"});
-    if (*at == ',') return tl::unexpected(Error{"there is no number before a comma"});
+    if (count == numbers.size()) return refuse("more than the 4 numbers x, y, z and m are on the line");
+    if (*at == ',') return refuse("there is no number before a comma");
     const std::string_view word = word_at(at, end);
     const auto number = finite_number(word);
-    if (!number) return tl::unexpected(Error{fmt::format("`{}` is no finite number", shown(word))});
+    if (!number) return refuse(fmt::format("`{}` is no finite number", shown(word)));
     numbers[count++] = *number;
     const char* const after = after_separators(at + word.size(), end);
     const auto commas = std::count(at + word.size(), after, ',');
-    if (commas > 1) return tl::unexpected(Error{"there is no number between two commas"});
-    if (commas == 1 && after == end) return tl::unexpected(Error{"there is no number after the last comma"});
+    if (commas > 1) return refuse("there is no number between two commas");
+    if (commas == 1 && after == end) return refuse("there is no number after the last comma");
     at = after;
   }
   if (count == 0) return std::nullopt;
   if (count < numbers.size())
-    return tl::unexpected(Error{fmt::format("the line has {} of the 4 numbers x, y, z and m", count)});
+    return refuse(fmt::format("the line has {} of the 4 numbers x, y, z and m", count));
   return numbers;
 }
 
@@ -57,7 +56,7 @@ Result<std::array<std::vector<double>, 4>> parse_cloud(std::string_view text) {
   for (std::size_t line = 1; !text.empty(); ++line) {
     const std::size_t length = std::min(text.find('\n'), text.size());
     const auto numbers = parse_line(text.substr(0, length));
-    if (!numbers) return tl::unexpected(Error{fmt::format("line {}: {}", line, numbers.error().reason)});
+    if (!numbers) return refuse(fmt::format("line {}: {}", line, numbers.error().reason));
     if (*numbers) {
       if (columns[0].size() == most_particles)
         return tl::unexpected(

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/among.h"
 #include "base/check.h"
 #include "numeric/compile_walk.h"
 
@@ -12,12 +13,6 @@ namespace {
 
 constexpr Operand not_asked = 0xffffffffu;
 constexpr Operand being_unfolded = 0xfffffffeu;
-
-[[nodiscard]] std::size_t component_count(int rank) {
-  std::size_t count = 1;
-  for (int axis = 0; axis < rank; ++axis) count *= 3;
-  return count;
-}
 
 }  // namespace
 
@@ -50,8 +45,7 @@ const std::vector<ParticleId>& ExpressionCompiler::others_in(ExprId sum) {
   }
   std::sort(found.others.begin(), found.others.end());
   found.others.erase(std::unique(found.others.begin(), found.others.end()), found.others.end());
-  std::erase_if(found.others,
-                [&](ParticleId id) { return std::find(own.begin(), own.end(), id) != own.end(); });
+  std::erase_if(found.others, [&](ParticleId id) { return is_one_of(id, own); });
   sums_.push_back(std::move(found));
   return sums_.back().others;
 }

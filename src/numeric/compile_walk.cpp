@@ -9,15 +9,7 @@
 #include "base/check.h"
 
 namespace rigor {
-namespace {
-
-[[nodiscard]] std::size_t component_count(int rank) {
-  std::size_t count = 1;
-  for (int axis = 0; axis < rank; ++axis) count *= 3;
-  return count;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 ExpressionCompiler::ExpressionCompiler(const ExprTree& tree, std::span<const Definition> definitions,
                                        Code& code)

@@ -14,7 +14,7 @@
 namespace rigor {
 namespace {
 
-constexpr int known_bits = 20;  // of a condition number
+constexpr int bits_of_condition = 20;  // of a condition number
 // Operations with 100 digits that cost as much as one with more.
 constexpr std::size_t cost_of_400 = 8;
 constexpr std::size_t cost_of_1400 = 64;
@@ -275,7 +275,7 @@ std::optional<double> Tape<Number>::condition(std::size_t sample) {
   }
   if (total.undefined || size.is_exact_zero()) return std::numeric_limits<double>::infinity();
   const Number condition = total / size;
-  if (!condition.is_exact_zero() && !condition.is_known_to(known_bits)) return std::nullopt;
+  if (!condition.is_exact_zero() && !condition.is_known_to(bits_of_condition)) return std::nullopt;
   return static_cast<double>(condition.value);
 }
 

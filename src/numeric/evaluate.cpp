@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/evaluate.h"
 
-#include <algorithm>
-
 #include "base/check.h"
 #include "numeric/run_double_double.h"
 #include "numeric/run_samples.h"
@@ -12,7 +10,6 @@ namespace {
 
 constexpr std::size_t few_samples = 8;
 constexpr std::size_t hardly_any = 3;
-constexpr std::size_t many_particles = 16;
 
 template <class T>
 std::vector<double> rounded(const std::vector<T>& values) {

@@ -25,7 +25,7 @@ struct FamilyInfo {
   std::string_view description;
 };
 
-constexpr auto table = std::to_array<FamilyInfo>({
+constexpr auto family_infos = std::to_array<FamilyInfo>({
     {FamilyKind::random, "random", false, "vectors in the cube |x| < 1, positive scalars from 1/8 to 8"},
     {angle, "angle", true, "all vectors at this angle to the first, in radians"},
     {orthogonal, "orthogonal", false, "vectors exactly at right angles"},
@@ -35,12 +35,12 @@ constexpr auto table = std::to_array<FamilyInfo>({
     {thin_axis, "thin axis", false, "all vectors along the body's axis of least moment"},
 });
 
-constexpr bool follows_enum() {
-  for (std::size_t i = 0; i < table.size(); ++i)
-    if (static_cast<std::size_t>(table[i].kind) != i) return false;
-  return static_cast<std::size_t>(thin_axis) + 1 == table.size();
+constexpr bool families_follow_enum() {
+  for (std::size_t i = 0; i < family_infos.size(); ++i)
+    if (static_cast<std::size_t>(family_infos[i].kind) != i) return false;
+  return static_cast<std::size_t>(thin_axis) + 1 == family_infos.size();
 }
-static_assert(follows_enum(), "one entry for each kind, in the order of the enumeration");
+static_assert(families_follow_enum(), "one entry for each kind, in the order of the enumeration");
 
 constexpr auto families = std::to_array<InputFamily>({
     {FamilyKind::random, 0},
@@ -58,8 +58,8 @@ constexpr auto families = std::to_array<InputFamily>({
 
 const FamilyInfo& info(FamilyKind kind) {
   const auto index = static_cast<std::size_t>(kind);
-  RIGOR_CHECK(index < table.size(), index);
-  return table[index];
+  RIGOR_CHECK(index < family_infos.size(), index);
+  return family_infos[index];
 }
 
 bool has_letters_with_a_gap(const ExprTree& tree, std::span<const SymbolId> symbols) {
@@ -85,7 +85,7 @@ std::span<const InputFamily> input_families() { return families; }
 
 Result<InputFamily> read_family(std::string_view text) {
   std::vector<std::string> names;
-  for (const FamilyInfo& kind : table) {
+  for (const FamilyInfo& kind : family_infos) {
     names.emplace_back(kind.name);
     if (!kind.has_size && text == kind.name) return InputFamily{kind.kind, 0};
     if (!kind.has_size || !text.starts_with(kind.name)) continue;
@@ -95,11 +95,11 @@ Result<InputFamily> read_family(std::string_view text) {
     const auto [end, error] = std::from_chars(size.data(), size.data() + size.size(), value);
     if (error == std::errc() && end == size.data() + size.size() && std::isfinite(value) && value > 0)
       return InputFamily{kind.kind, value};
-    return tl::unexpected(Error{fmt::format("`{0}` needs a positive size, as in `{0} 1e-8`", kind.name)});
+    return refuse(fmt::format("`{0}` needs a positive size, as in `{0} 1e-8`", kind.name));
   }
   const auto near = suggest(text.substr(0, text.find_last_of(' ')), names);
-  return tl::unexpected(Error{fmt::format("there is no family `{}` of inputs", text) +
-                              (near ? fmt::format("; did you mean `{}`?", *near) : "")});
+  return refuse(fmt::format("there is no family `{}` of inputs", text) +
+                (near ? fmt::format("; did you mean `{}`?", *near) : ""));
 }
 
 std::vector<SymbolId> symbols_read(std::span<const Program* const> programs) {

@@ -188,7 +188,7 @@ class Drawer {
 };
 
 Result<Position> least_axis(const Body* body) {
-  if (body == nullptr) return tl::unexpected(Error{"the family `thin axis` needs a body"});
+  if (body == nullptr) return refuse("the family `thin axis` needs a body");
   const auto inertia = inertia_tensor(*body);
   if (!inertia) return tl::unexpected(inertia.error());
   const auto axes = principal_axes(*inertia);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/family_values.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rigor {

@@ -21,6 +21,8 @@ struct Spread {
   double median = 0.0;  // the upper one of two
 };
 
+inline constexpr double unit_roundoff = 0x1p-53;  // of double
+
 struct ErrorMeasure {
   Arithmetic arithmetic = Arithmetic::plain;
   std::size_t compared = 0;  // samples whose exact value is known and not 0

@@ -18,8 +18,6 @@ namespace {
 
 using Number = baseline::DoubleDouble<double>;
 
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
-
 /// Without an area: two edges from one corner are parallel, to rounding. Edges are scaled by a power of two.
 bool is_degenerate(const Position& a, const Position& b, const Position& c) {
   double longest = 0;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string>
 
+#include "base/among.h"
 #include "numeric/mesh_file.h"
 #include "numeric/mesh_words.h"
 
@@ -21,13 +22,13 @@ class ObjReader {
   Result<Mesh> read() {
     do {
       const std::string_view word = words_.next_on_line();
-      if (word.empty() || std::find(ignored.begin(), ignored.end(), word) != ignored.end()) continue;
+      if (word.empty() || is_one_of(word, ignored)) continue;
       if (word != "v" && word != "f")
         return words_.refuse(fmt::format("`{}` is no statement of an OBJ file", shown(word)));
       const auto done = word == "v" ? read_vertex() : read_face();
       if (!done) return tl::unexpected(done.error());
     } while (words_.next_line());
-    if (mesh_.triangles.empty()) return tl::unexpected(Error{"the file has no faces"});
+    if (mesh_.triangles.empty()) return refuse("the file has no faces");
     return mesh_;
   }
 
@@ -87,7 +88,7 @@ Result<Mesh> read_mesh(std::string_view file_name, std::string_view bytes) {
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (ending == ".stl") return read_stl(bytes);
   if (ending == ".obj") return read_obj(bytes);
-  return tl::unexpected(Error{"the name of a mesh file must end in `.stl` or `.obj`"});
+  return refuse("the name of a mesh file must end in `.stl` or `.obj`");
 }
 
 }  // namespace rigor

@@ -13,8 +13,6 @@ namespace {
 
 using Sharp = baseline::DoubleDouble<double>;
 
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
-
 Sharp sharp(const HighLow& x) { return {x.high, x.low}; }
 HighLow high_low(const Sharp& x) { return {x.high, x.low}; }
 

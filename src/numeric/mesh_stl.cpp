@@ -125,12 +125,12 @@ Result<Mesh> read_stl(std::string_view bytes) {
   MeshWords words(bytes.substr(0, header_bytes));
   if (words.next() == "solid") return AsciiStl(bytes).read();
   if (!has_count)
-    return tl::unexpected(Error{fmt::format(
+    return refuse(fmt::format(
         "this is no STL file: it does not begin with `solid`, and has {} bytes, too few for the header",
-        bytes.size())});
-  return tl::unexpected(Error{fmt::format(
+        bytes.size()));
+  return refuse(fmt::format(
       "a binary STL file of {} triangles has {} bytes, but this one has {}: it is truncated, or no STL",
-      little_endian(bytes, header_bytes), binary_size(bytes), bytes.size())});
+      little_endian(bytes, header_bytes), binary_size(bytes), bytes.size()));
 }
 
 }  // namespace rigor

@@ -15,13 +15,13 @@
 namespace rigor {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_corner = std::numeric_limits<std::uint32_t>::max();
 
 /// The vertices by their places: a hash table with open addresses, at most half full.
 class VertexTable {
  public:
   explicit VertexTable(const std::vector<Position>& vertices)
-      : vertices_(vertices), slots_(std::bit_ceil(2 * vertices.size() + 1), none) {}
+      : vertices_(vertices), slots_(std::bit_ceil(2 * vertices.size() + 1), no_corner) {}
 
   /// The first vertex that was asked for at the place of this one.
   std::uint32_t first_at(std::uint32_t vertex) {
@@ -29,7 +29,7 @@ class VertexTable {
     std::size_t slot = hash(place);
     while (true) {
       slot &= slots_.size() - 1;
-      if (slots_[slot] == none) return slots_[slot] = vertex;
+      if (slots_[slot] == no_corner) return slots_[slot] = vertex;
       if (vertices_[slots_[slot]] == place) return slots_[slot];
       ++slot;
     }
@@ -153,12 +153,11 @@ Result<void> check_edges(const Mesh& mesh) {
     if (last - first == 2 && edges[first].forward != edges[first + 1].forward) continue;
     const std::string edge = fmt::format("the edge from {} to {}", text_of(mesh.vertices[edges[first].low]),
                                          text_of(mesh.vertices[edges[first].high]));
-    if (last - first == 1)
-      return tl::unexpected(Error{edge + " belongs to one triangle only: the surface is open"});
+    if (last - first == 1) return refuse(edge + " belongs to one triangle only: the surface is open");
     if (last - first == 2)
       return tl::unexpected(
           Error{edge + " is passed twice in the same direction: the triangles are not oriented alike"});
-    return tl::unexpected(Error{fmt::format("{} belongs to {} triangles, not to two", edge, last - first)});
+    return refuse(fmt::format("{} belongs to {} triangles, not to two", edge, last - first));
   }
   return {};
 }
@@ -174,7 +173,7 @@ Result<Mesh> welded(const Mesh& mesh) {
   for (std::uint32_t vertex = 0; vertex < first.size(); ++vertex) first[vertex] = table.first_at(vertex);
   Mesh result;
   result.triangles.reserve(mesh.triangles.size());
-  std::vector<std::uint32_t> renamed(mesh.vertices.size(), none);
+  std::vector<std::uint32_t> renamed(mesh.vertices.size(), no_corner);
   for (auto triangle : mesh.triangles) {
     for (std::uint32_t& corner : triangle) corner = first[corner];
     const auto [a, b, c] = triangle;
@@ -184,7 +183,7 @@ Result<Mesh> welded(const Mesh& mesh) {
   }
   result.vertices.reserve(mesh.vertices.size());
   for (std::size_t vertex = 0; vertex < renamed.size(); ++vertex) {
-    if (renamed[vertex] == none) continue;
+    if (renamed[vertex] == no_corner) continue;
     renamed[vertex] = static_cast<std::uint32_t>(result.vertices.size());
     result.vertices.push_back(mesh.vertices[vertex]);
   }

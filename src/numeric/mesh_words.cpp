@@ -7,13 +7,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/ascii.h"
+
 namespace rigor {
-namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-}  // namespace
-
 std::string_view MeshWords::next_on_line() {
   while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   const std::size_t begin = at_;
@@ -44,7 +40,7 @@ bool MeshWords::next_line() {
 }
 
 tl::unexpected<Error> MeshWords::refuse(std::string_view reason) const {
-  return tl::unexpected(Error{fmt::format("line {}: {}", line_, reason)});
+  return rigor::refuse(fmt::format("line {}: {}", line_, reason));
 }
 
 std::optional<double> finite_number(std::string_view word) {

@@ -111,7 +111,7 @@ Result<Program> Program::compile(const ExprTree& tree, std::span<const Definitio
   ExpressionCompiler compiler(tree, definitions, *code);
   for (const ProgramRoot& root : roots) {
     compiler.add(root);
-    if (!compiler.failure().empty()) return tl::unexpected(Error{compiler.failure()});
+    if (!compiler.failure().empty()) return refuse(compiler.failure());
   }
   drop_what_is_not_needed(*code);
   Program program;

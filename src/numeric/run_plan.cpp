@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/among.h"
 #include "numeric/run_fuse.h"
 #include "numeric/run_registers.h"
 
@@ -211,7 +212,7 @@ SlotId Planner::input_place(ValueId id) {
     if (wanted.particle == static_cast<std::uint32_t>(loop.level)) list = &loop.inputs;
   }
   const auto input = static_cast<std::uint32_t>(i);
-  if (std::find(list->begin(), list->end(), input) == list->end()) list->push_back(input);
+  if (!is_one_of(input, *list)) list->push_back(input);
   return place(PlaceKind::input, input);
 }
 

@@ -77,6 +77,7 @@ struct PlanInput {
 /// What is done side by side: none: nothing; one: particles in sums that depend on no sample; samples: these
 /// too; particles: in all sums.
 enum class Lanes : std::uint8_t { none, one, samples, particles };
+inline constexpr std::size_t many_particles = 16;  // from so many on they are taken side by side
 
 struct Plan {
   std::vector<PlanStep> once;              // before all samples

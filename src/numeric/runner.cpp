@@ -11,11 +11,7 @@ namespace rigor {
 extern template class Engine<double>;
 extern template class Engine<long double>;
 
-namespace {
-
-constexpr std::size_t many_particles = 16;
-
-}  // namespace
+namespace {}  // namespace
 
 template <class T>
 Runner<T>::Runner(const Program& program, const Samples& fixed, std::span<const ProgramInput> varying,

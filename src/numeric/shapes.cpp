@@ -16,7 +16,7 @@ namespace {
 
 using enum ShapeKind;
 
-constexpr auto table = std::to_array<ShapeInfo>({
+constexpr auto shapes = std::to_array<ShapeInfo>({
     {rod, "rod", {0, 0, 1}, {1, 1, 3}},
     {hoop, "hoop", {1, 1, 0}, {2, 2, 1}},
     {disc, "disc", {1, 1, 0}, {4, 4, 1}},
@@ -29,14 +29,12 @@ constexpr auto table = std::to_array<ShapeInfo>({
     {cone, "cone", {3, 3, 3}, {20, 20, 80}},
 });
 
-constexpr bool follows_enum() {
-  for (std::size_t i = 0; i < table.size(); ++i)
-    if (static_cast<std::size_t>(table[i].kind) != i) return false;
-  return static_cast<std::size_t>(cone) + 1 == table.size();
+constexpr bool shapes_follow_enum() {
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (static_cast<std::size_t>(shapes[i].kind) != i) return false;
+  return static_cast<std::size_t>(cone) + 1 == shapes.size();
 }
-static_assert(follows_enum(), "one entry for each kind, in the order of the enumeration");
-
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
+static_assert(shapes_follow_enum(), "one entry for each kind, in the order of the enumeration");
 
 /// Uniform in the unit cube.
 Position draw_cube(SplitMix& bits) {
@@ -102,12 +100,12 @@ void split(std::vector<Position>& points, std::size_t axis, double x) {
 
 }  // namespace
 
-std::span<const ShapeInfo> shape_table() { return table; }
+std::span<const ShapeInfo> shape_table() { return shapes; }
 
 const ShapeInfo& info(ShapeKind kind) {
   const auto index = static_cast<std::size_t>(kind);
-  RIGOR_CHECK(index < table.size(), index);
-  return table[index];
+  RIGOR_CHECK(index < shapes.size(), index);
+  return shapes[index];
 }
 
 Result<void> check_shape(const Shape& shape) {

@@ -13,12 +13,7 @@ namespace rigor {
 namespace {
 
 constexpr double alike = 8.0;
-constexpr double unit_roundoff = 0x1p-53;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-const ErrorMeasure& in_double(const FormResult& form) {
-  return form.measure.arithmetics[static_cast<std::size_t>(Arithmetic::plain)];
-}
 
 /// Without a value more often than another form is.
 bool lacks_values(const TrialResult& trial, std::size_t form) {

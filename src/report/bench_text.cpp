@@ -16,7 +16,6 @@
 namespace rigor {
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
 constexpr std::array<const char*, arithmetic_count> arithmetic_names{"float", "double", "long double",
                                                                      "double-double"};
 

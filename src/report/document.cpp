@@ -60,7 +60,7 @@ constexpr std::string_view preamble = R"tex(\documentclass[11pt,a4paper]{article
 \begin{document}
 )tex";
 
-std::string mark_of(const Step& step) {
+std::string document_mark(const Step& step) {
   struct Look {
     std::string_view colour, sign;
   };
@@ -184,7 +184,8 @@ class NotesWriter {
     if (!is_set) {
       out_ +=
           fmt::format("\\begin{{rigornote}}\\ttfamily {}\\end{{rigornote}}\n", typeset_source(step.source));
-      out_ += fmt::format("\\rigorline{{0em}}{{}}{{{}}}{{{}}}\n", typeset_words(step.tag), mark_of(step));
+      out_ +=
+          fmt::format("\\rigorline{{0em}}{{}}{{{}}}{{{}}}\n", typeset_words(step.tag), document_mark(step));
       return notes_of(step);
     }
     std::vector<Box> lines;
@@ -204,7 +205,7 @@ class NotesWriter {
       const bool last = k + 1 == lines.size();
       out_ += fmt::format("\\rigorline{{{}em}}{{{}}}{{{}}}{{{}}}\n", k < first_indented ? 0 : 2,
                           to_typeset(lines[k]), last ? typeset_words(tag_of(step)) : "",
-                          last ? mark_of(step) : "");
+                          last ? document_mark(step) : "");
     }
     notes_of(step);
   }

@@ -22,10 +22,6 @@ constexpr std::size_t longest_value = 36;
 constexpr std::array<const char*, 8> heads{"", "value", "error", "median", "ulp", "bits", "condition", "ns"};
 using Row = std::array<std::string, heads.size()>;
 
-const ErrorMeasure& in_double(const FormResult& form) {
-  return form.measure.arithmetics[static_cast<std::size_t>(Arithmetic::plain)];
-}
-
 /// What cannot be said in a column.
 std::string events(const TrialResult& trial, const FormResult& form) {
   const ErrorMeasure& measure = in_double(form);

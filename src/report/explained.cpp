@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/ascii.h"
 #include "derive/tidied.h"
 #include "expr/print_latex.h"
 #include "expr/same_expression.h"
@@ -187,7 +188,7 @@ std::vector<RulePart> rule_parts(const std::string& rule) {
   std::vector<RulePart> parts;
   const auto is_math = [&](const std::string& word) {
     if (word.find_first_of("\\_^{}") != std::string::npos) return true;
-    const bool letter = word.size() == 1 && std::isalpha(static_cast<unsigned char>(word[0])) != 0;
+    const bool letter = word.size() == 1 && is_letter(word[0]);
     if (letter && word != "a") return true;
     const bool sign = word == "=" || word == "+" || word == "-" ||
                       word.find_first_not_of("0123456789.") == std::string::npos;

@@ -25,21 +25,21 @@ Box layout_of_latex(const std::string& latex) {
   return layout_of(lex(sources, {file, 0, static_cast<std::uint32_t>(latex.size())}));
 }
 
-std::string plain(const std::string& latex) { return to_plain_text(layout_of_latex(latex)); }
+std::string plain_text(const std::string& latex) { return to_plain_text(layout_of_latex(latex)); }
 
 std::string plain_rule(const std::string& rule) {
   std::string text;
-  for (const RulePart& part : rule_parts(rule)) text += part.is_math ? plain(part.text) : part.text;
+  for (const RulePart& part : rule_parts(rule)) text += part.is_math ? plain_text(part.text) : part.text;
   return text;
 }
 
 std::string sign_of(const ExplainedLine& line) {
-  const std::string sign = plain(line.relation);
+  const std::string sign = plain_text(line.relation);
   if (line.kind != LineKind::not_reached) return sign;
   return sign == "=" ? "≟" : sign + "?";
 }
 
-Paint paint_of(LineKind kind) {
+Paint paint_of_line(LineKind kind) {
   if (kind == LineKind::holds) return Paint::faint;
   return kind == LineKind::refuted ? Paint::bad : Paint::open;
 }
@@ -48,12 +48,12 @@ void append_block(std::string& text, const ExplainedBlock& block, const Terminal
   std::size_t column = 0;
   std::vector<std::string> lines;
   for (const ExplainedLine& line : block.lines) {
-    lines.push_back(line.kind == LineKind::words ? "" : sign_of(line) + " " + plain(line.latex));
+    lines.push_back(line.kind == LineKind::words ? "" : sign_of(line) + " " + plain_text(line.latex));
     const std::size_t width = cells(lines.back());
     if (width <= widest_text) column = std::max(column, width);
   }
   if (!block.head.empty()) {
-    text += "  " + plain(block.head);
+    text += "  " + plain_text(block.head);
     if (!block.rule.empty()) text += paint("  (" + plain_rule(block.rule) + ")", Paint::faint, options.color);
     text += "\n";
   }
@@ -62,7 +62,7 @@ void append_block(std::string& text, const ExplainedBlock& block, const Terminal
     text += "    " + lines[k];
     const std::string rule = plain_rule(line.rule);
     const std::size_t width = cells(lines[k]);
-    const Paint style = paint_of(line.kind);
+    const Paint style = paint_of_line(line.kind);
     if (line.kind == LineKind::words) {
       text += paint(rule, style, options.color);
     } else if (!rule.empty()) {
@@ -137,7 +137,7 @@ std::string rule_latex(const std::string& rule, bool for_tex) {
 }
 
 /// The rows of an alignment, without its environment.
-std::string rows_of(const ExplainedChain& chain, bool for_tex) {
+std::string rows_of_chain(const ExplainedChain& chain, bool for_tex) {
   std::vector<std::string> rows;
   for (const ExplainedBlock& block : chain.blocks) {
     if (!block.head.empty()) {
@@ -174,8 +174,8 @@ std::string explanation_text(const std::vector<ExplainedChain>& chains, const Te
 std::string explanation_latex(const std::vector<ExplainedChain>& chains) {
   std::string text;
   for (const ExplainedChain& chain : chains) {
-    text +=
-        "% " + printable(chain.place) + "\n\\begin{align*}\n" + rows_of(chain, true) + "\n\\end{align*}\n";
+    text += "% " + printable(chain.place) + "\n\\begin{align*}\n" + rows_of_chain(chain, true) +
+            "\n\\end{align*}\n";
   }
   return text + "% " + tally_text(tally(chains)) + "\n";
 }
@@ -183,7 +183,7 @@ std::string explanation_latex(const std::vector<ExplainedChain>& chains) {
 std::string explanation_mathml(const std::vector<ExplainedChain>& chains) {
   std::string text;
   for (const ExplainedChain& chain : chains)
-    text += to_mathml(layout_of_latex("\\begin{aligned}" + rows_of(chain, false) + "\\end{aligned}"),
+    text += to_mathml(layout_of_latex("\\begin{aligned}" + rows_of_chain(chain, false) + "\\end{aligned}"),
                       MathStyle::display) +
             "\n";
   return text;

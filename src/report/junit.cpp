@@ -163,7 +163,7 @@ std::string print(const JunitCase& test, const SourceMap& sources, const std::st
 }
 
 /// The attributes that suites and their sum have in common.
-std::string counts(std::string_view name, const std::vector<JunitSuite>& suites, bool with_skipped) {
+std::string counts_of(std::string_view name, const std::vector<JunitSuite>& suites, bool with_skipped) {
   std::size_t tests = 0;
   std::size_t failures = 0;
   std::size_t errors = 0;
@@ -188,9 +188,9 @@ std::string to_junit(const Report& report, const SourceMap& sources, const Check
   std::vector<JunitSuite> suites;
   for (const FileReport& file : report.files) suites.push_back(JunitSuites(sources, options).suite_of(file));
   std::string text =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts("rigor", suites, false) + ">\n";
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts_of("rigor", suites, false) + ">\n";
   for (const JunitSuite& suite : suites) {
-    text += "  <testsuite" + counts(suite.path, {suite}, true) + ">\n";
+    text += "  <testsuite" + counts_of(suite.path, {suite}, true) + ">\n";
     for (const JunitCase& test : suite.cases) text += print(test, sources, options.folder);
     text += "  </testsuite>\n";
   }

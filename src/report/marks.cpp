@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/among.h"
 #include "base/md5.h"
 #include "base/utf8.h"
 
@@ -58,7 +59,7 @@ bool is_harmless(std::string_view text) {
     const std::size_t size = std::min(
         rest.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ@"), rest.size());
     const std::string_view word = rest.substr(0, size);
-    const bool known = std::find(harmless_words.begin(), harmless_words.end(), word) != harmless_words.end();
+    const bool known = is_one_of(word, harmless_words);
     if (size > 0 && !in_math && !known) return false;
     at += std::max<std::size_t>(size, 1);
   }

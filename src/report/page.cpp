@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "base/ascii.h"
 #include "base/version.h"
 #include "base/xml.h"
 #include "latex/mathml.h"
@@ -16,12 +16,6 @@
 
 namespace rigor {
 namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(c < 0x80 ? std::tolower(c) : c); });
-  return text;
-}
 
 /// The body of one file, and its contents list.
 class FileWriter {
@@ -72,7 +66,7 @@ class FileWriter {
     const int level = std::clamp(heading.level + below, 2, 6);
     const std::string id = fmt::format("s{}-{}", number_, ++headings_);
     const std::string title = line_html(page_, heading.title);
-    section_ = lower(heading.title);
+    section_ = lowered(heading.title);
     body += fmt::format("<h{0} id=\"{1}\" data-level=\"{2}\">{3}</h{0}>\n", level, id, heading.level, title);
     contents +=
         fmt::format("<li class=\"l{}\"><a href=\"#{}\">{}</a></li>\n", std::min(heading.level, 3), id, title);
@@ -93,7 +87,7 @@ class FileWriter {
     }
     const std::uint32_t line = page_.sources.line_column(equation.span.file, equation.span.begin).line;
     body += fmt::format("<article class=\"eq{}\" id=\"e{}-{}\" data-text=\"{}\">\n",
-                        equation.displayed ? "" : " said", number_, ++equations_, xml_escaped(lower(text)));
+                        equation.displayed ? "" : " said", number_, ++equations_, xml_escaped(lowered(text)));
     if (equation.displayed) {
       body +=
           fmt::format("<div class=\"display\"><div class=\"shown\">{}</div>{}</div>\n", shown_html(equation),

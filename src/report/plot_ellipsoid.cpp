@@ -15,7 +15,7 @@ using Vector = std::array<double, 3>;
 
 constexpr double side = 560;  // width
 constexpr double height = 470;
-constexpr double title_height = 44;
+constexpr double ellipsoid_title = 44;
 constexpr double legend_row = 22;
 constexpr double radius = 190;  // of the largest half axis
 constexpr std::array<std::string_view, 5> palette{"#c4472b", "#16325c", "#3f8f5f", "#d9a21b", "#8a5fb0"};
@@ -27,7 +27,7 @@ class Drawing {
   explicit Drawing(const EllipsoidPlot& plot)
       : plot_(plot),
         rows_(static_cast<double>(plot.paths.size())),
-        svg_(side, title_height + height + rows_ * legend_row, plot.title) {
+        svg_(side, ellipsoid_title + height + rows_ * legend_row, plot.title) {
     unit_ = *std::max_element(plot.half_axes.begin(), plot.half_axes.end());
   }
 
@@ -56,7 +56,7 @@ class Drawing {
     const double z = point[2] / unit_;
     const double across = (y - x) / std::numbers::sqrt2;
     const double up = (2 * z - x - y) / std::sqrt(6.0);
-    return {side / 2 + radius * across, title_height + height * 0.47 - radius * up};
+    return {side / 2 + radius * across, ellipsoid_title + height * 0.47 - radius * up};
   }
 
   /// Is the surface at this point turned towards the eye? Its normal is (x/a², y/b², z/c²).
@@ -155,7 +155,7 @@ class Drawing {
     const std::string_view colour = palette[position % palette.size()];
     const std::string_view dash = dashes[position % dashes.size()];
     curve(path.points, {colour, 2.4, dash}, {colour, 1.2, dash, 0.45});
-    const double y = title_height + height + legend_row * static_cast<double>(position) - 4;
+    const double y = ellipsoid_title + height + legend_row * static_cast<double>(position) - 4;
     svg_.line({40, y}, {76, y}, {colour, 2.4, dash});
     svg_.text({86, y + 4.5}, svg_label(path.name), {});
   }

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/paint.h"
 #include "base/utf8.h"
 #include "source/render.h"

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t name_width = 24;
 constexpr std::size_t shown_rows = 5;  // of a motion; a picture or JSON has all
 
-std::string padded(const std::string& text, std::size_t width) {
+std::string in_column(const std::string& text, std::size_t width) {
   const std::string shown = printable(text);
   const std::size_t used = cells(shown);
   return shown + std::string(used < width ? width - used : 1, ' ');
@@ -60,13 +60,13 @@ std::string print_quantity(const SceneQuantity& quantity) {
   const std::size_t row = quantity.axes >= 2 ? 3 : quantity.value.size();
   std::string text;
   for (std::size_t from = 0; from < quantity.value.size(); from += row) {
-    text += "  " + padded(from == 0 ? quantity.source : "", name_width) +
+    text += "  " + in_column(from == 0 ? quantity.source : "", name_width) +
             tuple(quantity.value, from, row, quantity.error.empty() ? number : all_digits);
     if (from == 0) text += unit_of(quantity);
     text += '\n';
   }
   if (quantity.error.empty()) return text;
-  return text + "  " + padded("", name_width) + print_error(quantity.error) + '\n';
+  return text + "  " + in_column("", name_width) + print_error(quantity.error) + '\n';
 }
 
 std::string print_rows(const SceneQuantity& quantity, const Motion& motion) {
@@ -74,7 +74,7 @@ std::string print_rows(const SceneQuantity& quantity, const Motion& motion) {
   const std::size_t count = std::min(quantity.rows.size(), shown_rows);
   for (std::size_t i = 1; i < count; ++i) {
     const std::size_t row = i * (quantity.rows.size() - 1) / (count - 1);
-    text += "  " + padded(fmt::format("    t = {} s", number(motion.times[row])), name_width) +
+    text += "  " + in_column(fmt::format("    t = {} s", number(motion.times[row])), name_width) +
             tuple(quantity.rows[row], 0, quantity.rows[row].size()) + '\n';
   }
   return text;
@@ -82,11 +82,11 @@ std::string print_rows(const SceneQuantity& quantity, const Motion& motion) {
 
 std::string print_drift(const SceneDrift& drift) {
   if (std::isnan(drift.relative))
-    return fmt::format("  {}is not finite all the time\n", padded(drift.source, name_width));
+    return fmt::format("  {}is not finite all the time\n", in_column(drift.source, name_width));
   if (!drift.constant)
-    return fmt::format("  {}changes by {:.1e} of its size\n", padded(drift.source, name_width),
+    return fmt::format("  {}changes by {:.1e} of its size\n", in_column(drift.source, name_width),
                        drift.relative);
-  return fmt::format("  {}constant{} to {:.1e}\n", padded(drift.source, name_width),
+  return fmt::format("  {}constant{} to {:.1e}\n", in_column(drift.source, name_width),
                      drift.in_space ? " in space" : "", drift.relative);
 }
 
@@ -96,12 +96,12 @@ std::string print_nodes(const SceneResult& result) {
   for (const SceneNode& node : result.nodes) {
     if (!node.computed) continue;
     total += node.milliseconds;
-    text += fmt::format("  {}{:>10.4f} ms  {}\n", padded(node.name, 36), node.milliseconds,
+    text += fmt::format("  {}{:>10.4f} ms  {}\n", in_column(node.name, 36), node.milliseconds,
                         printable(node.reason));
   }
   text += "not computed\n";
   for (const SceneNode& node : result.nodes) {
-    if (!node.computed) text += fmt::format("  {}{}\n", padded(node.name, 36), printable(node.reason));
+    if (!node.computed) text += fmt::format("  {}{}\n", in_column(node.name, 36), printable(node.reason));
   }
   const SceneCounts counts = result.counts();
   return text + fmt::format("{} computed, {} not; {:.4f} ms\n", counts.computed, counts.skipped, total);
@@ -111,8 +111,9 @@ std::string print_nodes(const SceneResult& result) {
 
 std::string print_scene(const SceneResult& result, const SceneTextOptions& options) {
   std::string text =
-      printable(result.title) + "\n  " + padded("body", name_width) + printable(result.body) + '\n';
-  if (result.along_principal_axes) text += "  " + padded("axes", name_width) + "principal axes of the body\n";
+      printable(result.title) + "\n  " + in_column("body", name_width) + printable(result.body) + '\n';
+  if (result.along_principal_axes)
+    text += "  " + in_column("axes", name_width) + "principal axes of the body\n";
   for (const SceneQuantity& quantity : result.quantities) {
     text += print_quantity(quantity);
     if (result.motion && !quantity.rows.empty()) text += print_rows(quantity, *result.motion);

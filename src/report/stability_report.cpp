@@ -12,25 +12,25 @@ namespace rigor {
 namespace {
 
 /// A cell must not end its row.
-std::string cell(const std::string& text) {
+std::string latex_cell(const std::string& text) {
   std::string safe;
   for (const char each : printable(text)) safe += each == '|' ? std::string("\\|") : std::string(1, each);
   return safe;
 }
 
-std::string number(double value) {
+std::string table_number(double value) {
   if (std::isnan(value)) return "none";
   return fmt::format("{:.6g}", value == 0 ? 0.0 : value);
 }
 
-std::string row_of(const std::string& body, const StabilityMeasurement& axis) {
-  const std::string start = fmt::format("| {} | {} | ", cell(body), axis.axis + 1);
-  if (axis.points.empty()) return start + fmt::format("{} | | | | |\n", cell(axis.problem));
+std::string table_row(const std::string& body, const StabilityMeasurement& axis) {
+  const std::string start = fmt::format("| {} | {} | ", latex_cell(body), axis.axis + 1);
+  if (axis.points.empty()) return start + fmt::format("{} | | | | |\n", latex_cell(axis.problem));
   const StabilityPoint& last = axis.points.back();
   const std::string order = std::isnan(axis.order) ? "exact" : fmt::format("{:.2f}", axis.order);
-  return start + fmt::format("{} | {} | {} | {:.1e} | {} |\n", name_of(axis.fate), number(axis.predicted),
-                             number(last.measured), last.error,
-                             axis.problem.empty() ? order : cell(axis.problem));
+  return start + fmt::format("{} | {} | {} | {:.1e} | {} |\n", name_of(axis.fate),
+                             table_number(axis.predicted), table_number(last.measured), last.error,
+                             axis.problem.empty() ? order : latex_cell(axis.problem));
 }
 
 struct Kind {
@@ -48,9 +48,10 @@ std::string stability_table(std::span<const BodyStability> bodies) {
       "power |\n"
       "|---|---|---|---|---|---|---|\n";
   for (const BodyStability& body : bodies) {
-    for (const StabilityMeasurement& axis : body.axes) text += row_of(body.body, axis);
+    for (const StabilityMeasurement& axis : body.axes) text += table_row(body.body, axis);
     if (body.axes.empty() && !body.diagnostics.empty()) {
-      text += fmt::format("| {} | | {} | | | | |\n", cell(body.body), cell(body.diagnostics[0].message));
+      text += fmt::format("| {} | | {} | | | | |\n", latex_cell(body.body),
+                          latex_cell(body.diagnostics[0].message));
     }
   }
   return text;

@@ -2,10 +2,11 @@
 #include "report/svg_label.h"
 
 #include <array>
-#include <cctype>
 #include <utility>
 #include <vector>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "base/utf8.h"
 #include "base/xml.h"
 #include "report/svg.h"
@@ -56,14 +57,6 @@ const Sign* find(const Table& table, std::string_view command) {
   return nullptr;
 }
 
-template <class List>
-bool contains(const List& list, std::string_view word) {
-  for (const std::string_view each : list) {
-    if (each == word) return true;
-  }
-  return false;
-}
-
 struct Style {
   bool bold = false;
   bool italic = true;
@@ -90,11 +83,10 @@ class LabelReader {
 
   [[nodiscard]] std::string_view command() {
     const std::size_t begin = ++at_;
-    while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_]))) ++at_;
+    while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
     if (at_ == begin && at_ < text_.size()) ++at_;
     const std::string_view name = text_.substr(begin, at_ - begin);
-    while (!name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) && at_ < text_.size() &&
-           text_[at_] == ' ') {
+    while (!name.empty() && is_letter(name[0]) && at_ < text_.size() && text_[at_] == ' ') {
       ++at_;
     }
     return name;
@@ -116,8 +108,8 @@ class LabelReader {
     const std::size_t begin = at_;
     (void)next_code_point(text_, at_);
     const char first = text_[begin];
-    const bool is_letter = (first & 0x80) != 0 || std::isalpha(static_cast<unsigned char>(first)) != 0;
-    style.italic = style.italic && is_letter && !style.bold;
+    const bool slanted = (first & 0x80) != 0 || is_letter(first);
+    style.italic = style.italic && slanted && !style.bold;
     put(style, first == '-' ? "−" : first == '\'' ? "′" : text_.substr(begin, at_ - begin));
   }
 
@@ -144,10 +136,10 @@ class LabelReader {
     if (const Sign* accent = find(accents, name)) {
       argument(style, depth);
       if (!pieces_.empty()) pieces_.back().second += accent->text;
-    } else if (contains(bold_faces, name)) {
+    } else if (is_one_of(name, bold_faces)) {
       style.bold = true;
       argument(style, depth);
-    } else if (contains(upright_faces, name)) {
+    } else if (is_one_of(name, upright_faces)) {
       style.italic = false;
       argument(style, depth);
     } else if (name == "frac") {
@@ -155,8 +147,7 @@ class LabelReader {
       put(style, "/");
       argument(style, depth);
     } else if (const Sign* sign = find(signs, name)) {
-      style.italic = style.italic && !style.bold && !name.empty() &&
-                     std::islower(static_cast<unsigned char>(name[0])) != 0;
+      style.italic = style.italic && !style.bold && !name.empty() && is_small_letter(name[0]);
       put(style, sign->text);
     } else {
       style.italic = false;

@@ -22,7 +22,7 @@ constexpr std::size_t least_step = 20;
 constexpr std::uint32_t margin = 8;  // cells of a line number and its bar
 
 /// One step as the four columns of its line.
-struct Row {
+struct StepRow {
   FileId file = 0;
   std::string line;
   std::string tag;
@@ -61,7 +61,7 @@ Paint paint_of(const Step& step) {
   return Paint::plain;
 }
 
-Row row_of(const Step& step, const SourceMap& sources) {
+StepRow row_of(const Step& step, const SourceMap& sources) {
   const std::uint32_t line = sources.line_column(step.span.file, step.span.begin).line;
   return {step.span.file, fmt::format("{:>5}", line), print_tag(step.tag), {}, print_verdict(step),
           paint_of(step)};
@@ -75,12 +75,12 @@ struct ColumnWidths {
 };
 
 /// The rows of a file, and how wide each column must be; steps are cut so that a line fits into `width`.
-std::pair<std::vector<Row>, ColumnWidths> rows_of(const FileReport& file, const SourceMap& sources,
-                                                  std::size_t width) {
-  std::vector<Row> rows;
+std::pair<std::vector<StepRow>, ColumnWidths> rows_of(const FileReport& file, const SourceMap& sources,
+                                                      std::size_t width) {
+  std::vector<StepRow> rows;
   ColumnWidths widths;
   for (const Step& step : file.steps) {
-    const Row& row = rows.emplace_back(row_of(step, sources));
+    const StepRow& row = rows.emplace_back(row_of(step, sources));
     widths.line = std::max(widths.line, row.line.size());
     widths.tag = std::max(widths.tag, cells(row.tag));
     widths.verdict = std::max(widths.verdict, row.verdict.size());
@@ -106,7 +106,7 @@ std::string print_steps(const FileReport& file, const SourceMap& sources, const 
   const std::string between(gap, ' ');
   std::string text = paint(printable(file.path), Paint::strong, options.color) + "\n";
   FileId current = file.file;
-  for (const Row& row : rows) {
+  for (const StepRow& row : rows) {
     if (row.file != current)
       text += paint(printable(sources.path(row.file)), Paint::strong, options.color) + "\n";
     current = row.file;

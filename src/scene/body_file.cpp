@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "base/among.h"
 #include "numeric/bodies.h"
 #include "numeric/cloud_file.h"
 #include "numeric/mesh.h"
@@ -190,8 +190,8 @@ class BodyReader {
 
   [[nodiscard]] Result<std::string> path_in_folder(const std::string& file) const {
     const fs::path path(file);
-    if (path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end())
-      return tl::unexpected(Error{fmt::format("`{}` is not in the folder of the body's file", file)});
+    if (path.is_absolute() || is_one_of("..", path))
+      return refuse(fmt::format("`{}` is not in the folder of the body's file", file));
     return (folder_ / path).string();
   }
 

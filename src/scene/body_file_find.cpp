@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <set>
 #include <system_error>
 
+#include "base/among.h"
 #include "scene/body_file.h"
 #include "source/suggest.h"
 
@@ -31,7 +31,7 @@ Result<std::string> find_body(const std::string& name, const std::vector<std::st
   };
   if (name.find('/') != std::string::npos || name.ends_with(".toml")) {
     if (exists(name)) return name;
-    return tl::unexpected(Error{fmt::format("there is no file `{}`", name)});
+    return refuse(fmt::format("there is no file `{}`", name));
   }
   for (const std::string& folder : folders) {
     const fs::path path = fs::path(folder) / (name + ".toml");
@@ -39,7 +39,7 @@ Result<std::string> find_body(const std::string& name, const std::vector<std::st
   }
   std::vector<std::string> searched;
   for (const std::string& folder : folders) {
-    if (std::find(searched.begin(), searched.end(), folder) == searched.end()) searched.push_back(folder);
+    if (!is_one_of(folder, searched)) searched.push_back(folder);
   }
   const std::vector<std::string> names = body_names(folders);
   std::string reason = fmt::format("there is no body `{}` in `{}`", name, fmt::join(searched, "`, `"));
@@ -47,7 +47,7 @@ Result<std::string> find_body(const std::string& name, const std::vector<std::st
     reason += fmt::format("; did you mean `{}`?", *near);
   else if (!names.empty())
     reason += fmt::format("; there are {}", fmt::join(names, ", "));
-  return tl::unexpected(Error{reason});
+  return refuse(reason);
 }
 
 }  // namespace rigor

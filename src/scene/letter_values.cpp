@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/among.h"
+
 namespace rigor {
 
 const LetterValue* LetterValues::find(SymbolId symbol) const {
@@ -20,7 +22,7 @@ bool LetterValues::are_sharp(const Program& program) const {
 std::optional<ProgramInput> LetterValues::fill(const Program& program, Samples& samples,
                                                const std::vector<SymbolId>& left_out) const {
   for (const ProgramInput& input : program.inputs()) {
-    if (std::find(left_out.begin(), left_out.end(), input.symbol) != left_out.end()) continue;
+    if (is_one_of(input.symbol, left_out)) continue;
     const LetterValue* value = find(input.symbol);
     if (value == nullptr) return input;
     if (input.per_particle) {
@@ -43,8 +45,7 @@ std::vector<Definition> without_definitions_of(const std::vector<SymbolId>& valu
                                                const std::vector<Definition>& definitions) {
   std::vector<Definition> kept;
   for (const Definition& definition : definitions) {
-    if (std::find(valued.begin(), valued.end(), definition.symbol) == valued.end())
-      kept.push_back(definition);
+    if (!is_one_of(definition.symbol, valued)) kept.push_back(definition);
   }
   return kept;
 }

@@ -81,7 +81,7 @@ Dimension dimension_of(int mass, int length, int time) {
 
 Result<QuantityText> with_unit(std::string_view whole, std::string_view digits, std::string_view unit_text) {
   const auto no_number = [&] {
-    return tl::unexpected(Error{fmt::format("`{}` does not begin with a finite number", whole)});
+    return refuse(fmt::format("`{}` does not begin with a finite number", whole));
   };
   for (const OtherUnit& other : other_units) {
     if (unit_text != other.sign) continue;
@@ -94,7 +94,7 @@ Result<QuantityText> with_unit(std::string_view whole, std::string_view digits, 
   const auto unit = unit_text.empty() ? WrittenUnit{} : read_unit(unit_text, UnitNames::units, &problem);
   const auto value = scaled(digits, unit ? unit->ten : 0);
   if (!value) return no_number();
-  if (!unit) return tl::unexpected(Error{fmt::format("the unit of `{}` is not read: {}", whole, problem)});
+  if (!unit) return refuse(fmt::format("the unit of `{}` is not read: {}", whole, problem));
   const double si =
       *value * static_cast<double>(unit->factor.over()) / static_cast<double>(unit->factor.under());
   if (!std::isfinite(si)) return no_number();

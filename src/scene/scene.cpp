@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/among.h"
 #include "scene/scene_evaluation.h"
 
 namespace rigor {
@@ -100,9 +101,8 @@ void SceneEvaluation::note_roles(const Program& program, std::set<SceneRole>& re
 }
 
 bool SceneEvaluation::reads(const Program& program, const std::vector<SymbolId>& symbols) const {
-  return std::any_of(program.inputs().begin(), program.inputs().end(), [&](const ProgramInput& input) {
-    return std::find(symbols.begin(), symbols.end(), input.symbol) != symbols.end();
-  });
+  return std::any_of(program.inputs().begin(), program.inputs().end(),
+                     [&](const ProgramInput& input) { return is_one_of(input.symbol, symbols); });
 }
 
 SceneCounts SceneResult::counts() const {

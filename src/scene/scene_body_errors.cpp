@@ -17,7 +17,7 @@ constexpr Position unknown{infinity, infinity, infinity};
 /// Of the axes as they are found, and their lengths: 6 u and 10 u.
 constexpr double axis_rounding = 16 * u;
 
-double greatest_of(const SharpPosition& moments) {
+double greatest_moment(const SharpPosition& moments) {
   double greatest = 0;
   for (const HighLow& moment : moments) greatest = std::max(greatest, std::abs(moment.high));
   return greatest;
@@ -54,7 +54,7 @@ Position SceneBody::moment_errors() {
   const auto& found = moments();
   if (!found) return unknown;
   // |E| ≤ 3 max |E_ij|; the solver's 64 v of the Frobenius norm, which is at most 3 times an entry.
-  const double solver = 0x1p-98 * greatest_of(*found) + 0x1p-1070;
+  const double solver = 0x1p-98 * greatest_moment(*found) + 0x1p-1070;
   const double off = 3 * sharp_tensor_error();
   Position errors{};
   for (std::size_t k = 0; k < 3; ++k) errors[k] = off + solver + left_out_[k];

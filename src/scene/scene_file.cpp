@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <span>
 
+#include "base/among.h"
 #include "scene/quantity_text.h"
 #include "scene/toml_reader.h"
 
@@ -17,11 +18,6 @@ namespace {
 constexpr std::size_t most_asked = 200;
 constexpr std::size_t most_values = 200;
 constexpr std::int64_t most_rows = 100'000;
-
-void report(Diagnostics& diagnostics, DiagnosticKind kind, Span span, std::string message,
-            std::vector<std::string> help = {}) {
-  diagnostics.push_back({kind, span, std::move(message), {}, std::move(help)});
-}
 
 SceneText placed_text(TomlReader& reader, std::string_view key, std::string usual) {
   if (const auto text = reader.text(key)) return {*text, reader.span_of(key)};
@@ -329,7 +325,7 @@ std::optional<SceneFile> read_scene(const SourceMap& sources, FileId file, Diagn
 std::vector<std::string> asked_of_notes(const SceneFile& scene) {
   std::vector<std::string> all;
   const auto add = [&](const std::string& latex) {
-    if (!latex.empty() && std::find(all.begin(), all.end(), latex) == all.end()) all.push_back(latex);
+    if (!latex.empty() && !is_one_of(latex, all)) all.push_back(latex);
   };
   for (const SceneAsk& ask : scene.asked) add(ask.latex);
   for (const SceneValue& value : scene.values) add(value.name.text);

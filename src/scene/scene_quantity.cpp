@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/among.h"
 #include "numeric/bounds.h"
 #include "numeric/evaluate.h"
 #include "scene/quantity_dimension.h"
@@ -114,7 +115,7 @@ Samples SceneEvaluation::samples_for(const Program& program, std::span<const Vec
     for (const Vector3& spin : spins) rates.push_back(law_of_spin_->rates(spin));
   }
   for (const ProgramInput& input : program.inputs()) {
-    if (std::find(moving.begin(), moving.end(), input.symbol) == moving.end()) continue;
+    if (!is_one_of(input.symbol, moving)) continue;
     const SceneLetter* letter = letters_.find(input.symbol);
     const auto source = letter->role == SceneRole::spin ? spins : std::span<const Vector3>(rates);
     std::vector<double> column;

@@ -109,7 +109,7 @@ Result<LetterValue> SceneValues::value_of(const SceneLetter& letter) {
     case SceneRole::spin_rate:
       break;
   }
-  return tl::unexpected(Error{"the rates of the spin follow from its law of motion"});
+  return refuse("the rates of the spin follow from its law of motion");
 }
 
 /// Of the body's particles, for whoever bounds errors.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/among.h"
 #include "numeric/runner.h"
 
 namespace rigor {
@@ -119,9 +120,8 @@ class SpinLaw::System {
       return;
     }
     const bool has_rate =
-        std::any_of(program->inputs().begin(), program->inputs().end(), [&](const ProgramInput& input) {
-          return std::find(rates_.begin(), rates_.end(), input.symbol) != rates_.end();
-        });
+        std::any_of(program->inputs().begin(), program->inputs().end(),
+                    [&](const ProgramInput& input) { return is_one_of(input.symbol, rates_); });
     if (!has_rate || !program->free_particles().empty()) {
       ++passed_over_;
       return;
@@ -133,12 +133,11 @@ class SpinLaw::System {
     }
     std::vector<ProgramInput> varying;
     for (const ProgramInput& input : program->inputs()) {
-      if (std::find(left_out_.begin(), left_out_.end(), input.symbol) != left_out_.end())
-        varying.push_back(input);
+      if (is_one_of(input.symbol, left_out_)) varying.push_back(input);
     }
     Part part{Runner<double>(*program, samples, varying), {}, {}, std::vector<double>(program->outputs())};
     for (const ProgramInput& input : varying) {
-      const bool is_rate = std::find(rates_.begin(), rates_.end(), input.symbol) != rates_.end();
+      const bool is_rate = is_one_of(input.symbol, rates_);
       part.varying.push_back({is_rate, input.component});
     }
     part.values.resize(varying.size());
@@ -320,11 +319,9 @@ Result<SpinLaw> SpinLaw::make(const ExprTree& tree, std::span<const LawEquation>
         Error{"no equation there has a rate of the spin and otherwise known letters" + because});
   }
   if (!law.system_->is_finite_at(at)) {
-    return tl::unexpected(Error{"the equations are not finite at the first spin"});
+    return refuse("the equations are not finite at the first spin");
   }
-  const auto not_affine = [] {
-    return tl::unexpected(Error{"the equations are not affine in the rates of the spin"});
-  };
+  const auto not_affine = [] { return refuse("the equations are not affine in the rates of the spin"); };
   if (!law.system_->is_affine(at, System::large_probe(at))) return not_affine();
   const Elimination tried = law.system_->solve(at);
   if (tried.undetermined >= 0) {
@@ -334,7 +331,7 @@ Result<SpinLaw> SpinLaw::make(const ExprTree& tree, std::span<const LawEquation>
   }
   const double size = std::max(System::probe_size(at), largest(tried.rates));
   if (!law.system_->is_affine(at, size)) return not_affine();
-  if (!(tried.misfit <= most_misfit)) return tl::unexpected(Error{"the equations contradict each other"});
+  if (!(tried.misfit <= most_misfit)) return refuse("the equations contradict each other");
   return law;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/among.h"
 #include "scene/quantity_text.h"
 #include "source/suggest.h"
 
@@ -16,11 +17,6 @@ const TomlEntry* entry_of(const TomlValue& table, std::string_view key) {
   const auto found = std::find_if(table.entries.begin(), table.entries.end(),
                                   [&](const TomlEntry& entry) { return entry.key == key; });
   return found == table.entries.end() ? nullptr : &*found;
-}
-
-void report(Diagnostics& diagnostics, DiagnosticKind kind, Span span, std::string message,
-            std::vector<std::string> help = {}) {
-  diagnostics.push_back({kind, span, std::move(message), {}, std::move(help)});
 }
 
 bool is_kind(const TomlValue& value, TomlKind kind, std::string_view name, Diagnostics& diagnostics) {
@@ -35,7 +31,7 @@ bool is_kind(const TomlValue& value, TomlKind kind, std::string_view name, Diagn
 bool TomlReader::has(std::string_view key) { return find(key) != nullptr; }
 
 const TomlValue* TomlReader::find(std::string_view key) {
-  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
+  if (!is_one_of(key, asked_)) asked_.emplace_back(key);
   const TomlEntry* entry = entry_of(table_, key);
   return entry == nullptr ? nullptr : &entry->value;
 }
@@ -97,7 +93,7 @@ void TomlReader::accept_all() {
 
 void TomlReader::report_unknown() {
   for (const TomlEntry& entry : table_.entries) {
-    if (std::find(asked_.begin(), asked_.end(), entry.key) != asked_.end()) continue;
+    if (is_one_of(entry.key, asked_)) continue;
     std::vector<std::string> help;
     if (const auto near = suggest(entry.key, asked_))
       help.push_back(fmt::format("did you mean `{}`?", *near));

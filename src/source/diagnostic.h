@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/span.h"
@@ -118,5 +119,10 @@ struct Diagnostic {
 };
 
 using Diagnostics = std::vector<Diagnostic>;
+
+inline void report(Diagnostics& diagnostics, DiagnosticKind kind, Span span, std::string message,
+                   std::vector<std::string> help = {}) {
+  diagnostics.push_back({kind, span, std::move(message), {}, std::move(help)});
+}
 
 }  // namespace rigor

@@ -21,8 +21,6 @@ using Number = baseline::DoubleDouble<double>;
 
 constexpr double u = 0x1p-53;
 
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
-
 /// Bounds k of the header: errors of second, first and zeroth moments before the move, and the last rounding.
 struct MomentRoundings {
   std::array<double, 3> of_order;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/among.h"
 #include "numeric/kernels/double_double.h"
 #include "numeric/kernels/mesh_totals.h"
 #include "numeric/mesh.h"
@@ -20,8 +21,6 @@ namespace {
 using baseline::DoubleDouble;
 using Sharp = DoubleDouble<double>;
 using Triangles = std::span<const std::array<std::uint32_t, 3>>;
-
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
 
 /// x ↦ (x − origin) / 2^exponent, exactly and into [−1, 1].
 struct Axis {
@@ -206,7 +205,7 @@ bool are_all_used(std::size_t vertices, Triangles triangles) {
   std::vector<std::uint8_t> used(vertices);
   for (const auto& triangle : triangles)
     for (const std::uint32_t corner : triangle) used[corner] = 1;
-  return std::find(used.begin(), used.end(), 0) == used.end();
+  return !is_one_of(0, used);
 }
 
 }  // namespace

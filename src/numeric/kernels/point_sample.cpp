@@ -31,8 +31,6 @@ struct PointGroups {
   }
 };
 
-tl::unexpected<Error> refuse(std::string reason) { return tl::unexpected(Error{std::move(reason)}); }
-
 std::size_t first_with_mass(const PointColumns& points) {
   for (std::size_t k = 0; k < points.count; ++k)
     if (points.mass[points.stride * k] > 0) return k;

@@ -12,7 +12,7 @@
 namespace rigor {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 double high_of(double entry) { return entry; }
 double high_of(const HighLow& entry) { return entry.high; }
@@ -39,15 +39,16 @@ void put_axes(const MomentsColumns& c, std::size_t at, const std::array<Position
   }
 }
 
-/// NaN everywhere where there is none.
+/// NaN everywhere where there is no_number.
 void put(const MomentsColumns& c, std::size_t at, const std::optional<PrincipalAxes>& solved) {
   for (std::size_t k = 0; k < 3; ++k) {
-    c.moments[k][at] = solved ? solved->principal.moments[k].high : none;
-    if (c.moments_low[k] != nullptr) c.moments_low[k][at] = solved ? solved->principal.moments[k].low : none;
+    c.moments[k][at] = solved ? solved->principal.moments[k].high : no_number;
+    if (c.moments_low[k] != nullptr)
+      c.moments_low[k][at] = solved ? solved->principal.moments[k].low : no_number;
   }
-  constexpr Position nowhere = {none, none, none};
+  constexpr Position nowhere = {no_number, no_number, no_number};
   put_axes(c, at, solved ? solved->axes : std::array<Position, 3>{nowhere, nowhere, nowhere});
-  for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = solved ? solved->principal.gaps[k] : none;
+  for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = solved ? solved->principal.gaps[k] : no_number;
   c.state[at] = solved ? MomentsState::mended : MomentsState::none;
 }
 
@@ -133,13 +134,12 @@ template <class Tensor>
 Result<PrincipalAxes> solved(const Tensor& tensor, bool with_axes) {
   for (const auto& row : tensor) {
     for (const auto& entry : row) {
-      if (!is_finite(entry)) return tl::unexpected(Error{"the inertia tensor is not finite"});
+      if (!is_finite(entry)) return refuse("the inertia tensor is not finite");
     }
   }
   SingleTensor single(tensor);
   solve_principal_moments(single.columns(std::is_same_v<Tensor, SharpTensor>, with_axes));
-  if (single.state == MomentsState::none)
-    return tl::unexpected(Error{"a principal moment or a gap between two overflows"});
+  if (single.state == MomentsState::none) return refuse("a principal moment or a gap between two overflows");
   for (std::size_t k = 0; k < 3; ++k) single.result.principal.moments[k] = {single.high[k], single.low[k]};
   return single.result;
 }
@@ -164,7 +164,7 @@ std::optional<PrincipalAxes> solved_larger(const SharpTensor& tensor) {
   return *result;
 }
 
-/// What is given is complete: all of it or none of it, and room for what there always is.
+/// What is given is complete: all of it or no_number of it, and room for what there always is.
 void check_columns(const MomentsColumns& c) {
   const bool sharp = c.diagonal_low[0] != nullptr;
   const bool with_axes = c.axes[0][0] != nullptr;

@@ -44,13 +44,13 @@ Position free_spin_rates(const Position& moments, const Position& spin) {
 }
 
 Result<TorqueFree> TorqueFree::make(const Position& moments, const Position& spin) {
-  if (const char* fault = fault_of(moments, spin)) return tl::unexpected(Error{fault});
+  if (const char* fault = fault_of(moments, spin)) return refuse(fault);
   Result<TorqueFree> motion(tl::in_place);
   lane_kernels().set_free_spin(moments.data(), spin.data(), motion->spin_);
   if (!is_finite(motion->spin_.amplitude))
-    motion = tl::unexpected(Error{"the spin grows beyond all doubles"});
+    motion = refuse("the spin grows beyond all doubles");
   else if (is_lost_at_middle_axis(motion->spin_))
-    motion = tl::unexpected(Error{"the spin is too near to the middle axis"});
+    motion = refuse("the spin is too near to the middle axis");
   return motion;
 }
 
