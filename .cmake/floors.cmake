@@ -5,13 +5,15 @@
 #   RIGOR_FLOORS               all floors, lowest first
 #   RIGOR_<floor>_ON           the floors directly beneath it
 #   RIGOR_<floor>_BELOW        all floors beneath it
+#   RIGOR_<floor>_ROOMS        its folders, lowest first; a file includes nothing of a room above its own
+#   RIGOR_FILES_WITHOUT_ROOM   what stands above all rooms of its floor
 #   RIGOR_<floor>_LIBRARIES    what is seen of other projects by it and by the floors above it
 #   RIGOR_<floor>_PRIVATE      what only its own sources see
 #   RIGOR_ONLY_<folder>        the floors that may include <folder/...> of another project
 set(RIGOR_FLOORS "")
 
 macro(rigor_floor name)
-  cmake_parse_arguments(RIGOR_${name} "" "" "ON;LIBRARIES;PRIVATE" ${ARGN})
+  cmake_parse_arguments(RIGOR_${name} "" "" "ON;ROOMS;LIBRARIES;PRIVATE" ${ARGN})
   set(RIGOR_${name}_BELOW "")
   foreach(_floor IN LISTS RIGOR_${name}_ON)
     if(NOT _floor IN_LIST RIGOR_FLOORS)
@@ -25,17 +27,29 @@ endmacro()
 
 rigor_floor(base LIBRARIES fmt::fmt tl::expected rigor::utf8cpp)
 rigor_floor(source ON base)
-rigor_floor(latex ON source PRIVATE rigor::cmark-gfm)
-rigor_floor(expr ON source)
-rigor_floor(elaborate ON latex expr)
-rigor_floor(algebra ON expr PRIVATE rigor::ginac)
-rigor_floor(numeric ON expr PRIVATE Eigen3::Eigen rigor::qd Boost::boost)
-rigor_floor(check ON elaborate algebra)
-rigor_floor(derive ON algebra)
-rigor_floor(scene ON elaborate numeric PRIVATE rigor::tomlplusplus Boost::boost)
-rigor_floor(report ON check derive scene PRIVATE nlohmann_json::nlohmann_json)
+rigor_floor(latex ON source PRIVATE rigor::cmark-gfm
+  ROOMS token unit macro split parse reading layout text markdown document)
+rigor_floor(expr ON source
+  ROOMS tree calculus print statement)
+rigor_floor(elaborate ON latex expr
+  ROOMS evidence name notation)
+rigor_floor(algebra ON expr PRIVATE rigor::ginac
+  ROOMS engine point evaluator ring form generic sample decide)
+rigor_floor(numeric ON expr PRIVATE Eigen3::Eigen rigor::qd Boost::boost
+  ROOMS lane kernels program run body mesh family measure)
+rigor_floor(check ON elaborate algebra
+  ROOMS step word directive prose event question meaning verdict scope dimension doubt repair form lint walk)
+rigor_floor(derive ON algebra
+  ROOMS polynomial notation chain answer)
+rigor_floor(scene ON elaborate numeric PRIVATE rigor::tomlplusplus Boost::boost
+  ROOMS motion file quantity)
+rigor_floor(report ON check derive scene PRIVATE nlohmann_json::nlohmann_json
+  ROOMS picture wording text data page)
 rigor_floor(api ON report)
-rigor_floor(app ON report PRIVATE nlohmann_json::nlohmann_json CLI11::CLI11)
+rigor_floor(app ON report PRIVATE nlohmann_json::nlohmann_json CLI11::CLI11
+  ROOMS grammar host hole command)
+
+set(RIGOR_FILES_WITHOUT_ROOM src/app/main.cpp)
 
 set(RIGOR_ONLY_cmark-gfm.h latex)
 set(RIGOR_ONLY_ginac algebra)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# src/numeric/kernels/lane_kernels.cpp, compiled once for each instruction set that compiler and processor know.
+# src/numeric/lane/lane_kernels.cpp, compiled once for each instruction set that compiler and processor know.
 include(CheckCXXSourceCompiles)
 
 # The instruction sets, and how many doubles each has at once.

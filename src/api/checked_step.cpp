@@ -3,8 +3,8 @@
 
 #include <ostream>
 
-#include "report/sample.h"
-#include "report/terminal.h"
+#include "report/text/terminal.h"
+#include "report/wording/sample.h"
 
 namespace rigor {
 namespace {

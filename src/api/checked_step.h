@@ -4,7 +4,7 @@
 
 #include <rigor/rigor.h>
 
-#include "check/report.h"
+#include "check/step/report.h"
 #include "source/source_map.h"
 
 namespace rigor {

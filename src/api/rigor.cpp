@@ -6,8 +6,8 @@
 #include <mutex>
 
 #include "api/checked_step.h"
-#include "check/check.h"
-#include "report/terminal.h"
+#include "check/walk/check.h"
+#include "report/text/terminal.h"
 
 namespace rigor {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "app/run.h"
+#include "app/command/run.h"
 
 namespace {
 

@@ -8,13 +8,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include "algebra/decide.h"
-#include "numeric/assumptions.h"
-#include "numeric/body_letters.h"
-#include "numeric/bounds.h"
-#include "numeric/exact_sample.h"
-#include "numeric/families.h"
-#include "numeric/program.h"
+#include "algebra/decide/decide.h"
+#include "numeric/body/body_letters.h"
+#include "numeric/family/families.h"
+#include "numeric/measure/assumptions.h"
+#include "numeric/measure/bounds.h"
+#include "numeric/measure/exact_sample.h"
+#include "numeric/program/program.h"
 
 namespace rigor::agreement {
 namespace {

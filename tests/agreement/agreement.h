@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "expr/statement.h"
-#include "numeric/body.h"
-#include "numeric/samples.h"
+#include "expr/statement/statement.h"
+#include "numeric/body/body.h"
+#include "numeric/program/samples.h"
 
 namespace rigor::agreement {
 

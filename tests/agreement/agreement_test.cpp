@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "catch.h"
-#include "check/forms.h"
-#include "scene/body_file.h"
+#include "check/form/forms.h"
+#include "scene/file/body_file.h"
 
 namespace rigor::agreement {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "algebra/random_samples.h"
+#include "algebra/decide/random_samples.h"
 #include "catch.h"
-#include "check/forms.h"
+#include "check/form/forms.h"
 
 namespace rigor::agreement {
 namespace {

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "app/run.h"
-#include "app/sample_bodies.h"
-#include "app/scene.h"
-#include "report/stability_report.h"
+#include "app/command/run.h"
+#include "app/command/scene.h"
+#include "app/host/sample_bodies.h"
+#include "report/text/stability_report.h"
 
 namespace rigor {
 namespace {

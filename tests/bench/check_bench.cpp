@@ -22,12 +22,12 @@
 #include <string>
 #include <vector>
 
-#include "algebra/refute.h"
-#include "algebra/scope.h"
+#include "algebra/point/scope.h"
+#include "algebra/sample/refute.h"
 #include "base/check.h"
-#include "check/notes.h"
-#include "check/report.h"
-#include "check/session.h"
+#include "check/event/notes.h"
+#include "check/step/report.h"
+#include "check/walk/session.h"
 #include "decide_watch.h"
 #include "process.h"
 #include "source/read_file.h"

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "algebra/decide.h"
+#include "algebra/decide/decide.h"
 
 namespace rigor::bench {
 

@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <string>
 
-#include "algebra/budget.h"
-#include "check/check.h"
+#include "algebra/engine/budget.h"
+#include "check/walk/check.h"
 
 namespace rigor::bench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "numeric/body.h"
+#include "numeric/body/body.h"
 
 namespace rigor {
 

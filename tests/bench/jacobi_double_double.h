@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "numeric/body.h"
+#include "numeric/body/body.h"
 
 namespace rigor {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "report/figures.h"
+#include "report/wording/figures.h"
 
 namespace rigor {
 namespace {

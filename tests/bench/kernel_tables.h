@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernel_rows.h"
-#include "report/plot.h"
+#include "report/picture/plot.h"
 
 namespace rigor {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-#include "report/figures.h"
+#include "report/wording/figures.h"
 
 namespace rigor {
 namespace {

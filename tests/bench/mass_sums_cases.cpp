@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "bench_clock.h"
-#include "numeric/kernels/lane_kernels.h"
 #include "numeric/kernels/point_clouds.h"
+#include "numeric/lane/lane_kernels.h"
 
 namespace rigor {
 namespace {

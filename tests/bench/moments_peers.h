@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/body.h"
+#include "numeric/body/body.h"
 
 namespace rigor {
 

@@ -19,9 +19,9 @@
 #include "bench_clock.h"
 #include "expr/build.h"
 #include "hand_written.h"
-#include "numeric/evaluate.h"
-#include "numeric/run_samples_parts.h"
-#include "numeric/runner.h"
+#include "numeric/measure/evaluate.h"
+#include "numeric/run/run_samples_parts.h"
+#include "numeric/run/runner.h"
 
 namespace rigor {
 

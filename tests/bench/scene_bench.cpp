@@ -9,10 +9,10 @@
 #include <functional>
 #include <iostream>
 
-#include "app/scene.h"
-#include "numeric/body_letters.h"
-#include "numeric/evaluate.h"
-#include "scene/scene.h"
+#include "app/command/scene.h"
+#include "numeric/body/body_letters.h"
+#include "numeric/measure/evaluate.h"
+#include "scene/quantity/scene.h"
 
 namespace rigor {
 namespace {

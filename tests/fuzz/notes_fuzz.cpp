@@ -6,11 +6,11 @@
 #include <variant>
 
 #include "base/check.h"
-#include "latex/document.h"
-#include "latex/macros.h"
-#include "latex/parse.h"
-#include "latex/split.h"
-#include "latex/token.h"
+#include "latex/document/document.h"
+#include "latex/macro/macros.h"
+#include "latex/parse/parse.h"
+#include "latex/split/split.h"
+#include "latex/token/token.h"
 #include "source/read_file.h"
 
 namespace {

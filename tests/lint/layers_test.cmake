@@ -8,13 +8,25 @@ include(${CMAKE_CURRENT_LIST_DIR}/../../.cmake/floors.cmake)
 set(spdx "// SPDX-License-Identifier: GPL-3.0-or-later\n")
 set(failures 0)
 
+# Where a floor's files may stand: `${in_<floor>}`, its lowest room.
+foreach(floor IN LISTS RIGOR_FLOORS)
+  set(in_${floor} src/${floor})
+  if(RIGOR_${floor}_ROOMS)
+    list(GET RIGOR_${floor}_ROOMS 0 room)
+    string(APPEND in_${floor} /${room})
+  endif()
+endforeach()
+
 function(make_good_tree)
   file(REMOVE_RECURSE ${TREE})
   foreach(floor IN LISTS RIGOR_FLOORS)
     file(WRITE ${TREE}/src/${floor}/README.md "${floor}\n")
-    file(WRITE ${TREE}/src/${floor}/a.h "${spdx}#include <vector>\n")
+    file(WRITE ${TREE}/${in_${floor}}/a.h "${spdx}#include <vector>\n")
+    foreach(room IN LISTS RIGOR_${floor}_ROOMS)
+      file(WRITE ${TREE}/src/${floor}/${room}/README.md "${room}\n")
+    endforeach()
   endforeach()
-  file(WRITE ${TREE}/src/algebra/b.cpp
+  file(WRITE ${TREE}/${in_algebra}/b.cpp
     "${spdx}#include <ginac/ginac.h>\n\n#include \"base/a.h\"\n#include \"algebra/a.h\"\n")
   file(WRITE ${TREE}/src/app/main.cpp "${spdx}#include \"version.h\"\n#include \"latex/a.h\"\n")
   file(WRITE ${TREE}/tests/unit/base/a_test.cpp "${spdx}#include \"app/a.h\"\n")
@@ -51,26 +63,26 @@ if(NOT exit_code EQUAL 0 OR NOT output STREQUAL "")
   message(FATAL_ERROR "a good tree was refused: ${output}")
 endif()
 
-expect_breach(src/latex/b.h "${spdx}\n#include \"expr/a.h\"\n"
-  "src/latex/b.h:3: `latex` includes `expr/a.h`, but stands on: source base")
+expect_breach(${in_latex}/b.h "${spdx}\n#include \"expr/a.h\"\n"
+  "${in_latex}/b.h:3: `latex` includes `expr/a.h`, but stands on: source base")
 expect_breach(src/base/b.h "${spdx}#  include \"source/a.h\" // [;]\n"
   "src/base/b.h:2: `base` includes `source/a.h`, but stands on: ")
 expect_breach(src/report/latex/b.sty "% words\n"
   "src/report/latex/b.sty:1: the first line is not `% SPDX-License-Identifier: GPL-3.0-or-later`")
-expect_breach(src/check/b.h "${spdx}namespace rigor {\nstruct Use {\n};\nclass Use : public Other {\n};\n}\n"
-  "src/check/b.h:5: `rigor::Use` is the name of another class, in src/check/b.h:3")
-expect_breach(src/check/b.cpp "${spdx}// a;b;c [ \\\n\n#include <ginac/ginac.h>\n"
-  "src/check/b.cpp:4: `check` includes `ginac/ginac.h`, which only `algebra` may")
-expect_breach(src/expr/b.cpp "${spdx}#include \"cln/cln.h\"\n"
-  "src/expr/b.cpp:2: `expr` includes `cln/cln.h`, which only `algebra` may")
-expect_breach(src/algebra/c.cpp "${spdx}#include <Eigen/Dense>\n"
-  "src/algebra/c.cpp:2: `algebra` includes `Eigen/Dense`, which only `numeric` may")
-expect_breach(src/check/b.cpp "${spdx}#include <nlohmann/json.hpp>\n"
-  "src/check/b.cpp:2: `check` includes `nlohmann/json.hpp`, which only `report` and `app` may")
+expect_breach(${in_check}/b.h "${spdx}namespace rigor {\nstruct Use {\n};\nclass Use : public Other {\n};\n}\n"
+  "${in_check}/b.h:5: `rigor::Use` is the name of another class, in ${in_check}/b.h:3")
+expect_breach(${in_check}/b.cpp "${spdx}// a;b;c [ \\\n\n#include <ginac/ginac.h>\n"
+  "${in_check}/b.cpp:4: `check` includes `ginac/ginac.h`, which only `algebra` may")
+expect_breach(${in_expr}/b.cpp "${spdx}#include \"cln/cln.h\"\n"
+  "${in_expr}/b.cpp:2: `expr` includes `cln/cln.h`, which only `algebra` may")
+expect_breach(${in_algebra}/c.cpp "${spdx}#include <Eigen/Dense>\n"
+  "${in_algebra}/c.cpp:2: `algebra` includes `Eigen/Dense`, which only `numeric` may")
+expect_breach(${in_check}/b.cpp "${spdx}#include <nlohmann/json.hpp>\n"
+  "${in_check}/b.cpp:2: `check` includes `nlohmann/json.hpp`, which only `report` and `app` may")
 expect_breach(src/base/b.cpp "${spdx}#include \"version.h\"\n"
   "src/base/b.cpp:2: `base` includes `version.h`, which only `report` and `app` may")
-expect_breach(src/app/b.cpp "${spdx}#include <base/a.h>\n"
-  "src/app/b.cpp:2: `<base/a.h>` is ours and is written \"base/a.h\"")
+expect_breach(${in_app}/b.cpp "${spdx}#include <base/a.h>\n"
+  "${in_app}/b.cpp:2: `<base/a.h>` is ours and is written \"base/a.h\"")
 expect_breach(src/base/b.cpp "${spdx}#include \"a.h\"\n"
   "src/base/b.cpp:2: `a.h` does not begin with a floor, as in \"base/span.h\"")
 expect_breach(src/base/b.cpp "int no_licence;\n"
@@ -84,8 +96,33 @@ string(REPEAT "line\n" 26 long_readme)
 expect_breach(src/base/README.md "${long_readme}" "src/base/README.md:26: 26 lines, at most 25")
 expect_breach(src/base/README.md "" "src/base/README.md:1: missing: every floor says what it is")
 expect_breach(src/base/b.cc "${spdx}" "src/base/b.cc:1: neither .h nor .cpp")
+string(REPEAT "line\n" 11 long_readme)
+expect_breach(src/check/walk/README.md "${long_readme}" "src/check/walk/README.md:11: 11 lines, at most 10")
+expect_breach(src/check/walk/README.md "" "src/check/walk/README.md:1: missing: every room says what it is")
+list(JOIN RIGOR_check_ROOMS " " rooms)
+expect_breach(src/check/b.h "${spdx}" "src/check/b.h:1: stands in no room of `check`, which are: ${rooms}")
+expect_breach(src/check/attic/b.h "${spdx}" "src/check/attic/b.h:1: stands in no room of `check`, which are: ${rooms}")
+expect_breach(src/check/doubt/b.h "${spdx}#include \"check/walk/a.h\"\n"
+  "src/check/doubt/b.h:2: the room `doubt` includes what stands above it, in `walk`")
 expect_breach(src/attic/a.h "${spdx}" "src/attic:1: not a floor of .cmake/floors.cmake")
 expect_breach(src/app "" "src/app:1: missing, but a floor of .cmake/floors.cmake")
+
+# Too many files of a floor without rooms, and of a room.
+make_good_tree()
+foreach(k RANGE 1 20)
+  file(WRITE ${TREE}/src/base/file${k}.h "${spdx}")
+endforeach()
+foreach(k RANGE 1 24)
+  file(WRITE ${TREE}/${in_check}/file${k}.h "${spdx}")
+endforeach()
+run_lint()
+foreach(message IN ITEMS "src/base:1: 21 files without rooms, at most 20" "${in_check}:1: 25 files in a room, at most 24")
+  string(FIND "${output}" "${message}\n" found)
+  if(found EQUAL -1)
+    message(NOTICE "expected: ${message}\nthe lint said: ${output}")
+    math(EXPR failures "${failures} + 1")
+  endif()
+endforeach()
 
 # The last good sizes.
 make_good_tree()

@@ -11,7 +11,7 @@
 #include <regex>
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 #include "program.h"
 
 namespace rigor {

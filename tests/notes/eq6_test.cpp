@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 #include "program.h"
 
 namespace rigor {

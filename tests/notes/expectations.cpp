@@ -9,8 +9,8 @@
 #include <sstream>
 #include <string_view>
 
-#include "latex/document.h"
-#include "report/diagnostics_of.h"
+#include "latex/document/document.h"
+#include "report/wording/diagnostics_of.h"
 
 namespace rigor {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/report.h"
+#include "check/step/report.h"
 #include "source/source_map.h"
 
 namespace rigor {

@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 #include "program.h"
-#include "report/terminal.h"
+#include "report/text/terminal.h"
 
 namespace rigor {
 namespace {

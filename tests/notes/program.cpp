@@ -12,8 +12,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/exit_code.h"
-#include "app/run.h"
+#include "app/command/run.h"
+#include "app/grammar/exit_code.h"
 
 namespace rigor {
 namespace {

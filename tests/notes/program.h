@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/report.h"
+#include "check/step/report.h"
 
 namespace rigor {
 

@@ -8,11 +8,11 @@
 #include <string>
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 #include "program.h"
-#include "report/json.h"
-#include "report/read_recorded.h"
-#include "report/replay_text.h"
+#include "report/data/json.h"
+#include "report/data/read_recorded.h"
+#include "report/text/replay_text.h"
 
 namespace rigor {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <variant>
 
-#include "latex/document.h"
+#include "latex/document/document.h"
 #include "latex/dump_syntax.h"
 
 namespace rigor::exchange {

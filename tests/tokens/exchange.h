@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "latex/tokens.h"
+#include "latex/token/tokens.h"
 #include "source/source_map.h"
 
 namespace rigor::exchange {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "elaborate/letters.h"
-#include "latex/parse.h"
+#include "elaborate/name/letters.h"
+#include "latex/parse/parse.h"
 
 namespace rigor::twins {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "check/notes.h"
-#include "check/report.h"
+#include "check/event/notes.h"
+#include "check/step/report.h"
 #include "source/source_map.h"
 
 namespace rigor::twins {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "latex/pieces.h"
+#include "latex/split/pieces.h"
 
 namespace rigor::twins {
 namespace {

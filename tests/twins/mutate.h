@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "latex/tokens.h"
+#include "latex/token/tokens.h"
 
 namespace rigor::twins {
 

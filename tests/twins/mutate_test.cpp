@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "catch.h"
-#include "latex/token.h"
+#include "latex/token/token.h"
 
 namespace rigor::twins {
 namespace {

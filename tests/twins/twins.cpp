@@ -10,13 +10,13 @@
 #include <optional>
 #include <set>
 
-#include "algebra/random_samples.h"
+#include "algebra/decide/random_samples.h"
 #include "base/check.h"
-#include "check/check.h"
-#include "check/forms.h"
-#include "check/notes.h"
+#include "check/event/notes.h"
+#include "check/form/forms.h"
+#include "check/walk/check.h"
 #include "declarations.h"
-#include "latex/document.h"
+#include "latex/document/document.h"
 #include "source/read_file.h"
 
 namespace rigor::twins {

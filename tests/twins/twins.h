@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "check/check.h"
+#include "check/walk/check.h"
 #include "mutate.h"
 
 namespace rigor::twins {

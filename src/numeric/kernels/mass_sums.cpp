@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "base/check.h"
-#include "numeric/kernels/double_double.h"
 #include "numeric/kernels/point_pass.h"
 #include "numeric/kernels/point_sample.h"
+#include "numeric/lane/double_double.h"
 
 namespace rigor {
 namespace {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "base/among.h"
-#include "numeric/kernels/double_double.h"
-#include "numeric/kernels/mesh_totals.h"
-#include "numeric/mesh.h"
+#include "numeric/kernels/triangles.h"
+#include "numeric/lane/double_double.h"
+#include "numeric/lane/mesh_totals.h"
 
 namespace rigor {
 namespace {
@@ -88,7 +88,9 @@ PackedMesh pack(std::span<const Position> vertices, const std::array<Axis, 3>& a
                       try_exact, packed->numbers);
 }
 
-HighLow scaled(Sharp x, int exponent) { return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)}; }
+HighLow scaled_sharp(Sharp x, int exponent) {
+  return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)};
+}
 
 Sharp sharp(const double (&total)[2]) { return {total[0], total[1]}; }
 
@@ -160,18 +162,18 @@ Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, cons
   moments.flat = totals.flat;
   moments.errors = errors;
   const Sharp volume = sharp(totals.volume) / Sharp{6, 0};
-  moments.volume = scaled(volume, axes[0].exponent + axes[1].exponent + axes[2].exponent);
+  moments.volume = scaled_sharp(volume, axes[0].exponent + axes[1].exponent + axes[2].exponent);
   if (!std::isfinite(moments.volume.high)) return refuse("the volume overflows");
   if (std::abs(moments.volume.high) < std::numeric_limits<double>::min())
     return refuse("the volume underflows");
   for (std::size_t i = 0; i < 3; ++i) {
-    const HighLow centre = scaled(from.centre[i], axes[i].exponent);
+    const HighLow centre = scaled_sharp(from.centre[i], axes[i].exponent);
     const Sharp sum = Sharp{centre.high, centre.low} + axes[i].origin;
     moments.centre[i] = {sum.high, sum.low};
     moments.errors.centre[i] =
         std::ldexp(errors.centre[i], axes[i].exponent) + 0x1p-104 * std::abs(sum.high) + last_place;
     for (std::size_t j = 0; j <= i; ++j) {
-      moments.second_moments[i][j] = scaled(from.second[i][j], axes[i].exponent + axes[j].exponent);
+      moments.second_moments[i][j] = scaled_sharp(from.second[i][j], axes[i].exponent + axes[j].exponent);
       moments.second_moments[j][i] = moments.second_moments[i][j];
       moments.errors.second_moments[i][j] = moments.errors.second_moments[j][i] =
           std::ldexp(errors.second_moments[i][j], axes[i].exponent + axes[j].exponent) + last_place;

@@ -6,9 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include "numeric/body.h"
+#include "base/result.h"
 #include "numeric/kernels/high_low.h"
-#include "numeric/kernels/lane_kernels.h"
+#include "numeric/kernels/position.h"
+#include "numeric/lane/lane_kernels.h"
 
 namespace rigor {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/check.h"
-#include "numeric/kernels/double_double.h"
+#include "numeric/lane/double_double.h"
 
 namespace rigor {
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "numeric/kernels/double_double.h"
+#include "numeric/lane/double_double.h"
 
 namespace rigor {
 namespace {

@@ -2,8 +2,8 @@
 // One pass of a lane kernel over all points: chunks, threads, and scaling by powers of two.
 #pragma once
 
-#include "numeric/kernels/lane_kernels.h"
 #include "numeric/kernels/mass_sums.h"
+#include "numeric/lane/lane_kernels.h"
 
 namespace rigor {
 

@@ -10,10 +10,10 @@
 #include <cstddef>
 
 #include "base/result.h"
-#include "numeric/body.h"
 #include "numeric/kernels/high_low.h"
-#include "numeric/kernels/lane_kernels.h"
-#include "numeric/kernels/moments_columns.h"
+#include "numeric/kernels/position.h"
+#include "numeric/lane/lane_kernels.h"
+#include "numeric/lane/moments_columns.h"
 
 namespace rigor {
 

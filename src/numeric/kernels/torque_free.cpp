@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "numeric/kernels/lane_kernels.h"
+#include "numeric/lane/lane_kernels.h"
 
 namespace rigor {
 namespace {

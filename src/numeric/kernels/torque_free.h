@@ -24,8 +24,8 @@
 #include <span>
 
 #include "base/result.h"
-#include "numeric/body.h"
-#include "numeric/kernels/free_spin.h"
+#include "numeric/kernels/position.h"
+#include "numeric/lane/free_spin.h"
 
 namespace rigor {
 

@@ -2,8 +2,8 @@
 #include "numeric/kernels/torque_free_attitude.h"
 
 #include "base/check.h"
-#include "numeric/kernels/lane_kernels.h"
 #include "numeric/kernels/torque_free.h"
+#include "numeric/lane/lane_kernels.h"
 
 namespace rigor {
 

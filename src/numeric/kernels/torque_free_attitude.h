@@ -18,8 +18,8 @@
 #include <span>
 
 #include "base/result.h"
-#include "numeric/body.h"
-#include "numeric/kernels/free_attitude.h"
+#include "numeric/kernels/position.h"
+#include "numeric/lane/free_attitude.h"
 
 namespace rigor {
 

@@ -7,7 +7,7 @@
 #include <exception>
 #include <optional>
 
-#include "check/check.h"
+#include "check/walk/check.h"
 
 namespace fuzz {
 namespace {

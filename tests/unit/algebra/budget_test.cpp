@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/budget.h"
+#include "algebra/engine/budget.h"
 
-#include "algebra/undecidable.h"
+#include "algebra/engine/undecidable.h"
 #include "algebra/verdict.h"
 #include "catch.h"
 

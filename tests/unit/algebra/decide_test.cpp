@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vector algebra and index notation: every true statement with false twins.
-#include "algebra/decide.h"
+#include "algebra/decide/decide.h"
 
 #include "algebra/verdict.h"
 #include "catch.h"

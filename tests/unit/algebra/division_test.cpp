@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/division.h"
+#include "algebra/ring/division.h"
 
 #include <algorithm>
 #include <random>
 #include <vector>
 
-#include "algebra/fraction.h"
-#include "algebra/line_image.h"
-#include "algebra/terms.h"
-#include "algebra/undecidable.h"
+#include "algebra/engine/terms.h"
+#include "algebra/engine/undecidable.h"
+#include "algebra/ring/fraction.h"
+#include "algebra/ring/line_image.h"
 #include "catch.h"
 
 using namespace rigor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/engine_version.h"
+#include "algebra/engine/engine_version.h"
 
 #include <regex>
 

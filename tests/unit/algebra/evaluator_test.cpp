@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every operation, by statements that say what it is worth; each statement goes through samples and through
 // the generic point.
-#include "algebra/evaluator.h"
+#include "algebra/evaluator/evaluator.h"
 
 #include "algebra/verdict.h"
 #include "catch.h"

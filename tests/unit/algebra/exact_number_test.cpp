@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/exact_number.h"
+#include "algebra/engine/exact_number.h"
 
 #include "catch.h"
 

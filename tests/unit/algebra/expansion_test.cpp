@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/expansion.h"
+#include "algebra/ring/expansion.h"
 
 #include <ginac/ginac.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/rational_form.h"
+#include "algebra/form/rational_form.h"
 
 #include <string>
 
 #include "catch.h"
-#include "check/forms.h"
-#include "expr/print_latex.h"
+#include "check/form/forms.h"
+#include "expr/print/print_latex.h"
 
 namespace rigor {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Samples: small, the same every time, and replayable.
-#include "algebra/refute.h"
+#include "algebra/sample/refute.h"
 
 #include "algebra/verdict.h"
 #include "catch.h"

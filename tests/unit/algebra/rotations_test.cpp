@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rotations, and derivatives with axes that can be exchanged.
-#include "algebra/sample_rotation.h"
+#include "algebra/sample/sample_rotation.h"
 #include "algebra/verdict.h"
 #include "catch.h"
 

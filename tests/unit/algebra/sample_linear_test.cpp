@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Linear equations, and the samples that are found with them.
-#include "algebra/sample_linear.h"
+#include "algebra/sample/sample_linear.h"
 
 #include "algebra/verdict.h"
 #include "catch.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Definitions, and which assumptions bear on a claim.
-#include "algebra/scope.h"
+#include "algebra/point/scope.h"
 
 #include "algebra/verdict.h"
 #include "base/check.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/term_estimate.h"
+#include "algebra/engine/term_estimate.h"
 
 #include <ginac/ginac.h>
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "algebra/decide.h"
-#include "algebra/exact_number.h"
+#include "algebra/decide/decide.h"
+#include "algebra/engine/exact_number.h"
 #include "expr/build.h"
 
 namespace rigor::build {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cases.h"
+#include "app/command/cases.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

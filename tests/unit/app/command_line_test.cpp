@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/command_line.h"
+#include "app/grammar/command_line.h"
 
-#include "algebra/engine_version.h"
+#include "algebra/engine/engine_version.h"
 #include "base/version.h"
 #include "catch.h"
 

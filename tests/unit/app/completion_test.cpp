@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/completion.h"
+#include "app/grammar/completion.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/grammar.h"
+#include "app/grammar/grammar.h"
 #include "app/small_program.h"
 #include "catch.h"
 

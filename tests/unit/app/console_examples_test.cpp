@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/run.h"
+#include "app/command/run.h"
 #include "catch.h"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/debug.h"
+#include "app/grammar/debug.h"
 
 #include "catch.h"
 

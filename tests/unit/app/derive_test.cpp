@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/command/run.h"
 #include "app/derived.h"
-#include "app/run.h"
 #include "catch.h"
 
 namespace rigor {

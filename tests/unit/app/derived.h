@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/run.h"
+#include "app/command/run.h"
 
 namespace rigor {
 

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/run.h"
+#include "app/command/run.h"
 #include "catch.h"
-#include "check/forms.h"
-#include "report/explained.h"
+#include "check/form/forms.h"
+#include "report/wording/explained.h"
 
 namespace rigor {
 namespace {

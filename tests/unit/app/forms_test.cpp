@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/run.h"
+#include "app/command/run.h"
 #include "catch.h"
 
 namespace rigor {

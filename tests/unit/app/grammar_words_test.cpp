@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "app/grammar.h"
+#include "app/grammar/grammar.h"
 #include "catch.h"
 
 namespace rigor {

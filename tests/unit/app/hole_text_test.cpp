@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/hole_text.h"
+#include "app/hole/hole_text.h"
 
 #include "catch.h"
 

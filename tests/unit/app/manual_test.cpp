@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/manual.h"
+#include "app/grammar/manual.h"
 
 #include <algorithm>
 #include <sstream>
 
-#include "app/grammar.h"
+#include "app/grammar/grammar.h"
 #include "app/small_program.h"
 #include "catch.h"
 

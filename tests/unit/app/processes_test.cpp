@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/processes.h"
+#include "app/host/processes.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "app/program_identity.h"
+#include "app/host/program_identity.h"
 #include "catch.h"
 
 namespace rigor {

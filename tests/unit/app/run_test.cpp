@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/run.h"
+#include "app/command/run.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
 // A small program with each kind of option, for the tests of what is made of such words.
 #pragma once
 
-#include "app/words.h"
+#include "app/grammar/words.h"
 
 namespace rigor {
 

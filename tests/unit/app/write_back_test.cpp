@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/write_back.h"
+#include "app/hole/write_back.h"
 
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/both_orders.h"
+#include "check/meaning/both_orders.h"
 
 #include "catch.h"
 #include "check/checked.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/chain_ends.h"
+#include "check/repair/chain_ends.h"
 
 #include <string>
 

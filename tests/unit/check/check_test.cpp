@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/check.h"
+#include "check/walk/check.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

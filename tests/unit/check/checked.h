@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "check/check.h"
+#include "check/walk/check.h"
 
 namespace rigor {
 

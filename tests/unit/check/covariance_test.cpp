@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/covariance.h"
+#include "check/scope/covariance.h"
 
 #include "catch.h"
 #include "expr/build.h"

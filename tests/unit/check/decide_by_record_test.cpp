@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/decide_by_record.h"
+#include "check/verdict/decide_by_record.h"
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 
 namespace rigor {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/decision_cache.h"
+#include "check/question/decision_cache.h"
 
 #include <unistd.h>
 
 #include <filesystem>
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 #include "source/read_file.h"
 #include "source/write_file.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/dimension_system.h"
+#include "check/dimension/dimension_system.h"
 
 #include "catch.h"
 

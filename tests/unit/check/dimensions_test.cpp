@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dimensions of whole notes: what is found, and what is said where two places disagree.
-#include "check/dimensions.h"
+#include "check/dimension/dimensions.h"
 
 #include "catch.h"
 #include "check/checked.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/directive.h"
+#include "check/directive/directive.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/divisors.h"
+#include "check/meaning/divisors.h"
 
 #include "catch.h"
 

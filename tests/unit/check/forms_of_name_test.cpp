@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expr/forms_of_name.h"
+#include "expr/statement/forms_of_name.h"
 
 #include "catch.h"
-#include "check/forms.h"
+#include "check/form/forms.h"
 
 namespace rigor {
 namespace {

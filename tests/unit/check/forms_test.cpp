@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/forms.h"
+#include "check/form/forms.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/frame.h"
+#include "check/scope/frame.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "catch.h"
-#include "check/forms.h"
+#include "check/form/forms.h"
 
 using namespace rigor;
 

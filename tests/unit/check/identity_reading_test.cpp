@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wrong identities are told from laws: a law's symbols are listed, an identity has none.
-#include "check/identity_reading.h"
+#include "check/meaning/identity_reading.h"
 
 #include "catch.h"
 #include "expr/build.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/judge.h"
+#include "check/verdict/judge.h"
 
 #include <memory>
 
 #include "catch.h"
 #include "check/checked.h"
-#include "check/directive.h"
+#include "check/directive/directive.h"
 #include "latex/dump_syntax.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where warnings are silenced and asked for, and what becomes of those that are.
-#include "check/lint_scopes.h"
+#include "check/lint/lint_scopes.h"
 
 #include "catch.h"
 #include "check/checked.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lints: what each finds, and what it leaves alone. tests/notes/fail has one note for each as well.
-#include "check/lint.h"
+#include "check/lint/lint.h"
 
 #include "catch.h"
 #include "check/checked.h"

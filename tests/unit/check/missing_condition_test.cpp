@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A statement that holds under a condition names it; one that is plainly wrong does not.
-#include "check/missing_condition.h"
+#include "check/repair/missing_condition.h"
 
 #include <algorithm>
 

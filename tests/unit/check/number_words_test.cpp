@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/number_words.h"
+#include "check/word/number_words.h"
 
 #include "catch.h"
 

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "catch.h"
-#include "check/forms.h"
-#include "expr/print_latex.h"
-#include "expr/same_expression.h"
+#include "check/form/forms.h"
+#include "expr/print/print_latex.h"
+#include "expr/tree/same_expression.h"
 
 namespace rigor {
 namespace {

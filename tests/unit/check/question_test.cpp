@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a claim's question holds, seen from the verdicts: definitions, assumptions and their derivatives.
-#include "check/question.h"
+#include "check/question/question.h"
 
 #include "catch.h"
 #include "check/checked.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A small wrong note in, the nearest true statements out.
-#include "check/repair.h"
+#include "check/repair/repair.h"
 
 #include <algorithm>
 

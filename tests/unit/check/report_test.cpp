@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/report.h"
+#include "check/step/report.h"
 
 #include "catch.h"
 

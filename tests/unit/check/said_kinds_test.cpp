@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/said_kinds.h"
+#include "check/word/said_kinds.h"
 
 #include "catch.h"
 

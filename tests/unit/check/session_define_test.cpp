@@ -2,7 +2,7 @@
 // What is made of definitions, rules for derivatives and assumptions that speak of one symbol.
 #include "catch.h"
 #include "check/checked.h"
-#include "check/session.h"
+#include "check/walk/session.h"
 
 using namespace rigor;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chains, sections and directives: what holds where, and what nothing uses. Single steps are in
 // session_step_test.cpp.
-#include "check/session.h"
-#include "check/decision_cache.h"
+#include "check/walk/session.h"
+#include "check/question/decision_cache.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A claim of a sidecar that is refuted shows of which line of the notes it is said.
-#include "check/sidecar_places.h"
+#include "check/event/sidecar_places.h"
 
 #include "catch.h"
-#include "check/check.h"
-#include "check/decision_cache.h"
-#include "check/session.h"
+#include "check/question/decision_cache.h"
+#include "check/walk/check.h"
+#include "check/walk/session.h"
 
 using namespace rigor;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/sidecar.h"
+#include "check/directive/sidecar.h"
 
 #include "catch.h"
 

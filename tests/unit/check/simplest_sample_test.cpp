@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "catch.h"
-#include "check/check.h"
-#include "report/sample.h"
+#include "check/walk/check.h"
+#include "report/wording/sample.h"
 
 namespace rigor {
 namespace {

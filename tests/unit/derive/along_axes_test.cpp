@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/along_axes.h"
+#include "derive/notation/along_axes.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/canonical.h"
-#include "derive/collected.h"
+#include "derive/polynomial/canonical.h"
+#include "derive/polynomial/collected.h"
 
 #include "derive/written.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/explanation.h"
+#include "derive/chain/explanation.h"
 
-#include "algebra/decide.h"
+#include "algebra/decide/decide.h"
 #include "catch.h"
-#include "check/forms.h"
-#include "expr/print_latex.h"
+#include "check/form/forms.h"
+#include "expr/print/print_latex.h"
 
 using namespace rigor;
 

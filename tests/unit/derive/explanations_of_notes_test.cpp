@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every chain of the notes in derivations/, explained and checked again.
-#include "algebra/decide.h"
+#include "algebra/decide/decide.h"
 #include "catch.h"
-#include "check/forms.h"
-#include "derive/explanation.h"
+#include "check/form/forms.h"
+#include "derive/chain/explanation.h"
 
 using namespace rigor;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/first_order.h"
+#include "derive/notation/first_order.h"
 
 #include "derive/written.h"
 

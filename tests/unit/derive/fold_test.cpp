@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/fold.h"
+#include "derive/polynomial/fold.h"
 
 #include "derive/written.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/given.h"
+#include "derive/polynomial/given.h"
 
-#include "derive/canonical.h"
+#include "derive/polynomial/canonical.h"
 #include "derive/written.h"
 
 using namespace rigor;

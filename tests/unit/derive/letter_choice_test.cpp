@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/letter_choice.h"
+#include "derive/notation/letter_choice.h"
 
 #include <set>
 

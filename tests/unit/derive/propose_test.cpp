@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/propose.h"
+#include "derive/answer/propose.h"
 
 #include <string>
 
 #include "catch.h"
-#include "check/forms.h"
-#include "derive/coefficient.h"
-#include "derive/isolate.h"
-#include "expr/print_latex.h"
+#include "check/form/forms.h"
+#include "derive/answer/coefficient.h"
+#include "derive/answer/isolate.h"
+#include "expr/print/print_latex.h"
 
 namespace rigor {
 namespace {

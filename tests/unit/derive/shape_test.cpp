@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/shape.h"
+#include "derive/chain/shape.h"
 
 #include "derive/written.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "derive/tidied.h"
+#include "derive/notation/tidied.h"
 
 #include "catch.h"
-#include "check/forms.h"
-#include "expr/print_latex.h"
+#include "check/form/forms.h"
+#include "expr/print/print_latex.h"
 
 using namespace rigor;
 

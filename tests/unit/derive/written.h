@@ -3,9 +3,9 @@
 // equal.
 #pragma once
 
-#include "algebra/decide.h"
+#include "algebra/decide/decide.h"
 #include "catch.h"
-#include "derive/index_polynomial.h"
+#include "derive/polynomial/index_polynomial.h"
 #include "expr/build.h"
 
 namespace rigor::build {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "elaborate/elaborator.h"
+#include "elaborate/notation/elaborator.h"
 #include "latex/dump_syntax.h"
 
 namespace rigor {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Both sides of an equation: rank, free indices, zeros, and what a reading rests on.
-#include "elaborate/elaborator.h"
+#include "elaborate/notation/elaborator.h"
 
 #include "catch.h"
 #include "elaborate/elaborated.h"

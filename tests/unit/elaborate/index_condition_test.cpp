@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elaborate/index_condition.h"
+#include "elaborate/notation/index_condition.h"
 
 #include <algorithm>
 

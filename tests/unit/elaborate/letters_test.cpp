@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elaborate/letters.h"
+#include "elaborate/name/letters.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elaborate/names.h"
+#include "elaborate/name/names.h"
 
 #include "catch.h"
 

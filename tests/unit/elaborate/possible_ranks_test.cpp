@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elaborate/possible_ranks.h"
+#include "elaborate/name/possible_ranks.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

@@ -2,8 +2,8 @@
 // Brackets, signs of sums and letters are right however operations are nested: what is printed reads back.
 #include "catch.h"
 #include "elaborate/random_expressions.h"
-#include "expr/print_latex.h"
-#include "expr/same_expression.h"
+#include "expr/print/print_latex.h"
+#include "expr/tree/same_expression.h"
 
 namespace rigor {
 namespace {

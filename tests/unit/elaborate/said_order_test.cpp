@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elaborate/said_order.h"
+#include "elaborate/evidence/said_order.h"
 
 #include <string>
 
 #include "catch.h"
-#include "elaborate/raised_indices.h"
+#include "elaborate/evidence/raised_indices.h"
 
 using namespace rigor;
 

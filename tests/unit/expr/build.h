@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "expr/statement.h"
+#include "expr/statement/statement.h"
 
 namespace rigor::build {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expr/differentiate.h"
+#include "expr/calculus/differentiate.h"
 
 #include "catch.h"
 #include "expr/build.h"

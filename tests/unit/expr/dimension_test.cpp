@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expr/dimension.h"
+#include "expr/tree/dimension.h"
 
 #include "catch.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expr/power_series.h"
+#include "expr/calculus/power_series.h"
 
 #include <string>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How expressions look; that they read back, other tests say.
-#include "expr/print_latex.h"
+#include "expr/print/print_latex.h"
 
 #include "catch.h"
 #include "elaborate/elaborated.h"
-#include "expr/same_expression.h"
+#include "expr/tree/same_expression.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expr/question_text.h"
+#include "expr/statement/question_text.h"
 
 #include "catch.h"
 

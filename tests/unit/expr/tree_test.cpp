@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expr/tree.h"
+#include "expr/tree/tree.h"
 
 #include "base/check.h"
 #include "catch.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/conditions.h"
+#include "latex/split/conditions.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/cyclic_image.h"
+#include "latex/reading/cyclic_image.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"
-#include "latex/parse.h"
+#include "latex/parse/parse.h"
 
 using namespace rigor;
 

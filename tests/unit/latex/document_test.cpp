@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/document.h"
+#include "latex/document/document.h"
 
 #include "catch.h"
 #include "latex/notes.h"

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "latex/macros.h"
-#include "latex/parse.h"
-#include "latex/rows.h"
-#include "latex/split.h"
-#include "latex/tokens.h"
+#include "latex/macro/macros.h"
+#include "latex/parse/parse.h"
+#include "latex/split/rows.h"
+#include "latex/split/split.h"
+#include "latex/token/tokens.h"
 
 namespace rigor {
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "catch.h"
-#include "latex/token.h"
+#include "latex/token/token.h"
 
 namespace {
 

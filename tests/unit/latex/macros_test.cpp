@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/macros.h"
+#include "latex/macro/macros.h"
 
 #include <string>
 
 #include "catch.h"
-#include "latex/tokens.h"
+#include "latex/token/tokens.h"
 
 namespace {
 

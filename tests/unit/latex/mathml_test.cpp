@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/mathml.h"
+#include "latex/layout/mathml.h"
 
 #include <filesystem>
 #include <fstream>
@@ -8,8 +8,8 @@
 
 #include "base/splitmix.h"
 #include "catch.h"
-#include "latex/document.h"
-#include "latex/macros.h"
+#include "latex/document/document.h"
+#include "latex/macro/macros.h"
 #include "latex/written_box.h"
 
 namespace rigor {

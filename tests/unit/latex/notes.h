@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "latex/document.h"
-#include "latex/token.h"
+#include "latex/document/document.h"
+#include "latex/token/token.h"
 
 namespace rigor {
 

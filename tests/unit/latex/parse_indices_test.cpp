@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/parse_indices.h"
+#include "latex/parse/parse_indices.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

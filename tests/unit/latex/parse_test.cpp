@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums, products, letters and scripts; brackets and environments are in parser_brackets_test.cpp.
-#include "latex/parse.h"
+#include "latex/parse/parse.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

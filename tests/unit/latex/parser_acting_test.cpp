@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "catch.h"
-#include "latex/acting.h"
 #include "latex/dump_syntax.h"
+#include "latex/split/acting.h"
 
 namespace {
 

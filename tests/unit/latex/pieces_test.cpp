@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/pieces.h"
+#include "latex/split/pieces.h"
 
 #include "catch.h"
-#include "latex/token.h"
+#include "latex/token/token.h"
 
 using namespace rigor;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/plain_text.h"
+#include "latex/layout/plain_text.h"
 
 #include "catch.h"
 #include "latex/written_box.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sides that can be read in two ways.
-#include "latex/readings.h"
+#include "latex/reading/readings.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/remarks.h"
+#include "latex/token/remarks.h"
 
 #include "catch.h"
 

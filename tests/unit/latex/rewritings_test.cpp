@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rewritings take slips of the pen back, on tokens.
-#include "latex/rewritings.h"
+#include "latex/reading/rewritings.h"
 
 #include <algorithm>
 
 #include "catch.h"
-#include "latex/token.h"
+#include "latex/token/token.h"
 
 using namespace rigor;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/rows.h"
+#include "latex/split/rows.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

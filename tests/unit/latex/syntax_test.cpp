@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/syntax.h"
+#include "latex/token/syntax.h"
 
 #include <array>
 

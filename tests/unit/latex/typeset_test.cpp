@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/typeset.h"
+#include "latex/layout/typeset.h"
 
 #include "catch.h"
 #include "latex/written_box.h"

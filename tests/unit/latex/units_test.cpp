@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/units.h"
+#include "latex/unit/units.h"
 
 #include "catch.h"
 

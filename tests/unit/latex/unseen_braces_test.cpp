@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/unseen_braces.h"
+#include "latex/parse/unseen_braces.h"
 
 #include <string>
 

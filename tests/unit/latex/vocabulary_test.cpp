@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/vocabulary.h"
+#include "latex/token/vocabulary.h"
 
 #include "catch.h"
 #include "latex/dump_syntax.h"

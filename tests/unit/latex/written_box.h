@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "latex/mathml.h"
-#include "latex/plain_text.h"
-#include "latex/token.h"
+#include "latex/layout/mathml.h"
+#include "latex/layout/plain_text.h"
+#include "latex/token/token.h"
 
 namespace rigor {
 

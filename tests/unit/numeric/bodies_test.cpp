@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/bodies.h"
+#include "numeric/body/bodies.h"
 
 #include <cmath>
 
 #include "catch.h"
-#include "numeric/inertia.h"
-#include "numeric/shapes.h"
+#include "numeric/body/inertia.h"
+#include "numeric/body/shapes.h"
 
 namespace rigor {
 namespace {

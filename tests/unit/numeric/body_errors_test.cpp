@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/body_errors.h"
+#include "numeric/body/body_errors.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/splitmix.h"
 #include "catch.h"
-#include "numeric/run_decimal.h"
-#include "numeric/shapes.h"
-#include "numeric/uniform.h"
+#include "numeric/body/shapes.h"
+#include "numeric/program/uniform.h"
+#include "numeric/run/run_decimal.h"
 
 namespace rigor {
 namespace {

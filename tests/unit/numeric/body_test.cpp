@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/body.h"
+#include "numeric/body/body.h"
 
 #include <cmath>
 #include <limits>
 
 #include "catch.h"
-#include "numeric/family_values.h"
-#include "numeric/inertia.h"
+#include "numeric/body/inertia.h"
+#include "numeric/family/family_values.h"
 #include "numeric/kernels/plate_families.h"
 
 namespace rigor {

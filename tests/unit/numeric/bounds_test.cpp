@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/bounds.h"
+#include "numeric/measure/bounds.h"
 
 #include <cmath>
 #include <random>
 
 #include "catch.h"
+#include "numeric/measure/reference.h"
 #include "numeric/on_sample.h"
 #include "numeric/random_forms.h"
-#include "numeric/reference.h"
 
 using namespace rigor;
 using namespace rigor::build;

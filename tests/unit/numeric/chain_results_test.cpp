@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/chain_results.h"
+#include "numeric/measure/chain_results.h"
 
 #include <algorithm>
 
 #include "catch.h"
-#include "check/forms.h"
-#include "numeric/body_letters.h"
-#include "report/advice.h"
+#include "check/form/forms.h"
+#include "numeric/body/body_letters.h"
+#include "report/wording/advice.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/cloud_file.h"
+#include "numeric/mesh/cloud_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "catch.h"
-#include "numeric/cloud_text.h"
 #include "numeric/kernels/point_clouds.h"
+#include "numeric/mesh/cloud_text.h"
 
 namespace rigor {
 namespace {

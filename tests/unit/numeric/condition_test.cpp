@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/condition.h"
+#include "numeric/measure/condition.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/evaluate.h"
+#include "numeric/measure/evaluate.h"
 
 #include <array>
 #include <cmath>
@@ -9,12 +9,12 @@
 #include <tuple>
 
 #include "catch.h"
-#include "numeric/bounds.h"
-#include "numeric/code.h"
+#include "numeric/measure/bounds.h"
+#include "numeric/measure/reference.h"
 #include "numeric/on_sample.h"
+#include "numeric/program/code.h"
 #include "numeric/random_forms.h"
-#include "numeric/reference.h"
-#include "numeric/run_samples.h"
+#include "numeric/run/run_samples.h"
 
 using namespace rigor;
 using namespace rigor::build;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/exact_sample.h"
+#include "numeric/measure/exact_sample.h"
 
 #include <cmath>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/families.h"
+#include "numeric/family/families.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "catch.h"
+#include "numeric/body/shapes.h"
 #include "numeric/kernels/principal_moments.h"
-#include "numeric/shapes.h"
 
 namespace rigor {
 namespace {

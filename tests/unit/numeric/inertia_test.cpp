@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/inertia.h"
+#include "numeric/body/inertia.h"
 
 #include <cmath>
 #include <limits>

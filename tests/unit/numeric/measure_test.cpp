@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/measure.h"
+#include "numeric/measure/measure.h"
 
 #include <cmath>
 #include <limits>

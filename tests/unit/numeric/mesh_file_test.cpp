@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/mesh_file.h"
+#include "numeric/mesh/mesh_file.h"
 
 #include <fmt/format.h>
 

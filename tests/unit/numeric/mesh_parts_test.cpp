@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/mesh_parts.h"
+#include "numeric/mesh/mesh_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "catch.h"
 #include "numeric/kernels/mesh_families.h"
 #include "numeric/meshes.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/mesh.h"
+#include "numeric/mesh/mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "catch.h"
-#include "numeric/inertia.h"
+#include "numeric/body/inertia.h"
 #include "numeric/meshes.h"
 
 namespace rigor {

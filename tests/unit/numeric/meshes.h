@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "numeric/mesh.h"
+#include "numeric/mesh/mesh.h"
 
 namespace rigor {
 

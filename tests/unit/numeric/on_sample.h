@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "algebra/decide.h"
+#include "algebra/decide/decide.h"
 #include "base/check.h"
 #include "expr/build.h"
-#include "numeric/evaluate.h"
-#include "numeric/run_plan.h"
+#include "numeric/measure/evaluate.h"
+#include "numeric/program/run_plan.h"
 
 namespace rigor::build {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/program.h"
+#include "numeric/program/program.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/reference.h"
+#include "numeric/measure/reference.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/run_bounded_decimal.h"
+#include "numeric/run/run_bounded_decimal.h"
 
 #include <random>
 #include <vector>

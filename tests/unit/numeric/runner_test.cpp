@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/runner.h"
+#include "numeric/run/runner.h"
 
 #include <array>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/shapes.h"
+#include "numeric/body/shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "catch.h"
-#include "numeric/inertia.h"
+#include "numeric/body/inertia.h"
 
 namespace rigor {
 namespace {

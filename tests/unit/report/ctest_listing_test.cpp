@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/ctest_listing.h"
+#include "report/data/ctest_listing.h"
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/diagnostics_of.h"
+#include "report/wording/diagnostics_of.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/explained.h"
+#include "report/wording/explained.h"
 
 #include "catch.h"
 

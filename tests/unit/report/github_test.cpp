@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/github.h"
+#include "report/data/github.h"
 
 #include <algorithm>
 #include <sstream>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "example_report.h"
-#include "report/check_format.h"
+#include "report/wording/check_format.h"
 
 namespace rigor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/json.h"
+#include "report/data/json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/junit.h"
+#include "report/data/junit.h"
 
 #include "catch.h"
 #include "hostile_report.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/marks.h"
+#include "report/page/marks.h"
 
 #include "base/md5.h"
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 
 namespace rigor {
 namespace {

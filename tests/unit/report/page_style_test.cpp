@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "catch.h"
-#include "report/page_parts.h"
+#include "report/page/page_parts.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/plot.h"
+#include "report/picture/plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <set>
 
 #include "catch.h"
-#include "report/plot_ellipsoid.h"
-#include "report/plot_scale.h"
-#include "report/svg_label.h"
+#include "report/picture/plot_ellipsoid.h"
+#include "report/picture/plot_scale.h"
+#include "report/picture/svg_label.h"
 
 namespace rigor {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/read_recorded.h"
+#include "report/data/read_recorded.h"
 
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
 #include "example_report.h"
-#include "report/json.h"
+#include "report/data/json.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/replay_text.h"
+#include "report/text/replay_text.h"
 
 #include "catch.h"
 #include "example_report.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/report_archive.h"
+#include "report/data/report_archive.h"
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 #include "hostile_report.h"
-#include "report/json.h"
-#include "report/terminal.h"
+#include "report/data/json.h"
+#include "report/text/terminal.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/sample.h"
+#include "report/wording/sample.h"
 
 #include "catch.h"
 

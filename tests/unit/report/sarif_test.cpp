@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/sarif.h"
+#include "report/data/sarif.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/scene_text.h"
+#include "report/text/scene_text.h"
 
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "report/scene_json.h"
-#include "report/scene_plot.h"
+#include "report/data/scene_json.h"
+#include "report/picture/scene_plot.h"
 
 namespace rigor {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/shown_totals.h"
+#include "report/page/shown_totals.h"
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 
 namespace rigor {
 namespace {

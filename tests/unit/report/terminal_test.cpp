@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/terminal.h"
+#include "report/text/terminal.h"
 
 #include "catch.h"
 #include "example_report.h"

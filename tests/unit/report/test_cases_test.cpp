@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/test_cases.h"
+#include "report/data/test_cases.h"
 
 #include <algorithm>
 
 #include "catch.h"
-#include "check/check.h"
+#include "check/walk/check.h"
 
 namespace rigor {
 namespace {

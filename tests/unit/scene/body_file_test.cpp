@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/body_file.h"
+#include "scene/file/body_file.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "catch.h"
-#include "numeric/inertia.h"
+#include "numeric/body/inertia.h"
 #include "source/render.h"
 
 namespace rigor {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed form of a free body's motion beside the motion that a scene integrates from the notes'
 // equations.
-#include "scene/free_motion.h"
+#include "scene/motion/free_motion.h"
 
 #include <fmt/format.h>
 

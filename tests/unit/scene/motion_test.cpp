@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/motion.h"
+#include "scene/motion/motion.h"
 
 #include <cmath>
 #include <limits>

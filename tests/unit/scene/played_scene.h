@@ -7,11 +7,11 @@
 #include <string>
 
 #include "catch.h"
-#include "check/forms.h"
-#include "numeric/body.h"
-#include "scene/body_file.h"
-#include "scene/scene.h"
-#include "scene/scene_file.h"
+#include "check/form/forms.h"
+#include "numeric/body/body.h"
+#include "scene/file/body_file.h"
+#include "scene/file/scene_file.h"
+#include "scene/quantity/scene.h"
 #include "source/read_file.h"
 
 namespace rigor {

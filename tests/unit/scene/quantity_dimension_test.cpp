@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/quantity_dimension.h"
+#include "scene/quantity/quantity_dimension.h"
 
 #include "catch.h"
 #include "expr/build.h"

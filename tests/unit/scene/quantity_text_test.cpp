@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/quantity_text.h"
+#include "scene/file/quantity_text.h"
 
 #include <numbers>
 

@@ -6,9 +6,9 @@
 
 #include "base/splitmix.h"
 #include "catch.h"
-#include "numeric/bodies.h"
+#include "numeric/body/bodies.h"
 #include "numeric/kernels/moment_families.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 #include "scene/played_scene.h"
 
 namespace rigor {

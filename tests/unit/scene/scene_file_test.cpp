@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/scene_file.h"
+#include "scene/file/scene_file.h"
 
 #include <cmath>
 

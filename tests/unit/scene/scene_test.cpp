@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/scene.h"
+#include "scene/quantity/scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "catch.h"
 #include "expr/build.h"
-#include "numeric/bodies.h"
-#include "numeric/shapes.h"
+#include "numeric/body/bodies.h"
+#include "numeric/body/shapes.h"
 #include "scene/played_scene.h"
 
 namespace rigor {

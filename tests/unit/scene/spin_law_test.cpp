@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/spin_law.h"
+#include "scene/motion/spin_law.h"
 
 #include <array>
 #include <cmath>

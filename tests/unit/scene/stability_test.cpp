@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/stability.h"
+#include "scene/motion/stability.h"
 
 #include <cmath>
 
 #include "catch.h"
-#include "check/forms.h"
-#include "numeric/body.h"
-#include "scene/scene_functions.h"
+#include "check/form/forms.h"
+#include "numeric/body/body.h"
+#include "scene/quantity/scene_functions.h"
 
 namespace rigor {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/toml_reader.h"
+#include "scene/file/toml_reader.h"
 
 #include <functional>
 
 #include "catch.h"
-#include "scene/quantity_text.h"
+#include "scene/file/quantity_text.h"
 #include "source/render.h"
 
 namespace rigor {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/kernels/double_double.h"
+#include "numeric/lane/double_double.h"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -7,7 +7,7 @@
 
 #include "base/splitmix.h"
 #include "catch.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 
 namespace rigor {
 namespace {

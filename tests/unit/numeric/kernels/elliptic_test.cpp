@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "catch.h"
-#include "numeric/kernels/elliptic_lanes.h"
-#include "numeric/kernels/exact_terms.h"
+#include "numeric/lane/elliptic_lanes.h"
+#include "numeric/lane/exact_terms.h"
 
 namespace rigor {
 namespace {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "numeric/body.h"
+#include "numeric/body/body.h"
 
 namespace rigor {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/kernels/lane_kernels.h"
+#include "numeric/lane/lane_kernels.h"
 
 #include <string>
 

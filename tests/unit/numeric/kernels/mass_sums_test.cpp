@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "catch.h"
-#include "numeric/kernels/lane_kernels.h"
 #include "numeric/kernels/point_clouds.h"
+#include "numeric/lane/lane_kernels.h"
 
 namespace rigor {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "numeric/meshes.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 
 namespace rigor {
 namespace {

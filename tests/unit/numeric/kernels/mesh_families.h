@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "numeric/mesh.h"
-#include "numeric/run_decimal.h"
+#include "numeric/mesh/mesh.h"
+#include "numeric/run/run_decimal.h"
 
 namespace rigor {
 

@@ -9,7 +9,7 @@
 #include "catch.h"
 #include "numeric/kernels/mesh_families.h"
 #include "numeric/meshes.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 
 namespace rigor {
 namespace {

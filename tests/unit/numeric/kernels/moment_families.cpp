@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 
 namespace rigor {
 namespace {

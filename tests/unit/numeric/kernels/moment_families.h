@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "numeric/body.h"
-#include "numeric/run_decimal.h"
+#include "numeric/body/body.h"
+#include "numeric/run/run_decimal.h"
 
 namespace rigor {
 

@@ -5,7 +5,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
-#include "numeric/family_values.h"
+#include "numeric/family/family_values.h"
 
 namespace rigor {
 

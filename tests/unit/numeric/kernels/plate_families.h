@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/splitmix.h"
-#include "numeric/body.h"
+#include "numeric/body/body.h"
 
 namespace rigor {
 

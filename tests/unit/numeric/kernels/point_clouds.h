@@ -12,7 +12,7 @@
 
 #include "base/splitmix.h"
 #include "numeric/kernels/mass_sums.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 
 namespace rigor {
 

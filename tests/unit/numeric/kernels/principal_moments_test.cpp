@@ -10,7 +10,7 @@
 
 #include "catch.h"
 #include "numeric/kernels/solved_moments.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 
 namespace rigor {
 namespace {

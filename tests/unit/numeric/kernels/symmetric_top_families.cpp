@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "numeric/kernels/moment_families.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
 
 namespace rigor {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/run_decimal.h"
+#include "numeric/run/run_decimal.h"
 
 namespace rigor {
 

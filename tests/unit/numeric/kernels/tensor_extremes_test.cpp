@@ -7,8 +7,8 @@
 #include "base/splitmix.h"
 #include "catch.h"
 #include "numeric/kernels/principal_moments.h"
-#include "numeric/run_decimal.h"
-#include "numeric/uniform.h"
+#include "numeric/program/uniform.h"
+#include "numeric/run/run_decimal.h"
 
 namespace rigor {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "catch.h"
 #include "numeric/kernels/free_motion_reference.h"
-#include "numeric/kernels/lane_kernels.h"
 #include "numeric/kernels/torque_free.h"
+#include "numeric/lane/lane_kernels.h"
 
 namespace rigor {
 namespace {

@@ -11,7 +11,7 @@
 #include "base/splitmix.h"
 #include "catch.h"
 #include "numeric/kernels/free_motion_reference.h"
-#include "numeric/kernels/lane_kernels.h"
+#include "numeric/lane/lane_kernels.h"
 
 namespace rigor {
 namespace {

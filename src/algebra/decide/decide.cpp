@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order of the attempts: a quick look at samples, then proofs (definitions opaque before unfolded, few
+// assumptions before all of them), then the search for a sample in earnest.
+#include "algebra/decide/decide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "algebra/decide/prove.h"
+#include "algebra/sample/refute.h"
+
+namespace rigor {
+namespace {
+
+[[nodiscard]] Decision undecided(std::string reason) {
+  Decision decision;
+  decision.reason = std::move(reason);
+  return decision;
+}
+
+constexpr std::uint32_t cheap_terms = 3000;
+
+/// Why an equation is not even tried, if so.
+[[nodiscard]] std::optional<std::string> too_large(const Scope& scope, const Equation& equation) {
+  const Reach reached = reach(scope, equation);
+  if (reached.too_large) return reached.too_large;
+  const std::size_t axes = equation.indices.size() + scope.tree()[equation.left].rank;
+  if (axes <= largest_free_indices) return std::nullopt;
+  return fmt::format("{} free axes are more than the {} that are evaluated", axes, largest_free_indices);
+}
+
+/// Is there a quotient in the claim or in what it unfolds to? Then a proof says nothing where a denominator
+/// is zero for all values.
+[[nodiscard]] bool divides(const Scope& scope) {
+  const ExprTree& tree = scope.tree();
+  std::vector<ExprId> pending{scope.question().claim.left, scope.question().claim.right};
+  for (const Definition& definition : scope.question().definitions) pending.push_back(definition.body);
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    if (tree[id].op == Op::divide || (tree[id].op == Op::power && tree[id].exponent < 0)) return true;
+    for (const ExprId child : tree.children(id)) pending.push_back(child);
+  }
+  return false;
+}
+
+/// Does the statement, or an assumption, ask for more of its numbers than that they can be added and
+/// multiplied: for an order, or a root? Then a name that is defined by its square is a number of that kind
+/// only where its square is not negative, and not to be taken for one.
+[[nodiscard]] bool speaks_of_real_numbers(const Scope& scope) {
+  const auto speaks = [&](const Equation& equation) {
+    return equation.relation == Relation::less || equation.relation == Relation::less_or_equal ||
+           reach(scope, equation).roots;
+  };
+  const std::vector<Equation>& assumptions = scope.question().assumptions;
+  return speaks(scope.question().claim) || std::any_of(assumptions.begin(), assumptions.end(), speaks);
+}
+
+/// How the names of a question are taken while their definitions are not needed.
+[[nodiscard]] Scope::Definitions while_opaque(const Question& question) {
+  const bool squares = std::any_of(question.definitions.begin(), question.definitions.end(),
+                                   [](const Definition& each) { return each.by_square; });
+  if (!squares) return Scope::Definitions::opaque;
+  return speaks_of_real_numbers(Scope(question, Scope::Definitions::opaque))
+             ? Scope::Definitions::opaque_but_squares
+             : Scope::Definitions::opaque;
+}
+
+/// A proof, and under what it was found.
+struct Found {
+  Proof proof;
+  Attempt under;
+  bool unfolded = false;  // with definitions unfolded
+  Work cost;
+};
+
+/// One decision: what is known so far, and the steps.
+class Decider {
+ public:
+  Decider(const Question& question, const Limits& limits)
+      : limits_(limits),
+        unfolded_(question, Scope::Definitions::unfolded),
+        opaque_(question, while_opaque(question)),
+        refuter_(unfolded_, limits) {}
+
+  [[nodiscard]] Decision decide();
+
+ private:
+  [[nodiscard]] std::optional<std::string> why_not_tried() const;
+  template <class Search>
+  [[nodiscard]] std::optional<Refuter::Counterexample> look(const Search& search);
+  [[nodiscard]] bool needs_definitions();
+  [[nodiscard]] std::vector<std::vector<std::size_t>> choices_of_assumptions();
+  [[nodiscard]] std::optional<Found> try_all_proofs(Effort effort);
+  [[nodiscard]] std::optional<Found> try_proof(const Attempt& attempt, bool unfolded);
+  [[nodiscard]] std::optional<Found> try_cheap_proof(const Attempt& attempt, bool& finished);
+  void drop_needless_assumptions(Found& found);
+  [[nodiscard]] Decision proved(const Found& found) const;
+  [[nodiscard]] Decision proved_by_value();
+  [[nodiscard]] Decision refuted(const Refuter::Counterexample& counterexample);
+  [[nodiscard]] std::string why_open() const;
+
+  Limits limits_;
+  Scope unfolded_;
+  Scope opaque_;
+  Refuter refuter_;
+  Work work_;
+  std::optional<bool> needs_definitions_;
+  std::string gave_up_;         // the reason why the last proof was broken off
+  bool no_real_value_ = false;  // a proof met a root of what is negative
+  Proof last_proof_;            // the last one that was finished and does not hold
+};
+
+std::optional<std::string> Decider::why_not_tried() const {
+  const Question& question = unfolded_.question();
+  if (auto reason = too_large(unfolded_, question.claim)) return reason;
+  for (const std::size_t position : refuter_.assumptions()) {
+    if (auto reason = too_large(unfolded_, question.assumptions[position])) return reason;
+  }
+  return std::nullopt;
+}
+
+std::optional<Found> Decider::try_proof(const Attempt& attempt, bool unfolded) {
+  const Work before = work_;
+  try {
+    const Proof proof = prove(unfolded ? unfolded_ : opaque_, attempt, limits_, work_);
+    if (proof.holds)
+      return Found{proof, attempt, unfolded, {work_.terms - before.terms, work_.steps - before.steps}};
+    last_proof_ = proof;
+  } catch (const NoRealValue& reason) {
+    gave_up_ = reason.what();
+    no_real_value_ = true;
+  } catch (const Undecidable& reason) {
+    gave_up_ = reason.what();
+  }
+  return std::nullopt;
+}
+
+/// With definitions opaque, and broken off early: they may be needed, and then it is in vain.
+std::optional<Found> Decider::try_cheap_proof(const Attempt& attempt, bool& finished) {
+  Limits limits = limits_;
+  limits.expanded_terms = std::min(limits.expanded_terms, cheap_terms);
+  Work work;
+  try {
+    const Proof proof = prove(opaque_, attempt, limits, work);
+    finished = true;
+    if (proof.holds) return Found{proof, attempt, false, work};
+    last_proof_ = proof;
+  } catch (const Undecidable&) {
+    // tried again with the full limits, if need be
+  }
+  return std::nullopt;
+}
+
+/// Is the claim, its definitions opaque, refuted by a sample? Then it has no proof with them opaque.
+bool Decider::needs_definitions() {
+  if (!needs_definitions_) {
+    Refuter refuter(opaque_, limits_);
+    needs_definitions_ = look([&] { return refuter.quick_look(); }).has_value();
+  }
+  return *needs_definitions_;
+}
+
+/// Which assumptions are tried together, the fewest first.
+std::vector<std::vector<std::size_t>> Decider::choices_of_assumptions() {
+  std::vector<std::vector<std::size_t>> choices;
+  const std::vector<std::size_t>& all = refuter_.assumptions();
+  if (all.empty() || !refuter_.fails_without_assumptions()) choices.emplace_back();
+  if (all.empty()) return choices;
+  std::vector<std::size_t> core = core_assumptions(unfolded_, all);
+  if (!core.empty() && core.size() < all.size()) choices.push_back(std::move(core));
+  choices.push_back(all);
+  return choices;
+}
+
+std::optional<Found> Decider::try_all_proofs(Effort effort) {
+  const bool has_definitions = !refuter_.reach().unfolded.empty();
+  for (const std::vector<std::size_t>& assumptions : choices_of_assumptions()) {
+    const Attempt attempt{.effort = effort, .assumptions = assumptions};
+    const bool opaque = !has_definitions || !needs_definitions();
+    bool finished = !opaque;
+    if (opaque && has_definitions) {
+      if (auto found = try_cheap_proof(attempt, finished)) return found;
+    }
+    if (has_definitions) {
+      if (auto found = try_proof(attempt, true)) return found;
+    }
+    if (finished) continue;
+    if (auto found = try_proof(attempt, false)) return found;
+  }
+  return std::nullopt;
+}
+
+/// First all that the proof has not used, then one after the other, for no more work than the proof took.
+void Decider::drop_needless_assumptions(Found& found) {
+  constexpr std::uint64_t least_steps = 2'000;
+  constexpr std::uint32_t least_terms = 2'000;
+  Limits limits = limits_;
+  limits.steps = std::min(limits.steps, found.cost.steps + least_steps);
+  limits.expanded_terms =
+      std::min(limits.expanded_terms, static_cast<std::uint32_t>(found.cost.terms) + least_terms);
+  Work work;
+  const auto keep = [&](std::vector<std::size_t> assumptions) {
+    const Attempt fewer{.effort = found.under.effort, .assumptions = std::move(assumptions)};
+    try {
+      const Proof proof = prove(found.unfolded ? unfolded_ : opaque_, fewer, limits, work);
+      if (!proof.holds) return false;
+      found.proof = proof;
+      found.under = fewer;
+      return true;
+    } catch (const Undecidable&) {
+      return false;
+    }
+  };
+  const std::vector<std::size_t>& kept = found.under.assumptions;
+  if (kept.size() < 2) return;  // without any it was tried already
+  if (found.proof.used.size() < kept.size()) keep(found.proof.used);
+  for (std::size_t i = 0; i < kept.size() && kept.size() > 1;) {
+    std::vector<std::size_t> fewer = kept;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (!keep(std::move(fewer))) ++i;
+  }
+}
+
+Decision Decider::proved(const Found& found) const {
+  Decision decision;
+  decision.outcome = Outcome::proved;
+  decision.vanishes = found.proof.vanishes;
+  decision.route = found.proof.order ? "sign of the difference" : "component normal form";
+  if (found.proof.moments) decision.route += ", moments of any number of particles";
+  if (found.proof.unit_vectors) decision.route += ", unit vectors at the generic point";
+  if (found.proof.rotations) decision.route += ", rotations at the generic point";
+  if (found.proof.functions) decision.route += ", addition formulas";
+  if (found.proof.radicals) decision.route += ", radicals";
+  decision.unfolded = reach_of_sample(found.unfolded ? unfolded_ : opaque_, found.under.assumptions).unfolded;
+  decision.assumptions = found.under.assumptions;
+  return decision;
+}
+
+/// A claim without symbols holds if its numbers are equal.
+Decision Decider::proved_by_value() {
+  Decision decision;
+  decision.outcome = Outcome::proved;
+  decision.vanishes = refuter_.left_vanishes();
+  decision.route = "component normal form";
+  decision.unfolded = refuter_.reach().unfolded;
+  return decision;
+}
+
+/// What is printed is put into the question again first, as its reader would do it.
+Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
+  Decision decision;
+  decision.outcome = Outcome::refuted;
+  decision.route = "exact sample";
+  decision.unfolded = refuter_.reach().unfolded;
+  decision.assumptions = refuter_.assumptions();
+  decision.sample =
+      limits_.simplest_sample ? refuter_.simplest(counterexample) : refuter_.to_sample(counterexample);
+  const Replay again = replay_closely(unfolded_.question(), *decision.sample);
+  const bool confirmed = again.fault == Replay::Fault::none && again.differ &&
+                         again.sides.left == decision.sample->left &&
+                         again.sides.right == decision.sample->right;
+  return confirmed ? decision : undecided("a sample was found that does not hold when it is put in again");
+}
+
+std::string Decider::why_open() const {
+  if (!gave_up_.empty()) return gave_up_;
+  const std::uint32_t tried = refuter_.points_tried();
+  if (refuter_.points_compared() == 0) {
+    const bool free = refuter_.assumptions().empty();
+    return fmt::format("no proof, and none of {} exact samples {}", tried,
+                       free ? "gives both sides a rational value" : "is known to satisfy the assumptions");
+  }
+  std::string reason = "no proof";
+  if (last_proof_.radicals) reason = "no proof, since its roots may depend on each other";
+  if (last_proof_.unsolved_assumptions) reason = "no proof, since its assumptions have no unique solution";
+  return fmt::format("{}; it holds on all of {} exact samples on which both sides have a rational value",
+                     reason, refuter_.points_compared());
+}
+
+/// Samples that are too much work are not the end: a proof may be less.
+template <class Search>
+std::optional<Refuter::Counterexample> Decider::look(const Search& search) {
+  try {
+    return search();
+  } catch (const Undecidable& reason) {
+    if (gave_up_.empty()) gave_up_ = reason.what();
+    return std::nullopt;
+  }
+}
+
+Decision Decider::decide() {
+  if (auto reason = why_not_tried()) return undecided(*std::move(reason));
+  if (const auto differs = look([this] { return refuter_.quick_look(); })) return refuted(*differs);
+  if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
+  auto found = try_all_proofs(Effort::plain);
+  if (!found && last_proof_.radicals) found = try_all_proofs(Effort::factored);
+  if (found && !found->proof.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
+    static_cast<void>(look([this] {
+      refuter_.find_a_point();
+      return std::optional<Refuter::Counterexample>();
+    }));
+    if (refuter_.points_compared() == 0)
+      return undecided("no sample was found at which both sides have a value");
+  }
+  if (found) {
+    if (limits_.fewest_assumptions) drop_needless_assumptions(*found);
+    return proved(*found);
+  }
+  if (const auto differs = look([this] { return refuter_.search(); })) return refuted(*differs);
+  Decision open = undecided(why_open());
+  open.no_real_value = no_real_value_ && refuter_.points_compared() == 0;
+  return open;
+}
+
+}  // namespace
+
+Decision decide(const Question& question, const Limits& limits) {
+  Budget own;
+  Limits counted = limits;
+  if (counted.budget == nullptr) counted.budget = &own;
+  try {
+    return Decider(question, counted).decide();
+  } catch (const Undecidable& reason) {
+    return undecided(reason.what());
+  }
+}
+
+}  // namespace rigor

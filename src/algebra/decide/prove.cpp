@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/decide/prove.h"
+
+#include <fmt/format.h>
+
+#include "algebra/evaluator/components.h"
+#include "algebra/generic/constraints.h"
+#include "algebra/generic/order.h"
+#include "base/check.h"
+
+namespace rigor {
+namespace {
+
+/// Does right − left have a sign that the relation allows?
+[[nodiscard]] bool has_order(GenericDomain& domain, Constraints& constraints, Relation relation,
+                             const Fraction& difference) {
+  const Sign allowed = relation == Relation::less            ? Sign::positive
+                       : relation == Relation::less_or_equal ? Sign::not_negative
+                                                             : Sign::not_zero;
+  if (is_surely(domain.signs().of(difference), allowed)) return true;
+  const GiNaC::ex value = constraints.reduced(domain.with_sign_of(difference));
+  return Order(domain).is_within(value, allowed, constraints.reduced_facts());
+}
+
+[[nodiscard]] Proof prove_components(const Scope& scope, const Attempt& attempt, const Limits& limits,
+                                     Work& work, int angle_divisor) {
+  const Equation& claim = scope.question().claim;
+  GenericDomain domain(scope, limits, attempt.effort, work, angle_divisor);
+  Evaluator<GenericDomain> evaluator(scope, domain);
+  Constraints constraints(scope, domain, evaluator);
+  // An equation or ≤ that holds on all of the chart holds at the point that it misses; < and ≠ need not.
+  if (claim.relation == Relation::less || claim.relation == Relation::unequal) {
+    constraints.take_unit_vectors_as_coordinates(reach(scope, claim).symbols);
+  }
+  constraints.assume(attempt.assumptions);
+  for (std::size_t i = 0; i < claim.particles.size(); ++i) {
+    evaluator.bind(claim.particles[i], first_free_frame + static_cast<Frame>(i));
+  }
+  const auto note_divisors = [&](const Fraction& left, const Fraction& right) {
+    for (const Fraction* side : {&left, &right}) {
+      for (const Divisor& divisor : side->divisors) {
+        if (constraints.reduced(divisor.base).is_zero())
+          throw Undecidable("a denominator is zero under the assumptions");
+        constraints.note_nonzero(divisor.base);
+        if (claim.relation != Relation::equal) domain.signs().add_fact(divisor.base, Sign::not_zero);
+      }
+    }
+  };
+  const auto is_zero = [&](const Fraction& left, const Fraction& right) {
+    note_divisors(left, right);
+    return constraints.vanishes(domain.difference(left, right));
+  };
+  const auto is_right = [&](const Fraction& left, const Fraction& right) {
+    if (claim.relation == Relation::equal) return is_zero(left, right);
+    note_divisors(left, right);
+    domain.signs().conclude();
+    return has_order(domain, constraints, claim.relation, domain.subtracted(right, left));
+  };
+  if (claim.relation != Relation::equal) domain.note_signs_as_written();
+  Proof proof;
+  proof.order = claim.relation != Relation::equal;
+  const auto vanishes_alone = [&](const Fraction& left, const Fraction& right) {  // both are equal
+    return right.numerator.is_zero() || constraints.reduced(domain.difference(left, Fraction{})).is_zero();
+  };
+  proof.vanishes = !proof.order;
+  proof.holds = for_each_component(evaluator, scope.tree(), claim,
+                                   [&](const auto&, const Fraction& left, const Fraction& right) {
+                                     if (!is_right(left, right)) return false;
+                                     proof.vanishes = proof.vanishes && vanishes_alone(left, right);
+                                     return true;
+                                   });
+  proof.vanishes = proof.vanishes && proof.holds;
+  const bool by_signs = proof.order || domain.used_radicals() || domain.used_functions();
+  const auto used = constraints.used(by_signs);
+  proof.used.assign(used.begin(), used.end());
+  proof.moments = domain.used_moments();
+  proof.unit_vectors = domain.used_unit_vectors();
+  proof.rotations = domain.used_rotations();
+  proof.radicals = domain.used_radicals();
+  proof.functions = domain.used_functions();
+  proof.unsolved_assumptions = !proof.holds && constraints.incomplete();
+  return proof;
+}
+
+}  // namespace
+
+Proof prove(const Scope& scope, const Attempt& attempt, const Limits& limits, Work& work) {
+  try {
+    for (int angle_divisor = 1;;) {
+      try {
+        return prove_components(scope, attempt, limits, work, angle_divisor);
+      } catch (const FinerAngles& finer) {
+        angle_divisor = finer.divisor();
+      }
+    }
+  } catch (const Undecidable&) {
+    throw;
+  } catch (const InternalError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Undecidable(fmt::format("the computer algebra library gave up: {}", error.what()));
+  }
+}
+
+}  // namespace rigor

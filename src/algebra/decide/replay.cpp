@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Samples that others hold: is one still a counterexample?
+#include <algorithm>
+#include <utility>
+
+#include "algebra/decide/decide.h"
+#include "algebra/sample/refute.h"
+#include "algebra/sample/sample_text.h"
+#include "base/among.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at most
+
+/// Puts the sample's values into a point; the symbol for which one is missing or does not fit, if any.
+[[nodiscard]] std::optional<SymbolId> fill(SamplePoint& point, const ExprTree& tree, const Sample& sample) {
+  for (const SymbolId symbol : point.symbols()) {
+    const bool per_particle = tree.symbols[symbol].per_particle;
+    const Meaning meaning = meaning_in(sample, symbol);
+    point.mean(symbol, meaning);
+    for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
+      const auto value =
+          std::find_if(sample.values.begin(), sample.values.end(),
+                       [&](const SampleValue& each) { return each.symbol == symbol && each.particle == p; });
+      if (value == sample.values.end()) return symbol;
+      const auto components = to_components(*value, tree.symbols[symbol], meaning);
+      if (!components) return symbol;
+      point.set_all(symbol, p, *components);
+    }
+  }
+  return std::nullopt;
+}
+
+[[nodiscard]] bool fits(const ExprTree& tree, const Equation& claim, const Sample& sample) {
+  const std::size_t axes = claim.indices.size() + tree[claim.left].rank;
+  const auto is_axis = [](std::uint8_t axis) { return axis >= 1 && axis <= 3; };
+  const auto is_particle = [&](std::uint32_t particle) {
+    return particle >= 1 && particle <= sample.particles;
+  };
+  return sample.axes.size() == axes && sample.free_particles.size() == claim.particles.size() &&
+         std::all_of(sample.axes.begin(), sample.axes.end(), is_axis) &&
+         std::all_of(sample.free_particles.begin(), sample.free_particles.end(), is_particle);
+}
+
+/// The position of the first assumption that does not hold on the point, or has no value there.
+[[nodiscard]] std::optional<std::size_t> broken_assumption(const Question& question,
+                                                           const std::vector<std::size_t>& positions,
+                                                           SampleEvaluator& evaluator) {
+  for (const std::size_t position : positions) {
+    try {
+      if (!evaluator.holds(question.assumptions[position])) return position;
+    } catch (const PointRejected&) {
+      return position;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Those that are written there, each once, left before right.
+[[nodiscard]] std::vector<SymbolId> symbols_in_claim(const Question& question) {
+  std::vector<SymbolId> symbols;
+  for (const ExprId side : {question.claim.left, question.claim.right}) {
+    for (const SymbolId symbol : symbols_in(*question.tree, side)) {
+      if (!is_one_of(symbol, symbols)) symbols.push_back(symbol);
+    }
+  }
+  return symbols;
+}
+
+[[nodiscard]] Replay fault(Replay::Fault kind) {
+  Replay result;
+  result.fault = kind;
+  return result;
+}
+
+}  // namespace
+
+Replay replay_closely(const Question& question, const Sample& sample) {
+  const Scope scope(question, Scope::Definitions::unfolded);
+  const std::vector<std::size_t> assumptions = relevant_assumptions(scope);
+  const Reach reached = reach_of_sample(scope, assumptions);
+  if (reached.too_large) return fault(Replay::Fault::undefined);
+  if (sample.particles > most_particles || reached.particles != (sample.particles > 0) ||
+      !fits(scope.tree(), question.claim, sample))
+    return fault(Replay::Fault::place);
+  SamplePoint point(scope.tree(), reached.symbols, sample.particles);
+  Replay result;
+  if (const auto symbol = fill(point, scope.tree(), sample)) {
+    result.fault = Replay::Fault::value;
+    result.symbol = *symbol;
+    return result;
+  }
+  SampleEvaluator evaluator(scope, Limits{});
+  try {
+    evaluator.look_at(point);
+    if (const auto broken = broken_assumption(question, assumptions, evaluator)) {
+      result.fault = Replay::Fault::assumption;
+      result.assumption = *broken;
+      return result;
+    }
+    const Difference sides = evaluator.at(question.claim, {sample.axes, sample.free_particles});
+    result.sides = {to_text(sides.left), to_text(sides.right)};
+    result.differ = !is_related(sides.left, question.claim.relation, sides.right);
+    return result;
+  } catch (const PointRejected&) {
+    return fault(Replay::Fault::undefined);
+  } catch (const Undecidable&) {
+    return fault(Replay::Fault::undefined);
+  }
+}
+
+std::optional<SideValues> replay(const Question& question, const Sample& sample) {
+  Replay result = replay_closely(question, sample);
+  if (result.fault != Replay::Fault::none) return std::nullopt;
+  return std::move(result.sides);
+}
+
+std::vector<SampleValue> following_values(const Question& question, const Sample& sample) {
+  const Scope scope(question, Scope::Definitions::unfolded);
+  const Reach reached = reach_of_sample(scope, relevant_assumptions(scope));
+  std::vector<SampleValue> values;
+  if (reached.too_large) return values;
+  SamplePoint point(scope.tree(), reached.symbols, sample.particles);
+  if (fill(point, scope.tree(), sample)) return values;
+  SampleEvaluator evaluator(scope, Limits{});
+  evaluator.look_at(point);
+  for (const SymbolId symbol : symbols_in_claim(question)) {
+    const Definition* definition = scope.is_zeroed(symbol) ? nullptr : scope.definition_of(symbol);
+    if (definition == nullptr) continue;
+    const bool per_particle = scope.tree().symbols[symbol].per_particle;
+    for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
+      try {
+        SampleValue value{.symbol = symbol, .particle = p, .components = {}};
+        for (const Rational& each : evaluator.value_of(*definition, p))
+          value.components.push_back(to_text(each));
+        values.push_back(std::move(value));
+      } catch (const PointRejected&) {
+        // it has no rational value: the sides may have one all the same
+      } catch (const Undecidable&) {
+        return values;
+      }
+    }
+  }
+  return values;
+}
+
+std::vector<SymbolId> symbols_of_sample(const Question& question) {
+  const Scope scope(question, Scope::Definitions::unfolded);
+  return reach_of_sample(scope, relevant_assumptions(scope)).symbols;
+}
+
+}  // namespace rigor

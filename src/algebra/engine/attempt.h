@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One attempt at a proof, and what all attempts have cost.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rigor {
+
+/// How hard to look for factors of what stands under a root (`radicals.h`).
+enum class Effort : std::uint8_t { plain, factored };
+
+/// Under what a proof is tried.
+struct Attempt {
+  Effort effort = Effort::plain;
+  std::vector<std::size_t> assumptions = {};  // those to be used, by position
+};
+
+/// What the attempts at one decision have cost together.
+struct Work {
+  double terms = 0;         // expanded, by the estimates
+  std::uint64_t steps = 0;  // of evaluation
+};
+
+}  // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/engine/budget.h"
+
+#include <fmt/format.h>
+
+#include "algebra/engine/undecidable.h"
+
+namespace rigor {
+
+void Budget::give_up() const {
+  throw Undecidable(fmt::format("it takes more than {} units of work, which `--effort` bounds", most_));
+}
+
+}  // namespace rigor

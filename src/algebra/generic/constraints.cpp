@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/generic/constraints.h"
+
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/engine/terms.h"
+#include "algebra/engine/undecidable.h"
+#include "algebra/evaluator/components.h"
+#include "algebra/ring/kernel.h"
+
+namespace rigor {
+namespace {
+
+using GiNaC::ex;
+
+constexpr std::size_t largest_instances = 64;  // choices of the claim's particles for an assumption
+
+/// The solution of an equation that is linear in x with a numeric coefficient.
+[[nodiscard]] ex solved_for(const ex& equation, const ex& x) {
+  return (-equation.coeff(x, 0) / equation.coeff(x, 1)).expand();
+}
+
+}  // namespace
+
+void Constraints::assume(std::span<const std::size_t> positions) {
+  const std::vector<Equation>& assumptions = scope_.question().assumptions;
+  const auto for_each = [&](bool order, const auto& take) {
+    for (const std::size_t position : positions) {
+      if ((assumptions[position].relation != Relation::equal) == order) take(position);
+    }
+  };
+  for (const std::size_t position : positions) {
+    take_unit_vectors_as_coordinates(reach(scope_, assumptions[position]).symbols);
+  }
+  for_each(true, [&](std::size_t position) {
+    orders_.insert(position);
+    learn_signs(assumptions[position]);
+  });
+  domain_.signs().conclude();
+  evaluator_.forget();
+  for_each(false, [&](std::size_t position) {
+    if (assumptions[position].particles.size() == 1) solve_for_each_particle(position);
+  });
+  for_each(false, [&](std::size_t position) { collect(position); });
+  eliminate();
+}
+
+/// An order for each particle is learnt at the template, which all particles share, and for those of the
+/// claim.
+void Constraints::learn_signs(const Equation& assumption) {
+  if (assumption.particles.size() > 1) return;
+  const bool each_particle = !assumption.particles.empty();
+  const Relation relation = assumption.relation;
+  const Sign sign = relation == Relation::less            ? Sign::positive
+                    : relation == Relation::less_or_equal ? Sign::not_negative
+                                                          : Sign::not_zero;
+  const auto last = static_cast<Frame>(scope_.question().claim.particles.size()) + first_free_frame;
+  for (Frame frame = template_frame; frame < (each_particle ? last : template_frame + 1); ++frame) {
+    if (each_particle) evaluator_.bind(assumption.particles[0], frame);
+    for_each_component(evaluator_, scope_.tree(), assumption,
+                       [&](const auto&, const Fraction& left, const Fraction& right) {
+                         const Fraction difference = domain_.subtracted(right, left);
+                         const ex value = domain_.with_sign_of(difference);
+                         const Sign narrower = common(sign, domain_.signs().of(difference));
+                         if (narrower == Sign::negative) {  // −Σ (a − b)² ≠ 0
+                           domain_.signs().add_fact((-value).expand(), Sign::positive);
+                         } else {
+                           domain_.signs().add_fact(value, narrower == Sign::impossible ? sign : narrower);
+                         }
+                         const bool nonzero = rigor::is_within(sign, Sign::not_zero);
+                         if (nonzero && (!each_particle || frame != template_frame)) note_nonzero(value);
+                         if (is_number(value) && !rigor::is_within(domain_.signs().of(value), sign)) {
+                           throw Contradiction();
+                         }
+                         return true;
+                       });
+    evaluator_.forget();
+  }
+}
+
+std::vector<Signs::Fact> Constraints::reduced_facts() {
+  used_.insert(orders_.begin(), orders_.end());
+  std::vector<Signs::Fact> facts;
+  for (const Signs::Fact& fact : domain_.signs().facts()) {
+    const ex value = reduced(fact.value);
+    if (!is_number(value)) facts.push_back({value, fact.sign});
+    if (is_number(value) && !rigor::is_within(domain_.signs().of(value), fact.sign)) {
+      throw Contradiction();
+    }
+  }
+  return facts;
+}
+
+void Constraints::take_unit_vectors_as_coordinates(std::span<const SymbolId> symbols) {
+  for (const SymbolId symbol : symbols) {
+    const Symbol& named = scope_.tree().symbols[symbol];
+    if (!named.unit || scope_.is_defined(symbol) || !domain_.take_as_coordinates(symbol)) continue;
+    if (named.per_particle) continue;  // then n_3² = 1 − n_1² − n_2² is replaced wherever it stands
+    ex square = -1;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      square += GiNaC::pow(domain_.indeterminates().coordinate(symbol, i, common_frame), 2);
+    }
+    equations_.push_back({square, {}});
+    unit_vectors_.push_back(symbol);
+  }
+}
+
+/// Component after component, each with the earlier ones in force.
+void Constraints::solve_for_each_particle(std::size_t position) {
+  const Equation& assumption = scope_.question().assumptions[position];
+  std::size_t solved = 0;
+  for (bool again = true; again;) {
+    again = false;
+    std::size_t seen = 0;
+    evaluator_.forget();
+    evaluator_.bind(assumption.particles[0], template_frame);
+    for_each_component(evaluator_, scope_.tree(), assumption,
+                       [&](const auto&, const Fraction& left, const Fraction& right) {
+                         if (seen++ < solved) return true;
+                         ++solved;
+                         again = replace_own_number(domain_.difference(left, right));
+                         if (again) used_.insert(position);
+                         return !again;
+                       });
+  }
+  evaluator_.forget();
+}
+
+bool Constraints::replace_own_number(const ex& equation) {
+  const Indeterminates& indeterminates = domain_.indeterminates();
+  const std::vector<ex>& all = indeterminates.all();
+  const bool plain = std::none_of(all.begin(), all.end(), [&](const ex& x) {
+    const Indeterminates::Origin& origin = indeterminates.origin(x);
+    return origin.kind != Indeterminates::Kind::coordinate && origin.frames != 0 && equation.has(x);
+  });
+  if (!plain) return false;  // a root or a moment that is this particle's
+  for (const ex& x : all) {
+    const Indeterminates::Origin origin = indeterminates.origin(x);
+    if (origin.kind != Indeterminates::Kind::coordinate || origin.frame != template_frame) continue;
+    const Symbol& named = scope_.tree().symbols[origin.symbol];
+    if ((named.unit || named.rotation) && !scope_.is_defined(origin.symbol)) continue;
+    if (equation.degree(x) != 1 || !is_number(equation.coeff(x, 1))) continue;
+    domain_.replace(origin.symbol, origin.component, solved_for(equation, x));
+    return true;
+  }
+  return false;
+}
+
+/// An assumption for each particle holds for those that the claim names.
+void Constraints::collect(std::size_t position) {
+  const Equation& assumption = scope_.question().assumptions[position];
+  const std::size_t free_particles = scope_.question().claim.particles.size();
+  const std::size_t count = assumption.particles.size();
+  if (count > 0 && free_particles == 0) return;
+  const double instances = std::pow(static_cast<double>(free_particles), static_cast<double>(count));
+  if (count > 0 && instances > static_cast<double>(largest_instances)) return;
+  const auto last = first_free_frame + static_cast<Frame>(free_particles) - 1;
+  std::vector<std::uint32_t> frames(count, first_free_frame);
+  std::vector<ex> all;
+  do {
+    for (std::size_t i = 0; i < count; ++i) evaluator_.bind(assumption.particles[i], frames[i]);
+    for_each_component(evaluator_, scope_.tree(), assumption,
+                       [&](const auto&, const Fraction& left, const Fraction& right) {
+                         const ex equation = domain_.difference(left, right);
+                         for (const Fraction* side : {&left, &right}) {
+                           for (const Divisor& each : side->divisors) note_nonzero(each.base);
+                         }
+                         all.push_back(equation);
+                         equations_.push_back({equation, {position}});
+                         equations_.push_back({domain_.radicals().squared(equation), {position}});
+                         return true;
+                       });
+  } while (next_tuple(frames, first_free_frame, last));
+  collect_determinants(all, position);
+}
+
+void Constraints::collect_determinants(std::span<const ex> equations, std::size_t position) {
+  Indeterminates& known = domain_.indeterminates();
+  for (const SymbolId symbol : unit_vectors_) {
+    const std::array<ex, 3> n{known.coordinate(symbol, 0, common_frame),
+                              known.coordinate(symbol, 1, common_frame),
+                              known.coordinate(symbol, 2, common_frame)};
+    for (ex& each : kernel_determinants(equations, n)) determinants_.push_back({std::move(each), {position}});
+  }
+}
+
+/// The first in the order of creation, so that the choice is the same in every run; a radical only if there
+/// is no other.
+ex Constraints::linear_indeterminate(const ex& equation) const {
+  for (const bool radical : {false, true}) {
+    for (const ex& x : domain_.indeterminates().all()) {
+      if (domain_.radicals().is_radical(x) != radical) continue;
+      if (equation.degree(x) == 1 && is_number(equation.coeff(x, 1))) return x;
+    }
+  }
+  return 0;
+}
+
+ex Constraints::monic_indeterminate(const ex& equation) const {
+  for (const ex& x : domain_.indeterminates().all()) {
+    if (domain_.radicals().is_radical(x)) continue;
+    const int degree = equation.degree(x);
+    if (degree >= 2 && is_number(equation.coeff(x, degree))) return x;
+  }
+  return 0;
+}
+
+ex Constraints::substituted(const ex& value, const Solution& by) {
+  const int degree = value.degree(by.indeterminate);
+  if (degree == 0) return value;
+  const double growth = std::pow(static_cast<double>(std::max<std::size_t>(term_count(by.worth), 1)), degree);
+  return domain_.reduced(value.subs(by.indeterminate == by.worth, GiNaC::subs_options::no_pattern),
+                         static_cast<double>(term_count(value)) * growth);
+}
+
+void Constraints::substitute(ex& value, Positions& from, const Solution& by) {
+  if (value.degree(by.indeterminate) == 0) return;
+  value = substituted(value, by);
+  from.insert(by.from.begin(), by.from.end());
+}
+
+void Constraints::eliminate() {
+  std::vector<Known> open = equations_;
+  for (bool again = true; again;) {
+    again = false;
+    std::erase_if(open, [](const Known& each) { return each.equation.is_zero(); });
+    for (std::size_t i = 0; i < open.size() && !again; ++i) {
+      if (is_number(open[i].equation)) throw Contradiction();
+      const ex x = linear_indeterminate(open[i].equation);
+      if (x.is_zero()) continue;
+      const Solution solution{x, solved_for(open[i].equation, x), open[i].from};
+      open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
+      for (Known& other : open) substitute(other.equation, other.from, solution);
+      for (Solution& earlier : solutions_) substitute(earlier.worth, earlier.from, solution);
+      solutions_.push_back(solution);
+      again = true;
+    }
+  }
+  for (const Known& each : open) {
+    remaining_.push_back({each.equation, monic_indeterminate(each.equation), each.from,
+                          domain_.indeterminates().positions_in(each.equation)});
+  }
+}
+
+}  // namespace rigor

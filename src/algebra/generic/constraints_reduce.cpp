@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the solved assumptions make of a polynomial: the part of Constraints that a claim meets.
+#include <ginac/ginac.h>
+
+#include <algorithm>
+
+#include "algebra/engine/terms.h"
+#include "algebra/engine/undecidable.h"
+#include "algebra/generic/constraints.h"
+#include "algebra/ring/expansion.h"
+#include "algebra/ring/membership.h"
+
+namespace rigor {
+namespace {
+
+using GiNaC::ex;
+
+constexpr std::size_t largest_division = 100'000;  // terms times terms
+constexpr std::size_t largest_product = 500;       // terms
+constexpr std::size_t largest_tried = 12;          // factors that are not 0, and their squares
+constexpr int largest_reduced_power = 2;           // of one of them
+
+/// Is a division worth its time?
+[[nodiscard]] bool is_divided(const ex& dividend, const ex& divisor) {
+  return term_count(dividend) * term_count(divisor) <= largest_division;
+}
+
+}  // namespace
+
+/// By the equations that could be solved for an indeterminate.
+ex Constraints::solved(const ex& value) {
+  ex rest = value;
+  for (const Solution& solution : solutions_) {
+    if (rest.is_zero()) return rest;
+    substitute(rest, used_, solution);
+  }
+  return rest;
+}
+
+ex Constraints::reduced(const ex& value) {
+  ex rest = solved(value);
+  for (const Remaining& each : remaining_) {
+    if (rest.is_zero()) return rest;
+    if (!each.monic_in.is_zero() && is_divided(rest, each.equation) &&
+        rest.degree(each.monic_in) >= each.equation.degree(each.monic_in)) {
+      domain_.count(static_cast<double>(term_count(rest) * term_count(each.equation)));
+      rest = GiNaC::rem(rest, each.equation, each.monic_in).expand();
+      use(each.from);
+    }
+  }
+  return rest;
+}
+
+void Constraints::note_nonzero(const ex& value) {
+  const bool known =
+      std::any_of(nonzero_.begin(), nonzero_.end(), [&](const ex& each) { return each.is_equal(value); });
+  if (!known && !is_number(value)) nonzero_.push_back(value);
+}
+
+/// Is the value, or its product with something that is not 0, a combination of the equations?
+bool Constraints::is_combination_times_nonzero(const ex& value, const System& system,
+                                               const std::vector<std::size_t>& which) {
+  const std::vector<ex>& all = domain_.indeterminates().all();
+  const auto is_zero = [&](const ex& product) {
+    const auto taken = combination(product, system.equations, all, {.budget = domain_.budget()});
+    if (!taken) return false;
+    for (const std::size_t each : *taken) use(remaining_[which[each]].from);
+    return true;
+  };
+  if (is_zero(value)) return true;
+  std::size_t tried = 0;
+  return std::any_of(system.nonzero.begin(), system.nonzero.end(), [&](const ex& factor) {
+    if (is_number(factor)) return false;
+    ex product = value;
+    ex alone = 1;
+    for (int power = 1; power <= largest_reduced_power; ++power) {
+      if (term_count(factor) * term_count(product) > largest_product || ++tried > largest_tried) return false;
+      product = expanded_polynomial(product * factor);
+      alone = expanded_polynomial(alone * factor);
+      if (!is_zero(product)) continue;
+      if (is_combination(alone, system.equations, all, {.budget = domain_.budget()})) throw Contradiction();
+      return true;
+    }
+    return false;
+  });
+}
+
+/// The positions of the remaining equations that share indeterminates with a value, directly or through
+/// others.
+std::vector<std::size_t> Constraints::remaining_about(const ex& value) const {
+  std::set<std::size_t> met = domain_.indeterminates().positions_in(value);
+  std::vector<bool> taken(remaining_.size(), false);
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (std::size_t i = 0; i < remaining_.size(); ++i) {
+      const std::set<std::size_t>& own = remaining_[i].indeterminates;
+      if (taken[i] || std::none_of(own.begin(), own.end(), [&](std::size_t x) { return met.contains(x); }))
+        continue;
+      taken[i] = grew = true;
+      met.insert(own.begin(), own.end());
+    }
+  }
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (taken[i]) which.push_back(i);
+  }
+  return which;
+}
+
+std::set<std::size_t> Constraints::used(bool signs) const {
+  std::set<std::size_t> all = used_;
+  if (signs) all.insert(orders_.begin(), orders_.end());
+  return all;
+}
+
+void Constraints::use(const Positions& positions) { used_.insert(positions.begin(), positions.end()); }
+
+/// Is the value a multiple of a determinant that is zero?
+bool Constraints::is_determinant(const ex& value) {
+  return std::any_of(determinants_.begin(), determinants_.end(), [&](const Known& each) {
+    const ex determinant = solved(each.equation);
+    if (determinant.is_zero() ||
+        !is_combination(value, std::span(&determinant, 1), domain_.indeterminates().all(),
+                        {.budget = domain_.budget()}))
+      return false;
+    use(each.from);
+    return true;
+  });
+}
+
+bool Constraints::vanishes(const ex& value) {
+  const ex open = solved(value);
+  if (open.is_zero()) return true;
+  if (remaining_.empty()) return false;
+  if (is_determinant(open)) return true;
+  const std::vector<std::size_t> which = remaining_about(open);
+  if (which.empty()) return false;
+  System system;
+  for (const std::size_t each : which) system.equations.push_back(remaining_[each].equation);
+  const Positions before = used_;  // what is not 0 may need assumptions, but seldom others
+  for (const ex& each : nonzero_) system.nonzero.push_back(reduced(each));
+  used_ = before;
+  use(orders_);
+  if (is_combination_times_nonzero(without_factors(open, system.nonzero, domain_.budget()), system, which))
+    return true;
+  const ex rest = reduced(open);
+  if (rest.is_zero()) return true;
+  const Cases::Verdict verdict =
+      Cases(domain_).decide(without_factors(rest, system.nonzero, domain_.budget()), system);
+  if (verdict == Cases::Verdict::empty) throw Contradiction();
+  for (const std::size_t each : which) use(remaining_[each].from);
+  return verdict == Cases::Verdict::vanishes;
+}
+
+}  // namespace rigor

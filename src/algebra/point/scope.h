@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a statement reaches: its symbols, the definitions behind them, and the assumptions that concern it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "expr/statement/statement.h"
+
+namespace rigor {
+
+/// A question with its definitions found by symbol. The first definition of a symbol counts; a symbol that is
+/// taken as zero has none. Opaque: definitions are not unfolded, every symbol is free. But squares: a name
+/// that is defined by its square is unfolded all the same, since nothing says that it is a real number.
+class Scope {
+ public:
+  enum class Definitions : std::uint8_t { unfolded, opaque, opaque_but_squares };
+
+  Scope(const Question& question, Definitions definitions);
+
+  [[nodiscard]] const Question& question() const { return *question_; }
+  [[nodiscard]] const ExprTree& tree() const { return *question_->tree; }
+  [[nodiscard]] const Definition* definition_of(SymbolId symbol) const {
+    return definition_[static_cast<std::size_t>(symbol)];
+  }
+  /// Is the symbol defined at all, unfolded or not? What is declared of it (symmetric, unit) is then not
+  /// taken for granted.
+  [[nodiscard]] bool is_defined(SymbolId symbol) const { return defined_[static_cast<std::size_t>(symbol)]; }
+  [[nodiscard]] bool is_zeroed(SymbolId symbol) const { return zeroed_[static_cast<std::size_t>(symbol)]; }
+
+ private:
+  const Question* question_;
+  std::vector<const Definition*> definition_;  // by symbol
+  std::vector<bool> defined_;                  // by symbol
+  std::vector<bool> zeroed_;                   // by symbol
+};
+
+/// What evaluating some expressions needs. Symbols stand in the order of their first occurrence.
+struct Reach {
+  std::vector<SymbolId> symbols;  // free: neither unfolded nor zeroed
+  std::vector<SymbolId> unfolded;
+  bool particles = false;           // a sum over particles or a particle's own quantity occurs
+  std::vector<SymbolId> angles;     // free symbols, no unit vectors or rotations, that only sin and cos see
+  std::vector<SymbolId> exponents;  // the same, that only exp sees
+  bool particle_sums = false;
+  bool functions = false;
+  bool roots = false;  // a root, a length or an absolute value
+  std::optional<std::string>
+      too_large;  // a rank, an exponent or a number beyond what is evaluated: which, as a reason
+};
+
+[[nodiscard]] Reach reach(const Scope& scope, std::span<const ExprId> roots);
+[[nodiscard]] Reach reach(const Scope& scope, const Equation& equation);
+
+/// The positions of the assumptions that share free symbols with the claim, directly or through other such
+/// assumptions, and of those without symbols. The others cannot bear on it: they are about other things.
+[[nodiscard]] std::vector<std::size_t> relevant_assumptions(const Scope& scope);
+
+/// Those among some assumptions that do more than fix what occurs nowhere else: where no more equations have
+/// a symbol than it has components, and the claim has it not, they can be met whatever the others are. The
+/// proof of a claim seldom needs them.
+[[nodiscard]] std::vector<std::size_t> core_assumptions(const Scope& scope,
+                                                        const std::vector<std::size_t>& positions);
+
+}  // namespace rigor

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/ring/division.h"
+
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "algebra/engine/terms.h"
+#include "algebra/ring/expansion.h"
+#include "algebra/ring/fraction.h"
+#include "algebra/ring/line_image.h"
+
+namespace rigor {
+
+using GiNaC::ex;
+
+namespace {
+
+/// By degree, as GiNaC has them, and then by their creation, which their names' numbers count: what sqrfree
+/// takes apart depends on the order, and GiNaC's own differs from run to run.
+[[nodiscard]] GiNaC::lst letters_in_order(const ex& expanded) {
+  std::map<std::string, std::pair<int, ex>> degrees;  // by name
+  for (const ex& term : terms_of(expanded)) {
+    for (const ex& factor : factors_of(term)) {
+      const auto [base, exponent] = split_power(factor);
+      if (!GiNaC::is_a<GiNaC::symbol>(base)) continue;
+      auto& known = degrees.try_emplace(GiNaC::ex_to<GiNaC::symbol>(base).get_name(), 0, base).first->second;
+      known.first = std::max(known.first, exponent);
+    }
+  }
+  std::map<std::tuple<int, std::size_t, std::string>, ex> in_order;
+  for (const auto& [name, letter] : degrees)
+    in_order.emplace(std::tuple(letter.first, name.size(), name), letter.second);
+  GiNaC::lst letters;
+  for (const auto& [place, letter] : in_order) letters.append(letter);
+  return letters;
+}
+
+/// Lines and divisions go over all terms again for each few powers of a letter.
+[[nodiscard]] std::size_t weight_of_degree(const ex& expanded) {
+  constexpr int per_weight = 8;
+  int highest = 0;
+  for (const ex& term : terms_of(expanded)) {
+    for (const ex& factor : factors_of(term)) highest = std::max(highest, split_power(factor).second);
+  }
+  return static_cast<std::size_t>(1 + highest / per_weight);
+}
+
+}  // namespace
+
+std::size_t size_of_division(const ex& divisor, const ex& value) {
+  return term_count(divisor) * term_count(value) * weight_of_degree(value);
+}
+
+bool divides(const ex& divisor, const ex& value, ex& quotient, Budget* budget) {
+  const std::size_t terms = term_count(value) + term_count(divisor);
+  if (budget != nullptr) budget->count(price::looked_at_term * terms * weight_of_degree(value));
+  if (!may_divide(divisor, value)) return false;
+  if (budget != nullptr) budget->count(price::divided_pair * size_of_division(divisor, value));
+  if (!GiNaC::divide(value, divisor, quotient)) return false;
+  quotient = expanded_polynomial(quotient);  // GiNaC leaves it by powers of some variable
+  return true;
+}
+
+ex with_repeated_factors(const ex& value, Budget* budget) {
+  const std::size_t terms = term_count(value);
+  if (budget != nullptr) budget->count(price::looked_at_term * terms);
+  if (!may_repeat_a_factor(value)) return value;
+  if (budget != nullptr) budget->count(price::factored_term * terms);
+  return GiNaC::sqrfree(value, letters_in_order(value));
+}
+
+}  // namespace rigor

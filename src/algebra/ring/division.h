@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Division and repeated factors of expanded polynomials, by GiNaC, and only where a look along a line does
+// not rule them out; what it takes is counted.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <cstddef>
+
+#include "algebra/engine/budget.h"
+
+namespace rigor {
+
+/// Pairs of a term of each, weighed by the degree: each step of a long division goes over all terms. A unit
+/// is `price::divided_pair`. Cost: linear in the terms of the dividend.
+[[nodiscard]] std::size_t size_of_division(const GiNaC::ex& divisor, const GiNaC::ex& value);
+
+/// Whether a polynomial divides another, and what times, expanded. The budget may be none.
+[[nodiscard]] bool divides(const GiNaC::ex& divisor, const GiNaC::ex& value, GiNaC::ex& quotient,
+                           Budget* budget);
+
+/// A polynomial as a product of powers, if it has a factor more than once.
+[[nodiscard]] GiNaC::ex with_repeated_factors(const GiNaC::ex& value, Budget* budget);
+
+}  // namespace rigor

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/ring/membership.h"
+
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "algebra/engine/exact_number.h"
+
+namespace rigor {
+namespace {
+
+using GiNaC::ex;
+
+using Exponents = std::string;  // a byte for each variable: its exponent
+using Row = std::map<Exponents, Rational>;
+
+/// A combination of equations, and of which.
+struct Multiple {
+  Row row;
+  std::set<std::size_t> from = {};
+};
+
+constexpr int largest_exponent_here = 100;
+constexpr int more_degrees = 2;  // so far above the value's degree may multiples reach
+
+[[nodiscard]] int degree(const Exponents& monomial) {
+  int total = 0;
+  for (const char exponent : monomial) total += exponent;
+  return total;
+}
+
+[[nodiscard]] int degree(const Row& row) {
+  int largest = 0;
+  for (const auto& [monomial, coefficient] : row) largest = std::max(largest, degree(monomial));
+  return largest;
+}
+
+/// a/b, if b divides a.
+[[nodiscard]] std::optional<Exponents> quotient(const Exponents& a, const Exponents& b) {
+  Exponents result = a;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i] < b[i]) return std::nullopt;
+    result[i] = static_cast<char>(a[i] - b[i]);
+  }
+  return result;
+}
+
+[[nodiscard]] Exponents product(const Exponents& a, const Exponents& b) {
+  Exponents result = a;
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] = static_cast<char>(a[i] + b[i]);
+  return result;
+}
+
+/// Expanded polynomials as rows.
+class PolynomialRows {
+ public:
+  explicit PolynomialRows(std::span<const ex> variables) {
+    for (const ex& each : variables) positions_.emplace(each, positions_.size());
+  }
+
+  /// Empty if an exponent is too large.
+  [[nodiscard]] std::optional<Row> row(const ex& value) const {
+    Row row;
+    const bool sum = GiNaC::is_a<GiNaC::add>(value);
+    for (std::size_t i = 0; i < (sum ? value.nops() : 1); ++i) {
+      Exponents monomial(positions_.size(), '\0');
+      Rational coefficient = 1;
+      const ex term = sum ? value.op(i) : value;
+      const bool factors = GiNaC::is_a<GiNaC::mul>(term);
+      for (std::size_t k = 0; k < (factors ? term.nops() : 1); ++k) {
+        if (!take(factors ? term.op(k) : term, monomial, coefficient)) return std::nullopt;
+      }
+      if (!cln::zerop(coefficient)) row.emplace(std::move(monomial), coefficient);
+    }
+    return row;
+  }
+
+ private:
+  [[nodiscard]] bool take(const ex& factor, Exponents& monomial, Rational& coefficient) const {
+    if (GiNaC::is_a<GiNaC::numeric>(factor)) {
+      coefficient = coefficient * cln::the<Rational>(GiNaC::ex_to<GiNaC::numeric>(factor).to_cl_N());
+      return true;
+    }
+    const bool raised = GiNaC::is_a<GiNaC::power>(factor);
+    const auto at = positions_.find(raised ? factor.op(0) : factor);
+    if (at == positions_.end()) return false;
+    const int exponent = raised ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
+    if (exponent < 0 || exponent > largest_exponent_here) return false;
+    monomial[at->second] = static_cast<char>(exponent);
+    return true;
+  }
+
+  std::map<ex, std::size_t, GiNaC::ex_is_less> positions_;
+};
+
+/// The multiples of equations that may take part, by layers: those with a monomial of the value, those with a
+/// monomial of these, and so on.
+class Multiples {
+ public:
+  Multiples(const std::vector<Row>& equations, std::size_t limit) : equations_(equations), limit_(limit) {}
+
+  [[nodiscard]] std::vector<Multiple> around(const Row& value) {
+    largest_degree_ = degree(value) + more_degrees;
+    for (const auto& [monomial, coefficient] : value) meet(monomial);
+    for (std::size_t i = 0; i < met_.size() && rows_.size() < limit_; ++i) {
+      const Exponents monomial = met_[i];
+      for (std::size_t k = 0; k < equations_.size(); ++k) add_multiples(k, monomial);
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  void meet(const Exponents& monomial) {
+    if (known_.insert(monomial).second) met_.push_back(monomial);
+  }
+
+  void add_multiples(std::size_t equation, const Exponents& wanted) {
+    for (const auto& [term, coefficient] : equations_[equation]) {
+      const std::optional<Exponents> factor = quotient(wanted, term);
+      if (!factor || rows_.size() >= limit_) continue;
+      if (degree(*factor) + degree(equations_[equation]) > largest_degree_) continue;
+      if (!taken_.emplace(equation, *factor).second) continue;
+      Row row;
+      for (const auto& [monomial, number] : equations_[equation]) {
+        row.emplace(product(monomial, *factor), number);
+      }
+      for (const auto& [monomial, number] : row) meet(monomial);
+      rows_.push_back({std::move(row), {equation}});
+    }
+  }
+
+  const std::vector<Row>& equations_;
+  std::size_t limit_;
+  int largest_degree_ = 0;
+  std::vector<Exponents> met_;
+  std::set<Exponents> known_;
+  std::set<std::pair<std::size_t, Exponents>> taken_;
+  std::vector<Multiple> rows_;
+};
+
+/// Rows in echelon form, by their last monomials.
+class Echelon {
+ public:
+  explicit Echelon(std::size_t operations) : left_(operations) {}
+
+  [[nodiscard]] bool exhausted() const { return left_ == 0; }
+  [[nodiscard]] std::size_t left() const { return left_; }
+  /// What is left of a row when the others are subtracted.
+  [[nodiscard]] Multiple reduced(Multiple multiple) {
+    Row& row = multiple.row;
+    Row rest;
+    while (!row.empty() && !exhausted()) {
+      const auto last = std::prev(row.end());
+      const auto pivot = pivots_.find(last->first);
+      if (pivot == pivots_.end()) {
+        rest.insert(row.extract(last));
+      } else {
+        multiple.from.insert(pivot->second.from.begin(), pivot->second.from.end());
+        subtract(row, last->second, pivot->second.row);
+      }
+    }
+    return {std::move(rest), std::move(multiple.from)};
+  }
+  void insert(Multiple multiple) {
+    Multiple rest = reduced(std::move(multiple));
+    if (rest.row.empty()) return;
+    const auto last = std::prev(rest.row.end());
+    const Rational scale = last->second;
+    for (auto& [monomial, coefficient] : rest.row) coefficient = coefficient / scale;
+    pivots_.emplace(last->first, std::move(rest));
+  }
+
+ private:
+  void subtract(Row& row, const Rational factor, const Row& pivot) {
+    for (const auto& [monomial, coefficient] : pivot) {
+      if (left_ > 0) --left_;
+      const auto [at, is_new] = row.try_emplace(monomial, 0);
+      at->second = at->second - factor * coefficient;
+      if (cln::zerop(at->second)) row.erase(at);
+    }
+  }
+
+  std::map<Exponents, Multiple> pivots_;  // the last coefficient is 1
+  std::size_t left_;
+};
+
+}  // namespace
+
+std::optional<std::set<std::size_t>> combination(const ex& value, std::span<const ex> equations,
+                                                 std::span<const ex> variables,
+                                                 const MembershipLimits& limits) {
+  const PolynomialRows rows(variables);
+  std::vector<Row> given;
+  for (const ex& equation : equations) given.push_back(rows.row(equation).value_or(Row{}));
+  const std::optional<Row> wanted = rows.row(value);
+  if (!wanted) return std::nullopt;
+  Echelon echelon(limits.operations);
+  std::vector<Multiple> multiples = Multiples(given, limits.multiples).around(*wanted);
+  if (limits.budget != nullptr) limits.budget->count(price::row_of_multiples * multiples.size());
+  for (Multiple& each : multiples) echelon.insert(std::move(each));
+  Multiple rest = echelon.reduced({*wanted});
+  if (limits.budget != nullptr) limits.budget->count(limits.operations - echelon.left());
+  if (!rest.row.empty() || echelon.exhausted()) return std::nullopt;
+  return std::move(rest.from);
+}
+
+bool is_combination(const ex& value, std::span<const ex> equations, std::span<const ex> variables,
+                    const MembershipLimits& limits) {
+  return combination(value, equations, variables, limits).has_value();
+}
+
+}  // namespace rigor

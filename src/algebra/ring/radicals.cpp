@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/ring/radicals.h"
+
+#include <cln/integer.h>
+#include <ginac/ginac.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "algebra/engine/budget.h"
+#include "algebra/engine/terms.h"
+#include "algebra/engine/undecidable.h"
+#include "algebra/ring/division.h"
+
+namespace rigor {
+namespace {
+
+using GiNaC::ex;
+
+constexpr long largest_trial_divisor = 1000;
+constexpr std::size_t largest_radicand = 32;      // terms
+constexpr std::size_t largest_quotient = 20'000;  // takes up to 50 ms
+
+[[nodiscard]] Rational to_rational(const ex& value) {
+  return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
+}
+
+/// n = square² · rest, with the square factors of small primes, or of all of n, taken out.
+struct SquareSplit {
+  cln::cl_I square = 1;
+  cln::cl_I rest;
+};
+
+[[nodiscard]] SquareSplit split_squares(cln::cl_I n) {
+  SquareSplit split;
+  for (long p = 2; p <= largest_trial_divisor; ++p) {
+    const cln::cl_I square = cln::cl_I(p) * p;
+    if (square > n) break;
+    while (cln::zerop(cln::mod(n, square))) {
+      n = cln::exquo(n, square);
+      split.square = split.square * p;
+    }
+  }
+  cln::cl_I whole;
+  if (cln::sqrtp(n, &whole)) {
+    split.square = split.square * whole;
+    n = 1;
+  }
+  split.rest = n;
+  return split;
+}
+
+}  // namespace
+
+bool Radicals::is_radical(const ex& indeterminate) const {
+  return GiNaC::is_a<GiNaC::symbol>(indeterminate) &&
+         indeterminates_.origin(indeterminate).kind == Indeterminates::Kind::radical;
+}
+
+/// By the signs of its terms, or as a multiple of something whose sign is known.
+Sign Radicals::sign_of(const ex& expanded) const {
+  const Sign direct = signs_.of(expanded);
+  if (direct != Sign::any) return direct;
+  for (const Signs::Fact& fact : signs_.facts()) {
+    ex quotient;
+    const bool is_multiple = term_count(fact.value) == term_count(expanded) &&
+                             size_of_division(fact.value, expanded) <= largest_quotient &&
+                             divides(fact.value, expanded, quotient, arithmetic_.budget());
+    if (!is_multiple) continue;
+    if (is_number(quotient)) return product(fact.sign, signs_.of(quotient));
+  }
+  return Sign::any;
+}
+
+void Radicals::note(std::vector<Factor>& found, const ex& base, int exponent) {
+  for (Factor& each : found) {
+    if (!each.base.is_equal(base)) continue;
+    each.exponent += exponent;
+    return;
+  }
+  found.push_back({base, exponent});
+}
+
+/// Splits an expanded polynomial: off go common indeterminates, divisors that are known, and, if asked for,
+/// repeated factors.
+void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
+                            const std::vector<Divisor>& known) {
+  if (GiNaC::is_a<GiNaC::add>(value)) {
+    ex common = 1;
+    for (const ex& factor : factors_of(value.op(0))) {
+      const ex base = split_power(factor).first;
+      if (!is_number(base)) common *= GiNaC::pow(base, value.ldegree(base));
+    }
+    if (!common.is_equal(1)) {
+      note_factors(found, common, exponent, known);
+      value = (value / common).expand();
+    }
+    ex quotient;
+    const auto is_multiple_of = [&](const ex& base) {
+      if (GiNaC::is_a<GiNaC::symbol>(base) || size_of_division(base, value) > largest_quotient) return false;
+      return divides(base, value, quotient, arithmetic_.budget());
+    };
+    for (const Divisor& each : known) {
+      while (is_multiple_of(each.base)) {
+        note(found, each.base, exponent);
+        value = quotient;
+      }
+    }
+    if (effort_ == Effort::factored && term_count(value) <= largest_radicand) {
+      value = with_repeated_factors(value, arithmetic_.budget());
+    }
+  }
+  for (const ex& factor : factors_of(value)) {
+    const auto [base, power] = split_power(factor);
+    note(found, base.expand(), power * exponent);
+  }
+}
+
+std::vector<Radicals::Factor> Radicals::factors(const Fraction& value) {
+  std::vector<Factor> found;
+  for (const ex& factor : factors_of(value.numerator)) {
+    const auto [base, exponent] = split_power(factor);
+    if (is_number(base)) {  // GiNaC may have put it there, or not: it counts nothing
+      note(found, base, exponent);
+      continue;
+    }
+    note_factors(found, reduced(arithmetic_.expanded(base, value.terms)), exponent, value.divisors);
+  }
+  for (const Divisor& each : value.divisors) note(found, each.base, -each.exponent);
+  // GiNaC's order, and the signs of what it takes apart, differ from run to run.
+  std::map<std::string, Factor> ordered;
+  bool turned = false;
+  for (Factor& each : found) {
+    Indeterminates::Unsigned fingerprint = indeterminates_.unsigned_fingerprint(each.base);
+    if (fingerprint.negative) {
+      each.base = (-each.base).expand();
+      if (each.exponent % 2 != 0) turned = !turned;
+    }
+    const auto [at, is_new] = ordered.try_emplace(std::move(fingerprint.text), each);
+    if (!is_new) at->second.exponent += each.exponent;
+  }
+  found.clear();
+  if (turned) found.push_back({-1, 1});
+  for (auto& [fingerprint, factor] : ordered) found.push_back(std::move(factor));
+  return found;
+}
+
+Fraction Radicals::root(const Fraction& square) {
+  if (square.numerator.is_zero()) return {};
+  Fraction result = to_fraction(1);
+  Rational number = 1;
+  ex rest = 1;          // what has to stay under one root
+  bool nonzero = true;  // no factor is zero at any values
+  const auto times = [&](const Fraction& factor) { result = arithmetic_.multiply(result, factor); };
+  for (const Factor& factor : factors(square)) {
+    if (is_number(factor.base)) {
+      number = number * power_of(to_rational(factor.base), factor.exponent);
+      continue;
+    }
+    if (factor.exponent == 0) continue;
+    const GiNaC::numeric content = factor.base.integer_content();
+    number = number * power_of(to_rational(content), factor.exponent);
+    ex base = (factor.base / content).expand();
+    const Sign sign = sign_of(base);
+    nonzero = nonzero && is_within(sign, Sign::not_zero);
+    if (is_within(sign, Sign::not_positive)) {
+      base = (-base).expand();
+      if (factor.exponent % 2 != 0) number = -number;
+    }
+    const bool odd = factor.exponent % 2 != 0;
+    const int half = (factor.exponent - (odd ? 1 : 0)) / 2;
+    const bool positive = never_negative(base);
+    if (half != 0)
+      times(arithmetic_.power(positive || half % 2 == 0 ? polynomial(base) : absolute(base), half));
+    if (odd && positive) times(radical(base));
+    if (odd && !positive) rest *= base;
+  }
+  if (rest.is_equal(1)) {
+    if (cln::minusp(number) && nonzero) throw NoRealValue("a root of a negative number");
+    times(root_of_number(number));
+  } else {
+    if (cln::minusp(number)) rest = -rest;
+    times(root_of_number(cln::abs(number)));
+    times(radical(reduced(arithmetic_.expanded(rest, square.terms))));
+  }
+  rationalize(result);
+  return result;
+}
+
+Fraction Radicals::root_of_number(const Rational& value) {
+  if (cln::minusp(value)) throw Undecidable("a root of a negative number");
+  const cln::cl_I denominator = cln::denominator(value);
+  const SquareSplit split = split_squares(cln::numerator(value) * denominator);
+  Fraction result = to_fraction(Rational(split.square) / denominator);
+  if (split.rest == 1) return result;
+  return arithmetic_.multiply(result, radical(GiNaC::numeric(split.rest)));
+}
+
+Fraction Radicals::absolute(const ex& value) {
+  if (never_negative((-value).expand())) return polynomial((-value).expand());
+  return radical(reduced(
+      arithmetic_.expanded(value * value, static_cast<double>(term_count(value) * term_count(value)))));
+}
+
+std::vector<std::pair<ex, ex>> Radicals::roots() const {
+  std::vector<std::pair<ex, ex>> all;
+  for (const Radical& each : radicals_) {
+    if (each.root) all.emplace_back(each.symbol, each.square);
+  }
+  return all;
+}
+
+Fraction Radicals::radical(const ex& square) {
+  for (const Radical& known : radicals_) {
+    if (known.root && known.square.is_equal(square)) return polynomial(known.symbol);
+  }
+  const ex symbol = indeterminates_.fresh(Indeterminates::Kind::radical, indeterminates_.frames_of(square));
+  radicals_.push_back({symbol, square});
+  any_root_ = true;
+  signs_.know(symbol, is_within(sign_of(square), Sign::positive) ? Sign::positive : Sign::not_negative);
+  return polynomial(symbol);
+}
+
+void Radicals::relate(const ex& symbol, const ex& square) {
+  const bool known = std::any_of(radicals_.begin(), radicals_.end(),
+                                 [&](const Radical& each) { return each.symbol.is_equal(symbol); });
+  if (!known) radicals_.push_back({symbol, square.expand(), false});
+}
+
+ex Radicals::reduced(const ex& expanded) {
+  ex value = expanded;
+  arithmetic_.count(static_cast<double>(term_count(expanded) * radicals_.size()));
+  for (std::size_t i = radicals_.size(); i-- > 0;) {
+    const Radical each = radicals_[i];
+    arithmetic_.count(price::looked_at_term * static_cast<double>(term_count(value)));
+    std::map<int, GiNaC::exvector> coefficients;  // of the powers from the second on
+    GiNaC::exvector summands;
+    for (const ex& term : terms_of(value)) {
+      const int degree = term.degree(each.symbol);
+      if (degree < 2) summands.push_back(term);
+      if (degree >= 2) coefficients[degree].push_back(term.coeff(each.symbol, degree));
+    }
+    if (coefficients.empty()) continue;
+    double terms = static_cast<double>(summands.size());
+    for (const auto& [degree, of_power] : coefficients) {
+      const Fraction factor = arithmetic_.power(polynomial(each.square), degree / 2);
+      terms += factor.terms * static_cast<double>(of_power.size());
+      summands.push_back(GiNaC::add(of_power) * factor.numerator * GiNaC::pow(each.symbol, degree % 2));
+    }
+    value = arithmetic_.expanded(GiNaC::add(summands), terms);
+  }
+  return value;
+}
+
+void Radicals::rationalize(Fraction& value) {
+  for (std::size_t i = 0; i < value.divisors.size(); ++i) {
+    const Divisor divisor = value.divisors[i];
+    if (!is_radical(divisor.base)) continue;
+    value.divisors.erase(value.divisors.begin() + static_cast<std::ptrdiff_t>(i--));
+    const auto known = std::find_if(radicals_.begin(), radicals_.end(),
+                                    [&](const Radical& r) { return r.symbol.is_equal(divisor.base); });
+    Fraction inverse =
+        arithmetic_.power(arithmetic_.reciprocal(polynomial(known->square)), (divisor.exponent + 1) / 2);
+    if (divisor.exponent % 2 != 0) inverse = arithmetic_.multiply(inverse, polynomial(divisor.base));
+    value = arithmetic_.multiply(value, inverse);
+  }
+}
+
+ex Radicals::squared(const ex& equation) {
+  const Radical* only = nullptr;
+  for (const Radical& each : radicals_) {
+    if (equation.degree(each.symbol) == 0) continue;
+    if (only != nullptr) return 0;
+    only = &each;
+  }
+  if (only == nullptr) return 0;
+  const ex a = equation.coeff(only->symbol, 1);
+  const ex b = equation.coeff(only->symbol, 0);
+  const double terms_of_a = std::pow(static_cast<double>(term_count(a)), 2);
+  const double terms_of_b = std::pow(static_cast<double>(term_count(b)), 2);
+  const double terms = terms_of_b + terms_of_a * static_cast<double>(term_count(only->square));
+  return reduced(arithmetic_.expanded(b * b - a * a * only->square, terms));
+}
+
+ex Radicals::moved(const ex& value, Frame from, Frame to) {
+  if (from == to) return value;
+  GiNaC::exmap map = indeterminates_.twins(from, to);
+  const std::size_t present = radicals_.size();
+  for (std::size_t i = 0; i < present; ++i) {
+    const Radical each = radicals_[i];
+    if ((indeterminates_.frames_of(each.square) & only(from)) == 0) continue;
+    const ex square = each.square.subs(map, GiNaC::subs_options::no_pattern);
+    const auto twin = map.find(each.symbol);
+    if (each.root) {
+      map.emplace(each.symbol, radical(square).numerator);
+    } else if (twin != map.end()) {
+      relate(twin->second, square);
+    }
+  }
+  return value.subs(map, GiNaC::subs_options::no_pattern);
+}
+
+}  // namespace rigor

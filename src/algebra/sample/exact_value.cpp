@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/sample/exact_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+
+#include "algebra/engine/undecidable.h"
+
+namespace rigor {
+namespace {
+
+constexpr int largest_count = 200;  // of arctan t or log t
+
+/// How often arctan t (twice) or log t is taken.
+[[nodiscard]] int count_of(const ExactValue::Part& part) {
+  const Rational count = part.factor * part.meaning.multiple;
+  if (cln::denominator(count) != 1 || cln::abs(count) > largest_count) {
+    throw PointRejected("a multiple of an angle is not whole");
+  }
+  return static_cast<int>(cln::double_approx(count));
+}
+
+[[nodiscard]] CosineAndSine turned(const CosineAndSine& a, const CosineAndSine& b) {
+  return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+}  // namespace
+
+const Rational& rational_of(const ExactValue& value) {
+  if (!value.parts.empty()) throw PointRejected("a value is not rational");
+  return value.rational;
+}
+
+void add(ExactValue& total, const ExactValue& summand) {
+  total.rational = total.rational + summand.rational;
+  for (const ExactValue::Part& part : summand.parts) {
+    const auto at =
+        std::lower_bound(total.parts.begin(), total.parts.end(), part.place,
+                         [](const ExactValue::Part& each, std::size_t place) { return each.place < place; });
+    if (at == total.parts.end() || at->place != part.place) {
+      total.parts.insert(at, part);
+      continue;
+    }
+    at->factor = at->factor + part.factor;
+    if (cln::zerop(at->factor)) total.parts.erase(at);
+  }
+}
+
+ExactValue scaled(ExactValue value, const Rational& factor) {
+  if (cln::zerop(factor)) return {};
+  value.rational = value.rational * factor;
+  for (ExactValue::Part& part : value.parts) part.factor = part.factor * factor;
+  return value;
+}
+
+/// cos 2φ + i sin 2φ = (1 + i t)² / (1 + t²) for t = tan φ.
+CosineAndSine cosine_and_sine(const ExactValue& angle) {
+  if (!cln::zerop(angle.rational)) throw PointRejected("a value of a function is not rational");
+  CosineAndSine total;
+  for (const ExactValue::Part& part : angle.parts) {
+    if (part.meaning.kind != Meaning::Kind::angle)
+      throw PointRejected("a value of a function is not rational");
+    const Rational square = part.number * part.number;
+    const int count = count_of(part);
+    const Rational sine = 2 * part.number / (1 + square);
+    const CosineAndSine once{(1 - square) / (1 + square), count < 0 ? -sine : sine};
+    for (int i = 0; i < std::abs(count); ++i) total = turned(total, once);
+  }
+  return total;
+}
+
+Rational exponential(const ExactValue& value) {
+  if (!cln::zerop(value.rational)) throw PointRejected("a value of a function is not rational");
+  Rational product = 1;
+  for (const ExactValue::Part& part : value.parts) {
+    if (part.meaning.kind != Meaning::Kind::logarithm || !cln::plusp(part.number)) {
+      throw PointRejected("a value of a function is not rational");
+    }
+    product = product * power_of(part.number, count_of(part));
+  }
+  return product;
+}
+
+std::string to_text(const Rational& number, const Meaning& meaning) {
+  switch (meaning.kind) {
+    case Meaning::Kind::itself:
+      break;
+    case Meaning::Kind::angle:
+      return cln::zerop(number) ? "0" : fmt::format("{}*arctan({})", 2 * meaning.multiple, to_text(number));
+    case Meaning::Kind::logarithm:
+      if (number == 1) return "0";
+      return meaning.multiple == 1 ? fmt::format("log({})", to_text(number))
+                                   : fmt::format("{}*log({})", meaning.multiple, to_text(number));
+  }
+  return to_text(number);
+}
+
+std::optional<ReadNumber> read_number(std::string_view text) {
+  const std::size_t open = text.find('(');
+  if (open == std::string_view::npos) {
+    const auto number = from_text(text);
+    return number ? std::optional(ReadNumber{*number, {}}) : std::nullopt;
+  }
+  const auto number =
+      text.ends_with(')') ? from_text(text.substr(open + 1, text.size() - open - 2)) : std::nullopt;
+  std::string_view name = text.substr(0, open);
+  int count = 1;
+  if (const std::size_t times = name.find('*'); times != std::string_view::npos) {
+    const auto [end, error] = std::from_chars(name.data(), name.data() + times, count);
+    if (error != std::errc() || end != name.data() + times || count < 1) return std::nullopt;
+    name.remove_prefix(times + 1);
+  }
+  if (!number || count > largest_count) return std::nullopt;
+  if (name == "arctan" && count % 2 == 0) return ReadNumber{*number, {Meaning::Kind::angle, count / 2}};
+  if (name == "log" && cln::plusp(*number)) return ReadNumber{*number, {Meaning::Kind::logarithm, count}};
+  return std::nullopt;
+}
+
+}  // namespace rigor

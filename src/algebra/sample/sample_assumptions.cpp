@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/sample/sample_assumptions.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "algebra/sample/sample_linear.h"
+#include "base/among.h"
+
+namespace rigor {
+namespace {
+
+[[nodiscard]] bool all_zero(const std::vector<Rational>& values) {
+  return std::all_of(values.begin(), values.end(), [](const Rational& each) { return cln::zerop(each); });
+}
+
+/// How often a symbol is differentiated, in time, space and what is small together.
+[[nodiscard]] int order_of(const Symbol& symbol) {
+  return symbol.derivation ? symbol.derivation->time + symbol.derivation->space + symbol.derivation->small
+                           : 0;
+}
+
+constexpr std::uint32_t order_passes = 4;
+constexpr int equation_passes = 4;
+constexpr double largest_solved = 200;  // bits: a sample is to be read, and to be checked fast
+
+/// Of sides that an order holds apart.
+[[nodiscard]] const std::vector<Rational>& distances() {
+  static const std::vector<Rational> all{1, 2, 1, Rational(1) / 2, 3};
+  return all;
+}
+
+/// left − right at a place, as a function of one number of the sample.
+class Residual {
+ public:
+  Residual(SampleEvaluator& evaluator, SamplePoint& point, const Equation& equation, const Place& place)
+      : evaluator_(evaluator), point_(point), equation_(equation), place_(place) {}
+
+  [[nodiscard]] Rational now() const {
+    evaluator_.look_at(point_);
+    const Difference sides = evaluator_.at(equation_, place_);
+    return sides.left - sides.right;
+  }
+
+  /// Gives the residual a value by this number if it is linear in it; else leaves it.
+  [[nodiscard]] bool solve_for(const Coordinate& at, const Rational& wanted) const {
+    const Rational before = point_[at];
+    try {
+      const Rational at_0 = with(at, 0);
+      const Rational slope = with(at, 1) - at_0;
+      if (!cln::zerop(slope) && with(at, 2) - at_0 == 2 * slope) {
+        point_.set(at, (wanted - at_0) / slope);
+        return true;
+      }
+    } catch (const PointRejected&) {
+      // not a polynomial in this number: another one may do
+    }
+    point_.set(at, before);
+    return false;
+  }
+
+  /// The value of the number at which the residual is 0, and how it rises; none where it is not linear in it.
+  struct Zero {
+    Rational at;
+    Rational slope;
+  };
+  [[nodiscard]] std::optional<Zero> zero(const Coordinate& at) const {
+    const Rational before = point_[at];
+    std::optional<Zero> found;
+    try {
+      const Rational at_0 = with(at, 0);
+      const Rational slope = with(at, 1) - at_0;
+      if (!cln::zerop(slope) && with(at, 2) - at_0 == 2 * slope) found = Zero{-at_0 / slope, slope};
+    } catch (const PointRejected&) {
+      // not a polynomial in this number
+    }
+    point_.set(at, before);
+    return found;
+  }
+
+  /// Changes the number's sign if that brings the sides into order.
+  [[nodiscard]] bool reflect(const Coordinate& at) const {
+    const Rational before = point_[at];
+    if (is_related(with(at, -before), equation_.relation, 0)) return true;
+    point_.set(at, before);
+    return false;
+  }
+
+ private:
+  [[nodiscard]] Rational with(const Coordinate& at, const Rational& value) const {
+    point_.set(at, value);
+    return now();
+  }
+
+  SampleEvaluator& evaluator_;
+  SamplePoint& point_;
+  const Equation& equation_;
+  const Place& place_;
+};
+
+}  // namespace
+
+AssumptionSolver::AssumptionSolver(const Scope& scope, std::vector<std::size_t> assumptions)
+    : scope_(&scope), assumptions_(std::move(assumptions)) {
+  for (const std::size_t position : assumptions_) {
+    Reach reached = reach(scope, scope.question().assumptions[position]);
+    has_particle_sums_ = has_particle_sums_ || reached.particle_sums;
+    int order = 0;
+    for (const SymbolId symbol : reached.symbols)
+      order = std::max(order, order_of(scope.tree().symbols[symbol]));
+    derivative_orders_.push_back(order);
+    has_tensors_ = has_tensors_ || (scope.question().assumptions[position].relation == Relation::equal &&
+                                    std::any_of(reached.symbols.begin(), reached.symbols.end(),
+                                                [&](SymbolId symbol) { return is_free_tensor(symbol); }));
+    symbols_.push_back(std::move(reached.symbols));
+    if (scope.question().assumptions[position].relation != Relation::equal) has_orders_ = true;
+  }
+  for (std::size_t i = symbols_.size(); i-- > 0;) order_symbols(i);
+}
+
+bool AssumptionSolver::is_side(std::size_t assumption, SymbolId symbol) const {
+  const ExprTree& tree = scope_->tree();
+  const auto is_it = [&](ExprId side) { return tree[side].op == Op::symbol && tree[side].symbol == symbol; };
+  return is_it(equation(assumption).left) || is_it(equation(assumption).right);
+}
+
+void AssumptionSolver::order_symbols(std::size_t assumption) {
+  const auto preference = [&](SymbolId symbol) {
+    const Symbol& named = scope_->tree().symbols[symbol];
+    bool earlier = false;
+    bool elsewhere = false;
+    for (std::size_t i = 0; i < symbols_.size(); ++i) {
+      if (i == assumption || !is_one_of(symbol, symbols_[i])) continue;
+      elsewhere = true;
+      earlier = earlier || i < assumption;
+    }
+    return std::tuple(!elsewhere, !earlier, is_side(assumption, symbol), named.per_particle, named.rank);
+  };
+  std::vector<SymbolId>& symbols = symbols_[assumption];
+  std::stable_sort(symbols.begin(), symbols.end(),
+                   [&](SymbolId a, SymbolId b) { return preference(a) > preference(b); });
+}
+
+bool AssumptionSolver::holds(SampleEvaluator& evaluator, const SamplePoint& point) const {
+  evaluator.look_at(point);
+  return std::all_of(assumptions_.begin(), assumptions_.end(), [&](std::size_t position) {
+    return evaluator.holds(scope_->question().assumptions[position]);
+  });
+}
+
+/// The numbers of an assumption's symbols, the most promising first.
+std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, std::size_t assumption,
+                                                     std::uint32_t attempt) const {
+  const ExprTree& tree = scope_->tree();
+  std::vector<Coordinate> found;
+  for (const Coordinate& at : point.coordinates()) {
+    if (is_one_of(at.symbol, symbols_[assumption]) && point.is_free(at)) found.push_back(at);
+  }
+  const auto is_new = [&](SymbolId symbol) {
+    const auto end = symbols_.begin() + static_cast<std::ptrdiff_t>(assumption);
+    return std::none_of(symbols_.begin(), end,
+                        [&](const auto& earlier) { return is_one_of(symbol, earlier); });
+  };
+  const auto preference = [&](const Coordinate& at) {
+    return std::tuple(is_new(at.symbol), is_side(assumption, at.symbol), at.particle,
+                      tree.symbols[at.symbol].rank);
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const Coordinate& a, const Coordinate& b) { return preference(a) > preference(b); });
+  if (!found.empty()) {
+    const auto turn =
+        static_cast<std::ptrdiff_t>(attempt * 3 % found.size());  // the first is tried in three of four
+    if (attempt % 4 == 3) std::rotate(found.begin(), found.begin() + turn, found.end());
+  }
+  return found;
+}
+
+/// All components at once, for the numbers of some symbols, the last particle's first: by differences, and
+/// then verified, since the assumptions need not be linear in them.
+bool AssumptionSolver::solve_together(Search& search, std::span<const std::size_t> assumptions,
+                                      std::span<const SymbolId> symbols) const {
+  SamplePoint changed = search.point;
+  const auto residuals_of = [&](std::size_t assumption) {
+    search.evaluator.look_at(changed);
+    return search.evaluator.residuals(equation(assumption));
+  };
+  std::vector<std::vector<Rational>> residuals;
+  std::vector<Rational> right;
+  for (const std::size_t assumption : assumptions) {
+    residuals.push_back(residuals_of(assumption));
+    right.insert(right.end(), residuals.back().begin(), residuals.back().end());
+  }
+  if (all_zero(right)) return true;
+  const std::vector<Coordinate> unknowns = unknowns_of(search, assumptions, symbols);
+  LinearColumns columns;
+  for (const Coordinate& at : unknowns) {
+    std::vector<Rational>& column = columns.emplace_back();
+    const Rational before = changed[at];
+    changed.set(at, before + 1);
+    for (std::size_t i = 0; i < assumptions.size(); ++i) {
+      if (!is_one_of(at.symbol, symbols_[assumptions[i]])) {
+        column.insert(column.end(), residuals[i].size(), 0);
+        continue;
+      }
+      const std::vector<Rational> moved = residuals_of(assumptions[i]);
+      for (std::size_t k = 0; k < moved.size(); ++k) column.push_back(residuals[i][k] - moved[k]);
+    }
+    changed.set(at, before);
+  }
+  const auto solution = solve_linear(std::move(columns), std::move(right));
+  if (!solution) return false;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const Rational value = changed[unknowns[i]] + (*solution)[i];
+    if (bit_size(value) > largest_solved) return false;
+    changed.set(unknowns[i], value);
+  }
+  for (const std::size_t assumption : assumptions) {
+    if (!all_zero(residuals_of(assumption))) return false;
+  }
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    if (!cln::zerop((*solution)[i])) search.owned.push_back({unknowns[i], assumptions.front()});
+  }
+  search.point = std::move(changed);
+  return true;
+}
+
+/// The numbers that may change: those that no other assumption was solved for.
+std::vector<Coordinate> AssumptionSolver::unknowns_of(const Search& search,
+                                                      std::span<const std::size_t> assumptions,
+                                                      std::span<const SymbolId> symbols) const {
+  const auto is_taken = [&](const Coordinate& at) {
+    return std::any_of(search.owned.begin(), search.owned.end(), [&](const Owned& each) {
+      return each.at == at && !is_one_of(each.assumption, assumptions);
+    });
+  };
+  std::vector<Coordinate> unknowns;
+  for (const SymbolId symbol : symbols) {
+    for (const Coordinate& at : search.point.coordinates_of(symbol)) {
+      if (search.point.is_free(at) && !is_taken(at)) unknowns.push_back(at);
+    }
+  }
+  std::stable_sort(unknowns.begin(), unknowns.end(),
+                   [](const Coordinate& a, const Coordinate& b) { return a.particle > b.particle; });
+  return unknowns;
+}
+
+/// The differential equations of an order together, for the derivatives of that order: in every other
+/// attempt.
+void AssumptionSolver::solve_derivatives(Search& search, int order) const {
+  std::vector<std::size_t> together;
+  std::vector<SymbolId> symbols;
+  for (std::size_t i = 0; i < assumptions_.size(); ++i) {
+    if (derivative_orders_[i] != order || equation(i).relation != Relation::equal) continue;
+    together.push_back(i);
+    for (const SymbolId symbol : symbols_[i]) {
+      if (order_of(scope_->tree().symbols[symbol]) == order && !is_one_of(symbol, symbols))
+        symbols.push_back(symbol);
+    }
+  }
+  if (together.size() < 2) return;
+  try {
+    static_cast<void>(solve_together(search, together, symbols));
+  } catch (const PointRejected&) {
+    // not polynomials in these numbers: each for itself may do
+  }
+}
+
+/// The components one after the other, each for any one number in which it is linear.
+bool AssumptionSolver::solve_place_by_place(Search& search, std::size_t assumption) const {
+  search.evaluator.look_at(search.point);
+  for (const Place& place : search.evaluator.places(equation(assumption))) {
+    const Residual residual(search.evaluator, search.point, equation(assumption), place);
+    if (cln::zerop(residual.now())) continue;
+    bool solved = false;
+    for (const Coordinate& at : candidates(search.point, assumption, search.attempt)) {
+      const bool owned = std::any_of(search.owned.begin(), search.owned.end(),
+                                     [&](const Owned& each) { return each.at == at; });
+      if (owned || !residual.solve_for(at, 0)) continue;
+      if (bit_size(search.point[at]) > largest_solved) return false;
+      search.owned.push_back({at, assumption});
+      solved = true;
+      break;
+    }
+    if (!solved) return false;
+  }
+  return true;
+}
+
+bool AssumptionSolver::solve_equation(Search& search, std::size_t assumption) const {
+  const std::vector<SymbolId>& symbols = symbols_[assumption];
+  const std::size_t first = search.attempt % 4 == 3 ? search.attempt / 4 % symbols.size() : 0;
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    try {
+      const SymbolId symbol = symbols[(first + i) % symbols.size()];
+      if (solve_together(search, std::span(&assumption, 1), std::span(&symbol, 1))) return true;
+    } catch (const PointRejected&) {
+      // not a polynomial in these numbers: others may do
+    }
+  }
+  return solve_place_by_place(search, assumption);
+}
+
+/// Solves the equations among the assumptions that do not hold yet; in every other attempt those of low
+/// orders first, and those of one order together. False if one could not be solved.
+bool AssumptionSolver::solve_equations(SampleEvaluator& evaluator, SamplePoint& point,
+                                       std::uint32_t attempt) const {
+  Search search{evaluator, point, attempt};
+  const bool by_orders = attempt % 2 == 1;
+  const int highest = by_orders ? *std::max_element(derivative_orders_.begin(), derivative_orders_.end()) : 0;
+  for (int pass = 0; pass < equation_passes; ++pass) {
+    for (int order = 0; order <= highest; ++order) {
+      if (order > 0) solve_derivatives(search, order);
+      for (std::size_t i = 0; i < assumptions_.size(); ++i) {
+        if (equation(i).relation != Relation::equal || symbols_[i].empty()) continue;
+        if (by_orders && derivative_orders_[i] != order) continue;
+        if (!solve_equation(search, i)) return false;
+      }
+    }
+    if (has_orders_ || holds(evaluator, point)) return true;
+  }
+  return false;
+}
+
+/// Where the orders leave a number: between what bounds it from below and from above, as far as they are
+/// linear in it; the two as far apart as they are, so that 0 < x < 10^{-8} has samples, and 0 < a < b.
+struct AssumptionSolver::Interval {
+  std::optional<Rational> below;
+  std::optional<Rational> above;
+
+  [[nodiscard]] bool is_empty() const { return below && above && !(*below < *above); }
+  /// In the part of it that the turn says; without two bounds, at a small distance from the one.
+  [[nodiscard]] Rational number(std::uint32_t turn) const {
+    constexpr std::uint32_t parts = 20;  // 1/2 first
+    if (below && above)
+      return *below + (*above - *below) * static_cast<int>((7 * turn + 9) % (parts - 1) + 1) / parts;
+    const Rational& distance = distances()[turn % distances().size()];
+    return below ? *below + distance : *above - distance;
+  }
+};
+
+AssumptionSolver::Interval AssumptionSolver::interval_of(SampleEvaluator& evaluator, SamplePoint& point,
+                                                         const Coordinate& at) const {
+  Interval interval;
+  for (std::size_t i = 0; i < assumptions_.size(); ++i) {
+    const Equation& order = equation(i);
+    const bool bounds = order.relation == Relation::less || order.relation == Relation::less_or_equal;
+    if (!bounds || !is_one_of(at.symbol, symbols_[i])) continue;
+    evaluator.look_at(point);
+    for (const Place& place : evaluator.places(order)) {
+      const auto zero = Residual(evaluator, point, order, place).zero(at);
+      if (!zero) continue;  // left − right has to be negative
+      std::optional<Rational>& bound = cln::plusp(zero->slope) ? interval.above : interval.below;
+      const bool narrower = !bound || (cln::plusp(zero->slope) ? zero->at < *bound : *bound < zero->at);
+      if (narrower) bound = zero->at;
+    }
+  }
+  return interval;
+}
+
+/// Puts the number between the sides of all orders at once, if that can be.
+bool AssumptionSolver::put_between(SampleEvaluator& evaluator, SamplePoint& point, const Coordinate& at,
+                                   std::uint32_t turn) const {
+  const Interval interval = interval_of(evaluator, point, at);
+  if (interval.is_empty() || (!interval.below && !interval.above)) return false;
+  const Rational value = interval.number(turn);
+  if (bit_size(value) > largest_solved) return false;
+  point.set(at, value);
+  return true;
+}
+
+/// Puts the sides that are not in order yet at a small distance, or between those of all orders. The passes
+/// try the numbers in both directions.
+void AssumptionSolver::solve_orders(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t turn,
+                                    bool between) const {
+  for (std::size_t i = 0; i < assumptions_.size(); ++i) {
+    const Equation& order = equation(i);
+    if (order.relation == Relation::equal) continue;
+    evaluator.look_at(point);
+    for (const Place& place : evaluator.places(order)) {
+      const Residual residual(evaluator, point, order, place);
+      if (is_related(residual.now(), order.relation, 0)) continue;
+      std::vector<Coordinate> choices = candidates(point, i, 0);
+      if (turn % 2 == 1) std::reverse(choices.begin(), choices.end());
+      for (const Coordinate& at : choices) {
+        if (between && put_between(evaluator, point, at, turn)) break;
+        if (symbols_[i].size() == 1 && residual.reflect(at)) break;
+        if (residual.solve_for(at, -distances()[turn % distances().size()])) break;
+      }
+    }
+  }
+}
+
+/// The unit matrix, an exchange of two axes, a turn of 3, 4 and 5, nothing at all: what an equation between
+/// products of tensors is most often about, R_ik R_jk = δ_ij first of all.
+void AssumptionSolver::put_known_tensors(SamplePoint& point, std::uint32_t attempt) const {
+  const Rational three = Rational(3) / 5;
+  const Rational four = Rational(4) / 5;
+  const std::vector<std::vector<Rational>> known{
+      {1, 0, 0, 0, 1, 0, 0, 0, 1}, {three, -four, 0, four, three, 0, 0, 0, 1},
+      {0, 1, 0, 0, 0, 1, 1, 0, 0}, {1, 0, 0, 0, three, four, 0, four, -three},
+      {0, 1, 0, 1, 0, 0, 0, 0, 1}, {1, 0, 0, 0, -1, 0, 0, 0, 1},
+      {0, 0, 0, 0, 0, 0, 0, 0, 0}};
+  std::size_t turn = attempt;
+  for (const SymbolId symbol : point.symbols()) {
+    if (!is_free_tensor(symbol)) continue;
+    const std::vector<Rational>& entries = known[turn++ % known.size()];
+    for (const Coordinate& at : point.coordinates_of(symbol)) {
+      if (point.is_free(at)) point.set(at, entries[at.component]);
+    }
+  }
+}
+
+bool AssumptionSolver::is_free_tensor(SymbolId symbol) const {
+  const Symbol& named = scope_->tree().symbols[symbol];
+  return named.rank == 2 && !named.rotation;
+}
+
+bool AssumptionSolver::solve(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const {
+  if (!has_tensors_) return solve_as_drawn(evaluator, point, attempt);
+  SamplePoint known = point;
+  try {
+    if (solve_as_drawn(evaluator, point, attempt)) return true;
+  } catch (const PointRejected&) {
+    // the tensors that are known may do
+  }
+  put_known_tensors(known, attempt);
+  point = std::move(known);
+  return solve_as_drawn(evaluator, point, attempt);
+}
+
+bool AssumptionSolver::solve_as_drawn(SampleEvaluator& evaluator, SamplePoint& point,
+                                      std::uint32_t attempt) const {
+  for (std::uint32_t pass = 0; pass < (has_orders_ ? order_passes : 1); ++pass) {
+    if (has_orders_) solve_orders(evaluator, point, attempt + pass, pass >= order_passes / 2);
+    if (solve_equations(evaluator, point, attempt) && holds(evaluator, point)) return true;
+  }
+  return false;
+}
+
+}  // namespace rigor

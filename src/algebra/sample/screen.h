@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many claims that are much alike, most of them false: which of them hold on a few exact samples that meet
+// the assumptions? What passes is not proved.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algebra/engine/limits.h"
+#include "expr/statement/statement.h"
+
+namespace rigor {
+
+class SampleScreen {
+ public:
+  /// Draws the samples for the question's claim and other expressions, with its definitions and assumptions.
+  /// The tree may not grow afterwards.
+  SampleScreen(const Question& question, std::span<const ExprId> also, const Limits& limits = {});
+  ~SampleScreen();
+  SampleScreen(const SampleScreen&) = delete;
+  SampleScreen& operator=(const SampleScreen&) = delete;
+
+  /// For each claim: was it compared, and does it hold wherever it was? Claims are compared that speak only
+  /// of symbols which the samples have.
+  [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims);
+  /// For each term, given as `term = 0` with the free indices of the claim: the number c ≠ 0 for which
+  /// left − right = c · term on all samples; as exact text; none if there is none.
+  [[nodiscard]] std::vector<std::optional<std::string>> multiples(const Equation& claim,
+                                                                  std::span<const Equation> terms);
+
+ private:
+  class Samples;
+  std::unique_ptr<Samples> samples_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/grammar/grammar.h"
+
+namespace rigor {
+
+void add_explain(Grammar& grammar) {
+  const auto explain = std::make_shared<ExplainCommand>();
+  CLI::App& app = grammar.command(
+      "explain", "Derive one form of a chain from the other in small steps, each with its rule",
+      {"explain notes/rigid-bodies.md --at '(6)'", "explain notes/rigid-bodies.md --at 120 --format latex",
+       R"(explain '|\mathbf A\times\mathbf B|^2 = A^2B^2 - (\mathbf A\cdot\mathbf B)^2')"},
+      [explain]() -> CommandLine { return {.explain = std::move(*explain)}; });
+  app.add_option("FILE|STATEMENT", explain->file,
+                 "Notes: LaTeX (.tex) or Markdown; or a statement in LaTeX with a relation in it")
+      ->required()
+      ->type_name("");
+  app.add_option(
+         "--at", explain->places,
+         "Only the equations with this tag or label, in this section or on this line; may be repeated")
+      ->type_name("TAG|HEADING|LINE")
+      ->allow_extra_args(false);
+  app.add_option_function<std::string>(
+         "--format",
+         [explain](const std::string& name) {
+           explain->format = name == "latex"    ? MathFormat::latex
+                             : name == "mathml" ? MathFormat::mathml
+                                                : MathFormat::text;
+         },
+         "How mathematics is written: text (the default), latex or mathml")
+      ->type_name("FORMAT")
+      ->check(one_of("format", {"text", "latex", "mathml"}));
+  add_sidecar(app, explain->sidecar);
+  add_color(app, explain->color);
+}
+
+}  // namespace rigor

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/dimension/dimension_form.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace rigor {
+
+bool DimensionForm::is_valid() const {
+  return fixed.is_valid() && std::all_of(unknowns.begin(), unknowns.end(),
+                                         [](const auto& entry) { return entry.second.is_valid(); });
+}
+
+void DimensionForm::add(Unknown unknown, const SmallRational& factor) {
+  const auto [entry, is_new] = unknowns.try_emplace(unknown, factor);
+  if (!is_new) entry->second = entry->second + factor;
+  if (entry->second.is_zero()) unknowns.erase(entry);
+}
+
+void DimensionForm::add(const DimensionForm& other, const SmallRational& factor) {
+  for (const auto& [unknown, own] : other.unknowns) add(unknown, own * factor);
+  fixed += other.fixed * factor;
+  any = any || other.any;
+}
+
+void demand(std::vector<DimensionEquation>& equations, DimensionEquation equation) {
+  if (equation.left.any || equation.right.any) return;
+  DimensionForm difference = equation.left;
+  difference.add(equation.right, -1);
+  if (!difference.is_none()) equations.push_back(std::move(equation));
+}
+
+DimensionForm DimensionReader::read(ExprId id) {
+  const auto key = static_cast<std::uint32_t>(id);
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  DimensionForm form = compute(id);
+  known_.emplace(key, form);
+  return form;
+}
+
+DimensionForm DimensionReader::compute(ExprId id) {
+  const ExprNode& node = tree_[id];
+  DimensionForm form;
+  switch (node.op) {
+    case Op::number:
+      form.any = tree_.is_zero_literal(id);
+      return form;
+    case Op::basis:
+    case Op::delta:
+    case Op::epsilon:
+      return form;
+    case Op::symbol:
+      return form_of_symbol_(id);
+    case Op::add:
+      return common(id, Alike::terms);
+    case Op::tuple:
+    case Op::table:
+      return common(id, Alike::components);
+    case Op::multiply:
+    case Op::divide:
+    case Op::dot:
+    case Op::cross:
+      return product(id);
+    case Op::power:
+      form.add(read(tree_.children(id)[0]), node.exponent);
+      return form;
+    case Op::root:
+      form.add(read(tree_.children(id)[0]), SmallRational(1, 2));
+      return form;
+    case Op::negate:
+    case Op::length:
+    case Op::absolute:
+    case Op::component:
+    case Op::index_sum:
+    case Op::particle_sum:
+      return read(tree_.children(id)[0]);
+    case Op::determinant:
+      return determinant(id);
+    case Op::function:
+      return function(id);
+  }
+  return form;
+}
+
+DimensionForm DimensionReader::product(ExprId id) {
+  const bool quotient = tree_[id].op == Op::divide;
+  DimensionForm form;
+  for (std::size_t k = 0; k < tree_.children(id).size(); ++k)
+    form.add(read(tree_.children(id)[k]), quotient && k == 1 ? -1 : 1);
+  return form;
+}
+
+/// The dimension of all children. Each is compared with the first one that is no written 0.
+DimensionForm DimensionReader::common(ExprId id, Alike alike) {
+  DimensionForm first;
+  first.any = true;
+  Span place{};
+  for (const ExprId child : tree_.children(id)) {
+    DimensionForm form = read(child);
+    if (first.any) {
+      first = std::move(form);
+      place = tree_[child].span;
+    } else {
+      demand(equations_, {first, std::move(form), place, tree_[child].span, alike});
+    }
+  }
+  return first;
+}
+
+/// Each row and each column may have a dimension of its own, as long as every product has the same.
+DimensionForm DimensionReader::determinant(ExprId id) {
+  std::array<Unknown, 3> rows{};
+  std::array<Unknown, 3> columns{};
+  DimensionForm whole;
+  for (std::size_t k = 0; k < 3; ++k) {
+    whole.add(rows[k] = fresh_(), 1);
+    whole.add(columns[k] = fresh_(), 1);
+  }
+  const Span span = tree_[id].span;
+  for (std::size_t k = 0; k < 9; ++k) {
+    const ExprId entry = tree_.children(id)[k];
+    DimensionForm place;
+    place.add(rows[k / 3], 1);
+    place.add(columns[k % 3], 1);
+    demand(equations_, {read(entry), std::move(place), tree_[entry].span, span, Alike::components});
+  }
+  return whole;
+}
+
+DimensionForm DimensionReader::function(ExprId id) {
+  const ExprId argument = tree_.children(id)[0];
+  const Span span = tree_[argument].span;
+  demand(equations_, {read(argument), {}, span, span, Alike::argument});
+  return {};
+}
+
+}  // namespace rigor

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/doubt/borrowed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/among.h"
+#include "check/doubt/one_direction.h"
+#include "check/prose/restrictions.h"
+#include "check/question/decision_cache.h"
+#include "check/scope/rehearsal.h"
+#include "check/verdict/law_diagnostic.h"
+#include "check/word/number_words.h"
+#include "check/word/prose_words.h"
+#include "expr/calculus/differentiate.h"
+
+namespace rigor {
+namespace {
+
+bool is_open(const Judgement& judgement) {
+  const bool law = judgement.verdict == Verdict::not_understood &&
+                   std::any_of(judgement.diagnostics.begin(), judgement.diagnostics.end(),
+                               [](const Diagnostic& diagnostic) {
+                                 return diagnostic.kind == DiagnosticKind::undeclared_symbol;
+                               });
+  return law || judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided;
+}
+
+/// The letters that it leads to, definitions unfolded.
+std::set<SymbolId> letters_of(const ExprTree& tree, const Names& names, const Equation& equation) {
+  std::set<SymbolId> letters;
+  std::vector<ExprId> pending{equation.left, equation.right};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(tree, id)) {
+      const SymbolId base = base_of(tree.symbols, symbol);
+      if (!letters.insert(base).second) continue;
+      if (const NamedDefinition* named = names.definition_of(base)) pending.push_back(named->definition.body);
+    }
+  }
+  return letters;
+}
+
+class Heeding {
+ public:
+  Heeding(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement, const Standpoint& at,
+          DecisionCache* cache)
+      : tree_(tree),
+        names_(names),
+        claim_(claim),
+        judgement_(std::move(judgement)),
+        at_(at),
+        sentence_(at.beside().lead + " " + at.beside().tail),
+        cache_(cache) {}
+
+  Judgement heed() {
+    if (!is_open(judgement_) || claim_.recorded != nullptr) return std::move(judgement_);
+    const std::vector<const Fact*> bearing = facts_that_bear();
+    if (proves_with(bearing) || judgement_.verdict != Verdict::refuted) return std::move(judgement_);
+    if (is_of_numbers()) {
+      restricted_as_numbers();
+      return std::move(judgement_);
+    }
+    if (restricted_by_words() || holds_with(bearing) || rests_on_borrowed() ||
+        restricted_by_what_stands_around() || restricted_to_one_direction())
+      return std::move(judgement_);
+    return std::move(judgement_);
+  }
+
+ private:
+  std::set<SymbolId> letters_of(const Equation& equation) const {
+    return rigor::letters_of(tree_, names_, equation);
+  }
+
+  std::vector<const Fact*> facts_that_bear() const {
+    std::set<SymbolId> reached = letters_of(claim_.equation);
+    std::vector<const Fact*> bearing;
+    for (bool grew = true; grew;) {
+      grew = false;
+      for (const Fact& fact : at_.facts) {
+        if (is_one_of(&fact, bearing)) continue;
+        const std::set<SymbolId> letters = letters_of(fact.equation);
+        const bool meets = std::any_of(letters.begin(), letters.end(),
+                                       [&](SymbolId letter) { return reached.contains(letter); });
+        if (!meets) continue;
+        bearing.push_back(&fact);
+        reached.insert(letters.begin(), letters.end());
+        grew = true;
+      }
+    }
+    return bearing;
+  }
+
+  void take_for_granted(const Fact& fact) {
+    const ExprNode left = tree_[fact.equation.left];
+    const bool names_it = fact.proves && !fact.at_instant && fact.equation.relation == Relation::equal &&
+                          left.op == Op::symbol && left.slot_count == 0 && left.rank == 0 &&
+                          left.particle == no_particle && names_.definition_of(left.symbol) == nullptr &&
+                          !tree_.symbols[left.symbol].derivation;
+    Equation right = fact.equation;
+    right.left = right.right;
+    Origin origin{fact.text, {}, std::nullopt};
+    if (names_it && !letters_of(right).contains(left.symbol)) {
+      names_.define({{left.symbol, {}, no_particle, fact.equation.right}, std::move(origin), 0});
+    } else {
+      names_.assume({fact.equation, std::move(origin), 0, fact.at_instant});
+    }
+  }
+
+  Judgement judge_with(const std::vector<const Fact*>& facts) {
+    const Rehearsal rehearsal(names_);
+    for (const Fact* fact : facts) take_for_granted(*fact);
+    Judgement judgement = judge(tree_, names_, claim_, {}, cache_);
+    // From what cannot be, anything follows.
+    if (judgement.verdict == Verdict::proved && !sample_of_assumptions(tree_, names_, {}, {}, cache_))
+      judgement.verdict = Verdict::undecided;
+    return judgement;
+  }
+
+  bool proves_with(const std::vector<const Fact*>& bearing) {
+    std::vector<const Fact*> proving;
+    std::copy_if(bearing.begin(), bearing.end(), std::back_inserter(proving),
+                 [](const Fact* fact) { return fact->proves; });
+    if (proving.empty()) return false;
+    Judgement other = judge_with(proving);
+    if (other.verdict != Verdict::proved) return false;
+    judgement_ = std::move(other);
+    return true;
+  }
+
+  void withdraw(DiagnosticKind kind, std::string message, std::vector<Label> labels,
+                std::vector<std::string> help) {
+    judgement_.verdict = Verdict::undecided;
+    judgement_.counterexample.reset();
+    judgement_.sample.reset();
+    judgement_.diagnostics = {
+        {kind, claim_.relation, std::move(message), std::move(labels), std::move(help)}};
+  }
+
+  bool is_meant_for_all() const { return rigor::is_meant_for_all(tree_, names_, claim_); }
+
+  bool restricted_by_words() {
+    auto word = word_that_demands(at_.beside().lead);
+    if (!word) word = word_of_a_special_case(sentence_);
+    if (!word) word = at_.denied;
+    if (word) return restricted_by(*word, "its sentence");
+    if (!is_meant_for_all()) {
+      word = word_of_a_special_heading(at_.heading);  // "Incompressible flow"
+      if (!word) word = restriction_in_heading(at_.heading);
+      if (word) return restricted_by(*word, "its heading");
+    }
+    if (at_.unread.empty()) return false;
+    withdraw(DiagnosticKind::restricted,
+             fmt::format("it does not hold for all values, and `{}` beside it is not read", at_.unread), {},
+             {"`rigor: claim …` states it for itself"});
+    return true;
+  }
+
+  bool is_of_numbers() const {
+    std::vector<ExprId> pending{claim_.equation.left, claim_.equation.right};
+    while (!pending.empty()) {
+      const ExprNode& node = tree_[pending.back()];
+      const std::span<const ExprId> children = tree_.children(pending.back());
+      pending.pop_back();
+      pending.insert(pending.end(), children.begin(), children.end());
+      const bool letter = node.op == Op::symbol && !tree_.symbols[node.symbol].unit_of_measure;
+      if (letter || node.rank > 0 || node.slot_count > 0) return false;
+    }
+    return true;
+  }
+
+  /// `70/24 = 36/12`, `\mathrm{1\,h} = \mathrm{100\,min}`.
+  void restricted_as_numbers() {
+    auto word = word_that_demands(at_.beside().lead);
+    if (!word) word = at_.denied;
+    if (!word) word = word_on_numbers(sentence_);
+    if (word) {
+      restricted_by(*word, "its sentence");
+    } else if (const std::string& arithmetic = names_.evidence.other_arithmetic; !arithmetic.empty()) {
+      restricted_by(arithmetic, "its section");
+    } else if (auto heading = word_on_numbers(at_.heading)) {
+      restricted_by(*heading, "its heading");
+    } else if (at_.around) {
+      if (const auto around = word_on_numbers(at_.around->word)) restricted_by(*around, at_.around->where);
+    }
+  }
+
+  /// By what is not among the closed lists of words: it is asked last, since the others say more.
+  bool restricted_by_what_stands_around() {
+    if (auto word = restriction_in_sentence(sentence_)) return restricted_by(*word, "its sentence");
+    if (at_.around && !is_meant_for_all()) return restricted_by(at_.around->word, at_.around->where);
+    return false;
+  }
+
+  /// By nothing that is said: by how vectors are written without a figure.
+  bool restricted_to_one_direction() {
+    if (is_meant_for_all()) return false;
+    const std::vector<SymbolId> vectors = lengths_or_components(tree_, claim_.equation);
+    if (!vectors.empty() && !fails_for_numbers()) {
+      withdraw(DiagnosticKind::restricted,
+               fmt::format("it does not hold for all directions of {}, of which plain letters can be lengths "
+                           "or components along one direction",
+                           quoted_names(tree_, vectors)),
+               {}, {meant_for_all()});
+      return true;
+    }
+    if (!may_be_in_the_plane(tree_, names_.evidence, claim_.equation)) return false;
+    withdraw(
+        DiagnosticKind::restricted,
+        "it does not hold in space, and nothing in this section has a third component: it may be meant in "
+        "the plane",
+        {}, {meant_for_all()});
+    return true;
+  }
+
+  bool fails_for_numbers() {
+    const auto equation = with_numbers_for_lengths(tree_, claim_.equation);
+    if (!equation) return false;
+    Claim numbers = claim_;
+    numbers.equation = *equation;
+    return judge(tree_, names_, numbers, {}, cache_).verdict == Verdict::refuted;
+  }
+
+  /// The directive that says so of all letters that stand open.
+  std::string meant_for_all() const {
+    std::vector<std::string> open;
+    for (const SymbolId letter : letters_of(claim_.equation)) {
+      if (!tree_.symbols[letter].for_all && names_.definition_of(letter) == nullptr)
+        open.push_back(tree_.symbols[letter].name);
+    }
+    return fmt::format("`rigor: for all {}` says that all are meant", fmt::join(open, ", "));
+  }
+
+  /// "To first order", "for small x" beside `\approx`, where something is declared small, say what is asked.
+  bool says_what_is_asked(std::string_view word) const {
+    return claim_.nearly && !names_.small().empty() &&
+           (word.find("small") != std::string_view::npos || word.find("order") != std::string_view::npos);
+  }
+
+  bool restricted_by(const std::string& word, std::string_view where) {
+    if (says_what_is_asked(word)) return false;
+    withdraw(DiagnosticKind::restricted,
+             fmt::format("it does not hold for all values, and `{}` in {} may restrict it", word, where), {},
+             {"`rigor: claim …` states it for itself"});
+    return true;
+  }
+
+  /// A sample that meets what is stated, of the letters of the statement alone: it refutes that for itself.
+  void keep_what_is_asked(Counterexample& example) const {
+    using Values = std::vector<Counterexample::Value>;
+    const auto is_one_of = [](const Values& values, const Counterexample::Value& value) {
+      return std::any_of(values.begin(), values.end(), [&](const Counterexample::Value& each) {
+        return each.symbol == value.symbol && each.rank == value.rank &&
+               (each.particle > 0) == (value.particle > 0);
+      });
+    };
+    const Counterexample& asked = *judgement_.counterexample;
+    std::copy_if(example.follows.begin(), example.follows.end(), std::back_inserter(example.values),
+                 [&](const Counterexample::Value& value) { return is_one_of(asked.values, value); });
+    std::erase_if(example.values, [&](const auto& value) { return !is_one_of(asked.values, value); });
+    std::erase_if(example.follows, [&](const auto& value) { return !is_one_of(asked.follows, value); });
+  }
+
+  /// A directive says it already.
+  bool is_in_force(const Fact& fact) {
+    Claim said = claim_;
+    said.equation = fact.equation;
+    return judge(tree_, names_, said, {}, cache_).verdict == Verdict::proved;
+  }
+
+  /// What is stated nearby, as a law or in a line, would make it true, or leave it open.
+  bool holds_with(const std::vector<const Fact*>& bearing) {
+    std::vector<const Fact*> here;
+    std::copy_if(bearing.begin(), bearing.end(), std::back_inserter(here),
+                 [&](const Fact* fact) { return !fact->elsewhere && !is_in_force(*fact); });
+    if (!here.empty() && holds_with_what_is_said_here(here)) return true;
+    if (is_meant_for_all()) return false;
+    // One at a time: two special cases together prove anything.
+    for (const Fact* fact : bearing) {
+      if (fact->elsewhere && judge_with({fact}).verdict == Verdict::proved) return may_hold_with({fact});
+    }
+    return false;
+  }
+
+  bool holds_with_what_is_said_here(const std::vector<const Fact*>& bearing) {
+    Judgement other = judge_with(bearing);
+    if (other.verdict == Verdict::refuted) {
+      if (other.counterexample && judgement_.counterexample) keep_what_is_asked(*other.counterexample);
+      judgement_ = std::move(other);  // on a sample that meets what is stated
+      return false;
+    }
+    return may_hold_with(bearing);
+  }
+
+  bool may_hold_with(const std::vector<const Fact*>& bearing) {
+    std::vector<Label> labels;
+    for (const Fact* fact : bearing) labels.push_back({fact->span, "stated here"});
+    withdraw(DiagnosticKind::borrowed,
+             fmt::format("it does not hold for all values, and may hold with `{}`", bearing.front()->text),
+             std::move(labels), {"`rigor: given …` takes it for granted"});
+    return true;
+  }
+
+  /// A definition that is not said for this place, and without which it would not fail.
+  bool rests_on_borrowed() {
+    const auto case_word = word_of_a_case(sentence_);
+    std::vector<NamedDefinition> borrowed;
+    for (const NamedDefinition& named : names_.definitions()) {
+      const bool asked = std::any_of(judgement_.question.definitions.begin(),
+                                     judgement_.question.definitions.end(), [&](const Definition& each) {
+                                       return base_of(tree_.symbols, each.symbol) ==
+                                              base_of(tree_.symbols, named.definition.symbol);
+                                     });
+      if (!asked || named.origin.directive) continue;
+      const bool in_between = case_word && named.origin.event != at_.event;
+      if (is_said_for(at_, named.origin) && !in_between) continue;
+      if (!is_used_here(at_, names_, named.origin, named.definition.symbol)) borrowed.push_back(named);
+    }
+    if (borrowed.empty()) return false;
+    {
+      const Rehearsal rehearsal(names_);
+      for (const NamedDefinition& named : borrowed) names_.forget_definition(named.definition.symbol);
+      if (judge(tree_, names_, claim_, {}, cache_).verdict == Verdict::refuted) return false;
+    }
+    std::vector<Label> labels;
+    std::vector<std::string> help;
+    for (const NamedDefinition& named : borrowed) {
+      labels.push_back({tree_[named.definition.body].span, "borrowed from here"});
+      help.push_back(fmt::format("`rigor: use {}` says that it holds here, too",
+                                 use_of(names_, tree_, named.definition.symbol)));
+    }
+    const bool elsewhere = !is_said_for(at_, borrowed.front().origin);
+    withdraw(DiagnosticKind::borrowed,
+             elsewhere ? fmt::format("it fails only with `{}`, which {}", borrowed.front().origin.text,
+                                     borrowed.front().origin.conditional
+                                         ? "a word of its own sentence may limit to a case"
+                                         : "is not said for this section")
+                       : fmt::format("it fails only with `{}`, which may mean another case than `{}` in its "
+                                     "sentence",
+                                     borrowed.front().origin.text, *case_word),
+             std::move(labels), std::move(help));
+    return true;
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  const Claim& claim_;
+  Judgement judgement_;
+  const Standpoint& at_;
+  std::string sentence_;
+  DecisionCache* cache_;
+};
+
+}  // namespace
+
+bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& claim) {
+  if (claim.for_all) return true;
+  const std::set<SymbolId> letters = letters_of(tree, names, claim.equation);
+  return !letters.empty() && std::all_of(letters.begin(), letters.end(), [&](SymbolId each) {
+    return tree.symbols[each].for_all || names.definition_of(each) != nullptr;
+  });
+}
+
+bool is_said_for(const Standpoint& at, const Origin& origin) {
+  if (origin.conditional && origin.event != at.event) return false;
+  return at.prose.sections.reaches(origin.place, at.beside().place);
+}
+
+bool is_used_here(const Standpoint& at, Names& names, const Origin& origin, SymbolId symbol) {
+  const NameKey* key = names.key_of(symbol);
+  for (const UseDirective& use : at.uses) {
+    if (!at.prose.sections.reaches(use.place, at.beside().place)) continue;
+    const bool by_letter = key != nullptr && is_one_of(key->base, use.letters);
+    const bool by_place = std::any_of(use.places.begin(), use.places.end(), [&](const std::string& place) {
+      return origin.text.ends_with(" " + place);
+    });
+    if (!by_letter && !by_place) continue;
+    names.mark_used(use.directive);
+    return true;
+  }
+  return false;
+}
+
+std::string use_of(const Names& names, const ExprTree& tree, SymbolId symbol) {
+  const SymbolId base = base_of(tree.symbols, symbol);
+  const NameKey* key = names.key_of(base);
+  return key == nullptr ? tree.symbols[base].name : key->base;
+}
+
+Judgement heed_place(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement,
+                     const Standpoint& at, DecisionCache* cache) {
+  return Heeding(tree, names, claim, std::move(judgement), at, cache).heed();
+}
+
+}  // namespace rigor

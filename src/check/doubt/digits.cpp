@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/doubt/digits.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "check/question/decision_cache.h"
+#include "check/question/question.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t most_digits = 15;
+constexpr int most_digits_of_pi = 10;  // far fewer than its bounds have
+constexpr const char* below_pi = "3.14159265358979";
+constexpr const char* above_pi = "3.14159265358980";
+
+/// M · 10^-places, of which the last `unsure` digits are zeros that may count or not.
+struct Shown {
+  ExprId number{};
+  std::int64_t mantissa = 0;
+  int places = 0;
+  int unsure = 0;
+  int digits = 0;
+  bool negative = false;
+};
+
+bool is_power_of_ten(const ExprTree& tree, ExprId id) {
+  return tree[id].op == Op::power && tree[tree.children(id)[0]].op == Op::number &&
+         tree.digits(tree.children(id)[0]) == "10";
+}
+
+/// `\mathrm{h}`, which is 3600 s.
+bool is_of_units(const ExprTree& tree, ExprId id) {
+  const std::vector<SymbolId> symbols = symbols_in(tree, id);
+  return !symbols.empty() && std::all_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+    return tree.symbols[symbol].unit_of_measure.has_value();
+  });
+}
+
+/// `1.69`, `-1.69`, `1.11 \times 10^{-16}`, `1.407\,\mathrm{h}`.
+std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
+  Shown shown;
+  while (tree[side].op == Op::negate) {
+    shown.negative = !shown.negative;
+    side = tree.children(side)[0];
+  }
+  ExprId number = side;
+  if (tree[side].op == Op::multiply) {
+    const std::span<const ExprId> factors = tree.children(side);
+    const bool scaled = std::all_of(factors.begin() + 1, factors.end(), [&](ExprId factor) {
+      return is_power_of_ten(tree, factor) || is_of_units(tree, factor);
+    });
+    if (scaled) number = factors.front();
+  }
+  if (tree[number].op != Op::number) return std::nullopt;
+  std::string digits(tree.digits(number));
+  const auto point = digits.find('.');
+  if (point == std::string::npos && !nearly) return std::nullopt;
+  if (point != std::string::npos) {
+    shown.places = static_cast<int>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  if (digits.empty() || digits.size() > most_digits) return std::nullopt;
+  if (point == std::string::npos) {
+    for (std::size_t k = digits.size(); k > 1 && digits[k - 1] == '0'; --k) ++shown.unsure;
+  }
+  shown.number = number;
+  shown.digits = static_cast<int>(digits.size());
+  shown.mantissa = std::stoll(digits);
+  return shown;
+}
+
+/// The decimal number value · 10^-places.
+std::string decimal(std::int64_t value, int places) {
+  std::string digits = std::to_string(value);
+  if (places == 0) return digits;
+  const auto width = static_cast<std::size_t>(places);
+  if (digits.size() <= width) digits.insert(0, width + 1 - digits.size(), '0');
+  digits.insert(digits.size() - width, 1, '.');
+  return digits;
+}
+
+class Comparison {
+ public:
+  Comparison(ExprTree& tree, Names& names, ExprId value, ExprId side, const Shown& shown,
+             DecisionCache* cache)
+      : tree_(tree), names_(names), value_(value), side_(side), shown_(shown), cache_(cache) {}
+
+  /// Does the value lie within so many halves of the digit with `unsure` zeros behind it?
+  std::optional<bool> lies_within(int halves, int unsure) {
+    std::int64_t reach = 5 * halves;
+    for (int k = 0; k < unsure; ++k) reach *= 10;
+    const std::int64_t middle = 10 * shown_.mantissa;
+    const auto above_lower = middle < reach ? std::optional(true) : is_ordered(middle - reach, false);
+    const auto below_upper = is_ordered(middle + reach, true);
+    if (above_lower == false) bound_ = "less than " + decimal(middle - reach, shown_.places + 1);
+    if (below_upper == false) bound_ = "more than " + decimal(middle + reach, shown_.places + 1);
+    if (above_lower == false || below_upper == false) return false;
+    if (!above_lower || !below_upper) return std::nullopt;
+    return true;
+  }
+
+  /// Where the value lies, once it does not lie within; empty where the number has a sign, a factor or a
+  /// unit.
+  [[nodiscard]] std::string bound() const {
+    return side_ == shown_.number && tree_[side_].op == Op::number ? bound_ : std::string();
+  }
+
+ private:
+  /// Is the value at most (or at least) the side with this number in place of its own?
+  std::optional<bool> is_ordered(std::int64_t bound, bool at_most) {
+    const ExprId number = tree_.add_number(tree_[shown_.number].span, decimal(bound, shown_.places + 1));
+    const ExprId other = with(side_, number);
+    Equation order;
+    const bool value_left = at_most != shown_.negative;
+    order.left = value_left ? value_ : other;
+    order.right = value_left ? other : value_;
+    order.relation = Relation::less_or_equal;
+    const bool speaks_of_pi = holds_pi(value_);
+    const auto decided = [&](const Equation& claim) {
+      Prepared prepared = prepare(tree_, names_, claim);
+      Decision open;
+      if (prepared.too_large || (speaks_of_pi && shown_.digits > most_digits_of_pi)) return open;
+      if (speaks_of_pi) bound_pi(prepared.question);
+      return decide(cache_, prepared.question, {.simplest_sample = false});
+    };
+    const Decision decision = decided(order);
+    if (decision.outcome == Outcome::proved) return true;
+    // a sample between the bounds of π shows nothing, and a root has no rational one
+    if (decision.outcome == Outcome::refuted && !speaks_of_pi) return false;
+    const Equation reverse{.left = order.right, .right = order.left, .relation = Relation::less};
+    return decided(reverse).outcome == Outcome::proved ? std::optional(false) : std::nullopt;
+  }
+
+  bool holds_pi(ExprId root) const {
+    std::set<SymbolId> seen;
+    std::vector<ExprId> pending{root};
+    while (!pending.empty()) {
+      const std::vector<SymbolId> symbols = symbols_in(tree_, pending.back());
+      pending.pop_back();
+      for (const SymbolId symbol : symbols) {
+        if (is_circle_number(tree_, names_, symbol)) return true;
+        const NamedDefinition* named = names_.definition_of(symbol);
+        if (named != nullptr && seen.insert(symbol).second) pending.push_back(named->definition.body);
+      }
+    }
+    return false;
+  }
+
+  void bound_pi(Question& question) {
+    const std::optional<SymbolId> pi = names_.find({"\\pi", 0, false});
+    if (!pi) return;
+    const Span span = tree_[side_].span;
+    const ExprId circle = tree_.add({.op = Op::symbol, .span = span, .symbol = *pi});
+    question.assumptions.push_back(
+        {.left = tree_.add_number(span, below_pi), .right = circle, .relation = Relation::less});
+    question.assumptions.push_back(
+        {.left = circle, .right = tree_.add_number(span, above_pi), .relation = Relation::less});
+    question.tree = &tree_;
+  }
+
+  ExprId with(ExprId id, ExprId number) {
+    if (id == shown_.number) return number;
+    const ExprNode node = tree_[id];
+    if (node.op != Op::negate && node.op != Op::multiply) return id;
+    const std::span<const ExprId> children = tree_.children(id);
+    std::vector<ExprId> copies(children.begin(), children.end());
+    for (ExprId& child : copies) child = with(child, number);
+    return tree_.add(node, copies);
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  ExprId value_;
+  ExprId side_;
+  const Shown& shown_;
+  DecisionCache* cache_;
+  std::string bound_;
+};
+
+/// No letter but units is left when definitions are unfolded.
+bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
+  std::vector<ExprId> pending{root};
+  std::set<SymbolId> seen;
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(tree, id)) {
+      if (tree.symbols[symbol].unit_of_measure || is_circle_number(tree, names, symbol)) continue;
+      if (!seen.insert(symbol).second) continue;
+      const NamedDefinition* named = names.definition_of(symbol);
+      if (named == nullptr) return false;
+      pending.push_back(named->definition.body);
+    }
+  }
+  return true;
+}
+
+/// Is a number in it written with a point, definitions unfolded? Then it is measured or rounded already.
+bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
+  std::set<SymbolId> seen;
+  std::vector<ExprId> pending{root};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    const ExprNode& node = tree[id];
+    if (node.op == Op::number && tree.digits(id).find('.') != std::string::npos) return true;
+    const std::span<const ExprId> children = tree.children(id);
+    pending.insert(pending.end(), children.begin(), children.end());
+    if (node.op != Op::symbol || !seen.insert(node.symbol).second) continue;
+    if (const NamedDefinition* named = names.definition_of(node.symbol))
+      pending.push_back(named->definition.body);
+  }
+  return false;
+}
+
+}  // namespace
+
+bool compares_decimals(const ExprTree& tree, const Names& names, const Equation& equation) {
+  const auto is_number = [&](ExprId side) { return is_a_number(tree, names, side); };
+  return is_number(equation.left) && is_number(equation.right) &&
+         (has_decimal(tree, names, equation.left) || has_decimal(tree, names, equation.right));
+}
+
+bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol) {
+  const NameKey* key = names.key_of(symbol);
+  return key != nullptr && *key == NameKey{"\\pi", 0, false} && !tree.symbols[symbol].declared &&
+         names.definition_of(symbol) == nullptr;
+}
+
+bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left, const Typed& right) {
+  return tree[left.id].op == Op::symbol && is_circle_number(tree, names, tree[left.id].symbol) &&
+         symbols_in(tree, right.id).empty() && shown_in(tree, right.id, false);
+}
+
+std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names, const Claim& claim,
+                                                   DecisionCache* cache) {
+  const Equation& equation = claim.equation;
+  if (equation.relation != Relation::equal || tree[equation.left].rank != 0) return std::nullopt;
+  std::optional<DigitComparison> differs;  // ≈ has two sides, and the coarser one counts
+  for (const bool swap : {false, true}) {
+    const ExprId side = swap ? equation.left : equation.right;
+    const ExprId value = swap ? equation.right : equation.left;
+    const bool order = claim.nearly && is_power_of_ten(tree, side);  // `1024 \approx 10^3`
+    if (order && is_a_number(tree, names, value)) return DigitComparison{};
+    // `0.5 \cdot 9.8 \cdot 3^2 = 44`
+    const auto shown = shown_in(tree, side, claim.nearly || has_decimal(tree, names, value));
+    if (!shown || !is_a_number(tree, names, value)) continue;
+    Comparison comparison(tree, names, value, side, *shown, cache);
+    // Of 1000 behind ≈, two digits must be right, and one may be all that is meant.
+    const bool two_are_sure = shown->digits - shown->unsure >= 2;
+    const auto rounds =
+        comparison.lies_within(1, two_are_sure ? shown->unsure : std::max(shown->unsure - 1, 0));
+    if (!rounds) return std::nullopt;
+    // `12.28 = 12` may round, and calculates nothing.
+    const bool calculates = tree[value].op != Op::number && tree[value].op != Op::negate;
+    const bool written = claim.nearly || shown_in(tree, side, false).has_value();
+    if (*rounds && !calculates && !written) return DigitComparison{};
+    if (*rounds) return DigitComparison{.agreement = Agreement::rounds};
+    const auto may_round = comparison.lies_within(claim.nearly ? 2 : 1, shown->unsure);
+    if (!may_round) return std::nullopt;
+    if (*may_round) return DigitComparison{};
+    if (!differs) differs = DigitComparison{.agreement = Agreement::differs, .bound = comparison.bound()};
+    if (!claim.nearly) return differs;
+  }
+  return differs;
+}
+
+}  // namespace rigor

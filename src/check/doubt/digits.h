@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A number that is written with a decimal point, or behind ≈, stands for all numbers that round to it:
+// 27/16 = 1.69 holds, 27/16 = 1.68 does not, 2^{-53} ≈ 1.11·10^{-16} does. So does a whole number
+// that is computed from decimals: 0.5·9.8·3^2 = 44. Trailing zeros of a whole number may be digits or not. A
+// root is compared by its square, and π by bounds of 14 digits.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "check/verdict/judge.h"
+
+namespace rigor {
+
+/// How a number agrees with the digits that are shown of it.
+enum class Agreement : std::uint8_t {
+  rounds,   // it rounds to them
+  unclear,  // it may, by how many of the digits count
+  differs,  // it does not
+};
+
+struct DigitComparison {
+  Agreement agreement = Agreement::unclear;
+  std::string bound = {};  // where it differs: `less than 1.415`
+};
+
+/// π where nothing else is said of it.
+[[nodiscard]] bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol);
+
+/// `\pi = 3.14`: such a row says what π is worth, and defines nothing.
+[[nodiscard]] bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left,
+                                       const Typed& right);
+
+/// Are both sides numbers, and is one of them made of decimals? What is not shown to be rounded may be so.
+[[nodiscard]] bool compares_decimals(const ExprTree& tree, const Names& names, const Equation& equation);
+
+/// Nothing where neither side is such a number, where the other depends on a letter, or where that cannot be
+/// decided.
+[[nodiscard]] std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names,
+                                                                 const Claim& claim, DecisionCache* cache);
+
+}  // namespace rigor

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/doubt/equation_of_letters.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/among.h"
+#include "check/word/prose_words.h"
+
+namespace rigor {
+namespace {
+
+/// Since the last display.
+std::vector<std::string_view> last_words(std::string_view lead) {
+  const auto display = lead.rfind('\n');
+  return words_of(display == std::string_view::npos ? lead : lead.substr(display + 1));
+}
+
+bool is_of_scalars(const ExprTree& tree, ExprId side) {
+  const std::vector<SymbolId> symbols = symbols_in(tree, side);
+  return tree[side].rank == 0 && std::all_of(symbols.begin(), symbols.end(), [&](SymbolId id) {
+           const Symbol& symbol = tree.symbols[id];
+           return !symbol.derivation && !symbol.rotation && !symbol.per_particle && !symbol.unit_of_measure;
+         });
+}
+
+template <class Test>
+bool holds_anywhere(const ExprTree& tree, ExprId id, const Test& test) {
+  if (test(tree[id])) return true;
+  const auto children = tree.children(id);
+  return std::any_of(children.begin(), children.end(),
+                     [&](ExprId child) { return holds_anywhere(tree, child, test); });
+}
+
+bool has_sum(const ExprTree& tree, ExprId id) {
+  return holds_anywhere(tree, id, [](const ExprNode& node) { return node.op == Op::add; });
+}
+
+/// `(u - v)^2`, `m(v + u)^2`: to be expanded.
+bool is_product_of_sums(const ExprTree& tree, ExprId id) {
+  const Op op = tree[id].op;
+  return (op == Op::power || op == Op::multiply) && has_sum(tree, id);
+}
+
+/// `u^2 - 2uv + v^2`
+bool is_expanded(const ExprTree& tree, ExprId id) {
+  if (tree[id].op != Op::add) return false;
+  const auto terms = tree.children(id);
+  return std::none_of(terms.begin(), terms.end(), [&](ExprId term) { return has_sum(tree, term); });
+}
+
+bool divides(const ExprTree& tree, ExprId id) {
+  while (tree[id].op == Op::negate) id = tree.children(id)[0];
+  return tree[id].op == Op::divide;
+}
+
+/// `1/a + 1/b`
+bool is_sum_of_fractions(const ExprTree& tree, ExprId id) {
+  if (tree[id].op != Op::add) return false;
+  const auto terms = tree.children(id);
+  return std::all_of(terms.begin(), terms.end(), [&](ExprId term) { return divides(tree, term); });
+}
+
+/// `(a + c)/(b + d)`
+bool is_one_fraction(const ExprTree& tree, ExprId id) {
+  return tree[id].op == Op::divide && has_sum(tree, tree.children(id)[1]);
+}
+
+/// The highest degree in all letters together.
+std::optional<int> degree_of(const ExprTree& tree, ExprId id) {
+  const ExprNode& node = tree[id];
+  if (node.op == Op::symbol) return 1;
+  if (symbols_in(tree, id).empty()) return 0;
+  std::optional<int> total;
+  for (const ExprId child : tree.children(id)) {
+    const auto degree = degree_of(tree, child);
+    if (!degree) return std::nullopt;
+    switch (node.op) {
+      case Op::negate:
+        return degree;
+      case Op::power:
+        return *degree * node.exponent;
+      case Op::multiply:
+        total = total.value_or(0) + *degree;
+        break;
+      case Op::divide:
+        total = total ? *total - *degree : *degree;
+        break;
+      case Op::add:
+        total = std::max(total.value_or(*degree), *degree);
+        break;
+      default:
+        return std::nullopt;
+    }
+  }
+  return total;
+}
+
+}  // namespace
+
+bool may_be_an_equation_of_letters(const ExprTree& tree, const Equation& equation) {
+  const auto is_index_sum = [](const ExprNode& node) { return node.op == Op::index_sum; };
+  const bool letters = !symbols_in(tree, equation.left).empty() || !symbols_in(tree, equation.right).empty();
+  return letters && equation.relation == Relation::equal && equation.indices.empty() &&
+         is_of_scalars(tree, equation.left) && is_of_scalars(tree, equation.right) &&
+         !holds_anywhere(tree, equation.left, is_index_sum) &&
+         !holds_anywhere(tree, equation.right, is_index_sum);
+}
+
+bool reads_as_identity(const ExprTree& tree, const Equation& equation) {
+  const auto has_axes = [](const ExprNode& node) { return node.rank > 0; };
+  if (holds_anywhere(tree, equation.left, has_axes) || holds_anywhere(tree, equation.right, has_axes))
+    return true;
+  const bool adds_fractions =
+      (is_one_fraction(tree, equation.left) && is_sum_of_fractions(tree, equation.right)) ||
+      (is_one_fraction(tree, equation.right) && is_sum_of_fractions(tree, equation.left));
+  const bool expands = (is_product_of_sums(tree, equation.left) && is_expanded(tree, equation.right)) ||
+                       (is_product_of_sums(tree, equation.right) && is_expanded(tree, equation.left));
+  const auto left = degree_of(tree, equation.left);
+  return (expands || adds_fractions) && left && left == degree_of(tree, equation.right);
+}
+
+bool announces_an_identity(std::string_view lead) {
+  static constexpr std::array<std::string_view, 38> announcing{
+      "identity",    "identities", "identically",  "expand",    "expanding", "expanded", "expansion",
+      "formula",     "theorem",    "lemma",        "corollary", "algebra",   "simplify", "simplifies",
+      "simplifying", "factor",     "factoring",    "factorise", "factorize", "rewrite",  "rewriting",
+      "rewritten",   "multiply",   "multiplying",  "therefore", "hence",     "thus",     "so",
+      "follows",     "conclude",   "consequently", "always",    "every",     "square",   "squaring",
+      "cube",        "binomial",   "manipulation"};
+  const std::vector<std::string_view> words = last_words(lead);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one_of(words[k], announcing)) return true;
+    const std::string_view next = k + 1 < words.size() ? words[k + 1] : std::string_view{};
+    if (words[k] == "for" && (next == "all" || next == "any")) return true;
+    if (words[k] == "in" && next == "general") return true;
+  }
+  return false;
+}
+
+bool names_an_equation_of_letters(std::string_view lead) {
+  static constexpr std::array<std::string_view, 60> naming{
+      "curve",       "curves",     "circle",       "ellipse",     "parabola",   "hyperbola",  "sphere",
+      "surface",     "surfaces",   "locus",        "orbit",       "trajectory", "boundary",   "boundaries",
+      "shell",       "caustic",    "envelope",     "contour",     "contours",   "constraint", "constraints",
+      "condition",   "conditions", "conservation", "conserved",   "conserves",  "balance",    "balances",
+      "equilibrium", "resonance",  "resonances",   "root",        "roots",      "eigenvalue", "eigenvalues",
+      "spectrum",    "dispersion", "equality",     "criterion",   "threshold",  "maximum",    "maxima",
+      "minimum",     "minima",     "extrema",      "zeros",       "poles",      "nodes",      "intersection",
+      "crossing",    "crossings",  "degeneracy",   "constant",    "unchanged",  "stationary", "constrained",
+      "constrains",  "unknown",    "unknowns",     "quantization"};
+  const std::vector<std::string_view> words = last_words(lead);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one_of(words[k], naming)) return true;
+    // "Kirchhoff's rule", "Hooke's law"
+    const bool rule =
+        words[k] == "rule" || words[k] == "law" || words[k] == "equation" || words[k] == "relation";
+    if (rule && k > 0 && (words[k - 1].ends_with("'s") || words[k - 1].ends_with("s'"))) return true;
+  }
+  return false;
+}
+
+}  // namespace rigor

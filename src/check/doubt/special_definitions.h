@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Proofs that rest on what a definition says of a case: `y = x \quad (x < 1)`, `I = ml^2/3` behind "if the
+// rod is thin", `n = 1` below "In vacuum", `a = 2b` in an example.
+#pragma once
+
+#include "check/doubt/borrowed.h"
+
+namespace rigor {
+
+/// Is the definition said for another case than that of the place?
+[[nodiscard]] bool is_of_another_case(const ExprTree& tree, const Standpoint& at,
+                                      const NamedDefinition& named);
+
+/// The judgement of a step that was proved: as it is without definitions that are said for another case, or
+/// that the page calls wrong in the place of the step. Cost: one more decision, where there are such.
+[[nodiscard]] Judgement heed_cases(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement,
+                                   const Standpoint& at, DecisionCache* cache);
+
+}  // namespace rigor

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/meaning/identity_reading.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "check/question/decision_cache.h"
+#include "expr/tree/same_expression.h"
+
+namespace rigor {
+namespace {
+
+using Degrees = std::map<SymbolId, int>;
+
+Degrees without_zeros(Degrees degrees) {
+  std::erase_if(degrees, [](const auto& entry) { return entry.second == 0; });
+  return degrees;
+}
+
+void add_to(Degrees& into, const Degrees& from, int factor) {
+  for (const auto& [symbol, degree] : from) into[symbol] += factor * degree;
+}
+
+/// The degree of an expression in each symbol, if every term has the same. Definitions count as symbols of
+/// their own.
+std::optional<Degrees> degrees_of(const ExprTree& tree, ExprId id) {
+  const ExprNode& node = tree[id];
+  Degrees total;
+  if (node.op == Op::symbol) total[node.symbol] = 1;
+  bool first = true;
+  for (const ExprId child : tree.children(id)) {
+    const auto degrees = degrees_of(tree, child);
+    if (!degrees) return std::nullopt;
+    const bool alternatives = node.op == Op::add || node.op == Op::tuple || node.op == Op::table;
+    if (alternatives && !first && *degrees != total) return std::nullopt;
+    if (alternatives && first) total = *degrees;
+    if (!alternatives)
+      add_to(total, *degrees,
+             node.op == Op::power ? node.exponent : (node.op == Op::divide && !first ? -1 : 1));
+    first = false;
+  }
+  if (node.op == Op::root) {
+    for (auto& [symbol, degree] : total) {
+      if (degree % 2 != 0) return std::nullopt;
+      degree /= 2;
+    }
+  }
+  return without_zeros(total);
+}
+
+/// The terms of a sum, through signs and index sums.
+std::size_t term_count(const ExprTree& tree, ExprId id) {
+  while (tree[id].op == Op::negate || tree[id].op == Op::component || tree[id].op == Op::index_sum)
+    id = tree.children(id)[0];
+  return tree[id].op == Op::add ? tree.children(id).size() : 1;
+}
+
+std::vector<SymbolId> symbols_not_for_all(const ExprTree& tree, const std::set<SymbolId>& symbols) {
+  std::vector<SymbolId> open;
+  std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open), [&](SymbolId symbol) {
+    const Symbol& base = tree.symbols[base_of(tree.symbols, symbol)];
+    return !base.for_all && !base.unit_of_measure && !base.rotation;  // axes are no claim
+  });
+  return open;
+}
+
+std::set<SymbolId> as_set(const std::vector<SymbolId>& symbols) { return {symbols.begin(), symbols.end()}; }
+
+bool holds_without(const Question& question, const std::vector<SymbolId>& symbols, DecisionCache* cache) {
+  Question reduced = question;
+  reduced.zeroed = symbols;
+  const Decision decision = decide(cache, reduced);
+  return decision.outcome == Outcome::proved && !decision.vanishes;
+}
+
+/// The terms of a sum without their signs.
+std::vector<ExprId> bare_terms(const ExprTree& tree, ExprId id) {
+  if (tree[id].op != Op::add) return {};
+  std::vector<ExprId> terms;
+  for (ExprId term : tree.children(id)) {
+    while (tree[term].op == Op::negate) term = tree.children(term)[0];
+    terms.push_back(term);
+  }
+  return terms;
+}
+
+struct SignedTerm {
+  bool negative = false;
+  ExprId id;
+};
+
+void add_terms(const ExprTree& tree, ExprId id, bool negative, std::vector<SignedTerm>& terms) {
+  while (tree[id].op == Op::negate) {
+    id = tree.children(id)[0];
+    negative = !negative;
+  }
+  if (tree[id].op != Op::add) return terms.push_back({negative, id});
+  for (const ExprId term : tree.children(id)) add_terms(tree, term, negative, terms);
+}
+
+/// `H + \partial_tF = H`: all terms of one side stand on the other. That the rest vanishes is a condition.
+bool says_that_terms_vanish(const ExprTree& tree, const Equation& claim) {
+  std::vector<SignedTerm> more;
+  std::vector<SignedTerm> fewer;
+  add_terms(tree, claim.left, false, more);
+  add_terms(tree, claim.right, false, fewer);
+  if (more.size() < fewer.size()) std::swap(more, fewer);
+  return std::all_of(fewer.begin(), fewer.end(), [&](const SignedTerm& term) {
+    const auto same = std::find_if(more.begin(), more.end(), [&](const SignedTerm& other) {
+      return other.negative == term.negative && same_expression(tree, other.id, tree, term.id);
+    });
+    if (same == more.end()) return false;
+    more.erase(same);
+    return true;
+  });
+}
+
+/// `\sigma_x\sigma_y + \sigma_y\sigma_x = 0`, `F_{ij} + F_{ji} = 0`: one term, said twice, is to vanish; or
+/// one symbol is to have a property.
+bool is_condition_on_zero(const Question& question, ExprId side, const Degrees& degrees,
+                          DecisionCache* cache) {
+  if (degrees.size() == 1 && degrees.begin()->second == 1) return true;
+  const std::vector<ExprId> terms = bare_terms(*question.tree, side);
+  return !terms.empty() && std::all_of(terms.begin(), terms.end(), [&](ExprId term) {
+    Question same = question;
+    same.claim.left = term;
+    same.claim.right = terms.front();
+    return decide(cache, same).outcome == Outcome::proved;
+  });
+}
+
+std::vector<SymbolId> law_against_zero(const Question& question, ExprId side,
+                                       const std::vector<SymbolId>& open, DecisionCache* cache) {
+  const auto degrees = degrees_of(*question.tree, side);
+  const bool identity = term_count(*question.tree, side) > 1 && degrees &&
+                        !is_condition_on_zero(question, side, *degrees, cache);
+  return identity ? std::vector<SymbolId>{} : open;
+}
+
+/// What an order relation among the assumptions bounds is meant for all values within the bounds.
+std::vector<SymbolId> without_bounds(const Question& question, std::vector<SymbolId> open) {
+  for (const Equation& assumption : question.assumptions) {
+    if (assumption.relation == Relation::equal) continue;
+    for (const ExprId side : {assumption.left, assumption.right}) {
+      for (const SymbolId bounded : primitive_symbols(question, side)) std::erase(open, bounded);
+    }
+  }
+  return open;
+}
+
+}  // namespace
+
+namespace {
+
+/// `kept`: what is not unfolded, nor its derivatives.
+std::vector<SymbolId> symbols_below(const Question& question, ExprId root, const std::set<SymbolId>& kept) {
+  const SymbolTable& symbols = question.tree->symbols;
+  std::vector<SymbolId> primitive;
+  std::set<SymbolId> done;
+  std::vector<ExprId> pending{root};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(*question.tree, id)) {
+      if (!done.insert(symbol).second) continue;
+      const auto definition = std::find_if(question.definitions.begin(), question.definitions.end(),
+                                           [&](const Definition& entry) { return entry.symbol == symbol; });
+      if (definition == question.definitions.end()) {
+        primitive.push_back(symbol);
+      } else if (!kept.contains(base_of(symbols, symbol))) {
+        pending.push_back(definition->body);
+      }
+    }
+  }
+  return primitive;
+}
+
+/// What stands on one side only.
+struct OwnSymbols {
+  std::set<SymbolId> left;
+  std::set<SymbolId> right;
+
+  [[nodiscard]] std::set<SymbolId> all() const {
+    std::set<SymbolId> both = left;
+    both.insert(right.begin(), right.end());
+    return both;
+  }
+};
+
+OwnSymbols own_symbols(const std::set<SymbolId>& left, const std::set<SymbolId>& right) {
+  OwnSymbols own;
+  std::set_difference(left.begin(), left.end(), right.begin(), right.end(),
+                      std::inserter(own.left, own.left.end()));
+  std::set_difference(right.begin(), right.end(), left.begin(), left.end(),
+                      std::inserter(own.right, own.right.end()));
+  return own;
+}
+
+/// `a^2 + b^2 + c` for own c, `a_1b_1 + a_2b_2`: what holds them can be dropped, once, and the rest stays. In
+/// `(x - a)^2 + y^2` and `(p + p')(V - V')` it cannot: they are coordinates, or changes of what is there.
+bool are_a_term_of_their_own(const Question& question, ExprId side, const std::set<SymbolId>& own) {
+  const ExprTree& tree = *question.tree;
+  const auto holds_own = [&](ExprId id) {
+    const std::vector<SymbolId> written = symbols_in(tree, id);
+    return std::any_of(written.begin(), written.end(), [&](SymbolId each) { return own.contains(each); });
+  };
+  if (!holds_own(side)) return true;  // a definition brings them in
+  if (std::any_of(own.begin(), own.end(),
+                  [&](SymbolId each) { return tree.symbols[each].derivation.has_value(); }))
+    return true;  // a derivative of a product does
+  while (tree[side].op == Op::component || tree[side].op == Op::index_sum) side = tree.children(side)[0];
+  std::vector<SignedTerm> terms;
+  add_terms(tree, side, false, terms);
+  const auto holding =
+      std::count_if(terms.begin(), terms.end(), [&](const SignedTerm& term) { return holds_own(term.id); });
+  return terms.size() > 1 && holding == 1;
+}
+
+}  // namespace
+
+std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
+  return symbols_below(question, root, {});
+}
+
+std::vector<SymbolId> law_symbols(const Question& question, bool restates, const std::set<SymbolId>& frames,
+                                  DecisionCache* cache) {
+  const ExprTree& tree = *question.tree;
+  const std::set<SymbolId> left = as_set(primitive_symbols(question, question.claim.left));
+  const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
+  std::set<SymbolId> all = left;
+  all.insert(right.begin(), right.end());
+  const std::vector<SymbolId> open = symbols_not_for_all(tree, all);
+  if (open.empty()) return {};
+  if (question.claim.relation != Relation::equal) return without_bounds(question, open);
+  if (tree.is_zero_literal(question.claim.right))
+    return law_against_zero(question, question.claim.left, open, cache);
+  if (tree.is_zero_literal(question.claim.left))
+    return law_against_zero(question, question.claim.right, open, cache);
+
+  const bool defines = std::any_of(
+      question.definitions.begin(), question.definitions.end(),
+      [&](const Definition& each) { return !frames.contains(base_of(tree.symbols, each.symbol)); });
+  if (!frames.empty() && !defines) {
+    const OwnSymbols written = own_symbols(as_set(symbols_below(question, question.claim.left, frames)),
+                                           as_set(symbols_below(question, question.claim.right, frames)));
+    const std::vector<SymbolId> open_written = symbols_not_for_all(tree, written.all());
+    if (!written.left.empty() && !written.right.empty() && !open_written.empty()) return open_written;
+  }
+  const auto [only_left, only_right] = own_symbols(left, right);
+  const std::set<SymbolId> own = OwnSymbols{only_left, only_right}.all();
+  const std::vector<SymbolId> open_own = symbols_not_for_all(tree, own);
+  if (!open_own.empty()) {
+    const bool one_sided = only_left.empty() || only_right.empty();
+    const ExprId longer = only_left.empty() ? question.claim.right : question.claim.left;
+    const bool term_too_many = one_sided && open_own.size() == own.size() &&
+                               !says_that_terms_vanish(tree, question.claim) &&
+                               (!frames.empty() || are_a_term_of_their_own(question, longer, own)) &&
+                               holds_without(question, open_own, cache);
+    return term_too_many ? std::vector<SymbolId>{} : open_own;
+  }
+  if (all.size() == 1 && !restates && !tree.symbols[*all.begin()].per_particle) {
+    const auto left_degrees = degrees_of(tree, question.claim.left);
+    const auto right_degrees = degrees_of(tree, question.claim.right);
+    const Degrees once{{*all.begin(), 1}};
+    if (left_degrees == once && right_degrees == once) return open;
+    if (tree.symbols[*all.begin()].rank == 0 && !holds_without(question, open, cache))
+      return open;  // an equation to be solved
+  }
+  return {};
+}
+
+}  // namespace rigor

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is an equation that does not hold for all values a wrong identity, or a law? `m\mathbf a = q\mathbf
+// v\times\mathbf B` relates quantities; nobody claims it for all m, a, q, v, B, and refuting it would be a
+// false alarm. `|\mathbf A\times\mathbf B|^2 = A^2B^2 + (\mathbf A\cdot\mathbf B)^2` is claimed for all A and
+// B.
+//
+// What a letter is makes no claim: only `for all` says that a statement is meant for all values of a symbol.
+// For the others the form decides. An equation reads as an identity if
+//  - both sides have the same symbols (one symbol alone, to the first power on both sides, is a condition:
+//  T_ij = T_ji),
+//  - or one side has symbols of its own, all in one term of a sum, and the equation becomes a true identity,
+//  not 0 = 0, when they are 0: a term too many (`(x - a)^2 + y^2 = a^2` is a circle, `H + \partial_tF = H`
+//  says that one vanishes: a condition),
+//  - or one side is 0 and the other a sum whose terms have the same degree in every symbol: a wrong Jacobi
+//  identity.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "expr/statement/statement.h"
+
+namespace rigor {
+
+class DecisionCache;
+
+/// The symbols, not meant for all values, for which the equation reads as a law or condition; none if it
+/// reads as an identity. `restates`: the left side is a defined symbol alone, so one common symbol makes no
+/// condition of it. `frames`: the rotations that carry turning axes. They turn by an angular velocity, which,
+/// where nothing else is defined, stands on a side only if it is written there.
+[[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, bool restates = false,
+                                                const std::set<SymbolId>& frames = {},
+                                                DecisionCache* cache = nullptr);
+
+/// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in
+/// the end.
+[[nodiscard]] std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root);
+
+}  // namespace rigor

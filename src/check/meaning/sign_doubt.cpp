@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/meaning/sign_doubt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace rigor {
+namespace {
+
+/// Does the claim have a root, a length or an absolute value, itself or by a definition?
+[[nodiscard]] bool has_root(const ExprTree& tree, const Question& question) {
+  std::vector<ExprId> pending{question.claim.left, question.claim.right};
+  for (const Definition& definition : question.definitions) pending.push_back(definition.body);
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    const Op op = tree[id].op;
+    if (op == Op::root || op == Op::length || op == Op::absolute) return true;
+    for (const ExprId child : tree.children(id)) pending.push_back(child);
+  }
+  return false;
+}
+
+/// The first number of a sample, not meant for all values, whose value is of some kind.
+template <class Kind>
+[[nodiscard]] const Symbol* not_for_all(const ExprTree& tree, const Sample& sample, const Kind& is_of_kind) {
+  const auto found = std::find_if(sample.values.begin(), sample.values.end(), [&](const SampleValue& value) {
+    const Symbol& symbol = tree.symbols[value.symbol];
+    return symbol.rank == 0 && !symbol.for_all && is_of_kind(value.components[0]);
+  });
+  return found == sample.values.end() ? nullptr : &tree.symbols[found->symbol];
+}
+
+[[nodiscard]] bool has_equal_squares(ExprTree& tree, Question question, DecisionCache* cache) {
+  if (question.claim.relation != Relation::equal || tree[question.claim.left].rank != 0) return false;
+  for (ExprId* side : {&question.claim.left, &question.claim.right}) {
+    const ExprId base = *side;
+    *side =
+        tree.add({.op = Op::power, .span = tree[base].span, .exponent = 2}, std::span(&base, std::size_t{1}));
+  }
+  question.tree = &tree;
+  return decide(cache, question, {.simplest_sample = false}).outcome == Outcome::proved;
+}
+
+}  // namespace
+
+std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question, const Sample& sample,
+                                        DecisionCache* cache) {
+  if (!has_root(tree, question)) return std::nullopt;
+  // samples prefer positive scalars, so that a negative one was needed
+  const Symbol* negative =
+      not_for_all(tree, sample, [](const std::string& value) { return value.starts_with('-'); });
+  if (negative != nullptr) {
+    return SignDoubt{
+        negative->name,
+        fmt::format("it was found to fail only where `{}` is negative, and nothing says whether it can be",
+                    negative->name)};
+  }
+  const Symbol* angle = not_for_all(
+      tree, sample, [](const std::string& value) { return value.find("arctan") != std::string::npos; });
+  if (angle == nullptr || !has_equal_squares(tree, question, cache)) return std::nullopt;
+  return SignDoubt{angle->name,
+                   fmt::format("the squares of both sides are equal, so it fails by a sign alone, "
+                               "and nothing says which `{}` are meant",
+                               angle->name)};
+}
+
+}  // namespace rigor

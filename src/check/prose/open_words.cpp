@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/prose/open_words.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "base/ascii.h"
+
+namespace rigor {
+namespace {
+
+/// Sorted. Words of argument and of mathematics in general, none of which names a case.
+constexpr std::array<std::string_view, 184> neutral{
+    "a",           "above",      "add",      "adding",    "again",      "algebra",    "all",
+    "also",        "an",         "and",      "another",   "any",        "are",        "arrive",
+    "as",          "at",         "be",       "because",   "becomes",    "been",       "below",
+    "both",        "bracket",    "brackets", "but",       "by",         "calculate",  "calculation",
+    "can",         "check",      "claim",    "component", "components", "compute",    "consider",
+    "could",       "definition", "derive",   "derived",   "did",        "do",         "does",
+    "dot",         "each",       "easily",   "easy",      "equal",      "equals",     "equation",
+    "equations",   "equivalent", "every",    "exercise",  "expand",     "expanding",  "expression",
+    "expressions", "factor",     "finally",  "find",      "first",      "follow",     "following",
+    "follows",     "for",        "form",     "formula",   "formulas",   "found",      "fourth",
+    "from",        "get",        "give",     "given",     "gives",      "hand",       "has",
+    "have",        "hence",      "here",     "hold",      "holds",      "identities", "identity",
+    "implies",     "in",         "indeed",   "insert",    "into",       "is",         "it",
+    "its",         "know",       "known",    "later",     "lead",       "leads",      "left",
+    "lemma",       "let",        "line",     "may",       "means",      "multiply",   "multiplying",
+    "must",        "namely",     "need",     "next",      "note",       "notice",     "now",
+    "number",      "numbers",    "obtain",   "obtained",  "of",         "on",         "one",
+    "or",          "our",        "out",      "product",   "products",   "proof",      "prove",
+    "reads",       "recall",     "relation", "relations", "remember",   "result",     "results",
+    "right",       "rule",       "same",     "scalar",    "scalars",    "second",     "see",
+    "show",        "shown",      "shows",    "side",      "sides",      "since",      "so",
+    "some",        "square",     "squares",  "step",      "sum",        "tensor",     "term",
+    "terms",       "that",       "the",      "then",      "there",      "therefore",  "these",
+    "third",       "this",       "three",    "thus",      "to",         "two",        "us",
+    "use",         "using",      "vector",   "vectors",   "verify",     "way",        "ways",
+    "we",          "where",      "which",    "with",      "write",      "written",    "yield",
+    "yields",      "you"};
+static_assert(std::is_sorted(neutral.begin(), neutral.end()));
+
+std::optional<std::string> open_word_in(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_small_letter(text[end])) ++end;
+    const std::string_view word = text.substr(at, end - at);
+    if (word.size() > 1 && !std::binary_search(neutral.begin(), neutral.end(), word))
+      return std::string(word);
+    at = std::max(end, at + 1);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> dropping_word_in(std::string_view text) {
+  static constexpr std::array<std::string_view, 18> stems{
+      "averag",      "incoherent",  "random",   "uncorrelated", "independent", "cancel",
+      "cross",       "drop",        "fluctuat", "washes",       "mean",        "integrates",
+      "statistical", "expectation", "noise",    "interference", "oscillat",    "ensemble"};
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_small_letter(text[end])) ++end;
+    const std::string_view word = text.substr(at, end - at);
+    const bool drops =
+        word != "means" && word != "meaning" &&
+        std::any_of(stems.begin(), stems.end(), [&](auto stem) { return word.starts_with(stem); });
+    if (drops && (word != "cross" || text.substr(end).starts_with(" term"))) return std::string(word);
+    at = std::max(end, at + 1);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> word_of_dropped_terms(const Prose& prose, std::size_t event) {
+  const ProseBeside& beside = prose.beside[event];
+  if (auto word = dropping_word_in(beside.lead)) return word;
+  if (auto word = dropping_word_in(beside.tail)) return word;
+  for (const ProseSentence& sentence : prose.sentences) {
+    const bool before = sentence.number + 1 == beside.sentence && sentence.place == beside.place;
+    if (before) return dropping_word_in(sentence.text);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> open_word(const Prose& prose, std::size_t event) {
+  const ProseBeside& beside = prose.beside[event];
+  if (auto word = open_word_in(beside.lead)) return word;
+  if (auto word = open_word_in(beside.tail)) return word;
+  for (const ProseSentence& sentence : prose.sentences) {
+    const bool before = sentence.number + 1 == beside.sentence && sentence.place == beside.place;
+    if (before) return open_word_in(sentence.text);
+  }
+  return std::nullopt;
+}
+
+}  // namespace rigor

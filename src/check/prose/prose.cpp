@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/prose/prose.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "base/among.h"
+#include "base/ascii.h"
+#include "check/word/prose_behind.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t longest_inline = 400;  // bytes of mathematics in a line
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+/// Comments become blanks, so that places stay.
+std::string without_comments(std::string_view text, Format format) {
+  std::string result(text);
+  if (format == Format::markdown) {
+    for (std::size_t at = result.find("<!--"); at != std::string::npos; at = result.find("<!--", at)) {
+      const std::size_t end = std::min(result.find("-->", at), result.size());
+      const std::size_t behind = std::min(end + 3, result.size());
+      // A line of its own vanishes with its line break, so that it parts no paragraphs.
+      for (std::size_t k = at; k < behind; ++k) result[k] = ' ';
+      if (behind < result.size() && result[behind] == '\n') result[behind] = ' ';
+    }
+    return result;
+  }
+  for (std::size_t at = result.find('%'); at != std::string::npos; at = result.find('%', at)) {
+    if (at > 0 && result[at - 1] == '\\') {
+      ++at;
+      continue;
+    }
+    const std::size_t end = std::min(result.find('\n', at), result.size());
+    for (std::size_t k = at; k < end; ++k) result[k] = ' ';
+    if (end < result.size()) result[end] = ' ';
+    at = end;
+  }
+  return result;
+}
+
+bool relates(std::string_view mathematics) {
+  static constexpr std::array<std::string_view, 14> signs{"=",    "<",        ">",          "\\le",  "\\ge",
+                                                          "\\ne", "\\neq",    "\\leq",      "\\geq", "\\ll",
+                                                          "\\gg", "\\approx", "\\parallel", "\\perp"};
+  return std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) {
+    const auto at = mathematics.find(sign);
+    if (at == std::string_view::npos) return false;
+    const std::size_t behind = at + sign.size();
+    return sign[0] != '\\' || behind >= mathematics.size() || !is_letter(mathematics[behind]) ||
+           sign == "\\le" || sign == "\\ge";
+  });
+}
+
+/// Does the display's own text end its sentence?
+bool ends_sentence(std::string_view display) {
+  for (bool cut = true; cut;) {
+    cut = false;
+    while (!display.empty() && (is_space(display.back()) || display.back() == '`')) display.remove_suffix(1);
+    for (const std::string_view closing : {"$$", "\\]"}) {
+      if (!display.ends_with(closing)) continue;
+      display.remove_suffix(closing.size());
+      cut = true;
+    }
+    if (display.empty() || display.back() != '}') continue;
+    for (const std::string_view control : {"\\end{", "\\tag{", "\\tag*{", "\\label{"}) {
+      const auto at = display.rfind(control);
+      if (at == std::string_view::npos || display.find('}', at) != display.size() - 1) continue;
+      display = display.substr(0, at);
+      cut = true;
+    }
+  }
+  return !display.empty() && display.back() == '.';
+}
+
+bool is_abbreviation(std::string_view word) {
+  static constexpr std::array<std::string_view, 14> known{"e",   "g",  "i",   "eq",   "eqs", "fig", "cf",
+                                                          "sec", "vs", "ref", "resp", "dr",  "eqn", "ca"};
+  return is_one_of(word, known);
+}
+
+Cue cue_of(std::string_view word) {
+  static constexpr std::array<std::string_view, 24> apart{
+      "unless", "near",          "except", "excluding", "without", "not",   "no",     "never",
+      "nor",    "neither",       "away",   "around",    "close",   "about", "beyond", "approaches",
+      "tends",  "approximately", "nearly", "almost",    "roughly", "far",   "limit",  "cannot"};
+  if (is_one_of(word, apart)) return Cue::apart;
+  static constexpr std::array<std::string_view, 17> definitions{
+      "with",  "where",   "define",  "defining", "defined",   "let", "put",  "putting",   "set",
+      "write", "writing", "setting", "denote",   "introduce", "by",  "here", "abbreviate"};
+  static constexpr std::array<std::string_view, 15> conditions{
+      "if",       "when",    "whenever", "for",   "at",      "case", "provided", "assume",
+      "assuming", "suppose", "given",    "since", "because", "on",   "while"};
+  if (is_one_of(word, definitions)) return Cue::definition;
+  return is_one_of(word, conditions) ? Cue::condition : Cue::none;
+}
+
+/// "On the wall, where $u = a + b$": what is said there need not hold beside it.
+bool names_a_place(std::string_view word) {
+  static constexpr std::array<std::string_view, 14> words{
+      "at",     "on",   "inside", "outside",   "along",    "within", "near",
+      "during", "when", "across", "initially", "whenever", "while",  "until"};
+  return is_one_of(word, words);
+}
+
+class ProseReader {
+ public:
+  explicit ProseReader(const SourceMap& sources) : sources_(sources), walk_(prose_.sections) {}
+
+  Prose read(const std::vector<ProseEvent>& events) {
+    prose_.beside.resize(events.size());
+    for (event_ = 0; event_ < events.size(); ++event_) {
+      const ProseEvent& event = events[event_];
+      if (event.kind != ProseEvent::Kind::passed_over) {
+        std::uint32_t& at =
+            read_to_.try_emplace(event.span.file, behind_preamble(event.span.file)).first->second;
+        if (at < event.span.begin) take({event.span.file, at, event.span.begin});
+        at = std::max(at, event.span.end);
+      }
+      if (event.kind == ProseEvent::Kind::heading) {
+        end_sentence();
+        walk_.heading(event.level);
+        take_heading(event.span);
+      }
+      ProseBeside& beside = prose_.beside[event_];
+      beside.lead = sentence_;
+      beside.sentence = number_;
+      beside.place = walk_.here();
+      beside.paragraph = paragraph_;
+      if (event.kind == ProseEvent::Kind::display) ++displays_;
+      beside.displays = displays_;
+      if (event.kind != ProseEvent::Kind::display) continue;
+      end_tail();
+      last_display_ = event_;
+      sentence_ += "\n";
+      tail_begin_ = sentence_.size();
+      if (ends_sentence(sources_.text(event.span))) end_sentence();
+    }
+    if (!events.empty()) take_rest(events);
+    end_sentence();
+    return std::move(prose_);
+  }
+
+ private:
+  /// The preamble of a document in LaTeX is no prose.
+  std::uint32_t behind_preamble(FileId file) const {
+    constexpr std::string_view begins = "\\begin{document}";
+    const auto at = sources_.text(file).find(begins);
+    return at == std::string_view::npos ? 0 : static_cast<std::uint32_t>(at + begins.size());
+  }
+
+  void take_rest(const std::vector<ProseEvent>& events) {
+    const FileId file = events.back().span.file;
+    const auto size = static_cast<std::uint32_t>(sources_.text(file).size());
+    const auto at = read_to_.find(file);
+    if (at != read_to_.end() && at->second < size) take({file, at->second, size});
+  }
+
+  void end_tail() {
+    if (last_display_ && tail_begin_ <= sentence_.size())
+      prose_.beside[*last_display_].tail = sentence_.substr(tail_begin_);
+    last_display_.reset();
+  }
+
+  void end_sentence(char ending = '.') {
+    end_tail();
+    const bool has_display = sentence_.find('\n') != std::string::npos;
+    if (sentence_.find_first_not_of(" \n") != std::string::npos)
+      prose_.sentences.push_back({sentence_, number_, walk_.here(), paragraph_, displays_before_, has_display,
+                                  ending == '?', std::move(maths_)});
+    const std::vector<SaidOf> said_of_each = said_of(sentence_, texts_);
+    for (std::size_t k = prose_.said.size(); k-- > 0 && prose_.said[k].sentence == number_;) {
+      SaidInLine& said = prose_.said[k];
+      said.alone = !has_display;
+      const SaidOf of = said_of_each[said.maths];
+      said.named = of == SaidOf::a_name;
+      if (of == SaidOf::something && said.cue != Cue::apart) said.cue = Cue::none;
+    }
+    maths_.clear();
+    texts_.clear();
+    at_place_ = false;
+    displays_before_ = displays_;
+    sentence_.clear();
+    cue_ = Cue::none;
+    ++number_;
+  }
+
+  /// The mathematics of a heading says which case its section is about.
+  void take_heading(Span span) {
+    const std::string text(sources_.text(span));
+    for (std::size_t at = 0; at < text.size();) {
+      const bool opens = text[at] == '$' || text.compare(at, 2, "\\(") == 0;
+      at = opens ? read_inline(text, at, span) : at + 1;
+    }
+    for (SaidInLine& said : prose_.said) {
+      if (said.sentence == number_) said.cue = Cue::condition;
+    }
+    sentence_.clear();
+    end_sentence();
+  }
+
+  void take(Span span) {
+    const Format format = format_of(sources_.path(span.file));
+    const std::string text = without_comments(sources_.text(span), format);
+    const std::size_t place = walk_.here();
+    walk_.text(text, format);
+    if (walk_.here() != place) end_sentence();
+    for (std::size_t at = 0; at < text.size();) at = read_at(text, at, span);
+  }
+
+  /// One word, sign or stretch of mathematics; the place behind it.
+  std::size_t read_at(const std::string& text, std::size_t at, Span span) {
+    const char c = text[at];
+    if (is_space(c)) return read_blanks(text, at);
+    if (c == '$' || text.compare(at, 2, "\\(") == 0) return read_inline(text, at, span);
+    if (is_letter(c)) return read_word(text, at);
+    if (c == '\\') return read_control(text, at);
+    const bool ends =
+        (c == '.' || c == '!' || c == '?') &&
+        (at + 1 == text.size() || is_space(text[at + 1]) || text[at + 1] == '*' || text[at + 1] == ')') &&
+        !(c == '.' && is_abbreviation(last_word()));
+    if (ends) {
+      end_sentence(c);
+    } else if (is_digit(c)) {
+      sentence_ += c;
+    } else if (c == ',' || c == ';' || c == ':' || c == '(' || c == ')') {
+      sentence_ += c;
+      if (cue_ == Cue::apart) cue_ = Cue::none;
+    }
+    return at + 1;
+  }
+
+  std::size_t read_blanks(const std::string& text, std::size_t at) {
+    std::size_t lines = 0;
+    for (; at < text.size() && is_space(text[at]); ++at) lines += text[at] == '\n' ? 1 : 0;
+    const bool capital = at < text.size() && is_capital_letter(text[at]);
+    const auto last = sentence_.find_last_not_of(' ');
+    const bool behind_display = last != std::string::npos && sentence_[last] == '\n';
+    // A capital behind a blank line or a display begins a sentence, also where no full stop stands.
+    if ((lines > 1 || (lines == 1 && behind_display)) && capital) end_sentence();
+    if (lines > 1) ++paragraph_;
+    if (!sentence_.empty() && sentence_.back() != ' ') sentence_ += ' ';
+    return at;
+  }
+
+  std::size_t read_word(const std::string& text, std::size_t at) {
+    std::size_t end = at;
+    while (end < text.size() && (is_letter(text[end]) || text[end] == '-' || text[end] == '\'')) ++end;
+    const std::string word = lowered(text.substr(at, end - at));
+    // "except for $x = 0$", "not at $x = 0$"
+    if (const Cue cue = cue_of(word); cue != Cue::none && cue_ != Cue::apart) cue_ = cue;
+    at_place_ = at_place_ || names_a_place(word);
+    sentence_ += word;
+    return end;
+  }
+
+  std::string last_word() const {
+    std::size_t begin = sentence_.size();
+    while (begin > 0 && is_letter(sentence_[begin - 1])) --begin;
+    return sentence_.substr(begin);
+  }
+
+  /// Commands of the text are no words; `\item`, `\begin` and `\par` end a sentence.
+  std::size_t read_control(const std::string& text, std::size_t at) {
+    std::size_t end = at + 1;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    const std::string name = text.substr(at + 1, end - at - 1);
+    if (name == "item" || name == "par") end_sentence();
+    const bool names_something = name == "begin" || name == "end" || name == "label" || name == "ref" ||
+                                 name == "eqref" || name == "cite";
+    if (names_something && end < text.size() && text[end] == '{') {
+      if (name == "begin" || name == "end") end_sentence();
+      return std::min(text.find('}', end), text.size() - 1) + 1;
+    }
+    return std::max(end, at + 2);
+  }
+
+  std::size_t read_inline(const std::string& text, std::size_t at, Span span) {
+    const bool dollar = text[at] == '$';
+    const std::size_t begin = at + (dollar ? 1 : 2);
+    const std::size_t end = text.find(dollar ? "$" : "\\)", begin);
+    if (end == std::string::npos || end - begin > longest_inline || end == begin ||
+        text.find("\n\n", begin) < end)
+      return begin;
+    sentence_ += '$';
+    const std::string_view inside = std::string_view(text).substr(begin, end - begin);
+    const auto offset = [&](std::size_t k) { return span.begin + static_cast<std::uint32_t>(k); };
+    maths_.push_back({span.file, offset(begin), offset(end)});
+    texts_.push_back({std::string(inside), relates(inside)});
+    if (texts_.back().relates) {
+      prose_.said.push_back({{span.file, offset(begin), offset(end)}, cue_, number_, event_, walk_.here()});
+      prose_.said.back().at_place = at_place_;
+      prose_.said.back().maths = texts_.size() - 1;
+    }
+    return end + (dollar ? 1 : 2);
+  }
+
+  const SourceMap& sources_;
+  Prose prose_;
+  SectionWalk walk_;
+  std::map<FileId, std::uint32_t> read_to_;
+  std::size_t event_ = 0;
+  std::string sentence_;
+  std::size_t number_ = 0;
+  Cue cue_ = Cue::none;
+  std::optional<std::size_t> last_display_;
+  std::size_t tail_begin_ = 0;
+  std::vector<Span> maths_;  // of the sentence
+  std::vector<MathsInLine> texts_;
+  bool at_place_ = false;
+  std::size_t paragraph_ = 0;
+  std::size_t displays_ = 0;
+  std::size_t displays_before_ = 0;  // the sentence
+};
+
+}  // namespace
+
+Prose read_prose(const SourceMap& sources, const std::vector<ProseEvent>& events) {
+  return ProseReader(sources).read(events);
+}
+
+}  // namespace rigor

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the prose says beside each display: the sentence that leads into it, what follows it in the same
+// sentence, and the relations in a line (`with $\beta = v/c$`) with the word that brings them in.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "check/directive/directive.h"
+#include "check/prose/sections.h"
+
+namespace rigor {
+
+/// How a relation in a line is meant, by the last such word before it in its sentence.
+enum class Cue : std::uint8_t {
+  none,        // mentioned, or restricted by words around it
+  definition,  // with, where, let …
+  condition,   // if, for, at …
+  apart,       // unless, near, except, not …: it is not said to hold
+};
+
+/// A relation in a line of prose.
+struct SaidInLine {
+  Span span;
+  Cue cue = Cue::none;
+  std::size_t sentence = 0;
+  std::size_t before = 0;  // the event that stands next behind it
+  std::size_t place = 0;
+  bool at_place = false;                 // behind "at the wall", "on the axis": it holds there only
+  bool named = false;                    // "is the frequency": it holds only if it brings in its letter
+  std::size_t maths = 0;                 // its number among the mathematics of its sentence
+  bool alone = false;                    // no display stands in its sentence, or it stands in a heading
+  std::vector<ParsedChain> chains = {};  // filled by who parses it
+  std::string words = {};                // that say it, where it is no relation: "acute angle `\varphi`"
+};
+
+/// A whole sentence of the prose.
+struct ProseSentence {
+  std::string text;  // as in `ProseBeside`
+  std::size_t number = 0;
+  std::size_t place = 0;
+  std::size_t paragraph = 0;
+  std::size_t displays = 0;  // that stand before it
+  bool has_display = false;
+  bool asks = false;             // it ends with a question mark
+  std::vector<Span> maths = {};  // in its lines
+};
+
+/// Of one event. Mathematics in a line stands as `$` in the text, a display as `\n`.
+struct ProseBeside {
+  std::string lead;  // the words of its sentence before a display
+  std::string tail;  // and behind it, up to the next display
+  std::size_t sentence = 0;
+  std::size_t place = 0;
+  std::size_t paragraph = 0;
+  std::size_t displays = 0;  // up to this one, if it is one
+};
+
+struct Prose {
+  Sections sections;
+  std::vector<ProseBeside> beside;  // one for each event
+  std::vector<SaidInLine> said;
+  std::vector<ProseSentence> sentences;
+};
+
+/// Where an event stands, and what it is to the prose.
+struct ProseEvent {
+  enum class Kind : std::uint8_t { heading, display, passed_over } kind = Kind::passed_over;
+  Span span;
+  int level = 0;  // of a heading
+};
+
+/// `events` in the order of the text. Cost: linear in the text.
+[[nodiscard]] Prose read_prose(const SourceMap& sources, const std::vector<ProseEvent>& events);
+
+}  // namespace rigor

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decisions of earlier runs on the same notes. What was asked is compared as a whole (`question_text`, the
+// limits, the program), so that an answer is only ever used again for the very same question.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "algebra/decide/decide.h"
+#include "check/step/report.h"
+
+namespace rigor {
+
+/// One file in a folder for each file of notes. A file that is damaged, cut short, or of another program is
+/// as good as none. A sample that refutes is put into the question again before it is believed. Nothing
+/// throws.
+class DecisionCache {
+ public:
+  /// Remembers nothing, and only counts.
+  DecisionCache() = default;
+  /// `program`: what tells this program, with all that decides in it, from any other.
+  DecisionCache(const std::string& folder, const std::string& notes, std::string program);
+
+  /// From now on all that is asked is about the next step, or about what would help it, for so much work.
+  /// What is remembered counts what it took when it was decided, so that it is the same with a cache and
+  /// without.
+  void begin(std::uint64_t effort) { budget_ = Budget(effort); }
+  [[nodiscard]] Budget& budget() { return budget_; }
+
+  [[nodiscard]] Decision decide(const Question& question, const Limits& limits);
+  [[nodiscard]] std::optional<Sample> satisfying_sample(const Question& question, const Sample& known,
+                                                        const Limits& limits);
+  /// Writes what is new, if anything is. What several runs in turn did not ask for is forgotten.
+  void save();
+  [[nodiscard]] const CacheUse& use() const { return use_; }
+
+ private:
+  struct Entry {
+    std::string answer;
+    std::uint32_t age = 0;  // savings since it was last asked for
+    bool asked = false;
+  };
+  void load();
+  Entry* find(const std::string& question);
+  void remember(const std::string& question, std::string answer);
+  [[nodiscard]] bool remembers() const { return !path_.empty(); }
+  /// Counts what an answer took before; false if there is not so much left.
+  [[nodiscard]] bool takes(std::uint64_t work);
+
+  std::string folder_;
+  std::string path_;
+  std::string program_;
+  std::map<std::string, Entry> entries_;  // by what was asked
+  CacheUse use_;
+  Budget budget_;
+  bool changed_ = false;
+};
+
+/// Remembered, or decided; with no cache, decided.
+[[nodiscard]] Decision decide(DecisionCache* cache, const Question& question, const Limits& limits = {});
+[[nodiscard]] std::optional<Sample> satisfying_sample(DecisionCache* cache, const Question& question,
+                                                      const Sample& known, const Limits& limits);
+
+}  // namespace rigor

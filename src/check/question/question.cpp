@@ -1,0 +1,533 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/question/question.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "base/among.h"
+#include "check/question/at_all_times.h"
+#include "expr/calculus/differentiate.h"
+
+namespace rigor {
+namespace {
+
+/// Of a derivative for which a definition is made: no smaller than what `Differentiator` makes.
+constexpr int largest_order = 2 * most_rates + most_axes;
+
+/// So many derivatives compare the coefficients of what is assumed at all times or places.
+constexpr int most_compared = 3;
+
+/// A definition that the notes give, or that follows for a derivative.
+struct FoundAssumption {
+  Definition definition;
+  const Origin* origin;
+  bool at_instant;
+};
+
+struct Orders {
+  int time = 0;
+  int space = 0;
+  [[nodiscard]] int total() const { return time + space; }
+};
+
+class Preparation {
+ public:
+  Preparation(ExprTree& tree, Names& names, int slack, Precision precision, int order)
+      : tree_(tree), names_(names), slack_(slack), precision_(precision), order_(order) {}
+
+  Prepared prepare(Equation claim, std::span<const ExprId> also) {
+    for (int k = 0; k < order_; ++k) claim = derived(claim, By::small);
+    prepared_.question.tree = &tree_;
+    prepared_.question.claim = claim;
+    follow(claim);
+    for (const ExprId each : also) follow(Equation{.left = each, .right = each});
+    for (const SymbolId symbol : reached_)
+      highest_order_ = std::max(highest_order_, orders_of(symbol).total());
+    if (precision_ == Precision::small_order) add_small();
+    for (const int beyond : {0, slack_}) {
+      beyond_ = beyond;
+      for (bool grew = true; grew;) {
+        grew = beyond > 0 && follow_rules();
+        grew = add_assumptions() || grew;
+      }
+      if (beyond == 0) prepared_.without_slack = prepared_.question.assumptions.size();
+    }
+    add_lengths();
+    prepared_.too_large = budget_.exceeded;
+    prepared_.has_rates_or_times = has_rate() || has_rule() || speaks_of_time_or_place();
+    if (slack_ > 0) prepared_.unmatched = unmatched_assumption(tree_, names_, prepared_);
+    return std::move(prepared_);
+  }
+
+ private:
+  void follow(const Equation& equation) { follow(std::vector{equation.left, equation.right}); }
+
+  void follow(std::vector<ExprId> pending) {
+    while (!pending.empty()) {
+      const ExprId id = pending.back();
+      pending.pop_back();
+      for (const SymbolId symbol : symbols_in(tree_, id)) reach(symbol, pending);
+    }
+  }
+
+  void reach(SymbolId symbol, std::vector<ExprId>& pending) {
+    if (!reached_.insert(symbol).second) return;
+    const auto found = definition_of(symbol, 0);
+    if (found) {
+      prepared_.question.definitions.push_back(found->definition);
+      prepared_.definitions.push_back(found->origin);
+      pending.push_back(found->definition.body);
+    } else if (is_constant(symbol) || vanishes_to_zeroth_order(symbol)) {
+      prepared_.question.zeroed.push_back(symbol);
+    }
+  }
+
+  // --- rates that are given
+
+  /// A rate that is given stands for what it is, wherever it is met. It is also an assumption on what it is
+  /// the rate of, as soon as another one speaks of that.
+  bool follow_rules() {
+    bool grew = false;
+    for (const NamedDefinition& rule : names_.definitions()) {
+      const SymbolId rate = rule.definition.symbol;
+      if (reached_.contains(rate) || !bears(rule)) continue;
+      highest_law_ = std::max(highest_law_, orders_of(rate).total());
+      std::vector<ExprId> pending;
+      reach(rate, pending);
+      follow(std::move(pending));
+      grew = true;
+    }
+    return grew;
+  }
+
+  [[nodiscard]] bool has_rule() {
+    const auto& rules = names_.definitions();
+    return std::any_of(rules.begin(), rules.end(),
+                       [this](const NamedDefinition& rule) { return bears(rule); });
+  }
+
+  /// Does an assumption speak of what the rate is of, and the question of either?
+  bool bears(const NamedDefinition& rule) {
+    const SymbolId rate = rule.definition.symbol;
+    if (orders_of(rate).total() == 0 || !is_assumed_of(base_of(rate), nullptr)) return false;
+    const std::vector<SymbolId> body = symbols_in(tree_, rule.definition.body);
+    return is_reached(base_of(rate)) ||
+           std::any_of(body.begin(), body.end(), [this](SymbolId each) { return is_reached(base_of(each)); });
+  }
+
+  [[nodiscard]] bool is_reached(SymbolId base) const {
+    return std::any_of(reached_.begin(), reached_.end(),
+                       [&](SymbolId each) { return base_of(each) == base; });
+  }
+
+  // --- times and places
+
+  [[nodiscard]] bool has_rate() const {
+    const auto is_rate = [this](SymbolId symbol) { return orders_of(symbol).total() > 0; };
+    return std::any_of(prepared_.question.assumptions.begin(), prepared_.question.assumptions.end(),
+                       [&](const Equation& equation) {
+                         const std::vector<SymbolId> left = symbols_in(tree_, equation.left);
+                         const std::vector<SymbolId> right = symbols_in(tree_, equation.right);
+                         return std::any_of(left.begin(), left.end(), is_rate) ||
+                                std::any_of(right.begin(), right.end(), is_rate);
+                       });
+  }
+
+  [[nodiscard]] bool speaks_of_time_or_place() {
+    return std::any_of(
+        prepared_.assumptions.begin(), prepared_.assumptions.end(), [this](const NamedAssumption* named) {
+          return named != nullptr &&
+                 (runs_with_time(tree_, names_, named->equation) || speaks_of_place(named->equation));
+        });
+  }
+
+  bool speaks_of_place(const Equation& equation) {
+    if (equation.relation != Relation::equal) return false;
+    const std::vector<SymbolId>& symbols = symbols_of(equation);
+    return std::any_of(symbols.begin(), symbols.end(),
+                       [&](SymbolId each) { return names_.is_free_variable(tree_, each, By::space); });
+  }
+
+  /// What speaks of the time itself says something of each moment: how often it is differentiated, so that
+  /// as many constants as it has can be found, or what it shares with another assumption.
+  int orders_to_compare(const NamedAssumption& assumption) {
+    const Equation& equation = assumption.equation;
+    if (!runs_with_time(tree_, names_, equation)) return 0;
+    int constants = 0;
+    for (const SymbolId symbol : symbols_of(equation)) {
+      const auto kind = names_.dependence(tree_, symbol, By::time).kind;
+      if (kind == Dependence::Kind::varies && !definition_of(symbol, 0))
+        return is_assumed_of(base_of(symbol), &assumption) ? beyond_ : 0;
+      constants += kind == Dependence::Kind::constant ? 1 : 0;
+    }
+    return std::clamp(constants - 1, beyond_, most_compared);
+  }
+
+  /// What is said for all places, of constants, is differentiated by them as often.
+  int places_to_compare(const NamedAssumption& assumption) {
+    constexpr int most_by_place = 2;
+    if (!speaks_of_place(assumption.equation)) return 0;
+    for (const SymbolId symbol : symbols_of(assumption.equation)) {
+      if (definition_of(symbol, 0)) continue;
+      const bool place = names_.is_free_variable(tree_, symbol, By::space);
+      const bool constant = names_.dependence(tree_, symbol, By::space).kind == Dependence::Kind::constant;
+      if (place ? !tree_.symbols[symbol].for_all : !constant) return 0;
+    }
+    return most_by_place;
+  }
+
+  // --- definitions
+
+  std::optional<FoundAssumption> definition_of(SymbolId symbol, int depth) {
+    if (const NamedDefinition* named = names_.definition_of(symbol))
+      return FoundAssumption{named->definition, &named->origin, named->at_instant};
+    const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
+    if (!derivation || derivation->time + derivation->space + derivation->small > largest_order ||
+        depth > largest_order)
+      return std::nullopt;
+    if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
+    std::optional<FoundAssumption> result;
+    for (const By by : {By::small, By::space, By::time}) {
+      if (result) break;
+      if (const auto parent = parent_of(*derivation, by)) {
+        const auto of = definition_of(*parent, depth + 1);
+        if (of && of->at_instant && by == By::time) {
+          note_unknown(derivation->base);
+        } else if (of) {
+          result = FoundAssumption{differentiated(*of, symbol, by), of->origin, of->at_instant};
+        }
+      }
+    }
+    derived_[symbol] = result;
+    return result;
+  }
+
+  /// The derivative of one order less.
+  std::optional<SymbolId> parent_of(Derivation derivation, By by) {
+    std::uint16_t& order = by == By::time    ? derivation.time
+                           : by == By::space ? derivation.space
+                                             : derivation.small;
+    if (order == 0) return std::nullopt;
+    --order;
+    SymbolId parent = derivation.base;
+    for (int k = 0; k < derivation.time; ++k) parent = tree_.symbols.derivative(parent, By::time);
+    for (int k = 0; k < derivation.space; ++k) parent = tree_.symbols.derivative(parent, By::space);
+    for (int k = 0; k < derivation.small; ++k) parent = tree_.symbols.derivative(parent, By::small);
+    return parent;
+  }
+
+  Definition differentiated(const FoundAssumption& of, SymbolId symbol, By by) {
+    Definition result = of.definition;
+    result.symbol = symbol;
+    result.by_square = false;
+    if (by != By::space) {
+      result.body = differentiator(by).derivative_or_zero(of.definition.body);
+      return result;
+    }
+    std::vector<Slot> slots;
+    if (result.indices.empty()) {
+      for (int axis = 0; axis < tree_[result.body].rank; ++axis) {
+        result.indices.push_back(tree_.add_index("i"));
+        slots.push_back({0, result.indices.back()});
+      }
+    }
+    result.indices.push_back(tree_.add_index("s"));
+    const ExprId body = differentiator(by, {0, result.indices.back()}).derivative_or_zero(of.definition.body);
+    result.body = component_of(tree_, body, slots);
+    return result;
+  }
+
+  Differentiator differentiator(By by, Slot axis = {}) {
+    const auto dependence_of = [this, by](SymbolId symbol) {
+      const Dependence dependence = names_.dependence(tree_, symbol, by);
+      const bool guessed =
+          dependence.kind == Dependence::Kind::varies && !names_.knows_change(tree_, symbol, by);
+      if (guessed) note_unknown(symbol);
+      return dependence;
+    };
+    return {tree_, by, dependence_of, budget_, axis};
+  }
+
+  void note_unknown(SymbolId symbol) {
+    auto& unknown = prepared_.unknown_changes;
+    if (!is_one_of(symbol, unknown)) unknown.push_back(symbol);
+  }
+
+  /// A derivative of what does not change.
+  bool is_constant(SymbolId symbol) {
+    const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
+    if (!derivation) return false;
+    const auto constant_by = [&](By by) {
+      return names_.dependence(tree_, derivation->base, by).kind == Dependence::Kind::constant;
+    };
+    return (derivation->time > 0 && constant_by(By::time)) ||
+           (derivation->space > 0 && constant_by(By::space)) ||
+           (derivation->small > 0 && constant_by(By::small));
+  }
+
+  /// A small quantity, or its rate, where that is a symbol of its own.
+  bool vanishes_to_zeroth_order(SymbolId symbol) const {
+    if (precision_ != Precision::small_order) return false;
+    const auto& derivation = tree_.symbols[symbol].derivation;
+    if (derivation && derivation->small > 0) return false;
+    return std::any_of(names_.small().begin(), names_.small().end(), [&](const SmallQuantity& small) {
+      const ExprNode& node = tree_[small.quantity];
+      return node.slot_count == 0 && node.symbol == base_of(symbol);
+    });
+  }
+
+  // --- assumptions
+
+  SymbolId base_of(SymbolId symbol) const { return rigor::base_of(tree_.symbols, symbol); }
+
+  Orders orders_of(SymbolId symbol) const {
+    const auto& derivation = tree_.symbols[symbol].derivation;
+    return derivation ? Orders{derivation->time, derivation->space} : Orders{};
+  }
+
+  /// What an equation is about, definitions unfolded.
+  const std::vector<SymbolId>& symbols_of(const Equation& equation) {
+    std::vector<SymbolId>& symbols = symbols_of_[{equation.left, equation.right}];
+    if (!symbols.empty()) return symbols;
+    std::set<SymbolId> seen;
+    std::vector<ExprId> pending{equation.left, equation.right};
+    while (!pending.empty()) {
+      const ExprId id = pending.back();
+      pending.pop_back();
+      for (const SymbolId symbol : symbols_in(tree_, id)) {
+        if (!seen.insert(symbol).second) continue;
+        symbols.push_back(symbol);
+        if (const auto found = definition_of(symbol, 0)) pending.push_back(found->definition.body);
+      }
+    }
+    return symbols;
+  }
+
+  /// One of three rules for the components of a derivative, which make a definition together.
+  bool is_joined(const Equation& equation) const {
+    const ExprNode& left = tree_[equation.left];
+    if (equation.relation != Relation::equal || left.op != Op::symbol || left.slot_count != 1) return false;
+    const std::uint8_t axis = tree_.slots(equation.left)[0].axis;
+    const NamedDefinition* definition = names_.definition_of(left.symbol);
+    if (axis == 0 || definition == nullptr || tree_[definition->definition.body].op != Op::tuple)
+      return false;
+    return tree_.children(definition->definition.body)[axis - 1u] == equation.right;
+  }
+
+  /// One round over the assumptions; true if something was added.
+  bool add_assumptions() {
+    bool grew = false;
+    for (const NamedAssumption& assumption : names_.assumptions()) {
+      if (!is_joined(assumption.equation)) grew = add(assumption.equation, &assumption) || grew;
+    }
+    for (const SmallQuantity& small : names_.small()) {
+      const ExprNode node = tree_[small.quantity];
+      const bool constrained = node.slot_count > 0 || definition_of(node.symbol, 0).has_value();
+      if (precision_ == Precision::small_order && constrained) grew = add(vanishing(small), nullptr) || grew;
+    }
+    return grew;
+  }
+
+  Equation vanishing(const SmallQuantity& small) {
+    const auto [entry, fresh] = vanishing_.try_emplace(small.quantity);
+    Equation& known = entry->second;
+    if (fresh) {
+      const ExprNode node = tree_[small.quantity];
+      known.left = small.quantity;
+      known.right = zero_of_rank(tree_, node.span, node.rank);
+      known.particles = small.particles;
+    }
+    return known;
+  }
+
+  /// The assumption and those of its derivatives that speak of what was reached; one without symbols always.
+  bool add(const Equation& equation, const NamedAssumption* named) {
+    const std::vector<SymbolId>& symbols = symbols_of(equation);
+    Orders wanted{-1, -1};
+    Orders highest;
+    int own_order = 0;
+    for (const SymbolId own : symbols) {
+      own_order = std::max(own_order, orders_of(own).total());
+      for (const SymbolId reached : reached_) {
+        if (base_of(reached) != base_of(own)) continue;
+        wanted.time = std::max(wanted.time, orders_of(reached).time - orders_of(own).time);
+        wanted.space = std::max(wanted.space, orders_of(reached).space - orders_of(own).space);
+        highest.time = std::max(highest.time, orders_of(reached).time);
+        highest.space = std::max(highest.space, orders_of(reached).space);
+      }
+    }
+    if (!symbols.empty() && wanted.time < 0 && wanted.space < 0) return false;
+    if (named != nullptr && named->rate_of && !is_spoken_of(*named->rate_of, named)) return false;
+    // Derivatives beyond what was reached can speak of it, as the second one of x² = 0 does of ẋ.
+    if (wanted.time >= 0 && highest.time > 0) wanted.time += beyond_;
+    if (wanted.space >= 0 && highest.space > 0) wanted.space += beyond_;
+    int compared = 0;
+    if (beyond_ > 0 && named != nullptr) compared = orders_to_compare(*named);
+    wanted.time = std::max(wanted.time, compared);
+    const int by_place = beyond_ > 0 && named != nullptr ? places_to_compare(*named) : 0;
+    wanted.space = std::max(wanted.space, by_place);
+    compared = std::max(compared, by_place);
+    if (equation.relation != Relation::equal) wanted = {0, 0};
+    if (named != nullptr && named->at_instant) {
+      wanted = {0, 0};
+      if (highest_order_ + beyond_ > 0 && !symbols.empty()) note_unknown(symbols[0]);
+    }
+    bool grew = false;
+    // Laws of different orders in the same quantities meet at the highest of them.
+    highest_law_ = std::max(highest_law_, own_order);
+    const int highest_wanted =
+        beyond_ > 0 ? std::max(highest_order_ + beyond_, highest_law_) : highest_order_;
+    const int more = std::max({highest_wanted - own_order, compared, 0});
+    for (int time = 0; time <= std::clamp(wanted.time, 0, more); ++time) {
+      for (int space = 0; space <= std::clamp(wanted.space, 0, more - time); ++space)
+        grew = take(equation, named, {time, space}, own_order) || grew;
+    }
+    return grew;
+  }
+
+  /// By the claim, so far as was followed, or by an assumption other than this one.
+  bool is_spoken_of(SymbolId symbol, const NamedAssumption* by_this) {
+    return is_reached(symbol) || is_assumed_of(symbol, by_this);
+  }
+
+  bool is_assumed_of(SymbolId symbol, const NamedAssumption* by_this) {
+    const auto is_it = [&](SymbolId each) { return base_of(each) == symbol; };
+    return std::any_of(names_.assumptions().begin(), names_.assumptions().end(),
+                       [&](const NamedAssumption& other) {
+                         if (&other == by_this) return false;
+                         const std::vector<SymbolId>& symbols = symbols_of(other.equation);
+                         return std::any_of(symbols.begin(), symbols.end(), is_it);
+                       });
+  }
+
+  bool take(const Equation& equation, const NamedAssumption* named, Orders orders, int own_order) {
+    const std::tuple key(equation.left, equation.right, orders.time, orders.space);
+    const bool compares = beyond_ > 0 && named != nullptr && !named->at_instant && !at_zero_.contains(key);
+    if (taken_.contains(key) && !compares) return false;
+    const bool fresh = taken_.insert(key).second;
+    const std::size_t unknown_before = prepared_.unknown_changes.size();
+    Equation changed = equation;
+    for (int k = 0; k < orders.time; ++k) changed = derived(changed, By::time);
+    for (int k = 0; k < orders.space; ++k) changed = derived(changed, By::space);
+    if (compares) at_zero_.insert(key);
+    if (compares) push_at_zero(changed, named);
+    if (!fresh) {
+      prepared_.unknown_changes.resize(unknown_before);
+      return true;
+    }
+    push(changed, named);
+    const bool at_zero_only = named == nullptr;  // what is small vanishes to zeroth order only
+    for (int k = 0; k < order_ && !at_zero_only && changed.relation == Relation::equal; ++k) {
+      changed = derived(changed, By::small);
+      push(changed, named);
+    }
+    // beyond the claim's own orders it is not the notes that differentiate
+    if (orders.total() + own_order > highest_order_) prepared_.unknown_changes.resize(unknown_before);
+    return true;
+  }
+
+  void push(const Equation& equation, const NamedAssumption* named) {
+    if (tree_.is_zero_literal(equation.left) && tree_.is_zero_literal(equation.right)) return;
+    prepared_.question.assumptions.push_back(equation);
+    prepared_.assumptions.push_back(named);
+    follow(equation);
+  }
+
+  /// What holds at all times holds at t = 0, too.
+  void push_at_zero(const Equation& equation, const NamedAssumption* named) {
+    if (auto at_zero = at_time_zero(tree_, names_, equation)) push(*at_zero, named);
+  }
+
+  Equation derived(const Equation& equation, By by) {
+    Equation result = equation;
+    Slot axis;
+    if (by == By::space) {
+      result.indices.insert(result.indices.begin(), tree_.add_index("s"));
+      axis = {0, result.indices.front()};
+    }
+    Differentiator differentiate = differentiator(by, axis);
+    result.left = differentiate.derivative_or_zero(equation.left);
+    result.right = differentiate.derivative_or_zero(equation.right);
+    return result;
+  }
+
+  /// Small quantities concern the claim through the question's definitions, too.
+  void add_small() {
+    for (const SmallQuantity& small : names_.small()) names_.mark_used(small.directive);
+  }
+
+  /// n·n = 1 for all times makes n·ṅ = 0. A rotation's rate is not reasoned about.
+  void add_lengths() {
+    std::map<SymbolId, Derivation> highest;
+    for (const SymbolId symbol : reached_) {
+      const auto derivation = tree_.symbols[symbol].derivation;
+      if (!derivation || definition_of(symbol, 0) || is_constant(symbol)) continue;
+      const Symbol& base = tree_.symbols[derivation->base];
+      if (base.rotation) note_unknown(derivation->base);
+      if (!base.unit || names_.definition_of(derivation->base) != nullptr) continue;
+      Derivation& known = highest[derivation->base];
+      known.time = std::max(known.time, derivation->time);
+      known.space = std::max(known.space, derivation->space);
+      known.small = std::max(known.small, derivation->small);
+    }
+    for (const auto& [base, orders] : highest) add_length(base, orders);
+  }
+
+  void add_length(SymbolId base, const Derivation& orders) {
+    const Span span = tree_.symbols[base].first_seen;
+    ExprNode node{.op = Op::symbol, .rank = 1, .span = span, .symbol = base};
+    Equation equation;
+    if (tree_.symbols[base].per_particle) {
+      node.particle = tree_.add_particle("p");
+      equation.particles.push_back(node.particle);
+    }
+    const ExprId vector = tree_.add(node);
+    const std::array sides{vector, vector};
+    equation.left = tree_.add({.op = Op::dot, .span = span}, sides);
+    equation.right = tree_.add_number(span, "1");
+    const auto add_up_to = [&](int order, By by) {
+      Equation changed = equation;
+      for (int k = 0; k < order; ++k) {
+        changed = derived(changed, by);
+        push(changed, nullptr);
+      }
+    };
+    const std::size_t unknown_before = prepared_.unknown_changes.size();
+    add_up_to(orders.time, By::time);
+    add_up_to(orders.space, By::space);
+    add_up_to(orders.small, By::small);
+    prepared_.unknown_changes.resize(unknown_before);
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  int slack_;
+  Precision precision_;
+  int order_;
+  Prepared prepared_;
+  DerivativeBudget budget_;
+  std::set<SymbolId> reached_;
+  int highest_order_ = 0;  // of a derivative in the claim, definitions unfolded
+  int highest_law_ = 0;    // of a derivative in an assumption as it stands
+  int beyond_ = 0;         // how far above it derivatives of assumptions are taken: 0, then `slack_`
+  std::map<SymbolId, std::optional<FoundAssumption>> derived_;
+  std::map<ExprId, Equation> vanishing_;
+  std::set<std::tuple<ExprId, ExprId, int, int>> taken_;
+  std::set<std::tuple<ExprId, ExprId, int, int>> at_zero_;
+  std::map<std::pair<ExprId, ExprId>, std::vector<SymbolId>> symbols_of_;
+};
+
+}  // namespace
+
+Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack, Precision precision,
+                 int order, std::span<const ExprId> also) {
+  return Preparation(tree, names, slack, precision, order).prepare(claim, also);
+}
+
+bool speaks_of_derivatives(const Prepared& prepared) { return prepared.has_rates_or_times; }
+
+}  // namespace rigor

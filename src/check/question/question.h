@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a claim to the question that the exact side is asked: with the definitions behind its symbols, those
+// of derivatives made on demand, and the assumptions that share a symbol with it. What is assumed holds at
+// all times and places, so that derivatives of assumptions are assumptions.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "elaborate/name/names.h"
+#include "expr/statement/statement.h"
+
+namespace rigor {
+
+struct Prepared {
+  Question question;
+  std::vector<const Origin*> definitions;           // where each of the question's definitions comes from
+  std::vector<const NamedAssumption*> assumptions;  // the same; nullptr where a kind implies it (|n| = 1)
+  std::size_t without_slack = 0;                    // so many of the assumptions would be there without slack
+  std::optional<std::string> too_large = {};        // why derivatives are missing: then nothing is decided
+  std::vector<SymbolId> unknown_changes;            // differentiated, though nothing says whether they change
+  bool has_rates_or_times = false;  // something in the assumptions has a rate, or speaks of the time or place
+  /// Taken, speaks of the time or place itself, and leaves no quantity free to follow it: what it says at all
+  /// times would have to be compared coefficient by coefficient.
+  const NamedAssumption* unmatched = nullptr;
+};
+
+/// How a claim is meant: exactly, or order by order in what is small.
+enum class Precision : std::uint8_t { exact, small_order };
+
+/// `slack`: by how many orders derivatives of assumptions may go beyond those in the claim: a condition may
+/// only show in them. `order`: which derivative by the small parameter is asked for, where everything small
+/// is 0; 0 and 1 make "equal to first order". `also`: expressions that are to be evaluated under the same
+/// definitions and assumptions.
+[[nodiscard]] Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack = 0,
+                               Precision precision = Precision::exact, int order = 0,
+                               std::span<const ExprId> also = {});
+
+/// Do the assumptions that bear on a question speak of derivatives, times or places, so that more slack may
+/// show more?
+[[nodiscard]] bool speaks_of_derivatives(const Prepared& prepared);
+
+}  // namespace rigor

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/repair/repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "algebra/sample/screen.h"
+#include "check/question/decision_cache.h"
+#include "check/question/question.h"
+#include "check/repair/trivial_statement.h"
+#include "check/verdict/chain_reading.h"
+#include "latex/parse/parse.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t most_judged = 8;
+constexpr std::size_t most_tokens = 400;          // of both sides; longer ones are not mended
+constexpr std::size_t most_to_first_order = 150;  // candidates, each of which is differentiated
+/// A neighbour of a typical step is proved with a hundredth of this.
+constexpr Limits limits_of_candidates{.expanded_terms = 10'000,
+                                      .steps = 60'000,
+                                      .quick_points = 2,
+                                      .quick_steps = 4'000,
+                                      .sample_attempts = 12,
+                                      .fewest_assumptions = false};
+/// For samples that candidates are compared on.
+[[nodiscard]] Limits screening(DecisionCache* cache) {
+  return {.steps = 200'000, .budget = cache == nullptr ? nullptr : &cache->budget()};
+}
+constexpr int widest_choice = 20;    // how much further than the nearest another one may be
+constexpr long largest_number = 12;  // in a coefficient that is offered
+
+std::optional<Coefficient> coefficient_from(const std::string& exact) {
+  const std::size_t slash = exact.find('/');
+  if (exact.size() > 8) return std::nullopt;
+  const Coefficient value{std::stol(exact),
+                          slash == std::string::npos ? 1 : std::stol(exact.substr(slash + 1))};
+  if (std::abs(value.numerator) > largest_number || value.denominator > largest_number) return std::nullopt;
+  return value;
+}
+
+/// The same places in the same order, so that components can be compared one by one.
+bool have_same_places(const ExprTree& tree, const Equation& a, const Equation& b) {
+  return a.indices.size() == b.indices.size() && a.particles.size() == b.particles.size() &&
+         std::is_permutation(a.indices.begin(), a.indices.end(), b.indices.begin()) &&
+         std::is_permutation(a.particles.begin(), a.particles.end(), b.particles.begin()) &&
+         tree[a.left].rank == tree[b.left].rank;
+}
+
+class RepairSearch {
+ public:
+  RepairSearch(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
+      : tree_(tree),
+        names_(names),
+        cache_(cache),
+        wrong_(wrong),
+        chain_(wrong.parsed),
+        candidates_(wrong, sides_) {
+    chain_.sides.clear();
+    for (const WrittenSide& side : wrong.parsed.written.sides) {
+      sides_.push_back(without_layout(side.tokens));
+      chain_.sides.push_back(parse_side(sides_.back(), side.span, syntax_));
+    }
+    reading_ = read_chain(syntax_, tree_, names_, chain_);
+  }
+
+  std::vector<Repair> run() {
+    if (candidates_.side(0).size() + candidates_.side(1).size() > most_tokens) return {};
+    const std::optional<Claim> original = claim_between(typed(0), typed(1));
+    const bool by_terms = original && !original->nearly && original->equation.relation == Relation::equal;
+    std::vector<RepairCandidate> rewritten = candidates_.rewritten_sides(!by_terms);
+    std::vector<Equation> equations = read(rewritten);
+    if (rewritten.empty()) return {};
+    claim_ = original ? *original : *first_claim_;
+    std::vector<RepairCandidate> holding;
+    if (claim_.nearly) {
+      holding = holding_to_first_order(rewritten, equations);
+    } else {
+      const std::vector<ComparedTerm> terms = by_terms ? candidates_.terms() : std::vector<ComparedTerm>{};
+      holding = holding_on_samples(rewritten, equations, terms, false);
+      if (lack_terms(holding)) add_insertions(holding);
+      if (holding.empty()) holding = holding_on_samples(rewritten, equations, terms, true);
+    }
+    sort_and_reduce(holding, candidates_.side(0), candidates_.side(1));
+    return prove_the_nearest(holding);
+  }
+
+ private:
+  /// Is none of the usual slips found? Then a term may be missing in a bracket.
+  static bool lack_terms(const std::vector<RepairCandidate>& holding) {
+    return std::none_of(holding.begin(), holding.end(), [](const RepairCandidate& each) {
+      return each.slip == Slip::sign || each.slip == Slip::factor || each.slip == Slip::order ||
+             each.slip == Slip::index || each.slip == Slip::indices_swapped;
+    });
+  }
+
+  void add_insertions(std::vector<RepairCandidate>& holding) {
+    std::vector<RepairCandidate> insertions = candidates_.insertions();
+    const std::vector<Equation> equations = read(insertions);
+    for (RepairCandidate& each : holding_on_samples(insertions, equations, {}, false))
+      holding.push_back(std::move(each));
+  }
+
+  // --- reading
+
+  const std::optional<Typed>& typed(std::size_t side) const {
+    return reading_->sides[wrong_.which + side].typed;
+  }
+
+  std::optional<Claim> claim_between(const std::optional<Typed>& left, const std::optional<Typed>& right) {
+    if (!left || !right) return std::nullopt;
+    return reading_->claim(chain_, wrong_.which, *left, *right, wrong_.first_order, ignored_);
+  }
+
+  std::optional<Typed> read(TokenView tokens) {
+    const Span place = chain_.written.sides[wrong_.which].span;
+    return reading_->elaborator().expression(parse_side(tokens, place, syntax_));
+  }
+
+  /// The equations of those that can be read; the others are taken out.
+  std::vector<Equation> read(std::vector<RepairCandidate>& candidates) {
+    std::vector<Equation> equations;
+    std::erase_if(candidates, [&](const RepairCandidate& candidate) {
+      const std::optional<Typed>& other = typed(1 - candidate.side);
+      if (!other) return true;
+      const auto own = read(candidate.tokens);
+      const auto claim = candidate.side == 0 ? claim_between(own, other) : claim_between(other, own);
+      if (!claim) return true;
+      if (!first_claim_) first_claim_ = claim;
+      equations.push_back(claim->equation);
+      return false;
+    });
+    return equations;
+  }
+
+  /// The term = 0, at the places of the claim.
+  std::optional<Equation> against_zero(TokenView term) {
+    const auto claim = claim_between(read(term), typed(0));
+    if (!claim || !have_same_places(tree_, claim->equation, claim_.equation)) return std::nullopt;
+    Equation equation = claim_.equation;
+    equation.left = claim->equation.left;
+    equation.right = zero_of_rank(tree_, tree_[equation.left].span, tree_[equation.left].rank);
+    return equation;
+  }
+
+  // --- what holds on samples
+
+  std::set<SymbolId> bases_in(const Question& question) const {
+    std::set<SymbolId> bases;
+    const auto add_all = [&](ExprId side) {
+      for (const SymbolId symbol : symbols_in(tree_, side)) bases.insert(base_of(tree_.symbols, symbol));
+    };
+    for (const ExprId side : {question.claim.left, question.claim.right}) add_all(side);
+    for (const Definition& definition : question.definitions) add_all(definition.body);
+    for (const Equation& assumption : question.assumptions) {
+      add_all(assumption.left);
+      add_all(assumption.right);
+    }
+    return bases;
+  }
+
+  /// Sides that speak of what the claim does not speak of, but only of what is defined.
+  std::vector<ExprId> known_sides(const std::vector<Equation>& equations) {
+    const std::set<SymbolId> reached = bases_in(prepare(tree_, names_, claim_.equation).question);
+    std::vector<ExprId> sides;
+    for (const Equation& equation : equations) {
+      for (const ExprId side : {equation.left, equation.right}) {
+        const std::vector<SymbolId> symbols = symbols_in(tree_, side);
+        const bool known = std::all_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+          const SymbolId base = base_of(tree_.symbols, symbol);
+          return reached.contains(base) || names_.definition_of(base) != nullptr;
+        });
+        if (known) sides.push_back(side);
+      }
+    }
+    return sides;
+  }
+
+  /// `term = 0` for each; of one that cannot be read, 0 = 0.
+  std::vector<Equation> zeros_of(const std::vector<ComparedTerm>& terms) {
+    std::vector<Equation> zeros;
+    for (const ComparedTerm& term : terms) {
+      auto zero = against_zero(term.tokens);
+      if (!zero) {
+        zero = claim_.equation;
+        zero->left = zero->right = zero_of_rank(tree_, claim_.relation, tree_[claim_.equation.left].rank);
+      }
+      zeros.push_back(*zero);
+    }
+    return zeros;
+  }
+
+  void compare(SampleScreen& screen, const std::vector<ComparedTerm>& terms,
+               const std::vector<Equation>& zeros, std::vector<RepairCandidate>& holding) const {
+    const auto multiples = screen.multiples(claim_.equation, zeros);
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      const auto ratio = multiples[k] ? coefficient_from(*multiples[k]) : std::nullopt;
+      if (ratio) holding.push_back(candidates_.with(terms[k], *ratio));
+    }
+  }
+
+  /// `beyond`: compared are also those that speak of what is defined elsewhere.
+  std::vector<RepairCandidate> holding_on_samples(const std::vector<RepairCandidate>& rewritten,
+                                                  const std::vector<Equation>& equations,
+                                                  const std::vector<ComparedTerm>& terms, bool beyond) {
+    const std::vector<Equation> zeros = zeros_of(terms);
+    std::vector<Equation> all = equations;
+    all.insert(all.end(), zeros.begin(), zeros.end());
+    const std::vector<ExprId> sides = beyond ? known_sides(all) : std::vector<ExprId>{};
+    Prepared prepared = prepare(tree_, names_, claim_.equation, 0, Precision::exact, 0, sides);
+    if (speaks_of_derivatives(prepared))
+      prepared = prepare(tree_, names_, claim_.equation, 1, Precision::exact, 0, sides);
+    SampleScreen screen(prepared.question, sides, screening(cache_));
+    std::vector<RepairCandidate> holding;
+    const std::vector<bool> passing = screen.passing(equations);
+    for (std::size_t k = 0; k < rewritten.size(); ++k) {
+      if (passing[k]) holding.push_back(rewritten[k]);
+    }
+    compare(screen, terms, zeros, holding);
+    if (!terms.empty() && holding.empty()) {
+      const std::vector<ComparedTerm> longer = candidates_.longer_terms();
+      const std::vector<Equation> longer_zeros = zeros_of(longer);
+      SampleScreen larger(prepared.question, sides, screening(cache_));  // of the tree that has grown
+      compare(larger, longer, longer_zeros, holding);
+    }
+    return holding;
+  }
+
+  /// Nearly equal: the parts of zeroth and of first order are equal.
+  std::vector<RepairCandidate> holding_to_first_order(const std::vector<RepairCandidate>& rewritten,
+                                                      std::vector<Equation> equations) {
+    if (equations.size() > most_to_first_order)
+      equations.erase(equations.begin() + most_to_first_order, equations.end());
+    std::vector<bool> holds(equations.size(), true);
+    for (const int order : {0, 1}) {
+      const auto at_order = [&](const Equation& equation) {
+        return prepare(tree_, names_, equation, 0, Precision::small_order, order).question;
+      };
+      std::vector<Equation> parts;
+      for (const Equation& equation : equations) parts.push_back(at_order(equation).claim);
+      const Question question = at_order(claim_.equation);
+      const std::vector<bool> passing = SampleScreen(question, {}, screening(cache_)).passing(parts);
+      for (std::size_t k = 0; k < holds.size(); ++k) holds[k] = holds[k] && passing[k];
+    }
+    std::vector<RepairCandidate> holding;
+    for (std::size_t k = 0; k < holds.size(); ++k) {
+      if (holds[k]) holding.push_back(rewritten[k]);
+    }
+    return holding;
+  }
+
+  // --- what is true
+
+  std::vector<Repair> prove_the_nearest(const std::vector<RepairCandidate>& candidates) {
+    std::vector<Repair> repairs;
+    std::size_t judged = 0;
+    int nearest = 0;
+    bool mends_a_term = false;  // then a term more says the same: it makes up for it
+    for (const RepairCandidate& candidate : candidates) {
+      const bool far = !repairs.empty() && candidate.distance > nearest + widest_choice;
+      const bool says_the_same = candidate.slip == Slip::term_missing && mends_a_term;
+      if (says_the_same || says_nothing(candidate)) continue;
+      if (far || repairs.size() == most_repairs || judged++ == most_judged) break;
+      if (!is_proved(candidate)) continue;
+      if (repairs.empty()) nearest = candidate.distance;
+      mends_a_term = mends_a_term || candidate.slip == Slip::sign || candidate.slip == Slip::factor ||
+                     candidate.slip == Slip::term_missing || text_of(candidate.tokens) == "0";
+      repairs.push_back({candidate.side == 0, statement_of(candidate), candidate.change,
+                         text_of(candidates_.side(candidate.side)), text_of(candidate.tokens),
+                         candidate.slip == Slip::term_missing});
+    }
+    return repairs;
+  }
+
+  /// A term beside 0 only repeats the other side, as one that is the other side does: X = X + 0. What the
+  /// calculation began with is not mended by a 0.
+  bool says_nothing(const RepairCandidate& candidate) const {
+    const std::string old = text_of(candidates_.side(candidate.side));
+    const std::string now = text_of(candidate.tokens);
+    const std::string other = text_of(candidates_.side(1 - candidate.side));
+    if (candidate.slip != Slip::term_missing) return candidate.side == 0 && now == "0" && old != "0";
+    return old == "0" || now == old + " + " + other || now == old + "+" + other || now == old + other;
+  }
+
+  /// As it would be read in the place of what was written.
+  bool is_proved(const RepairCandidate& candidate) {
+    if (trim(candidate.tokens).empty()) return false;
+    ParsedChain chain = chain_;
+    const std::size_t place = wrong_.which + candidate.side;
+    chain.written.sides[place].tokens = candidate.tokens;
+    chain.sides[place] = parse_side(candidate.tokens, chain.written.sides[place].span, syntax_);
+    const auto reading = read_chain(syntax_, tree_, names_, chain);
+    if (!reading->sides[wrong_.which].typed || !reading->sides[wrong_.which + 1].typed) return false;
+    Diagnostics mismatches;
+    const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
+    if (!claim || !mismatches.empty()) return false;
+    if (is_trivial(tree_, claim->equation.left, claim->equation.right)) return false;
+    const Judgement judgement = judge(tree_, names_, *claim, limits_of_candidates, cache_);
+    return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
+  }
+
+  std::string statement_of(const RepairCandidate& candidate) const {
+    const std::string changed = text_of(candidate.tokens);
+    const std::string other = text_of(candidates_.side(1 - candidate.side));
+    return fmt::format("{} {} {}", candidate.side == 0 ? changed : other,
+                       chain_.written.relations[wrong_.which].text, candidate.side == 0 ? other : changed);
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  DecisionCache* cache_;
+  const WrongStep& wrong_;
+  SyntaxTree syntax_;
+  std::vector<Tokens> sides_;
+  ParsedChain chain_;
+  RepairCandidates candidates_;
+  std::unique_ptr<ChainReading> reading_;
+  Diagnostics ignored_;
+  Claim claim_;                       // the original one; where it has no meaning, the nearest that has one
+  std::optional<Claim> first_claim_;  // of a candidate
+};
+
+}  // namespace
+
+std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names, const WrongStep& wrong,
+                                            DecisionCache* cache) {
+  ExprTree own_tree = tree;
+  Names own_names = names;
+  return RepairSearch(own_tree, own_names, wrong, cache).run();
+}
+
+}  // namespace rigor

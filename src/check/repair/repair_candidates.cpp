@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/repair/repair_candidates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "base/ascii.h"
+#include "latex/token/vocabulary.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::array<const char*, 2> side_names{"left", "right"};
+
+int distance_of(Slip slip) {
+  switch (slip) {
+    case Slip::sign:
+    case Slip::order:
+      return 20;
+    case Slip::indices_swapped:
+      return 21;
+    case Slip::factor:
+    case Slip::index:
+      return 23;
+    case Slip::power:
+    case Slip::product:
+    case Slip::bars:
+      return 25;
+    case Slip::term_extra:
+    case Slip::term_missing:
+      return 26;
+    case Slip::rate:
+    case Slip::prime:
+    case Slip::letter:
+      return 30;
+  }
+  return 40;
+}
+
+std::string bare_text(TokenView tokens) {
+  Tokens bare(tokens.begin(), tokens.end());
+  std::erase_if(bare, [](const Token& token) { return is_blank(token) || is_spacing(token); });
+  return text_of(bare);
+}
+
+/// `(a + b)` and `a + b` are the same.
+bool are_alike(TokenView a, TokenView b) {
+  const auto without_brackets = [](TokenView tokens) {
+    Tokens bare(tokens.begin(), tokens.end());
+    std::erase_if(bare, [](const Token& token) { return is_sign(token, "(") || is_sign(token, ")"); });
+    return bare_text(bare);
+  };
+  return without_brackets(a) == without_brackets(b);
+}
+
+/// In `\mathbf a\cdot\mathbf b` a face and its letter are shown together.
+void show_with_faces(TokenView side, Rewriting& change) {
+  const auto is_face = [](const Token& token) { return style_of(token).has_value() || dots_of(token) > 0; };
+  while (change.shown_begin > 0 && change.shown_begin < side.size() && is_face(side[change.shown_begin - 1]))
+    --change.shown_begin;
+  while (change.shown_end > change.shown_begin && change.shown_end < side.size() &&
+         is_face(side[change.shown_end - 1]))
+    ++change.shown_end;
+}
+
+}  // namespace
+
+/// How unlikely it is that the slip is on this side: another step supports it, or it is a name that is
+/// defined.
+int RepairCandidates::suspicion(std::size_t which) const {
+  const Trust trust = which == 0 ? wrong_.left : wrong_.right;
+  const bool name = which == 0 && end_of_letter(trim(side(0))) > 0 && letters_of({side(0)}).size() == 1 &&
+                    side(0).size() <= 12 && terms_of_side(side(0)).size() == 1;
+  return (which == 0 ? 1 : 0) + (trust == Trust::supported ? 12 : 0) - (trust == Trust::doubted ? 4 : 0) +
+         (name ? 6 : 0);
+}
+
+RepairCandidate RepairCandidates::made(std::size_t which, Slip slip, Tokens tokens, std::string change,
+                                       int further) const {
+  const auto longer = static_cast<int>(tokens.size()) - static_cast<int>(side(which).size());
+  const int distance = distance_of(slip) + std::clamp(longer, -4, 12) + further + suspicion(which);
+  return {slip, which, std::move(tokens), std::move(change), distance};
+}
+
+/// A sign or factor inside of brackets is less likely than one before a term, and factors stand in the order
+/// of the alphabet as a rule.
+RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& rewriting) const {
+  Rewriting change = rewriting;
+  show_with_faces(side(which), change);
+  const std::string from =
+      text_of(side(which).subspan(change.shown_begin, change.shown_end - change.shown_begin));
+  const std::string to = text_of(shown_after(side(which), change));
+  const bool inside = change.slip == Slip::sign || change.slip == Slip::factor;
+  const int further = change.slip == Slip::order && to < from ? -1 : (inside ? 2 : 0);
+  const std::string words =
+      to.empty()     ? fmt::format("`{}` is one too many on the {} side", from, side_names[which])
+      : from.empty() ? fmt::format("`{}` is missing on the {} side", to, side_names[which])
+                     : fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]);
+  return made(which, change.slip, rewritten(side(which), change), words, further);
+}
+
+std::vector<RepairCandidate> RepairCandidates::rewritten_sides(bool whole_side) const {
+  return made_by([&](TokenView side) { return rewritings_of(side, chain(), whole_side); });
+}
+
+std::vector<RepairCandidate> RepairCandidates::insertions() const {
+  return made_by([&](TokenView side) { return insertions_of(side, chain()); });
+}
+
+template <class Rewrite>
+std::vector<RepairCandidate> RepairCandidates::made_by(const Rewrite& rewrite) const {
+  constexpr std::size_t most = 400;
+  std::vector<RepairCandidate> candidates;
+  for (const std::size_t which : {1u, 0u}) {
+    for (const Rewriting& change : rewrite(side(which))) candidates.push_back(made(which, change));
+  }
+  sort_and_reduce(candidates, side(0), side(1));
+  if (candidates.size() > most) candidates.erase(candidates.begin() + most, candidates.end());
+  return candidates;
+}
+
+std::vector<ComparedTerm> RepairCandidates::terms() const {
+  constexpr std::size_t most = 240;
+  std::vector<ComparedTerm> terms;
+  std::array<std::set<std::string>, 2> known;
+  for (const std::size_t which : {0u, 1u}) {
+    const std::vector<SideTerm> own = terms_of_side(side(which));
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      terms.push_back({which, k, Tokens(own[k].with_sign.begin(), own[k].with_sign.end())});
+      known[which].insert(text_of(without_layout(own[k].tokens)));
+    }
+  }
+  const auto add_more = [&](TokenView term, int further) {
+    const Tokens tokens = without_layout(term);
+    for (const std::size_t which : {1u, 0u}) {
+      if (terms.size() < most && known[which].insert(text_of(tokens)).second)
+        terms.push_back({which, std::nullopt, tokens, further});
+    }
+  };
+  std::vector<TokenView> nearby = chain();
+  for (const TokenView other : nearby) {
+    for (const SideTerm& term : terms_of_side(other)) add_more(term.tokens, 0);
+  }
+  for (const TokenView other : wrong_.near) {
+    for (const SideTerm& term : terms_of_side(other)) add_more(term.tokens, 2);
+  }
+  for (const std::size_t which : {1u, 0u}) {
+    for (const SideTerm& term : terms_of_side(side(which))) {
+      for (const Tokens& image : images_of_term(term.tokens, nearby)) add_more(image, 1);
+    }
+  }
+  nearby.insert(nearby.end(), wrong_.near.begin(), wrong_.near.end());
+  for (const Tokens& product : products_of(letters_of(nearby))) add_more(product, 2);
+  return terms;
+}
+
+std::vector<ComparedTerm> RepairCandidates::longer_terms() const {
+  std::vector<ComparedTerm> terms;
+  for (const Tokens& product : vector_products_of(chain())) {
+    for (const std::size_t which : {1u, 0u}) terms.push_back({which, std::nullopt, product, 2});
+  }
+  return terms;
+}
+
+RepairCandidate RepairCandidates::with(const ComparedTerm& term, Coefficient ratio) const {
+  const long turned = term.side == 0 ? -ratio.numerator : ratio.numerator;
+  const TokenView whole = side(term.side);
+  if (!term.which) {
+    const Rewriting more = with_term(whole, term.tokens, {turned, ratio.denominator});
+    return made(term.side, Slip::term_missing, rewritten(whole, more),
+                fmt::format("`{}` is missing on the {} side", text_of(more.text), side_names[term.side]),
+                term.further);
+  }
+  const Coefficient times{ratio.denominator + turned, ratio.denominator};
+  const Rewriting change = with_coefficient(whole, *term.which, times);
+  const bool usual = std::abs(times.numerator) <= 2 && times.denominator <= 2;
+  return made(term.side, change.slip, rewritten(whole, change), words_for(term.side, *term.which, times),
+              usual ? 0 : 2);
+}
+
+std::string RepairCandidates::words_for(std::size_t which, std::size_t term, Coefficient times) const {
+  const bool alone = terms_of_side(side(which)).size() == 1;
+  const std::string what = alone ? fmt::format("the {} side", side_names[which])
+                                 : fmt::format("term {} on the {}", term + 1, side_names[which]);
+  if (times.numerator == 0) return what + (alone ? " is 0" : " is one too many");
+  if (times.numerator == -times.denominator) return what + " has the opposite sign";
+  const std::string number = times.denominator == 1
+                                 ? std::to_string(times.numerator)
+                                 : fmt::format("{}/{}", times.numerator, times.denominator);
+  return fmt::format("{} must be {} times as large", what, number);
+}
+
+void sort_and_reduce(std::vector<RepairCandidate>& candidates, TokenView left, TokenView right) {
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const RepairCandidate& a, const RepairCandidate& b) { return a.distance < b.distance; });
+  std::array<std::set<std::string>, 2> known{std::set{bare_text(left)}, std::set{bare_text(right)}};
+  std::erase_if(candidates, [&](const RepairCandidate& candidate) {
+    return are_alike(candidate.tokens, candidate.side == 0 ? right : left) ||
+           !known[candidate.side].insert(bare_text(candidate.tokens)).second;
+  });
+}
+
+}  // namespace rigor

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Statements that are true by their form alone, and say nothing.
+#pragma once
+
+#include "expr/tree/tree.h"
+
+namespace rigor {
+
+/// The sides are one expression, terms of a side cancel (`\mathbf v - \mathbf v`), or both are 0 as they are
+/// written (`0\,a = 0`). An identity such as `\nabla\times\nabla f = 0` is none of these.
+[[nodiscard]] bool is_trivial(const ExprTree& tree, ExprId left, ExprId right);
+
+}  // namespace rigor

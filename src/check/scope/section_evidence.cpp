@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/scope/section_evidence.h"
+
+#include <variant>
+#include <vector>
+
+#include "elaborate/evidence/ordered_letters.h"
+#include "elaborate/evidence/raised_indices.h"
+#include "elaborate/evidence/said_order.h"
+#include "elaborate/evidence/seen_functions.h"
+#include "elaborate/evidence/seen_letters.h"
+#include "elaborate/evidence/spaces.h"
+#include "elaborate/evidence/unit_matrices.h"
+
+namespace rigor {
+namespace {
+
+/// The first events of the stretches that belong to a section: its own, and those around it.
+std::vector<std::size_t> beginnings(const Notes& notes, std::optional<std::size_t> heading) {
+  std::vector<std::size_t> begins;
+  const bool preamble = notes.events.empty() || !std::holds_alternative<Heading>(notes.events[0]);
+  if (preamble) begins.push_back(0);
+  if (!heading) return begins;
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k <= *heading; ++k) {
+    const auto* at = std::get_if<Heading>(&notes.events[k]);
+    if (at == nullptr) continue;
+    while (!open.empty() && std::get<Heading>(notes.events[open.back()]).level >= at->level) open.pop_back();
+    open.push_back(k);
+  }
+  begins.insert(begins.end(), open.begin(), open.end());
+  return begins;
+}
+
+void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evidence& evidence) {
+  for (const ParsedChain& chain : chains) {
+    for (const SyntaxId side : chain.sides) see_kinds(notes.syntax, side, evidence);
+    see_components(notes.syntax, chain.sides, evidence);
+    see_order(notes.syntax, chain.sides, chain.written, evidence);
+    see_letters(notes.syntax, chain.sides, chain.written, evidence);
+    see_functions(notes.syntax, chain.sides, evidence);
+    see_raised(notes.syntax, chain.sides, evidence);
+  }
+}
+
+/// The words between two places of one file.
+void see_between(const SourceMap& sources, Span before, Span behind, Evidence& evidence) {
+  if (before.file != behind.file || before.end >= behind.begin) return;
+  const std::string_view text = sources.text({before.file, before.end, behind.begin});
+  see_words(text, evidence);
+  see_said_order(text, evidence);
+  see_said(text, evidence);
+  see_unit_matrices(text, evidence);
+  see_spaces(text, evidence);
+  see_inline_functions(text, evidence);
+  see_said_raised(text, evidence);
+}
+
+}  // namespace
+
+Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
+                             std::optional<std::size_t> heading) {
+  Evidence evidence;
+  for (const std::size_t begin : beginnings(notes, heading)) {
+    Span last{notes.file, 0, 0};
+    std::size_t k = begin;
+    for (; k < notes.events.size(); ++k) {
+      const auto* title = std::get_if<Heading>(&notes.events[k]);
+      const Span place = span_of(notes.events[k]);
+      if (k > begin || title == nullptr) see_between(sources, last, place, evidence);
+      if (title != nullptr && k > begin) break;
+      if (title != nullptr) {
+        see_words(title->title, evidence);
+        see_said_order(title->title, evidence);
+        see_said(title->title, evidence);
+        see_heading(title->title, evidence);
+        see_spaces(title->title, evidence);
+        see_said_raised(title->title, evidence);
+      }
+      last = place;
+      if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))
+        see_chains(notes, display->chains, evidence);
+      if (const auto* placed = std::get_if<PlacedDirective>(&notes.events[k])) {
+        for (const SyntaxId symbol : placed->directive.symbols) see_kinds(notes.syntax, symbol, evidence);
+        see_chains(notes, placed->directive.chains, evidence);
+      }
+    }
+    for (const SaidInLine& said : notes.prose.said) {
+      if (said.before < begin || said.before > k) continue;
+      for (const ParsedChain& chain : said.chains) see_components(notes.syntax, chain.sides, evidence);
+    }
+    if (k == notes.events.size()) {
+      const auto size = static_cast<std::uint32_t>(sources.text(notes.file).size());
+      see_between(sources, last, {notes.file, size, size}, evidence);
+    }
+  }
+  settle_order(evidence);
+  return evidence;
+}
+
+}  // namespace rigor

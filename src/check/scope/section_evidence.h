@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a section of the notes shows of its letters, in its equations and in its words.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "check/event/notes.h"
+#include "elaborate/evidence/evidence.h"
+#include "source/source_map.h"
+
+namespace rigor {
+
+/// Of the section whose heading is event `heading`, up to the next heading, and of the sections around it;
+/// without one, of what stands before the first heading. Cost: linear in these sections.
+[[nodiscard]] Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
+                                           std::optional<std::size_t> heading);
+
+}  // namespace rigor

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/verdict/chain_reading.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "expr/calculus/differentiate.h"
+#include "latex/reading/rewritings.h"
+
+namespace rigor {
+namespace {
+
+/// Vectors and tensors are unequal as a whole: a ≠ b says Σ (a − b)² ≠ 0, over all components.
+Equation as_squared_distance(ExprTree& tree, Equation unequal) {
+  const Span span = tree[unequal.left].span;
+  std::vector<Slot> slots;
+  for (int axis = 0; axis < tree[unequal.left].rank; ++axis) slots.push_back({0, tree.add_index("i")});
+  ExprId value = component_of(tree, unequal.left, slots);
+  if (!tree.is_zero_literal(unequal.right)) {
+    const ExprId right = component_of(tree, unequal.right, slots);
+    const std::array terms{value, tree.add({.op = Op::negate, .span = span}, std::span(&right, 1))};
+    value = tree.add({.op = Op::add, .span = span}, terms);
+  }
+  value = tree.add({.op = Op::power, .span = span, .exponent = 2}, std::span(&value, 1));
+  for (const Slot& slot : slots)
+    value = tree.add({.op = Op::index_sum, .span = span, .index = slot.variable}, std::span(&value, 1));
+  unequal.left = value;
+  unequal.right = tree.add_number(span, "0");
+  return unequal;
+}
+
+Relation relation_of(RelationKind kind) {
+  switch (kind) {
+    case RelationKind::less:
+    case RelationKind::greater:
+      return Relation::less;
+    case RelationKind::less_or_equal:
+    case RelationKind::greater_or_equal:
+      return Relation::less_or_equal;
+    case RelationKind::unequal:
+      return Relation::unequal;
+    default:
+      return Relation::equal;
+  }
+}
+
+/// `A_{i'} = \lambda_{ij}A_j`: on the rotation itself a prime says which axis is meant, and none may be left
+/// out.
+bool drops_prime_on_rotation(const SyntaxTree& syntax, std::vector<SyntaxId> pending, const Names& names) {
+  const auto rotation = names.primed_axes();
+  const NameKey* key = rotation ? names.key_of(*rotation) : nullptr;
+  if (key == nullptr) return false;
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const bool bare = std::all_of(symbol.lower.begin(), symbol.lower.end(), [](const WrittenIndex& index) {
+      return index.form == IndexForm::letter && index.primes == 0;
+    });
+    if (symbol.lower.size() == 2 && bare && letter_with_marks(symbol) == key->base) return true;
+  }
+  return false;
+}
+
+/// The step on one line; none where the words beside it, or another order of its axes, belong to it.
+std::string written_step(const ParsedChain& parsed, std::size_t which) {
+  const WrittenChain& chain = parsed.written;
+  const Tokens left = without_layout(chain.sides[which].tokens);
+  const Tokens right = without_layout(chain.sides[which + 1].tokens);
+  if (parsed.image != 0 || chain.no_sum || chain.cyclic || left.empty() || right.empty()) return {};
+  return text_of(left) + " " + chain.relations[which].text + " " + text_of(right);
+}
+
+}  // namespace
+
+ChainReading::ChainReading(const SyntaxTree& syntax, ExprTree& tree, Names& names, const ParsedChain& parsed,
+                           const Reading& how)
+    : tree_(tree),
+      how_(how),
+      elaborator_(syntax, tree, names, read_letters(syntax, parsed.sides, names), own_, how) {
+  for (const SyntaxId id : parsed.sides) {
+    Side side;
+    side.typed = elaborator_.expression(id);
+    side.diagnostics = std::exchange(own_, {});
+    if (sides.empty() && side.typed) elaborator_.expect_slots(side.typed->free);
+    sides.push_back(std::move(side));
+  }
+}
+
+std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t which, bool first_order,
+                                         Diagnostics& diagnostics) {
+  return claim(parsed, which, *sides[which].typed, *sides[which + 1].typed, first_order, diagnostics);
+}
+
+std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t which, const Typed& left,
+                                         const Typed& right, bool first_order, Diagnostics& diagnostics) {
+  const WrittenRelation& relation = parsed.written.relations[which];
+  const bool swapped =
+      relation.kind == RelationKind::greater || relation.kind == RelationKind::greater_or_equal;
+  Elaborator::Mismatch place{relation.span, diagnostics};
+  auto equation = elaborator_.equation(swapped ? right : left, swapped ? left : right, place);
+  if (!equation) return std::nullopt;
+  equation->relation = relation_of(relation.kind);
+  const bool unequal = relation.kind == RelationKind::unequal;
+  if (is_order(relation.kind) && !unequal && tree_[equation->left].rank > 0) {
+    diagnostics.push_back(
+        {DiagnosticKind::rank_mismatch, relation.span, "vectors and tensors have no order"});
+    return std::nullopt;
+  }
+  if (unequal && !equation->indices.empty()) {
+    diagnostics.push_back({DiagnosticKind::ambiguous_reading,
+                           relation.span,
+                           "with a free index, unequal can mean every component or the whole",
+                           {},
+                           {"without indices the whole is meant, as in `\\mathbf{A} \\ne 0`",
+                            "with digits a component is meant, as in `A_1 \\ne 0`"}});
+    return std::nullopt;
+  }
+  const bool as_a_whole = unequal && tree_[equation->left].rank > 0;
+  if (as_a_whole) *equation = as_squared_distance(tree_, *equation);
+  const bool nearly = relation.kind == RelationKind::nearly || (first_order && !is_order(relation.kind));
+  return Claim{.equation = *equation,
+               .nearly = nearly,
+               .swapped = swapped,
+               .for_all = for_all,
+               .as_a_whole = as_a_whole,
+               .relation = relation.span,
+               .left = parsed.written.sides[which].span,
+               .right = parsed.written.sides[which + 1].span,
+               .written = written_step(parsed, which),
+               .reading = &elaborator_,
+               .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr};
+}
+
+bool ChainReading::is_balanced() const {
+  std::optional<std::set<std::string>> first;
+  for (const Side& side : sides) {
+    if (!side.typed) return false;
+    std::set<std::string> own;
+    for (const FreeIndex& free : side.typed->free) own.insert(free.letter);
+    if (is_literal_zero(tree_, *side.typed)) continue;
+    if (first && *first != own) return false;
+    first = own;
+  }
+  return true;
+}
+
+std::unique_ptr<ChainReading> read_chain(const SyntaxTree& syntax, ExprTree& tree, Names& names,
+                                         const ParsedChain& parsed) {
+  const auto read = [&](const Reading& how) {
+    return std::make_unique<ChainReading>(syntax, tree, names, parsed, how);
+  };
+  const Reading plain{.no_sum = parsed.written.no_sum};
+  auto first = read(plain);
+  if (parsed.sides.size() < 2 || first->is_balanced()) return first;
+  Reading unsummed = plain;
+  const bool all_read = std::all_of(first->sides.begin(), first->sides.end(),
+                                    [](const auto& side) { return side.typed.has_value(); });
+  for (const ChainReading::Side& side : first->sides) {
+    if (!all_read) break;
+    for (const FreeIndex& free : side.typed->free) {
+      if (first->elaborator().summed_letters().contains(free.letter)) unsummed.unsummed.insert(free.letter);
+    }
+  }
+  Reading primes = plain;
+  primes.primes_on_axes = !drops_prime_on_rotation(syntax, parsed.sides, names);
+  for (const Reading& other : {unsummed, primes}) {
+    const bool differs = !other.unsummed.empty() || other.primes_on_axes;
+    if (!differs) continue;
+    auto again = read(other);
+    if (again->is_balanced()) return again;
+  }
+  return first;
+}
+
+}  // namespace rigor

@@ -1,0 +1,495 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/verdict/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "algebra/decide/decide.h"
+#include "base/among.h"
+#include "check/meaning/divisors.h"
+#include "check/meaning/identity_reading.h"
+#include "check/meaning/negative_squares.h"
+#include "check/meaning/sign_doubt.h"
+#include "check/question/decision_cache.h"
+#include "check/question/question.h"
+#include "check/question/question_names.h"
+#include "check/question/unread.h"
+#include "check/verdict/counterexample.h"
+#include "check/verdict/decide_by_record.h"
+#include "check/verdict/law_diagnostic.h"
+#include "check/verdict/other_reading.h"
+
+namespace rigor {
+namespace {
+
+void mark_used(Names& names, const Origin& origin) {
+  if (origin.directive) names.mark_used(*origin.directive);
+}
+
+/// `-3/2` as an expression.
+ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
+  const bool negative = value.starts_with('-');
+  const std::string digits = negative ? value.substr(1) : value;
+  const auto slash = digits.find('/');
+  ExprId number = tree.add_number(span, digits.substr(0, slash));
+  if (slash != std::string::npos) {
+    const ExprId parts[] = {number, tree.add_number(span, digits.substr(slash + 1))};
+    number = tree.add({.op = Op::divide, .span = span}, parts);
+  }
+  return negative ? tree.add({.op = Op::negate, .span = span}, std::span(&number, 1)) : number;
+}
+
+class Judging {
+ public:
+  Judging(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits, DecisionCache* cache)
+      : tree_(tree), names_(names), claim_(claim), limits_(limits), cache_(cache) {}
+
+  Judgement judge() {
+    Decision decision = decide_order(0);
+    if (claim_.nearly && decision.outcome == Outcome::proved) {
+      first_order_ = true;
+      decision = decide_order(1);
+      decision.vanishes = false;
+    }
+    if (decision.outcome == Outcome::refuted)
+      decision = where_nothing_is_divided_by_zero(std::move(decision));
+    if (decision.outcome == Outcome::refuted) decision = where_squares_are_squares(std::move(decision));
+    judgement_.route = decision.route;
+    switch (decision.outcome) {
+      case Outcome::proved:
+        proved(decision);
+        break;
+      case Outcome::refuted:
+        refuted(decision);
+        break;
+      case Outcome::undecided:
+        mark_all_assumptions();
+        if (!assumes_the_impossible() && doubts_change()) break;  // else its constants were withdrawn
+        if (decision.no_real_value) {
+          judgement_.verdict = Verdict::not_understood;
+          add(DiagnosticKind::no_real_value,
+              "under the assumptions a root is taken of a negative number, so this says nothing",
+              {"a symbol that is defined by its square is the root that is not negative"});
+          break;
+        }
+        judgement_.verdict = Verdict::undecided;
+        add(DiagnosticKind::undecided,
+            decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
+        break;
+    }
+    heed_other_reading();
+    note_uses(decision);
+    if (claim_.explains) name_what_it_rests_on();
+    judgement_.question = std::move(prepared_.question);
+    if (judgement_.verdict == Verdict::refuted) judgement_.sample = std::move(decision.sample);
+    return std::move(judgement_);
+  }
+
+ private:
+  void add(DiagnosticKind kind, std::string message, std::vector<std::string> help = {}) {
+    judgement_.diagnostics.push_back({kind, claim_.relation, std::move(message), {}, std::move(help)});
+  }
+
+  /// What only a derivative of an assumption shows is looked for as well, before a claim is given up or
+  /// refuted.
+  Decision decide_order(int order) {
+    const Precision precision = claim_.nearly ? Precision::small_order : Precision::exact;
+    prepared_ = prepare(tree_, names_, claim_.equation, 0, precision, order);
+    const bool asks_again = speaks_of_derivatives(prepared_);
+    Decision decision = decide_prepared(!asks_again);
+    if (decision.outcome == Outcome::proved || !asks_again) return decision;
+    prepared_ = prepare(tree_, names_, claim_.equation, 1, precision, order);
+    return decide_prepared(true);
+  }
+
+  /// Unless it is the last word, any sample will do.
+  Decision decide_prepared(bool last) {
+    for (const Origin* definition : prepared_.definitions) mark_used(names_, *definition);
+    if (prepared_.too_large) {
+      Decision open;
+      open.reason = *prepared_.too_large;
+      return open;
+    }
+    Limits limits = limits_;
+    limits.simplest_sample = limits.simplest_sample && last;
+    Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
+                                            : decide(cache_, prepared_.question, limits);
+    for (const std::size_t which : decision.assumptions) {
+      if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
+    }
+    return decision;
+  }
+
+  /// A sample on which something is 0 by which definitions or assumptions divide is none that the notes speak
+  /// of: then it is looked for with those numbers not 0.
+  Decision where_nothing_is_divided_by_zero(Decision refuted) {
+    if (claim_.recorded != nullptr) return refuted;
+    const std::vector<SymbolId> divisors = divisors_of_sample(tree_, names_, *refuted.sample);
+    if (divisors.empty()) return refuted;
+    const std::size_t first = prepared_.question.assumptions.size();
+    for (const SymbolId divisor : divisors) {
+      Equation nonzero;
+      nonzero.left = tree_.add({.op = Op::symbol, .span = claim_.relation, .symbol = divisor});
+      nonzero.right = tree_.add_number(claim_.relation, "0");
+      nonzero.relation = Relation::unequal;
+      prepared_.question.assumptions.push_back(std::move(nonzero));
+      prepared_.assumptions.push_back(nullptr);
+    }
+    prepared_.question.tree = &tree_;
+    Decision decision = decide_prepared(true);
+    for (const std::size_t which : decision.assumptions) {
+      if (which < first) continue;
+      const std::string& name = tree_.symbols[divisors[which - first]].name;
+      add_use(fmt::format("convention: `{}` is not 0, since the notes divide by it", name));
+    }
+    if (decision.outcome == Outcome::undecided)
+      decision.reason =
+          fmt::format("it was found to fail only where one of {} is 0, by which the notes divide",
+                      quoted_names(tree_, divisors));
+    return decision;
+  }
+
+  /// `(\Omega)^2 = k`: where k is negative, Ω is no number that the notes need mean. For an order, a sample
+  /// of that kind refutes only what fails without it as well, or what is said of a square that is negative in
+  /// any case.
+  Decision where_squares_are_squares(Decision refuted) {
+    if (claim_.recorded != nullptr || claim_.equation.relation == Relation::equal) return refuted;
+    const std::vector<NegativeSquare> negative =
+        negative_squares_of_sample(tree_, names_, prepared_.question, *refuted.sample);
+    if (negative.empty()) return refuted;
+    const Prepared before = prepared_;
+    for (const NegativeSquare& each : negative) {
+      prepared_.question.assumptions.push_back(each.not_negative);
+      prepared_.assumptions.push_back(nullptr);
+    }
+    prepared_.question.tree = &tree_;
+    Decision decision = decide_prepared(true);
+    if (decision.outcome == Outcome::refuted) return decision;
+    prepared_ = before;
+    const bool in_any_case = std::all_of(negative.begin(), negative.end(), [&](const NegativeSquare& each) {
+      Question question = prepared_.question;
+      question.tree = &tree_;
+      question.claim = each.negative;
+      return decide(cache_, question, {.simplest_sample = false}).outcome == Outcome::proved;
+    });
+    if (in_any_case) return refuted;
+    decision = Decision{};
+    decision.reason = fmt::format(
+        "it was found to fail only where `({})^2` is negative, and nothing says whether it can be",
+        tree_.symbols[negative.front().name].name);
+    return decision;
+  }
+
+  /// Of a step that is nearly equal, only the order that the recorded sample is about.
+  bool answers_by_record() const {
+    if (claim_.recorded == nullptr) return false;
+    return !claim_.nearly || first_order_ == is_of_first_order(claim_.recorded->example);
+  }
+
+  void mark_all_assumptions() {
+    for (const NamedAssumption* assumption : prepared_.assumptions) {
+      if (assumption != nullptr) mark_used(names_, assumption->origin);
+    }
+  }
+
+  void add_use(const std::string& use) {
+    if (!is_one_of(use, judgement_.uses)) judgement_.uses.push_back(use);
+  }
+
+  void name_what_it_rests_on() {
+    judgement_.names = names_of(prepared_);
+    if (!claim_.nearly || judgement_.verdict != Verdict::proved) return;
+    Prepared exact = prepare(tree_, names_, claim_.equation);
+    if (exact.too_large) return;
+    NearlyQuestion nearly{.exact = {}, .names = names_of(exact), .small = {}};
+    nearly.exact = std::move(exact.question);
+    for (const SmallQuantity& small : names_.small()) nearly.small.push_back(small.quantity);
+    judgement_.nearly_question = std::move(nearly);
+  }
+
+  void note_uses(const Decision& decision) {
+    for (std::size_t k = 0; k < prepared_.definitions.size(); ++k) {
+      const auto& unfolded = decision.unfolded;
+      const SymbolId symbol = prepared_.question.definitions[k].symbol;
+      if (is_one_of(symbol, unfolded)) add_use(prepared_.definitions[k]->text);
+    }
+    for (const std::size_t which : decision.assumptions) {
+      if (prepared_.assumptions[which] != nullptr) add_use(prepared_.assumptions[which]->origin.text);
+    }
+    for (const std::string& convention : claim_.reading->conventions()) add_use("convention: " + convention);
+  }
+
+  bool assumes_the_impossible() const {
+    return std::any_of(prepared_.assumptions.begin(), prepared_.assumptions.end(),
+                       [](const NamedAssumption* each) { return each != nullptr && each->without_sample; });
+  }
+
+  /// Under assumptions that no sample was found to satisfy, nothing is proved or refuted. They are all those
+  /// that bear on the claim: which of them is wrong is not known.
+  bool rests_on_the_impossible(const Decision& decision, const char* consequence) {
+    const bool alone = decision.outcome == Outcome::proved && decision.assumptions.empty() &&
+                       prepared_.question.definitions.empty();
+    if (!assumes_the_impossible() || alone) return false;
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided, consequence);
+    return true;
+  }
+
+  void proved(const Decision& decision) {
+    if (rests_on_the_impossible(
+            decision,
+            "it follows from assumptions that no sample was found to satisfy, and from the "
+            "impossible anything follows"))
+      return;
+    if (takes_another_order()) return;
+    judgement_.verdict = Verdict::proved;
+    if (first_order_) note_neglected();
+    const bool zero_written =
+        tree_.is_zero_literal(claim_.equation.left) || tree_.is_zero_literal(claim_.equation.right);
+    if (!decision.vanishes || zero_written) return;
+    judgement_.route += ", 0 = 0";
+    add(DiagnosticKind::zero_equals_zero,
+        "both sides are zero for all values, so the step says less than it seems to");
+  }
+
+  /// Those that carry the axes of frames.
+  [[nodiscard]] std::set<SymbolId> rotations() const {
+    std::set<SymbolId> found;
+    for (const Frame& frame : names_.frames()) found.insert(frame.rotation);
+    return found;
+  }
+
+  /// E is declared small, which means of first order, and E = v² makes it the square of a quantity.
+  bool takes_another_order() {
+    if (!claim_.nearly) return false;
+    for (const SymbolId symbol : symbols_of(prepared_.question)) {
+      if (!names_.is_of_other_order(base_of(tree_.symbols, symbol))) continue;
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided,
+          fmt::format("`{}` is declared small, of first order, and another order follows from what it is",
+                      tree_.symbols[base_of(tree_.symbols, symbol)].name));
+      return true;
+    }
+    return false;
+  }
+
+  /// The order of the first term that "nearly equal" leaves out.
+  void note_neglected() {
+    constexpr int highest = 3;
+    constexpr Limits brief{.expanded_terms = 1'500,
+                           .steps = 100'000,
+                           .quick_points = 5,
+                           .quick_steps = 40'000,
+                           .sample_attempts = 24,
+                           .fewest_assumptions = false,
+                           .simplest_sample = false};
+    judgement_.route += ", to first order in what is small";
+    for (int order = 2; order <= highest; ++order) {
+      const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
+      if (higher.too_large) return;
+      const Decision decision = decide(cache_, higher.question, brief);
+      if (decision.outcome == Outcome::proved) continue;
+      if (decision.outcome == Outcome::refuted)
+        judgement_.route += fmt::format("; the first term left out is of order {}", order);
+      return;
+    }
+    judgement_.route += fmt::format("; nothing is left out up to order {}", highest);
+  }
+
+  /// Something was differentiated of which nothing says whether it changes: then only a proof counts.
+  bool doubts_change() {
+    std::vector<SymbolId> unknown = prepared_.unknown_changes;
+    const std::vector<SymbolId>& written = claim_.reading->unknown_changes();
+    unknown.insert(unknown.end(), written.begin(), written.end());
+    if (unknown.empty()) return false;
+    unknown = bases_of(tree_, unknown);
+    const bool one = unknown.size() == 1;
+    const std::string& first = tree_.symbols[unknown.front()].name;
+    judgement_.verdict = Verdict::not_understood;
+    add(DiagnosticKind::unknown_change,
+        fmt::format("nothing says whether {} {}", quoted_names(tree_, unknown), one ? "changes" : "change"),
+        {fmt::format(
+            "`rigor: constant {0}` or `rigor: variable {0}` says so{1}; a derivative that is written "
+            "somewhere, or `rigor: given`, says how it changes",
+            first, one ? "" : " of the first")});
+    return true;
+  }
+
+  /// The letters can be something else than real numbers.
+  void heed_other_reading() {
+    const bool proved = judgement_.verdict == Verdict::proved;
+    Question asked = prepared_.question;
+    asked.tree = &tree_;
+    asked.claim = claim_.equation;
+    if (!proved && holds_with_unit_matrix(asked, names_)) {
+      judgement_.verdict = Verdict::proved;
+      judgement_.route = "products in their order, with 1 for the unit matrix";
+      judgement_.of_another_question = true;
+      judgement_.counterexample.reset();
+      judgement_.diagnostics.clear();
+      return;
+    }
+    if (!proved && judgement_.verdict != Verdict::refuted) return;
+    auto other = other_reading(asked, names_, proved);
+    if (!other) return;
+    judgement_.verdict = Verdict::not_understood;
+    judgement_.route.clear();
+    judgement_.counterexample.reset();
+    judgement_.diagnostics.clear();
+    add(DiagnosticKind::ambiguous_reading, std::move(other->message), std::move(other->help));
+  }
+
+  /// `A·(A×B) = 1`: where neither side depends on anything, no law can make it true.
+  bool both_constant(const Sample& sample) {
+    if (!sample.axes.empty() || !sample.free_particles.empty()) return false;
+    const auto is_constant = [&](ExprId side, const std::string& value) {
+      Question question = prepared_.question;
+      question.claim.left = side;
+      question.claim.right = add_rational(tree_, claim_.relation, value);
+      return decide(cache_, question, {.simplest_sample = false}).outcome == Outcome::proved;
+    };
+    return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
+  }
+
+  /// The left side is a defined symbol alone, so that the step says again what it is.
+  bool restates_definition() const {
+    const ExprNode& left = tree_[claim_.equation.left];
+    return left.op == Op::symbol && names_.definition_of(left.symbol) != nullptr;
+  }
+
+  /// `scalar I_1` beside `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
+  std::optional<std::pair<std::string, std::string>> component_declared_alone() const {
+    std::set<SymbolId> reached;
+    const auto reach = [&](ExprId side) {
+      for (const SymbolId symbol : symbols_in(tree_, side)) reached.insert(symbol);
+    };
+    for (const ExprId side : {claim_.equation.left, claim_.equation.right}) reach(side);
+    for (const Definition& definition : prepared_.question.definitions) reach(definition.body);
+    for (const Equation& assumption : prepared_.question.assumptions) {
+      reach(assumption.left);
+      reach(assumption.right);
+    }
+    for (const SymbolId vector : reached) {
+      if (tree_.symbols[vector].rank != 1 || tree_.symbols[vector].per_particle) continue;
+      const std::string& name = tree_.symbols[vector].name;
+      for (const SymbolId number : reached) {
+        const Symbol& alone = tree_.symbols[number];
+        const bool component =
+            alone.rank == 0 && alone.declared && !alone.derivation &&
+            (alone.name == bare_name(name) + "_{1}" || alone.name == bare_name(name) + "_{2}" ||
+             alone.name == bare_name(name) + "_{3}");
+        if (component) return std::pair(alone.name, name);
+      }
+    }
+    return std::nullopt;
+  }
+
+  void refuted(const Decision& decision) {
+    mark_all_assumptions();
+    if (doubts_change()) return;
+    if (rests_on_the_impossible(
+            decision, "no sample was found that satisfies all assumptions in force, so none can refute it"))
+      return;
+    if (may_be_excused()) return;
+    if (claim_.reading->guess() || claim_.doubt != nullptr) {
+      const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
+      const bool restricted = guess.kind == DiagnosticKind::restricted;
+      judgement_.verdict = restricted ? Verdict::undecided : Verdict::not_understood;
+      add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried",
+          guess.help);
+      return;
+    }
+    if (const auto both = component_declared_alone()) {
+      judgement_.verdict = Verdict::not_understood;
+      add(DiagnosticKind::ambiguous_reading,
+          fmt::format("`{}` is declared as a number of its own, and can be meant as a component of `{}`",
+                      both->first, both->second),
+          {fmt::format("without a declaration of `{}` it is the component", both->first)});
+      return;
+    }
+    std::vector<SymbolId> law;
+    if (!claim_.for_all) law = law_symbols(prepared_.question, restates_definition(), rotations(), cache_);
+    const bool order = claim_.equation.relation != Relation::equal;
+    if (!law.empty() && (order || !both_constant(*decision.sample))) {
+      judgement_.verdict = Verdict::not_understood;
+      const bool assumed =
+          std::any_of(prepared_.assumptions.begin(), prepared_.assumptions.end(),
+                      [](const NamedAssumption* each) { return each != nullptr && each->origin.directive; });
+      judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law, assumed));
+      return;
+    }
+    prepared_.question.tree = &tree_;
+    std::optional<SignDoubt> doubt;
+    if (!claim_.for_all) doubt = doubt_of_signs(tree_, prepared_.question, *decision.sample, cache_);
+    if (doubt) {
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided, doubt->reason,
+          {fmt::format("`rigor: for all {}` means it for all values", doubt->name)});
+      return;
+    }
+    judgement_.verdict = Verdict::refuted;
+    judgement_.counterexample = describe(prepared_, *decision.sample);
+    Counterexample& example = *judgement_.counterexample;
+    if (claim_.swapped) std::swap(example.left, example.right);
+    example.squared_distance = claim_.as_a_whole;
+    const std::string sides = fmt::format(": left is {}, right is {}", example.left, example.right);
+    judgement_.diagnostics.push_back({DiagnosticKind::refuted,
+                                      claim_.relation,
+                                      difference() + (claim_.as_a_whole ? "" : sides),
+                                      {{claim_.left, ""}, {claim_.right, ""}}});
+  }
+
+  /// An assumption could not be read, or not all that it says was looked at: it may make the claim true.
+  bool may_be_excused() {
+    if (const UnreadAssumption* unread = unread_assumption(tree_, names_, prepared_.question)) {
+      names_.mark_used(unread->directive);
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided,
+          fmt::format("it was found to fail, and `{}`, which could not be read, may make it true",
+                      unread->text));
+      return true;
+    }
+    if (prepared_.unmatched == nullptr) return false;
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided,
+        fmt::format("`{}` holds at all times and places, and was compared at a few only",
+                    prepared_.unmatched->origin.text));
+    return true;
+  }
+
+  std::string difference() const {
+    if (claim_.as_a_whole) return "the sides are equal, component by component";
+    if (claim_.equation.relation != Relation::equal) return "the order does not hold";
+    if (!claim_.nearly) return "the sides differ";
+    return first_order_ ? "the first-order parts differ" : "the sides differ where all that is small is 0";
+  }
+
+  ExprTree& tree_;
+  Names& names_;
+  const Claim& claim_;
+  Limits limits_;
+  DecisionCache* cache_;
+  Prepared prepared_;
+  bool first_order_ = false;
+  Judgement judgement_;
+};
+
+}  // namespace
+
+Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits,
+                DecisionCache* cache) {
+  return Judging(tree, names, claim, limits, cache).judge();
+}
+
+std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names, const Sample& known,
+                                            const Limits& limits, DecisionCache* cache) {
+  if (names.assumptions().empty()) return Sample{};
+  const Equation last = names.assumptions().back().equation;
+  Question question = prepare(tree, names, last).question;
+  question.assumptions.push_back(last);  // also where it speaks of no symbol: 0 = 1
+  return satisfying_sample(cache, question, known, limits);
+}
+
+}  // namespace rigor

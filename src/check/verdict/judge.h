@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One elaborated equation to one verdict: asks the exact side, then says what was used, where it fails and
+// what stands in the way.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algebra/decide/decide.h"
+#include "check/step/report.h"
+#include "elaborate/name/names.h"
+#include "elaborate/notation/elaborator.h"
+#include "expr/statement/question_names.h"
+
+namespace rigor {
+
+class DecisionCache;
+struct RecordedStep;
+
+struct Judgement {
+  Verdict verdict = Verdict::not_understood;
+  std::string route;
+  std::vector<std::string> uses;
+  std::optional<Counterexample> counterexample;
+  Diagnostics diagnostics;
+  Question question = {};                              // the last one that was asked
+  bool of_another_question = false;                    // proved: of digits, of matrices
+  QuestionNames names = {};                            // of the question's definitions and assumptions
+  std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
+  std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
+};
+
+/// What is judged, and where it stands.
+struct Claim {
+  Equation equation;
+  bool nearly = false;      // equal to first order in what is small
+  bool swapped = false;     // `a > b` is asked as b < a
+  bool for_all = false;     // its author says that it is meant for all values
+  bool as_a_whole = false;  // ≠ of vectors or tensors, asked as |left − right|² ≠ 0
+  Span relation = {};
+  Span left = {};
+  Span right = {};
+  std::string written = {};             // both sides and the relation, where they can be pasted
+  const Elaborator* reading = nullptr;  // for its conventions and guesses
+  const Obstacle* doubt = nullptr;      // words beside it that may restrict it
+  bool explains = false;                // `names` and `nearly_question` are wanted
+  RecordedStep* recorded = nullptr;     // a sample to be put in instead of a search
+};
+
+/// `cache`: what is asked is asked there first.
+[[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits = {},
+                              DecisionCache* cache = nullptr);
+
+/// A sample that meets the last assumption together with those in scope that bear on it, if one is found;
+/// `known` met earlier ones.
+[[nodiscard]] std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names,
+                                                          const Sample& known = {}, const Limits& limits = {},
+                                                          DecisionCache* cache = nullptr);
+
+}  // namespace rigor

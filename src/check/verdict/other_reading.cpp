@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/verdict/other_reading.h"
+
+#include <fmt/format.h>
+
+#include "check/meaning/beyond_reals.h"
+#include "check/meaning/both_orders.h"
+#include "check/meaning/ordered_product.h"
+#include "check/verdict/law_diagnostic.h"
+#include "expr/calculus/differentiate.h"
+
+namespace rigor {
+namespace {
+
+OtherReading says(const ExprTree& tree, const std::set<SymbolId>& symbols, std::string message,
+                  std::string_view what = "a number") {
+  const std::string& first = tree.symbols[*symbols.begin()].name;
+  return {std::move(message),
+          {fmt::format("`rigor: scalar {}` says that {} {}", first,
+                       symbols.size() == 1 ? "it is" : "the first is", what)}};
+}
+
+std::string quoted(const ExprTree& tree, const std::set<SymbolId>& symbols) {
+  return quoted_names(tree, {symbols.begin(), symbols.end()});
+}
+
+/// Matrices and operators were multiplied as numbers are: what is proved counts where it holds in their
+/// order as well, and nothing is refuted.
+std::optional<OtherReading> in_order(const Question& question, const Names& names, bool proved) {
+  const ExprTree& tree = *question.tree;
+  const Equation& claim = question.claim;
+  std::set<SymbolId> ordered = ordered_symbols(tree, names, question);
+  ordered.merge(symbols_in_both_orders(tree, names, claim));
+  if (proved) ordered.merge(capitals_that_must_commute(question, names));
+  if (ordered.empty()) return std::nullopt;
+  if (proved && claim.relation == Relation::equal &&
+      (equal_in_order(question, ordered) || is_linear_in(question, ordered)))
+    return std::nullopt;
+  const bool one = ordered.size() == 1;
+  return says(tree, ordered,
+              fmt::format("{} can be {}, which need not commute, or {}; it {} for numbers",
+                          quoted(tree, ordered), one ? "a matrix or an operator" : "matrices or operators",
+                          one ? "a number" : "numbers", proved ? "holds" : "does not hold"));
+}
+
+/// Calls `visit` for each node of the claim.
+template <typename Visit>
+void for_each_node(const Question& question, const Visit& visit) {
+  std::vector<ExprId> pending{question.claim.left, question.claim.right};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    visit((*question.tree)[id]);
+    for (const ExprId child : question.tree->children(id)) pending.push_back(child);
+  }
+}
+
+struct ClaimVectors {
+  std::set<SymbolId> open;  // those that no directive declares
+  bool any = false;
+};
+
+ClaimVectors vectors_of(const Question& question) {
+  const SymbolTable& symbols = question.tree->symbols;
+  ClaimVectors vectors;
+  for_each_node(question, [&](const ExprNode& node) {
+    if (node.op != Op::symbol) return;
+    const SymbolId base = base_of(symbols, node.symbol);
+    if (symbols[base].rank == 0) return;
+    vectors.any = true;
+    if (!symbols[base].declared) vectors.open.insert(base);
+  });
+  return vectors;
+}
+
+/// A length is not the root of `a·a` for complex vectors, whose squares need not be positive.
+std::optional<OtherReading> in_complex_vectors(const Question& question, const Names& names) {
+  const Evidence& evidence = names.evidence;
+  const auto is_imaginary = [&](const char* letter) {
+    return evidence.letters.contains(letter) && !names.labels_particles(letter);
+  };
+  if (!evidence.complex_vectors && !is_imaginary("i") && !is_imaginary("\\mathrm{i}")) return std::nullopt;
+  bool asked = question.claim.relation != Relation::equal;
+  for_each_node(question, [&](const ExprNode& node) { asked = asked || node.op == Op::length; });
+  std::set<SymbolId> open = vectors_of(question).open;
+  std::erase_if(open, [&](SymbolId symbol) {
+    const NameKey* key = names.key_of(symbol);
+    return key != nullptr && evidence.real.contains(key->base);
+  });
+  if (!asked || open.empty()) return std::nullopt;
+  return OtherReading{
+      fmt::format("{} can be complex, and it is proved for real vectors only", quoted(*question.tree, open)),
+      {fmt::format("`rigor: vector {}` says that it is real", question.tree->symbols[*open.begin()].name)}};
+}
+
+/// Does the claim name single components or axes?
+bool has_components(const Question& question) {
+  bool found = false;
+  for_each_node(question, [&](const ExprNode& node) {
+    found = found || node.op == Op::basis || node.op == Op::tuple || node.op == Op::index_sum ||
+            node.op == Op::component || node.slot_count > 0;
+  });
+  return found;
+}
+
+/// Does it depend on the number of dimensions, or on the metric? `p^2` of a four-vector need not be positive.
+bool counts_dimensions(const Question& question) {
+  const bool order = question.claim.relation != Relation::equal;
+  bool found = false;
+  for_each_node(question, [&](const ExprNode& node) {
+    const bool squares = node.op == Op::dot || node.op == Op::length || node.op == Op::power;
+    found =
+        found || node.op == Op::delta || node.op == Op::epsilon || node.op == Op::cross || (order && squares);
+  });
+  return found;
+}
+
+/// A proof that counts components, or needs their axes, holds along three Cartesian ones.
+std::optional<OtherReading> in_another_space(const Question& question, const Names& names, bool proved) {
+  const Evidence& evidence = names.evidence;
+  const std::string& words = evidence.other_space.empty() ? evidence.other_axes : evidence.other_space;
+  if (!proved || words.empty()) return std::nullopt;
+  const bool asked =
+      has_components(question) || (!evidence.other_space.empty() && counts_dimensions(question));
+  const ClaimVectors vectors = vectors_of(question);
+  if (!asked || (vectors.any && vectors.open.empty())) return std::nullopt;
+  std::vector<std::string> help;
+  if (!vectors.open.empty()) {
+    const Symbol& open = question.tree->symbols[*vectors.open.begin()];
+    help.push_back(fmt::format("`rigor: {} {}` says that it has three components along Cartesian axes",
+                               open.rank == 1 ? "vector" : "tensor", open.name));
+  }
+  return OtherReading{
+      fmt::format("the words speak of `{}`; it is proved along three Cartesian axes only", words),
+      std::move(help)};
+}
+
+/// What holds for real numbers need not in another arithmetic.
+std::optional<OtherReading> in_another_arithmetic(const Question& question, const Names& names, bool proved) {
+  const std::string& words = names.evidence.other_arithmetic;
+  if (!proved || words.empty()) return std::nullopt;
+  std::set<SymbolId> open;
+  for (const ExprId side : {question.claim.left, question.claim.right}) {
+    for (const SymbolId symbol : symbols_in(*question.tree, side)) {
+      const SymbolId base = base_of(question.tree->symbols, symbol);
+      if (!question.tree->symbols[base].declared) open.insert(base);
+    }
+  }
+  if (open.empty()) return std::nullopt;
+  return says(*question.tree, open,
+              fmt::format("the words speak of `{}`, and it is proved for real numbers only", words),
+              "a real number");
+}
+
+/// A claim that real numbers refute is refuted for complex ones, too.
+std::optional<OtherReading> in_complex_numbers(const Question& question, const Names& names, bool proved) {
+  if (!proved) return std::nullopt;
+  if (auto vectors = in_complex_vectors(question, names)) return vectors;
+  const std::set<SymbolId> complex = complex_symbols(question, names);
+  if (holds_for_complex(question, complex)) return std::nullopt;
+  return says(*question.tree, complex,
+              fmt::format("{} can be complex, and it is proved for real numbers only",
+                          quoted(*question.tree, complex)),
+              "a real number");
+}
+
+bool is_capital(const NameKey& key) {
+  return key.rank == 0 && key.base[0] >= 'A' && key.base[0] <= 'Z' &&
+         (key.base.size() == 1 || key.base[1] == '_');
+}
+
+/// `(I - P)^2 = I - 2P + P^2` between capitals, of which nothing says what they are.
+std::optional<OtherReading> with_unit_matrix(const Question& question, const Names& names, bool proved) {
+  const ExprTree& tree = *question.tree;
+  const Equation& claim = question.claim;
+  if (proved || claim.relation != Relation::equal) return std::nullopt;
+  std::set<SymbolId> letters;
+  for (const ExprId side : {claim.left, claim.right}) {
+    for (const SymbolId symbol : symbols_in(tree, side)) letters.insert(symbol);
+  }
+  std::optional<SymbolId> unit;
+  for (const SymbolId symbol : letters) {
+    const NameKey* key = names.key_of(symbol);
+    if (key == nullptr || !is_capital(*key)) return std::nullopt;
+    const bool open = !tree.symbols[symbol].declared && names.definition_of(symbol) == nullptr;
+    if (open && (key->base == "I" || key->base == "E")) unit = symbol;
+  }
+  if (!unit || letters.size() < 2 || !equal_with_units(tree, claim.left, claim.right, {*unit}, {*unit}))
+    return std::nullopt;
+  return says(
+      tree, {*unit},
+      fmt::format("{} can be the unit matrix, with which it holds, or a number, for which it does not",
+                  quoted(tree, {*unit})));
+}
+
+std::optional<OtherReading> in_determinants(const Question& question, const Names& names, bool proved) {
+  const std::set<SymbolId> matrices = symbols_of_determinants(question, names);
+  if (matrices.empty()) return std::nullopt;
+  return says(*question.tree, matrices,
+              fmt::format("{} can be {}, and the bars a determinant; it {} for numbers",
+                          quoted(*question.tree, matrices), matrices.size() == 1 ? "a matrix" : "matrices",
+                          proved ? "holds" : "does not hold"));
+}
+
+}  // namespace
+
+std::optional<OtherReading> other_reading(const Question& question, const Names& names, bool proved) {
+  if (auto order = in_order(question, names, proved)) return order;
+  if (auto arithmetic = in_another_arithmetic(question, names, proved)) return arithmetic;
+  if (auto complex = in_complex_numbers(question, names, proved)) return complex;
+  if (auto space = in_another_space(question, names, proved)) return space;
+  if (auto unit = with_unit_matrix(question, names, proved)) return unit;
+  return in_determinants(question, names, proved);
+}
+
+bool holds_with_unit_matrix(const Question& question, const Names& names) {
+  if (names.evidence.units.empty() || question.claim.relation != Relation::equal) return false;
+  const ExprTree& tree = *question.tree;
+  const std::set<SymbolId> ordered = ordered_symbols(tree, names, question);
+  const std::set<SymbolId> units = unit_matrices(names, question, ordered);
+  return !units.empty() && equal_with_units(tree, question.claim.left, question.claim.right, ordered, units);
+}
+
+}  // namespace rigor

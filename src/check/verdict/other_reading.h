@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A verdict on numbers, where the letters can be something else for which it need not hold.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "elaborate/name/names.h"
+#include "expr/statement/statement.h"
+#include "expr/tree/tree.h"
+
+namespace rigor {
+
+struct OtherReading {
+  std::string message;
+  std::vector<std::string> help = {};
+};
+
+/// Why the claim is neither proved nor refuted, though it is for real numbers: its letters can be matrices or
+/// operators, whose order matters, complex numbers, or matrices whose determinant is taken. `question` has
+/// the claim with what it was decided from.
+[[nodiscard]] std::optional<OtherReading> other_reading(const Question& question, const Names& names,
+                                                        bool proved);
+
+/// Does the claim hold for matrices and operators, in their order, with 1 in the place of what the section
+/// calls the unit matrix? Not asked where it calls none so.
+[[nodiscard]] bool holds_with_unit_matrix(const Question& question, const Names& names);
+
+}  // namespace rigor

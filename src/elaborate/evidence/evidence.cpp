@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/evidence/evidence.h"
+
+#include <algorithm>
+
+namespace rigor {
+namespace {
+
+/// What a sine is taken of is a real number.
+void see_angle(const SyntaxTree& syntax, SyntaxId argument, Evidence& evidence) {
+  std::vector<SyntaxId> pending{argument};
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    if (syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).face != Face::plain) continue;
+    evidence.real.insert(letter_with_marks(syntax.symbol(id)));
+    evidence.numbers.insert(letter_with_marks(syntax.symbol(id)));
+  }
+}
+
+bool is_small_latin(const WrittenSymbol& symbol) {
+  return symbol.letter.size() == 1 && symbol.letter[0] >= 'a' && symbol.letter[0] <= 'z' &&
+         symbol.face == Face::plain && symbol.accent == Accent::none;
+}
+
+/// `z`, `\hat z`, `a_3`, `a_z`, `\mathbf k`.
+bool shows_third_axis(const WrittenSymbol& symbol) {
+  const bool letter = symbol.letter == "z" || (symbol.letter == "k" && symbol.face == Face::vector) ||
+                      (symbol.letter == "k" && symbol.accent == Accent::hat);
+  return letter || std::any_of(symbol.lower.begin(), symbol.lower.end(), [](const WrittenIndex& index) {
+           return index.text == "3" || index.text == "z";
+         });
+}
+
+const WrittenSymbol* symbol_at(const SyntaxTree& syntax, SyntaxId id) {
+  if (syntax[id].kind == SyntaxKind::power) id = syntax.child(id, 0);
+  return syntax[id].kind == SyntaxKind::symbol ? &syntax.symbol(id) : nullptr;
+}
+
+void see_divisor(const SyntaxTree& syntax, SyntaxId divisor, Evidence& evidence) {
+  const bool product = syntax[divisor].kind == SyntaxKind::term;
+  if (const WrittenSymbol* symbol = symbol_at(syntax, divisor)) {
+    if (symbol->face == Face::plain) evidence.numbers.insert(letter_with_marks(*symbol));
+  }
+  if (!product) return;
+  for (const SyntaxChild& child : syntax.children(divisor)) {
+    const WrittenSymbol* symbol = symbol_at(syntax, child.id);
+    if (symbol != nullptr && symbol->face == Face::plain) evidence.numbers.insert(letter_with_marks(*symbol));
+  }
+}
+
+/// `m\mathbf v`: a small Latin letter beside a vector is a number; a capital may be a matrix.
+void see_product(const SyntaxTree& syntax, SyntaxId term, Evidence& evidence) {
+  const std::span<const SyntaxChild> factors = syntax.children(term);
+  bool vector = false;
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const WrittenSymbol* symbol = symbol_at(syntax, factors[k].id);
+    if (k > 0 && factors[k].joint == Joint::cross) {
+      for (const SyntaxId id : {factors[k - 1].id, factors[k].id}) {
+        const WrittenSymbol* crossed = symbol_at(syntax, id);
+        if (crossed != nullptr) evidence.crossed.insert(letter_with_marks(*crossed));
+      }
+    }
+    if (factors[k].joint == Joint::slash) see_divisor(syntax, factors[k].id, evidence);
+    vector = vector || (symbol != nullptr && symbol->face == Face::vector);
+  }
+  if (!vector) return;
+  for (const SyntaxChild& factor : factors) {
+    const WrittenSymbol* symbol = symbol_at(syntax, factor.id);
+    const bool beside = factor.joint == Joint::none || factor.joint == Joint::juxtaposed;
+    if (symbol != nullptr && beside && is_small_latin(*symbol))
+      evidence.numbers.insert(letter_with_marks(*symbol));
+  }
+}
+
+}  // namespace
+
+bool Evidence::is_ordered(const std::string& letter) const {
+  const bool capital = letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
+  return ordered.contains(letter) || (capital && speaks_of_order && !vectors.contains(letter));
+}
+
+void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
+  std::vector<SyntaxId> pending{root};
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    if (syntax[id].kind == SyntaxKind::fraction) see_divisor(syntax, syntax.child(id, 1), evidence);
+    if (syntax[id].kind == SyntaxKind::term) see_product(syntax, id, evidence);
+    if (syntax[id].kind == SyntaxKind::tuple && syntax[id].count == 3) evidence.third_axis = true;
+    const bool angle = syntax[id].kind == SyntaxKind::function &&
+                       (syntax.text(id) == "sin" || syntax.text(id) == "cos" || syntax.text(id) == "tan");
+    if (angle) see_angle(syntax, syntax.child(id, 0), evidence);
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    evidence.letters.insert(symbol.letter);
+    evidence.third_axis = evidence.third_axis || shows_third_axis(symbol);
+    if (symbol.accent == Accent::bar) evidence.complex.insert(symbol.letter);
+    if (symbol.face == Face::vector) evidence.vectors.insert(letter_with_marks(symbol));
+  }
+}
+
+void see_components(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  for (const SyntaxId tuple : sides) {
+    if (syntax[tuple].kind != SyntaxKind::tuple) continue;
+    std::set<std::string> entries;
+    for (const SyntaxChild& child : syntax.children(tuple)) {
+      const WrittenSymbol* entry = symbol_at(syntax, child.id);
+      if (entry != nullptr && is_small_latin(*entry)) entries.insert(letter_with_marks(*entry));
+    }
+    // `(r, \theta, \phi)` are coordinates, and r is the length of the position.
+    if (entries.size() != syntax.children(tuple).size()) continue;
+    for (const SyntaxId side : sides) {
+      const WrittenSymbol* whole = symbol_at(syntax, side);
+      if (whole != nullptr && whole->face == Face::vector && entries.contains(letter_with_marks(*whole)))
+        evidence.components.insert(entries.begin(), entries.end());
+    }
+  }
+}
+
+std::string letter_with_marks(const WrittenSymbol& symbol) {
+  std::string base = symbol.letter;
+  if (symbol.accent == Accent::hat) base = "\\hat{" + base + "}";
+  if (symbol.accent == Accent::bar) base = "\\bar{" + base + "}";
+  if (symbol.accent == Accent::tilde) base = "\\tilde{" + base + "}";
+  if (!symbol.change.empty()) base = symbol.change + (base[0] == '\\' ? "" : " ") + base;
+  return base + std::string(symbol.primes, '\'');
+}
+
+}  // namespace rigor

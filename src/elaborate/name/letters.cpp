@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/name/letters.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <map>
+
+namespace rigor {
+namespace {
+
+bool is_strong(const std::string& letter) {
+  return letter.size() == 1 && letter[0] >= 'i' && letter[0] <= 'n';
+}
+
+bool is_small_latin(const WrittenIndex& index) {
+  return index.form == IndexForm::letter && index.text.size() == 1 && index.text[0] >= 'a' &&
+         index.text[0] <= 'z';
+}
+
+/// Every node below the roots, parents first.
+void for_each_node(const SyntaxTree& syntax, const std::vector<SyntaxId>& roots,
+                   const std::function<void(SyntaxId)>& visit) {
+  std::vector<SyntaxId> stack(roots.rbegin(), roots.rend());
+  while (!stack.empty()) {
+    const SyntaxId id = stack.back();
+    stack.pop_back();
+    visit(id);
+    for (const SyntaxChild& child : syntax.children(id)) stack.push_back(child.id);
+  }
+}
+
+std::vector<std::string> latin_letters(const std::vector<WrittenIndex>& indices) {
+  std::vector<std::string> letters;
+  for (const WrittenIndex& index : indices) {
+    if (is_small_latin(index) && axis_of_letter(index.text) == 0) letters.push_back(index.text);
+  }
+  return letters;
+}
+
+/// Letters that an index notation of this statement settles: on δ and ε, on brackets, under explicit sums.
+void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
+  const SyntaxKind kind = syntax[id].kind;
+  std::vector<std::string> found;
+  if (kind == SyntaxKind::symbol) {
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol))
+      found = latin_letters(symbol.lower);
+  } else if (kind == SyntaxKind::component) {
+    found = latin_letters(syntax.indices(id));
+  } else if (kind == SyntaxKind::big_sum) {
+    found = latin_letters(syntax.big_sum(id).indices);
+  } else if (kind == SyntaxKind::derivative) {
+    for (const WrittenVariable& by : syntax.derivative(id).by) {
+      const std::vector<std::string> own = latin_letters(by.symbol.lower);
+      found.insert(found.end(), own.begin(), own.end());
+    }
+  }
+  letters.evidence = letters.evidence || !found.empty();
+  letters.indices.insert(found.begin(), found.end());
+}
+
+/// Letters on a symbol that is known to be a vector, and all letters of a subscript that has one index letter
+/// for sure.
+void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, Letters& letters) {
+  if (syntax[id].kind != SyntaxKind::symbol) return;
+  const WrittenSymbol& symbol = syntax.symbol(id);
+  const std::vector<std::string> own = latin_letters(symbol.lower);
+  const bool labelled = std::any_of(
+      own.begin(), own.end(), [&](const std::string& letter) { return letters.labels.contains(letter); });
+  if (own.empty() || labelled || (symbol.face == Face::vector && !is_basis_family(symbol))) return;
+  const std::string base = letter_with_marks(symbol);
+  const bool known_vector =
+      own.size() == 1 &&
+      (names.sightings.bold.contains({base, false}) || names.sightings.bold.contains({base, true}) ||
+       names.is_declared({base, 1, false}) || names.is_declared({base, 1, true}));
+  const bool company = own.size() > 1 && std::any_of(own.begin(), own.end(), [&](const std::string& letter) {
+                         return letters.is_index(letter);
+                       });
+  const bool tensor = names.is_declared({base, static_cast<int>(own.size()), false});
+  if (!known_vector && !company && !tensor) return;
+  letters.evidence = true;
+  letters.indices.insert(own.begin(), own.end());
+}
+
+/// `Q_{ab}` beside `Q_{ba}`: a and b are indices.
+void read_permutations(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Letters& letters) {
+  std::set<std::pair<std::string, std::string>> seen;
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
+    if (own.size() != 2 || own[0] == own[1]) return;
+    const std::string base = letter_with_marks(syntax.symbol(id));
+    if (seen.contains({base, own[1] + own[0]})) letters.indices.insert(own.begin(), own.end());
+    seen.insert({base, own[0] + own[1]});
+  });
+}
+
+void read_repetition(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
+  if (syntax[id].kind != SyntaxKind::term) return;
+  std::map<std::string, int> count;
+  for (const SyntaxChild& child : syntax.children(id)) {
+    if (syntax[child.id].kind != SyntaxKind::symbol) continue;
+    for (const std::string& letter : latin_letters(syntax.symbol(child.id).lower)) {
+      if (is_strong(letter) && ++count[letter] > 1) letters.evidence = true;
+    }
+  }
+}
+
+/// `v_i` beside `v_f`, `E_n` beside a bare `n`: labels.
+void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Letters& letters) {
+  std::map<std::string, std::set<std::string>> on_base;
+  std::set<std::string> bare;
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    if (symbol.lower.empty() && symbol.face == Face::plain) bare.insert(symbol.letter);
+    const std::vector<std::string> own = latin_letters(symbol.lower);
+    if (own.size() == 1) on_base[letter_with_marks(symbol)].insert(own[0]);
+  });
+  letters.bare = bare;
+  for (const auto& [base, own] : on_base) {
+    if (own.contains("i") && own.contains("f") && !letters.indices.contains("i"))
+      letters.labels.insert({"i", "f"});
+    for (const std::string& letter : own) {
+      if (bare.contains(letter) && !letters.indices.contains(letter)) letters.labels.insert(letter);
+    }
+  }
+}
+
+/// Is it declared with its subscripts as one letter: `scalar \omega_n`?
+bool is_declared_with_labels(const WrittenSymbol& symbol, const Names& names) {
+  return !symbol.lower.empty() &&
+         names.is_declared({with_labels(letter_with_marks(symbol), symbol.lower), 0, false});
+}
+
+/// `A_iA_i`: who counts with labels writes a square.
+void find_repeated_components(const SyntaxTree& syntax, SyntaxId term, std::set<std::string>& sure) {
+  std::set<std::pair<std::string, std::vector<std::string>>> seen;
+  for (const SyntaxChild& child : syntax.children(term)) {
+    if (syntax[child.id].kind != SyntaxKind::symbol) continue;
+    const std::vector<std::string> own = latin_letters(syntax.symbol(child.id).lower);
+    const bool strong = !own.empty() && std::all_of(own.begin(), own.end(), is_strong);
+    if (strong && !seen.insert({letter_with_marks(syntax.symbol(child.id)), own}).second)
+      sure.insert(own.begin(), own.end());
+  }
+}
+
+bool holds_a_vector(const SyntaxTree& syntax, SyntaxId root) {
+  bool found = false;
+  for_each_node(syntax, {root}, [&](SyntaxId id) {
+    found = found || (syntax[id].kind == SyntaxKind::symbol && syntax.symbol(id).face == Face::vector);
+  });
+  return found;
+}
+
+/// How often each letter stands in a subscript.
+using IndexCounts = std::map<std::string, int>;
+
+/// `a_n` beside `\mathbf a`: the normal component as well as one of three, unless n stands there twice.
+bool may_label(const std::string& letter, const IndexCounts& counts) {
+  const auto found = counts.find(letter);
+  return letter != "i" && letter != "j" && letter != "k" && found != counts.end() && found->second == 1;
+}
+
+/// Letters that are indices by what they stand on alone.
+void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, const IndexCounts& counts,
+               std::set<std::string>& sure) {
+  const SyntaxKind kind = syntax[id].kind;
+  std::vector<std::string> found;
+  if (kind == SyntaxKind::term) find_repeated_components(syntax, id, sure);
+  if (kind == SyntaxKind::component && holds_a_vector(syntax, syntax.child(id, 0)) &&
+      syntax[syntax.child(id, 0)].kind == SyntaxKind::group)
+    found = latin_letters(syntax.indices(id));
+  if (kind == SyntaxKind::derivative) {
+    for (const WrittenVariable& by : syntax.derivative(id).by) {
+      const std::vector<std::string> own = latin_letters(by.symbol.lower);
+      found.insert(found.end(), own.begin(), own.end());
+    }
+  }
+  if (kind == SyntaxKind::symbol) {
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const std::vector<std::string> own = latin_letters(symbol.lower);
+    const std::string base = letter_with_marks(symbol);
+    const int rank = static_cast<int>(own.size());
+    const bool declared = names.is_declared({base, rank, false}) || names.is_declared({base, rank, true});
+    const bool component = symbol.face == Face::plain && own.size() == 1 &&
+                           names.evidence.vectors.contains(base) && !may_label(own[0], counts);
+    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol) || declared || component)
+      found = own;
+  }
+  std::copy_if(found.begin(), found.end(), std::inserter(sure, sure.end()), [](const std::string& letter) {
+    return is_strong(letter) || (letter.size() == 1 && letter[0] >= 'a' && letter[0] <= 'h');
+  });
+}
+
+/// A symbol that carries one index for sure carries no labels beside it, nor elsewhere in the statement.
+void read_sure(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names,
+               Letters& letters) {
+  IndexCounts counts;
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    for (const std::string& letter : latin_letters(syntax.symbol(id).lower)) ++counts[letter];
+  });
+  for_each_node(syntax, sides, [&](SyntaxId id) { find_sure(syntax, id, names, counts, letters.sure); });
+  std::set<std::string> indexed;
+  for (bool grown = true; grown;) {
+    const std::size_t before = letters.sure.size() + indexed.size();
+    for_each_node(syntax, sides, [&](SyntaxId id) {
+      if (syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).face == Face::vector) return;
+      const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
+      const std::string base = letter_with_marks(syntax.symbol(id));
+      const bool sure =
+          std::any_of(own.begin(), own.end(), [&](const auto& each) { return letters.is_sure(each); });
+      if (sure) indexed.insert(base);
+      if (!indexed.contains(base)) return;
+      std::copy_if(own.begin(), own.end(), std::inserter(letters.sure, letters.sure.end()),
+                   [&](const std::string& letter) { return letters.is_index(letter); });
+    });
+    grown = letters.sure.size() + indexed.size() > before;
+  }
+}
+
+void sight_crossed(const SyntaxTree& syntax, SyntaxId term, Sightings& sightings) {
+  const std::span<const SyntaxChild> factors = syntax.children(term);
+  for (std::size_t k = 1; k < factors.size(); ++k) {
+    if (factors[k].joint != Joint::cross) continue;
+    for (const SyntaxId id : {factors[k - 1].id, factors[k].id}) {
+      if (syntax[id].kind == SyntaxKind::symbol)
+        sightings.crossed.insert(letter_with_marks(syntax.symbol(id)));
+    }
+  }
+}
+
+}  // namespace
+
+bool Letters::is_index(const std::string& letter) const {
+  if (labels.contains(letter)) return false;
+  return is_strong(letter) || indices.contains(letter);
+}
+
+bool Letters::is_sure(std::string_view letter) const {
+  const std::string own(letter.substr(0, letter.find('\'')));
+  return sure.contains(own) && !labels.contains(own);
+}
+
+Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names) {
+  Letters letters;
+  for_each_node(syntax, sides, [&](SyntaxId id) { read_definite(syntax, id, letters); });
+  read_permutations(syntax, sides, letters);
+  read_labels(syntax, sides, letters);
+  for_each_node(syntax, sides, [&](SyntaxId id) { read_by_company(syntax, id, names, letters); });
+  for_each_node(syntax, sides, [&](SyntaxId id) { read_repetition(syntax, id, letters); });
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    if (is_declared_with_labels(syntax.symbol(id), names)) return;
+    const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
+    if (syntax.symbol(id).face == Face::vector) {
+      letters.bold_vectors.insert(letter_with_marks(syntax.symbol(id)));
+      letters.bold_vectors.insert(with_labels(letter_with_marks(syntax.symbol(id)), syntax.symbol(id).lower));
+    }
+    if (own.size() == 1 && letters.is_index(own[0]) && !names.labels_particles(own[0]))
+      letters.indexed_vectors.insert(letter_with_marks(syntax.symbol(id)));
+  });
+  read_sure(syntax, sides, names, letters);
+  return letters;
+}
+
+void sight_sums(const SyntaxTree& syntax, SyntaxId root, Sightings& sightings) {
+  for_each_node(syntax, {root}, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::big_sum) return;
+    for (const WrittenIndex& index : syntax.big_sum(id).indices) {
+      if (index.form == IndexForm::greek) sightings.summed_greek.insert(index.text);
+    }
+  });
+}
+
+void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names) {
+  for_each_node(syntax, {root}, [&](SyntaxId id) {
+    if (syntax[id].kind == SyntaxKind::term) sight_crossed(syntax, id, names.sightings);
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const bool hat = symbol.accent == Accent::hat;
+    if (hat && (symbol.letter == "i" || symbol.letter == "j" || symbol.letter == "\\imath" ||
+                symbol.letter == "\\jmath")) {
+      names.sightings.hatted_ij = true;
+    }
+    if (symbol.face != Face::vector && !hat) return;
+    const WrittenName name = take_apart(symbol, Letters{}, names);
+    if (name.axes.empty()) {
+      names.sightings.bold.insert({name.base, name.per_particle()});
+    } else if (std::all_of(name.axes.begin(), name.axes.end(),
+                           [](const WrittenIndex& index) { return index.form == IndexForm::digit; })) {
+      names.sightings.bold.insert({with_labels(name.base, name.axes), name.per_particle()});
+    } else {
+      names.sightings.bold_indexed.insert(name.base);
+    }
+  });
+}
+
+void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Names& names) {
+  const Letters letters = read_letters(syntax, sides, names);
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const WrittenName name = take_apart(symbol, letters, names);
+    const bool any_letter = std::any_of(name.axes.begin(), name.axes.end(), [](const WrittenIndex& index) {
+      return index.form == IndexForm::letter && axis_of_letter(index.text) == 0;
+    });
+    if (any_letter)
+      names.sightings.indexed.insert({name.base, static_cast<int>(name.axes.size()), name.per_particle()});
+  });
+}
+
+WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Names& names) {
+  WrittenName name;
+  if (symbol.face == Face::plain && is_declared_with_labels(symbol, names)) {
+    name.base = with_labels(letter_with_marks(symbol), symbol.lower);
+    return name;
+  }
+  std::vector<WrittenIndex> labels;
+  std::vector<WrittenIndex> labels_behind;  // behind an axis: `T_{i\text{x}}` is not `T_{\text{x}i}`
+  bool bare_label = false;                  // a digit or letter that is no axis
+  for (const WrittenIndex& index : symbol.lower) {
+    const bool particle = names.is_particle_letter(index.text) && index.form != IndexForm::word;
+    const bool axis_digit = index.form == IndexForm::digit && index.text >= "1" && index.text <= "3";
+    const bool axis_letter =
+        is_small_latin(index) && (letters.is_index(index.text) || axis_of_letter(index.text) != 0);
+    if (particle) {
+      name.particles.push_back(index);
+    } else if (axis_digit || axis_letter) {
+      name.axes.push_back(index);
+    } else {
+      (name.axes.empty() ? labels : labels_behind).push_back(index);
+      bare_label = bare_label || index.form == IndexForm::digit || index.form == IndexForm::letter;
+    }
+  }
+  if (bare_label && !name.axes.empty()) {  // `x_{10}`, `k_{1a}`: one label of several signs
+    labels.clear();
+    std::copy_if(symbol.lower.begin(), symbol.lower.end(), std::back_inserter(labels),
+                 [&](const WrittenIndex& index) {
+                   return !names.is_particle_letter(index.text) || index.form == IndexForm::word;
+                 });
+    labels_behind.clear();
+    name.axes.clear();
+  }
+  name.base = with_labels(letter_with_marks(symbol), labels);
+  if (!labels_behind.empty()) name.base += with_labels("{}", labels_behind);
+  return name;
+}
+
+std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels) {
+  if (labels.empty()) return base;
+  std::string text = base + "_{";
+  for (const WrittenIndex& label : labels) {
+    text += label.form == IndexForm::word && !label.text.starts_with('\\') ? "\\text{" + label.text + "}"
+                                                                           : label.text;
+    text += std::string(label.primes, '\'');
+  }
+  return text + "}";
+}
+
+bool is_kronecker(const WrittenSymbol& symbol) {
+  return symbol.letter == "\\delta" && symbol.face == Face::plain && symbol.accent == Accent::none &&
+         symbol.lower.size() == 2;
+}
+
+bool is_levi_civita(const WrittenSymbol& symbol) {
+  return symbol.letter == "\\epsilon" && symbol.face == Face::plain && symbol.accent == Accent::none &&
+         symbol.lower.size() == 3;
+}
+
+bool is_basis_family(const WrittenSymbol& symbol) {
+  const bool vector = symbol.face == Face::vector || symbol.accent == Accent::hat;
+  if (symbol.letter != "e" || !vector || symbol.primes != 0 || symbol.lower.size() != 1) return false;
+  const WrittenIndex& index = symbol.lower[0];
+  return index.form == IndexForm::digit || is_strong(index.text) || axis_of_letter(index.text) != 0;
+}
+
+std::uint8_t axis_of_letter(const std::string& letter) {
+  if (letter == "x") return 1;
+  if (letter == "y") return 2;
+  return letter == "z" ? 3 : 0;
+}
+
+}  // namespace rigor

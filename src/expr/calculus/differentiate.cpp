@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expr/calculus/differentiate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace rigor {
+
+std::optional<ExprId> Differentiator::derivative(ExprId id) {
+  if (gave_up()) return std::nullopt;
+  const auto key = static_cast<std::uint32_t>(id);
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  const Span before = std::exchange(span_, tree_[id].span);
+  const Maybe result = compute(id);
+  span_ = before;
+  if (result && !gave_up() && tree_[*result].weight > most_terms)
+    give_up(fmt::format("derivatives of more than {} terms and factors are not decided", most_terms));
+  if (gave_up()) return std::nullopt;  // and it is not known
+  known_.emplace(key, result);
+  return result;
+}
+
+ExprId Differentiator::derivative_or_zero(ExprId id) {
+  if (const Maybe result = derivative(id)) return *result;
+  return zero_of_rank(tree_, tree_[id].span, tree_[id].rank);
+}
+
+std::optional<ExprId> Differentiator::compute(ExprId id) {
+  switch (tree_[id].op) {
+    case Op::number:
+    case Op::basis:
+    case Op::delta:
+    case Op::epsilon:
+      return std::nullopt;
+    case Op::symbol:
+      return of_symbol(id);
+    case Op::add:
+      return of_sum(id);
+    case Op::negate:
+    case Op::component:
+    case Op::index_sum:
+    case Op::particle_sum:
+      return of_linear(id);
+    case Op::multiply:
+    case Op::dot:
+    case Op::cross:
+      return of_product(id);
+    case Op::divide:
+      return of_quotient(id);
+    case Op::power:
+      return of_power(id);
+    case Op::root:
+      return of_root(id);
+    case Op::length:
+    case Op::absolute:
+      return of_length(id);
+    case Op::function:
+      return of_function(id);
+    case Op::tuple:
+    case Op::table:
+      return of_entries(id);
+    case Op::determinant:
+      return of_determinant(id);
+  }
+  return std::nullopt;
+}
+
+std::optional<ExprId> Differentiator::of_symbol(ExprId id) {
+  const ExprNode node = tree_[id];
+  const Dependence dependence = dependence_of_(node.symbol);
+  if (dependence.kind == Dependence::Kind::constant) return std::nullopt;
+  const std::span<const Slot> written = tree_.slots(id);
+  std::vector<Slot> slots(written.begin(), written.end());
+  if (dependence.kind == Dependence::Kind::variable) {
+    if (by_ != By::space) return number("1");
+    if (dependence.axis != 0) slots.push_back({dependence.axis, {}});
+    if (slots.empty())
+      return tree_.add({.op = Op::basis, .rank = 1, .span = span_}, {}, std::span(&axis_, 1));
+    slots.push_back(axis_);
+    return tree_.add({.op = Op::delta, .span = span_}, {}, slots);  // ∂x_i/∂x_s
+  }
+  const Derivation orders = tree_.symbols[node.symbol].derivation.value_or(Derivation{});
+  const int order = by_ == By::time ? orders.time : by_ == By::space ? orders.space : orders.small;
+  const int most = by_ == By::space ? most_axes : most_rates;
+  if (order >= most) {
+    give_up(fmt::format("derivatives of an order above {}{} are not decided", most,
+                        by_ == By::space ? " by coordinates" : ""));
+    return std::nullopt;
+  }
+  return of_symbol_at(node, tree_.symbols.derivative(node.symbol, by_), std::move(slots));
+}
+
+/// ∂_s of a whole vector is the tuple of its components' derivatives, since the axis s comes last.
+ExprId Differentiator::of_symbol_at(const ExprNode& node, SymbolId derivative, std::vector<Slot> slots) {
+  const auto rank = static_cast<std::size_t>(tree_.symbols[node.symbol].rank);
+  ExprNode made{.op = Op::symbol, .span = span_, .symbol = derivative, .particle = node.particle};
+  if (by_ != By::space) {
+    made.rank = node.rank;
+    return tree_.add(made, {}, slots);
+  }
+  if (slots.size() == rank) {
+    slots.push_back(axis_);
+    return tree_.add(made, {}, slots);
+  }
+  std::vector<ExprId> entries;
+  for (std::uint8_t axis = 1; axis <= 3; ++axis) {
+    slots.push_back({axis, {}});
+    entries.push_back(of_symbol_at(node, derivative, slots));
+    slots.pop_back();
+  }
+  return make(Op::tuple, static_cast<std::uint8_t>(rank - slots.size()), entries);
+}
+
+std::optional<ExprId> Differentiator::of_sum(ExprId id) {
+  const std::vector<ExprId> children(tree_.children(id).begin(), tree_.children(id).end());
+  std::vector<ExprId> terms;
+  for (const ExprId each : children) {
+    if (const Maybe term = derivative(each)) terms.push_back(*term);
+  }
+  if (terms.empty()) return std::nullopt;
+  return terms.size() == 1 ? terms[0] : make(Op::add, tree_[id].rank, terms);
+}
+
+std::optional<ExprId> Differentiator::of_linear(ExprId id) {
+  const Maybe inner = derivative(child(id));
+  if (!inner) return std::nullopt;
+  if (tree_[id].op != Op::component) return copy(id, {*inner});
+  const std::vector<Slot> slots(tree_.slots(id).begin(), tree_.slots(id).end());
+  return component_of(tree_, *inner, slots);
+}
+
+std::optional<ExprId> Differentiator::of_product(ExprId id) {
+  const std::vector<ExprId> factors(tree_.children(id).begin(), tree_.children(id).end());
+  std::vector<ExprId> terms;
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const Maybe changed = derivative(factors[k]);
+    if (gave_up()) return std::nullopt;
+    if (!changed) continue;
+    std::vector<ExprId> others = factors;
+    others[k] = *changed;
+    terms.push_back(copy(id, std::move(others)));
+  }
+  if (terms.empty()) return std::nullopt;
+  return terms.size() == 1 ? terms[0] : make(Op::add, tree_[id].rank, terms);
+}
+
+/// (a/b)' = a'/b − a b'/b²
+std::optional<ExprId> Differentiator::of_quotient(ExprId id) {
+  const std::uint8_t rank = tree_[id].rank;
+  const ExprId dividend = child(id, 0);
+  const ExprId divisor = child(id, 1);
+  const Maybe above = derivative(dividend);
+  const Maybe below = derivative(divisor);
+  std::vector<ExprId> terms;
+  if (above) terms.push_back(make(Op::divide, rank, {*above, divisor}));
+  if (below) {
+    const ExprId quotient =
+        make(Op::divide, rank, {scaled(*below, dividend), make(Op::power, 0, {divisor}, 2)});
+    terms.push_back(make(Op::negate, rank, {quotient}));
+  }
+  if (terms.empty()) return std::nullopt;
+  return terms.size() == 1 ? terms[0] : make(Op::add, rank, terms);
+}
+
+std::optional<ExprId> Differentiator::of_power(ExprId id) {
+  const std::int32_t exponent = tree_[id].exponent;
+  const ExprId base = child(id);
+  if (exponent % 2 == 0 && tree_[base].op == Op::symbol) {
+    if (const auto square = dependence_of_(tree_[base].symbol).square)
+      return derivative(exponent == 2 ? *square : make(Op::power, 0, {*square}, exponent / 2));
+  }
+  const Maybe inner = derivative(base);
+  if (!inner || exponent == 0) return std::nullopt;
+  if (exponent == 1) return inner;
+  ExprId factor = number(std::to_string(std::abs(exponent)).c_str());
+  if (exponent < 0) factor = make(Op::negate, 0, {factor});
+  return make(Op::multiply, 0, {factor, make(Op::power, 0, {base}, exponent - 1), *inner});
+}
+
+std::optional<ExprId> Differentiator::of_root(ExprId id) {
+  const Maybe inner = derivative(child(id));
+  if (!inner) return std::nullopt;
+  return make(Op::divide, 0, {*inner, make(Op::multiply, 0, {number("2"), id})});
+}
+
+/// |v|' = v·v'/|v|, for numbers as for vectors.
+std::optional<ExprId> Differentiator::of_length(ExprId id) {
+  const ExprId inside = child(id);
+  const Maybe inner = derivative(inside);
+  if (!inner) return std::nullopt;
+  const Op product = tree_[id].op == Op::length ? Op::dot : Op::multiply;
+  return make(Op::divide, 0, {make(product, 0, {inside, *inner}), id});
+}
+
+std::optional<ExprId> Differentiator::of_function(ExprId id) {
+  const ExprId argument = child(id);
+  const Maybe inner = derivative(argument);
+  if (!inner) return std::nullopt;
+  const Function function = tree_[id].function;
+  ExprId outer = id;  // exp
+  if (function != Function::exp) {
+    const Function other = function == Function::sin ? Function::cos : Function::sin;
+    outer = tree_.add({.op = Op::function, .span = span_, .function = other}, std::span(&argument, 1));
+  }
+  const ExprId product = make(Op::multiply, 0, {outer, *inner});
+  return function == Function::cos ? make(Op::negate, 0, {product}) : product;
+}
+
+std::optional<ExprId> Differentiator::of_entries(ExprId id) {
+  const std::vector<ExprId> entries(tree_.children(id).begin(), tree_.children(id).end());
+  const bool any = std::any_of(entries.begin(), entries.end(),
+                               [this](ExprId each) { return derivative(each).has_value(); });
+  if (!any) return std::nullopt;
+  std::vector<ExprId> changed;
+  for (const ExprId each : entries) changed.push_back(derivative_or_zero(each));
+  if (tree_[id].op == Op::tuple) return make(Op::tuple, tree_[id].rank, changed);
+  const std::vector<Slot> slots(tree_.slots(id).begin(), tree_.slots(id).end());
+  return tree_.add_table(span_, changed, slots, Table(tree_.table(id)));
+}
+
+std::optional<ExprId> Differentiator::of_determinant(ExprId id) {
+  const std::vector<ExprId> entries(tree_.children(id).begin(), tree_.children(id).end());
+  std::vector<ExprId> terms;
+  for (std::size_t row = 0; row < 9; row += 3) {
+    std::vector<ExprId> changed = entries;
+    bool any = false;
+    for (std::size_t k = row; k < row + 3; ++k) {
+      any = derivative(entries[k]).has_value() || any;
+      changed[k] = derivative_or_zero(entries[k]);
+    }
+    if (any) terms.push_back(make(Op::determinant, tree_[id].rank, changed));
+  }
+  if (terms.empty()) return std::nullopt;
+  return terms.size() == 1 ? terms[0] : make(Op::add, tree_[id].rank, terms);
+}
+
+void Differentiator::spend(std::size_t children) {
+  const std::size_t cost = children + 1;
+  if (cost <= budget_.nodes) {
+    budget_.nodes -= cost;
+  } else if (!gave_up()) {
+    give_up("the derivatives in this statement are too large together to be decided");
+  }
+}
+
+/// The node with other children.
+ExprId Differentiator::copy(ExprId like, std::vector<ExprId> children) {
+  ExprNode node = tree_[like];
+  node.span = span_;
+  spend(children.size());
+  return tree_.add(node, children);
+}
+
+ExprId Differentiator::make(Op op, std::uint8_t rank, std::vector<ExprId> children, std::int32_t exponent) {
+  spend(children.size());
+  return tree_.add({.op = op, .rank = rank, .span = span_, .exponent = exponent}, children);
+}
+
+ExprId Differentiator::scaled(ExprId scalar, ExprId value) {
+  return make(Op::multiply, tree_[value].rank, {scalar, value});
+}
+
+ExprId replaced(ExprTree& tree, ExprId root, const std::function<std::optional<ExprId>(ExprId)>& by) {
+  ExprNode node = tree[root];
+  if (node.op == Op::symbol) return by(root).value_or(root);
+  const std::vector<ExprId> before(tree.children(root).begin(), tree.children(root).end());
+  std::vector<ExprId> after;
+  for (const ExprId child : before) after.push_back(replaced(tree, child, by));
+  if (after == before) return root;
+  const std::vector<Slot> slots(tree.slots(root).begin(), tree.slots(root).end());
+  if (node.op == Op::table) return tree.add_table(node.span, after, slots, Table(tree.table(root)));
+  return tree.add(node, after, slots);
+}
+
+ExprId component_of(ExprTree& tree, ExprId id, std::span<const Slot> slots) {
+  const Span span = tree[id].span;
+  while (!slots.empty() && tree[id].op == Op::tuple && slots[0].axis != 0) {
+    id = tree.children(id)[slots[0].axis - 1u];
+    slots = slots.subspan(1);
+  }
+  if (slots.empty()) return id;
+  if (tree[id].op == Op::symbol) {
+    ExprNode node = tree[id];
+    node.rank = 0;
+    return tree.add(node, {}, slots);
+  }
+  return tree.add({.op = Op::component, .span = span}, std::span(&id, 1), slots);
+}
+
+ExprId zero_of_rank(ExprTree& tree, Span span, int rank) {
+  ExprId zero = tree.add_number(span, "0");
+  for (int axes = 1; axes <= rank; ++axes) {
+    const std::array entries{zero, zero, zero};
+    zero = tree.add({.op = Op::tuple, .rank = static_cast<std::uint8_t>(axes), .span = span}, entries);
+  }
+  return zero;
+}
+
+}  // namespace rigor

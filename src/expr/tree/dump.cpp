@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Walks over a whole tree, with a stack of their own: depth costs no call stack.
+#include <variant>
+
+#include "expr/tree/tree.h"
+
+namespace rigor {
+namespace {
+
+[[nodiscard]] std::string_view name_of(Op op) {
+  switch (op) {
+    case Op::number:
+      return "number";
+    case Op::symbol:
+      return "symbol";
+    case Op::basis:
+      return "e";
+    case Op::delta:
+      return "delta";
+    case Op::epsilon:
+      return "epsilon";
+    case Op::add:
+      return "add";
+    case Op::negate:
+      return "negate";
+    case Op::multiply:
+      return "multiply";
+    case Op::divide:
+      return "divide";
+    case Op::power:
+      return "power";
+    case Op::root:
+      return "root";
+    case Op::length:
+      return "length";
+    case Op::absolute:
+      return "absolute";
+    case Op::dot:
+      return "dot";
+    case Op::cross:
+      return "cross";
+    case Op::component:
+      return "component";
+    case Op::tuple:
+      return "tuple";
+    case Op::determinant:
+      return "determinant";
+    case Op::index_sum:
+      return "index-sum";
+    case Op::particle_sum:
+      return "particle-sum";
+    case Op::table:
+      return "table";
+    case Op::function:
+      return "function";
+  }
+  return "?";
+}
+
+[[nodiscard]] std::string_view name_of(Function function) {
+  switch (function) {
+    case Function::sin:
+      return "sin";
+    case Function::cos:
+      return "cos";
+    case Function::exp:
+      return "exp";
+  }
+  return "?";
+}
+
+[[nodiscard]] std::string slots_text(const ExprTree& tree, ExprId id) {
+  std::string text;
+  for (const Slot& slot : tree.slots(id)) {
+    text += text.empty() ? '[' : ',';
+    text += slot.axis != 0 ? std::to_string(slot.axis) : tree.name(slot.variable);
+  }
+  return text.empty() ? text : text + ']';
+}
+
+/// What stands for a node before its children: `r{\alpha}[i]`, `index-sum i`.
+[[nodiscard]] std::string head(const ExprTree& tree, ExprId id) {
+  const ExprNode& node = tree[id];
+  if (node.op == Op::number) return tree.digits(id);
+  if (node.op == Op::function) return std::string(name_of(node.function));
+  std::string text{node.op == Op::symbol ? std::string_view(tree.symbols[node.symbol].name)
+                                         : name_of(node.op)};
+  if (node.op == Op::symbol && node.particle != no_particle) text += '{' + tree.name(node.particle) + '}';
+  if (node.op == Op::index_sum) text += ' ' + tree.name(node.index);
+  if (node.op == Op::particle_sum) text += ' ' + tree.name(node.particle);
+  text += slots_text(tree, id);
+  if (node.op != Op::table) return text;
+  char separator = ':';
+  for (const std::uint8_t entry : tree.table(id).entry) {
+    text += separator + std::to_string(entry);
+    separator = ',';
+  }
+  return text;
+}
+
+}  // namespace
+
+bool names_an_axis(const ExprTree& tree, ExprId root) {
+  std::vector<ExprId> open{root};
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    const auto slots = tree.slots(id);
+    const bool named =
+        std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.axis != 0; });
+    if (named || tree[id].op == Op::basis) return true;
+    const auto children = tree.children(id);
+    open.insert(open.end(), children.begin(), children.end());
+  }
+  return false;
+}
+
+std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root) {
+  std::vector<SymbolId> found;
+  std::vector<bool> seen(tree.symbols.size(), false);
+  std::vector<ExprId> open{root};
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    if (tree[id].op == Op::symbol && !seen[static_cast<std::size_t>(tree[id].symbol)]) {
+      seen[static_cast<std::size_t>(tree[id].symbol)] = true;
+      found.push_back(tree[id].symbol);
+    }
+    const auto children = tree.children(id);
+    open.insert(open.end(), children.rbegin(), children.rend());
+  }
+  return found;
+}
+
+std::string dump(const ExprTree& tree, ExprId root) {
+  std::string text;
+  std::vector<std::variant<ExprId, std::string>> open{root};  // nodes to come, and text between them
+  while (!open.empty()) {
+    const auto next = std::move(open.back());
+    open.pop_back();
+    if (const auto* between = std::get_if<std::string>(&next)) {
+      text += *between;
+      continue;
+    }
+    const ExprId id = std::get<ExprId>(next);
+    const auto children = tree.children(id);
+    if (children.empty()) {
+      text += head(tree, id);
+      continue;
+    }
+    text += '(' + head(tree, id);
+    open.emplace_back(")");
+    for (auto child = children.rbegin(); child != children.rend(); ++child) {
+      if (tree[id].op == Op::power && child == children.rbegin()) {
+        open.emplace_back(' ' + std::to_string(tree[id].exponent));
+      }
+      open.emplace_back(*child);
+      open.emplace_back(" ");
+    }
+  }
+  return text;
+}
+
+}  // namespace rigor

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expr/tree/same_expression.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+
+#include "base/among.h"
+#include "expr/tree/latex_name.h"
+
+namespace rigor {
+namespace {
+
+class Comparison {
+ public:
+  Comparison(const ExprTree& a, const ExprTree& b) : a_(a), b_(b) {}
+
+  bool same(ExprId x, ExprId y) {
+    if (is_zero(a_, x) || is_zero(b_, y)) return is_zero(a_, x) && is_zero(b_, y);
+    const View left = view(a_, x);
+    const View right = view(b_, y);
+    if (left.op != right.op || left.rank != right.rank) return false;
+    if (left.op == Op::index_sum) return same_index_sums(left.id, right.id);
+    if (left.op == Op::particle_sum) return same_particle_sums(left.id, right.id);
+    return same_heads(left, right) && same_slots(left.slots, right.slots) && same_children(left, right);
+  }
+
+ private:
+  /// A node; the component of a lone symbol as the symbol at its slots.
+  struct View {
+    ExprId id{};
+    Op op = Op::number;
+    int rank = 0;
+    std::span<const Slot> slots;
+    std::vector<ExprId> children;
+  };
+
+  /// A written 0, or a component of one.
+  static bool is_zero(const ExprTree& tree, ExprId id) {
+    if (tree[id].op == Op::component) id = tree.children(id)[0];
+    return tree.is_zero_literal(id);
+  }
+
+  /// The base of a first power.
+  static ExprId bare(const ExprTree& tree, ExprId id) {
+    while (tree[id].op == Op::power && tree[id].exponent == 1) id = tree.children(id)[0];
+    return id;
+  }
+
+  static void add_factors(const ExprTree& tree, ExprId id, std::vector<ExprId>& factors) {
+    id = bare(tree, id);
+    if (tree[id].op != Op::multiply) {
+      factors.push_back(id);
+      return;
+    }
+    for (const ExprId each : tree.children(id)) add_factors(tree, each, factors);
+  }
+
+  static View view(const ExprTree& tree, ExprId id) {
+    id = bare(tree, id);
+    View view{id, tree[id].op, tree[id].rank, tree.slots(id), {}};
+    const auto children = tree.children(id);
+    if (view.op == Op::component && tree[children[0]].op == Op::symbol && tree[children[0]].slot_count == 0) {
+      view.id = children[0];
+      view.op = Op::symbol;
+      return view;
+    }
+    if (view.op != Op::multiply) {
+      view.children.assign(children.begin(), children.end());
+      return view;
+    }
+    add_factors(tree, id, view.children);
+    std::stable_partition(view.children.begin(), view.children.end(),
+                          [&](ExprId each) { return tree[each].rank == 0; });
+    return view;
+  }
+
+  bool same_heads(const View& left, const View& right) const {
+    const ExprNode& p = a_[left.id];
+    const ExprNode& q = b_[right.id];
+    switch (left.op) {
+      case Op::number:
+        return a_.digits(left.id) == b_.digits(right.id);
+      case Op::symbol:
+        return same_symbols(p.symbol, q.symbol) && same_particles(p.particle, q.particle);
+      case Op::power:
+        return p.exponent == q.exponent;
+      case Op::function:
+        return p.function == q.function;
+      case Op::table:
+        return a_.table(left.id).entry == b_.table(right.id).entry;
+      default:
+        return true;
+    }
+  }
+
+  bool same_symbols(SymbolId p, SymbolId q) const {
+    if (&a_ == &b_) return p == q;
+    const Symbol& x = a_.symbols[p];
+    const Symbol& y = b_.symbols[q];
+    return without_face(x.name) == without_face(y.name) && x.rank == y.rank &&
+           x.per_particle == y.per_particle;
+  }
+
+  bool same_particles(ParticleId p, ParticleId q) const {
+    if (p == no_particle || q == no_particle) return p == q;
+    const auto known = particles_.find(static_cast<std::uint32_t>(p));
+    return known == particles_.end() ? a_.name(p) == b_.name(q) : known->second == q;
+  }
+
+  bool same_slots(std::span<const Slot> x, std::span<const Slot> y) const {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](const Slot& p, const Slot& q) {
+      if (p.axis != 0 || q.axis != 0) return p.axis == q.axis;
+      const auto known = indices_.find(static_cast<std::uint32_t>(p.variable));
+      return known == indices_.end() ? a_.name(p.variable) == b_.name(q.variable)
+                                     : known->second == q.variable;
+    });
+  }
+
+  bool same_children(const View& left, const View& right) {
+    return std::equal(left.children.begin(), left.children.end(), right.children.begin(),
+                      right.children.end(), [&](ExprId p, ExprId q) { return same(p, q); });
+  }
+
+  /// The sums around one body, in the order in which their indices occur in it.
+  static std::vector<IndexId> indices_of(const ExprTree& tree, ExprId& body) {
+    std::vector<IndexId> bound;
+    for (; tree[body].op == Op::index_sum; body = bare(tree, tree.children(body)[0]))
+      bound.push_back(tree[body].index);
+    std::vector<IndexId> ordered;
+    std::vector<ExprId> open{body};
+    while (!open.empty()) {
+      const View node = view(tree, open.back());
+      open.pop_back();
+      for (const Slot& slot : node.slots) {
+        const bool is_bound = slot.axis == 0 && is_one_of(slot.variable, bound);
+        if (is_bound && !is_one_of(slot.variable, ordered)) ordered.push_back(slot.variable);
+      }
+      open.insert(open.end(), node.children.rbegin(), node.children.rend());
+    }
+    for (const IndexId index : bound) {
+      if (!is_one_of(index, ordered)) ordered.push_back(index);
+    }
+    return ordered;
+  }
+
+  bool same_index_sums(ExprId x, ExprId y) {
+    const std::vector<IndexId> left = indices_of(a_, x);
+    const std::vector<IndexId> right = indices_of(b_, y);
+    if (left.size() != right.size()) return false;
+    const auto outer = indices_;
+    for (std::size_t k = 0; k < left.size(); ++k) indices_[static_cast<std::uint32_t>(left[k])] = right[k];
+    const bool result = same(x, y);
+    indices_ = outer;
+    return result;
+  }
+
+  bool same_particle_sums(ExprId x, ExprId y) {
+    const auto outer = particles_;
+    particles_[static_cast<std::uint32_t>(a_[x].particle)] = b_[y].particle;
+    const bool result = same(a_.children(x)[0], b_.children(y)[0]);
+    particles_ = outer;
+    return result;
+  }
+
+  const ExprTree& a_;
+  const ExprTree& b_;
+  std::unordered_map<std::uint32_t, IndexId> indices_;       // bound in a, by what in b
+  std::unordered_map<std::uint32_t, ParticleId> particles_;  // the same
+};
+
+}  // namespace
+
+bool same_expression(const ExprTree& a, ExprId a_root, const ExprTree& b, ExprId b_root) {
+  return Comparison(a, b).same(a_root, b_root);
+}
+
+}  // namespace rigor

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expr/tree/symbol.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+
+namespace rigor {
+namespace {
+
+std::array<std::uint32_t, 4> key_of(const Derivation& derivation) {
+  return {static_cast<std::uint32_t>(derivation.base), derivation.time, derivation.space, derivation.small};
+}
+
+/// `\dot{x}`, `\partial\partial \mathbf{A}`: as a reader would write it, but for the indices.
+std::string name_of_derivative(const std::string& base, const Derivation& derivation) {
+  std::string name = base;
+  if (derivation.time > 0) {
+    const auto tail = std::min(name.find('_'), name.find('\''));  // `\dot{T}_{\text{rot}}`
+    const std::string rest = tail == std::string::npos ? "" : name.substr(tail);
+    name = "\\" + std::string(derivation.time, 'd') + "ot{" + name.substr(0, tail) + "}" + rest;
+  }
+  for (int i = 0; i < derivation.space; ++i) name.insert(0, "\\partial ");
+  for (int i = 0; i < derivation.small; ++i) name.insert(0, "\\delta ");
+  return name;
+}
+
+}  // namespace
+
+SymbolId SymbolTable::add(Symbol symbol) {
+  RIGOR_CHECK(symbol.rank >= 0, symbol.name, symbol.rank);
+  RIGOR_CHECK(!symbol.symmetric || symbol.rank == 2 || symbol.derivation, symbol.name, symbol.rank);
+  RIGOR_CHECK(!symbol.unit || symbol.rank == 1, symbol.name, symbol.rank);
+  RIGOR_CHECK(!symbol.rotation || symbol.rank == 2, symbol.name, symbol.rank);
+  symbols_.push_back(std::move(symbol));
+  return static_cast<SymbolId>(symbols_.size() - 1);
+}
+
+SymbolId SymbolTable::derivative(SymbolId of, By by) {
+  Derivation derivation = (*this)[of].derivation.value_or(Derivation{.base = of});
+  switch (by) {
+    case By::time:
+      ++derivation.time;
+      break;
+    case By::space:
+      ++derivation.space;
+      break;
+    case By::small:
+      ++derivation.small;
+      break;
+  }
+  for (const int order : {derivation.time, derivation.space, derivation.small})
+    RIGOR_CHECK(order <= largest_derivation, (*this)[of].name, order);
+  if (const auto known = find(derivation)) return *known;
+  const Symbol& base = (*this)[derivation.base];
+  Symbol symbol;
+  symbol.name = name_of_derivative(base.name, derivation);
+  symbol.rank = base.rank + derivation.space;
+  symbol.per_particle = base.per_particle;
+  symbol.symmetric = base.symmetric;
+  symbol.declared = base.declared;
+  symbol.first_seen = base.first_seen;
+  symbol.derivation = derivation;
+  const SymbolId id = add(std::move(symbol));
+  derivatives_.emplace(key_of(derivation), id);
+  return id;
+}
+
+std::optional<SymbolId> SymbolTable::find(const Derivation& derivation) const {
+  const auto known = derivatives_.find(key_of(derivation));
+  return known == derivatives_.end() ? std::nullopt : std::optional(known->second);
+}
+
+std::size_t canonical_component(const Symbol& symbol, std::size_t component) {
+  const std::size_t exchangeable = symbol.derivation ? symbol.derivation->space : 0;
+  if (exchangeable < 2 && !symbol.symmetric) return component;
+  std::vector<std::size_t> axes(static_cast<std::size_t>(symbol.rank));
+  for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
+    *axis = component % 3;
+    component /= 3;
+  }
+  if (symbol.symmetric) std::sort(axes.begin(), axes.begin() + 2);
+  std::sort(axes.end() - static_cast<std::ptrdiff_t>(exchangeable), axes.end());
+  for (const std::size_t axis : axes) component = 3 * component + axis;
+  return component;
+}
+
+}  // namespace rigor

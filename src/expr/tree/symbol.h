@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The names that a file's statements are about. A symbol is what a letter with its face, accent, primes and
+// labels stands for:
+// `\mathbf{r}_\alpha`, `r_{\alpha i}` and the length `r_\alpha` are one symbol (rank 1, one for each
+// particle).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+#include "expr/tree/dimension.h"
+
+namespace rigor {
+
+enum class SymbolId : std::uint32_t {};
+
+/// By what is differentiated: the time, a coordinate of space (one axis more, behind the others), the
+/// parameter that all small quantities are proportional to.
+enum class By : std::uint8_t { time, space, small };
+
+/// A derivative is a symbol of its own: how often it is differentiated by what. The order does not matter.
+struct Derivation {
+  SymbolId base{};
+  std::uint16_t time = 0;
+  std::uint16_t space = 0;
+  std::uint16_t small = 0;
+};
+
+/// No order of a derivative goes beyond this; what notes may ask for is bounded in `Differentiator`.
+inline constexpr int largest_derivation = 1000;
+
+struct Symbol {
+  std::string name;  // LaTeX without indices and particle label: `\mathbf{r}`, `T_{\text{rot}}`
+  int rank = 0;      // 0 scalar, 1 vector, 2 and more tensor; axes run over 1..3, right-handed orthonormal
+  bool per_particle = false;  // has a value for each particle
+  bool symmetric = false;     // rank 2: equal to its transpose
+  bool unit = false;          // rank 1: length 1
+  bool rotation = false;      // rank 2: orthogonal with determinant 1; the first axis is the rotated one
+  bool declared = false;      // a directive says what it is
+  bool for_all = false;       // a directive says that statements are meant for all its values
+  std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes
+  Span first_seen = {};
+  std::optional<Derivation> derivation = {};  // of a derivative; its last `space` axes can be exchanged
+};
+
+/// Symmetric tensors and repeated derivatives have equal components: the first of those that equal this one,
+/// row by row.
+[[nodiscard]] std::size_t canonical_component(const Symbol& symbol, std::size_t component);
+
+class SymbolTable {
+ public:
+  SymbolId add(Symbol symbol);
+  [[nodiscard]] const Symbol& operator[](SymbolId id) const { return symbols_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] Symbol& operator[](SymbolId id) { return symbols_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] std::size_t size() const { return symbols_.size(); }
+
+  /// The derivative of a symbol (which may be a derivative itself), always the same one. Symmetric if the
+  /// symbol is; never a unit vector or a rotation.
+  SymbolId derivative(SymbolId of, By by);
+  /// The derivative if it was made before.
+  [[nodiscard]] std::optional<SymbolId> find(const Derivation& derivation) const;
+
+ private:
+  std::vector<Symbol> symbols_;
+  std::map<std::array<std::uint32_t, 4>, SymbolId> derivatives_;  // by base and orders
+};
+
+/// What a derivative is of; any other symbol itself.
+[[nodiscard]] inline SymbolId base_of(const SymbolTable& symbols, SymbolId symbol) {
+  const auto& derivation = symbols[symbol].derivation;
+  return derivation ? derivation->base : symbol;
+}
+
+}  // namespace rigor

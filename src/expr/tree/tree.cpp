@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expr/tree/tree.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/ascii.h"
+#include "base/check.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::uint32_t any_count = 0xffffffffu;
+
+/// How many children and slots an operation takes.
+struct Shape {
+  std::uint32_t children = 0;
+  std::uint32_t slots = 0;
+};
+
+[[nodiscard]] Shape shape_of(Op op) {
+  switch (op) {
+    case Op::number:
+      return {};
+    case Op::symbol:
+      return {0, any_count};
+    case Op::basis:
+      return {0, 1};
+    case Op::delta:
+      return {0, 2};
+    case Op::epsilon:
+      return {0, 3};
+    case Op::add:
+      return {any_count, 0};
+    case Op::negate:
+      return {1, 0};
+    case Op::multiply:
+      return {any_count, 0};
+    case Op::divide:
+      return {2, 0};
+    case Op::power:
+      return {1, 0};
+    case Op::root:
+      return {1, 0};
+    case Op::length:
+      return {1, 0};
+    case Op::absolute:
+      return {1, 0};
+    case Op::dot:
+      return {2, 0};
+    case Op::cross:
+      return {2, 0};
+    case Op::component:
+      return {1, any_count};
+    case Op::tuple:
+      return {3, 0};
+    case Op::determinant:
+      return {9, 0};
+    case Op::index_sum:
+      return {1, 0};
+    case Op::particle_sum:
+    case Op::function:
+      return {1, 0};
+    case Op::table:
+      return {any_count, any_count};
+  }
+  return {};
+}
+
+[[nodiscard]] bool all_of_rank(std::span<const int> ranks, int rank) {
+  return std::all_of(ranks.begin(), ranks.end(), [rank](int each) { return each == rank; });
+}
+
+[[nodiscard]] int sum_of(std::span<const int> ranks) {
+  int sum = 0;
+  for (const int each : ranks) sum += each;
+  return sum;
+}
+
+constexpr int no_rank = -1;
+
+/// Nine children: all scalars, or one row of vectors (`e_1, e_2, e_3`, say) and six scalars.
+[[nodiscard]] int rank_of_determinant(std::span<const int> ranks) {
+  if (all_of_rank(ranks, 0)) return 0;
+  for (std::size_t row = 0; row < 9; row += 3) {
+    if (all_of_rank(ranks.subspan(row, 3), 1) && sum_of(ranks) == 3) return 1;
+  }
+  return no_rank;
+}
+
+/// The rank that an operation gives for children of these ranks (the counts fit), or no_rank.
+[[nodiscard]] int rank_of(Op op, std::span<const int> ranks, std::uint32_t slots) {
+  switch (op) {
+    case Op::number:
+    case Op::delta:
+    case Op::epsilon:
+      return 0;
+    case Op::basis:
+      return 1;
+    case Op::add:
+    case Op::table:
+      return !ranks.empty() && all_of_rank(ranks, ranks[0]) ? ranks[0] : no_rank;
+    case Op::negate:
+    case Op::index_sum:
+    case Op::particle_sum:
+      return ranks[0];
+    case Op::multiply:
+      return ranks.empty() ? no_rank : sum_of(ranks);
+    case Op::divide:
+      return ranks[1] == 0 ? ranks[0] : no_rank;
+    case Op::power:
+    case Op::root:
+    case Op::absolute:
+    case Op::function:
+      return ranks[0] == 0 ? 0 : no_rank;
+    case Op::length:
+      return ranks[0] == 1 ? 0 : no_rank;
+    case Op::dot:
+      return ranks[0] > 0 && ranks[1] > 0 ? sum_of(ranks) - 2 : no_rank;
+    case Op::cross:
+      return all_of_rank(ranks, 1) ? 1 : no_rank;
+    case Op::component:
+      return slots > 0 && ranks[0] == static_cast<int>(slots) ? 0 : no_rank;
+    case Op::tuple:
+      return all_of_rank(ranks, ranks[0]) ? ranks[0] + 1 : no_rank;
+    case Op::determinant:
+      return rank_of_determinant(ranks);
+    case Op::symbol:
+      return no_rank;  // depends on the symbol, see check_symbol
+  }
+  return no_rank;
+}
+
+void check_symbol(const SymbolTable& symbols, const ExprNode& node) {
+  RIGOR_CHECK(static_cast<std::size_t>(node.symbol) < symbols.size(),
+              static_cast<std::uint32_t>(node.symbol));
+  const Symbol& symbol = symbols[node.symbol];
+  const bool whole = node.slot_count == 0;
+  RIGOR_CHECK(whole || static_cast<int>(node.slot_count) == symbol.rank, symbol.name, symbol.rank,
+              node.slot_count);
+  RIGOR_CHECK(static_cast<int>(node.rank) == (whole ? symbol.rank : 0), symbol.name, symbol.rank, node.rank);
+  RIGOR_CHECK((node.particle != no_particle) == symbol.per_particle, symbol.name);
+}
+
+[[nodiscard]] bool is_decimal(std::string_view digits) {
+  return std::count(digits.begin(), digits.end(), '.') <= 1 &&
+         std::any_of(digits.begin(), digits.end(), [](char c) { return is_digit(c); }) &&
+         std::all_of(digits.begin(), digits.end(), [](char c) { return c == '.' || is_digit(c); });
+}
+
+}  // namespace
+
+IndexId ExprTree::add_index(std::string name) {
+  index_names_.push_back(std::move(name));
+  return static_cast<IndexId>(index_names_.size() - 1);
+}
+
+ParticleId ExprTree::add_particle(std::string name) {
+  particle_names_.push_back(std::move(name));
+  return static_cast<ParticleId>(particle_names_.size() - 1);
+}
+
+ExprId ExprTree::add(ExprNode node, std::span<const ExprId> children, std::span<const Slot> slots) {
+  RIGOR_CHECK(node.op != Op::number && node.op != Op::table, static_cast<int>(node.op));
+  return append(node, children, slots);
+}
+
+ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::span<const Slot> slots) {
+  const int op = static_cast<int>(node.op);
+  const Shape shape = shape_of(node.op);
+  RIGOR_CHECK(shape.children == any_count || shape.children == children.size(), op, children.size());
+  RIGOR_CHECK(shape.slots == any_count || shape.slots == slots.size(), op, slots.size());
+  std::vector<int> ranks;
+  std::uint64_t weight = 1;
+  for (const ExprId child : children) {
+    RIGOR_CHECK(static_cast<std::size_t>(child) < nodes_.size(), op, static_cast<std::uint32_t>(child));
+    weight += nodes_[static_cast<std::size_t>(child)].weight;
+    ranks.push_back(nodes_[static_cast<std::size_t>(child)].rank);
+  }
+  for (const Slot& slot : slots) {
+    RIGOR_CHECK(slot.axis <= 3, op, slot.axis);
+    RIGOR_CHECK(slot.axis != 0 || static_cast<std::size_t>(slot.variable) < index_names_.size(), op);
+  }
+  node.weight = static_cast<std::uint32_t>(std::min<std::uint64_t>(weight, 0xffffffffu));
+  node.first = static_cast<std::uint32_t>(children_.size());
+  node.count = static_cast<std::uint32_t>(children.size());
+  node.first_slot = static_cast<std::uint32_t>(slots_.size());
+  node.slot_count = static_cast<std::uint32_t>(slots.size());
+  if (node.op == Op::symbol) {
+    check_symbol(symbols, node);
+  } else {
+    RIGOR_CHECK(static_cast<int>(node.rank) == rank_of(node.op, ranks, node.slot_count), op, node.rank);
+  }
+  if (node.op == Op::index_sum) RIGOR_CHECK(static_cast<std::size_t>(node.index) < index_names_.size(), op);
+  if (node.particle != no_particle)
+    RIGOR_CHECK(static_cast<std::size_t>(node.particle) < particle_names_.size(), op);
+  if (node.op == Op::particle_sum) RIGOR_CHECK(node.particle != no_particle, op);
+  children_.insert(children_.end(), children.begin(), children.end());
+  slots_.insert(slots_.end(), slots.begin(), slots.end());
+  nodes_.push_back(node);
+  return static_cast<ExprId>(nodes_.size() - 1);
+}
+
+ExprId ExprTree::add_number(Span span, std::string digits) {
+  RIGOR_CHECK(is_decimal(digits), digits);
+  ExprNode node{.op = Op::number, .span = span};
+  node.payload = static_cast<std::uint32_t>(numbers_.size());
+  numbers_.push_back(std::move(digits));
+  return append(node, {}, {});
+}
+
+ExprId ExprTree::add_table(Span span, std::span<const ExprId> values, std::span<const Slot> slots,
+                           Table table) {
+  std::size_t tuples = 1;
+  for (std::size_t i = 0; i < slots.size(); ++i) tuples *= 3;
+  RIGOR_CHECK(table.entry.size() == tuples, table.entry.size(), slots.size());
+  for (const std::uint8_t entry : table.entry) RIGOR_CHECK(entry < values.size(), entry, values.size());
+  ExprNode node{.op = Op::table, .span = span};
+  node.rank = values.empty() ? std::uint8_t{0} : (*this)[values[0]].rank;
+  node.payload = static_cast<std::uint32_t>(tables_.size());
+  tables_.push_back(std::move(table));
+  return append(node, values, slots);
+}
+
+std::span<const ExprId> ExprTree::children(ExprId id) const {
+  return std::span(children_).subspan((*this)[id].first, (*this)[id].count);
+}
+
+std::span<const Slot> ExprTree::slots(ExprId id) const {
+  return std::span(slots_).subspan((*this)[id].first_slot, (*this)[id].slot_count);
+}
+
+const std::string& ExprTree::digits(ExprId id) const {
+  RIGOR_CHECK((*this)[id].op == Op::number, static_cast<int>((*this)[id].op));
+  return numbers_[(*this)[id].payload];
+}
+
+const Table& ExprTree::table(ExprId id) const {
+  RIGOR_CHECK((*this)[id].op == Op::table, static_cast<int>((*this)[id].op));
+  return tables_[(*this)[id].payload];
+}
+
+bool ExprTree::is_zero_literal(ExprId id) const {
+  while ((*this)[id].op == Op::tuple) {
+    const std::span<const ExprId> entries = children(id);
+    if (entries[1] != entries[0] || entries[2] != entries[0])
+      return false;  // a written 0 given a rank has one entry thrice
+    id = entries[0];
+  }
+  if ((*this)[id].op != Op::number) return false;
+  const std::string& text = digits(id);
+  return std::all_of(text.begin(), text.end(), [](char c) { return c == '0' || c == '.'; });
+}
+
+}  // namespace rigor

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is MEANT: a typed expression. Every node has a rank (0 scalar, 1 vector, 2 second-rank tensor); index
+// notation and direct notation live side by side, so that a program can evaluate the form that was written:
+// `\epsilon_{ijk}A_jB_k` is sums over components, `\mathbf A\times\mathbf B` is a cross product. Implicit
+// sums have become explicit; definitions are still names. Nodes lie in one vector, children before parents.
+// Axes are 1, 2, 3, right-handed and orthonormal.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+#include "expr/tree/symbol.h"
+
+namespace rigor {
+
+enum class ExprId : std::uint32_t {};
+enum class IndexId : std::uint32_t {};     // an index variable, over 1..3
+enum class ParticleId : std::uint32_t {};  // a particle variable
+
+enum class Op : std::uint8_t {
+  number,     // text: decimal digits with at most one point, e.g. `2`, `0.25`
+  symbol,     // all slots given: rank 0; no slots: the symbol's rank. `particle` where the symbol is per
+              // particle
+  basis,      // e_s, a unit vector along the axis of its one slot; rank 1
+  delta,      // two slots
+  epsilon,    // three slots; ε_123 = 1
+  add,        // any number of children, all of one rank
+  negate,     // one child
+  multiply,   // outer product in order; ranks add up (at most one child of rank > 0 is the usual case)
+  divide,     // dividend of any rank, divisor of rank 0
+  power,      // child of rank 0, integer `exponent`
+  root,       // the non-negative square root; rank 0
+  length,     // rank 1 -> rank 0: √(a·a), never negative
+  absolute,   // rank 0: √(a²)
+  dot,        // contraction of the last axis of the first with the first axis of the second; rank a + b − 2
+  cross,      // ranks 1, 1 -> 1: (a×b)_i = ε_ijk a_j b_k
+  component,  // one child of rank = number of slots -> rank 0
+  tuple,      // three children of equal rank r -> rank r + 1: the components
+  determinant,   // nine children row by row; all of rank 0, or one row of rank 1: ε_ijk a_1i a_2j a_3k
+  index_sum,     // Σ over `index` = 1..3
+  particle_sum,  // Σ over all particles
+  function,      // `function` of one child of rank 0; rank 0
+  table,  // values by index tuple: children are the values; `entry` says for each tuple which child (see
+          // Table)
+};
+
+enum class Function : std::uint8_t { sin, cos, exp };
+
+/// Of a value of that rank: 1, 3, 9, …
+[[nodiscard]] constexpr std::size_t component_count(int rank) {
+  std::size_t count = 1;
+  for (int axis = 0; axis < rank; ++axis) count *= 3;
+  return count;
+}
+
+/// A place for an index: a literal axis 1..3, or a variable.
+struct Slot {
+  std::uint8_t axis = 0;  // 0: the variable is meant
+  IndexId variable{};
+};
+[[nodiscard]] constexpr bool same_slot(const Slot& a, const Slot& b) {
+  return a.axis == b.axis && (a.axis != 0 || a.variable == b.variable);
+}
+
+inline constexpr ParticleId no_particle{0xffffffffu};
+
+struct ExprNode {
+  Op op;
+  std::uint8_t rank = 0;
+  Span span = {};
+  std::uint32_t first = 0;  // into the list of children
+  std::uint32_t count = 0;
+  std::uint32_t weight = 1;  // of the tree below: nodes as often as they are reached; at most 2^32 - 1
+  std::uint32_t first_slot = 0;
+  std::uint32_t slot_count = 0;
+  SymbolId symbol{};
+  IndexId index{};                    // index_sum
+  ParticleId particle = no_particle;  // symbol, particle_sum
+  std::int32_t exponent = 0;          // power
+  std::uint32_t payload = 0;          // number: text; table: table
+  Function function = Function::sin;  // function
+};
+
+/// A function of index values: `entry[9(i-1)+3(j-1)+(k-1)]` (one base-3 digit a slot, first slot most
+/// significant) names a child.
+struct Table {
+  std::vector<std::uint8_t> entry;
+};
+
+class ExprTree {
+ public:
+  SymbolTable symbols;
+
+  IndexId add_index(std::string name);
+  ParticleId add_particle(std::string name);
+  [[nodiscard]] const std::string& name(IndexId id) const {
+    return index_names_[static_cast<std::size_t>(id)];
+  }
+  [[nodiscard]] const std::string& name(ParticleId id) const {
+    return particle_names_[static_cast<std::size_t>(id)];
+  }
+
+  /// Adds a node; rank, children and slots are checked against the table at Op (a violation is our own bug).
+  ExprId add(ExprNode node, std::span<const ExprId> children = {}, std::span<const Slot> slots = {});
+  ExprId add_number(Span span, std::string digits);
+  ExprId add_table(Span span, std::span<const ExprId> values, std::span<const Slot> slots, Table table);
+
+  [[nodiscard]] const ExprNode& operator[](ExprId id) const { return nodes_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] std::span<const ExprId> children(ExprId id) const;
+  [[nodiscard]] std::span<const Slot> slots(ExprId id) const;
+  [[nodiscard]] const std::string& digits(ExprId id) const;
+  [[nodiscard]] const Table& table(ExprId id) const;
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] std::size_t index_count() const { return index_names_.size(); }
+  [[nodiscard]] std::size_t particle_count() const { return particle_names_.size(); }
+  [[nodiscard]] bool is_zero_literal(ExprId id) const;
+
+ private:
+  ExprId append(ExprNode node, std::span<const ExprId> children, std::span<const Slot> slots);
+
+  std::vector<ExprNode> nodes_;
+  std::vector<ExprId> children_;
+  std::vector<Slot> slots_;
+  std::vector<std::string> numbers_;
+  std::vector<Table> tables_;
+  std::vector<std::string> index_names_;
+  std::vector<std::string> particle_names_;
+};
+
+/// The symbols below a node, in order of first occurrence, each once. Definitions are not unfolded.
+/// Is something said along an axis: a basis vector, or a component that is named by its number?
+[[nodiscard]] bool names_an_axis(const ExprTree& tree, ExprId root);
+[[nodiscard]] std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root);
+
+/// An S-expression for `--debug expr` and for tests, e.g. `(dot A (cross B C))`. A symbol shows its particle
+/// in braces and its slots in brackets: `r{\alpha}[i]`, `I[1,j]`.
+[[nodiscard]] std::string dump(const ExprTree& tree, ExprId root);
+
+}  // namespace rigor

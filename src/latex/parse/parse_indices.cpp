@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/parse/parse_indices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/among.h"
+#include "base/ascii.h"
+#include "latex/token/cover_tokens.h"
+#include "latex/token/vocabulary.h"
+
+namespace rigor {
+namespace {
+
+bool holds_words(const Token& token) {
+  const auto style = style_of(token);
+  return is_words(token) || (style && style->upright) || is_control(token, "mathit");
+}
+
+std::string letters_of(TokenView tokens) {
+  std::string letters;
+  for (const Token& token : tokens) {
+    if (token.kind == TokenKind::letter && token.text.size() == 1) letters += token.text;
+  }
+  return letters;
+}
+
+/// A run of plain letters from `at` on; only the letters themselves.
+TokenView letter_run(TokenView tokens, std::size_t at) {
+  std::size_t end = at;
+  while (end < tokens.size() && tokens[end].kind == TokenKind::letter && tokens[end].text.size() == 1) ++end;
+  return tokens.subspan(at, end - at);
+}
+
+/// `A_\perp`, `n_+`, `M_\odot`: signs that name a quantity.
+bool is_label_sign(const Token& token) {
+  static constexpr std::string_view controls[] = {"perp", "parallel", "pm",   "mp",  "infty",
+                                                  "odot", "oplus",    "circ", "ast", "star"};
+  if (token.kind == TokenKind::control) return is_one_of(token.text, controls);
+  return false;
+}
+
+class IndexReader {
+ public:
+  explicit IndexReader(TokenView tokens, int depth = 0) : tokens_(trim(tokens)), depth_(depth) {}
+
+  IndexReading read() {
+    while (at_ < tokens_.size() && !reading_.obstacle) step();
+    return std::move(reading_);
+  }
+
+ private:
+  void add(std::string text, IndexForm form, Span span) {
+    reading_.indices.push_back({std::move(text), form, 0, span});
+  }
+
+  void step() {
+    const Token& token = tokens_[at_];
+    if (is_blank(token) || is_spacing(token)) {
+      ++at_;
+    } else if (token.kind == TokenKind::begin_group) {
+      const Argument group = argument_at(tokens_, at_);
+      if (depth_ > 8) return refuse("braces in a subscript nest too deep");
+      IndexReading inner = IndexReader(group.content, depth_ + 1).read();
+      reading_.indices.insert(reading_.indices.end(), inner.indices.begin(), inner.indices.end());
+      if (inner.obstacle) reading_.obstacle = inner.obstacle;
+      at_ = group.next;
+    } else if (is_control(token, "rm") || is_control(token, "sf") || is_control(token, "it")) {  // {\\rm in}
+      const TokenView words = trim(tokens_.subspan(at_ + 1));
+      if (!words.empty()) add(text_of(words), IndexForm::word, cover(token.span, span_of(words)));
+      at_ = tokens_.size();
+    } else if (holds_words(token)) {
+      const Argument words = argument_at(tokens_, at_ + 1);
+      add(text_of(words.content), IndexForm::word, cover(token.span, words.content));
+      at_ = words.next;
+    } else if (token.kind == TokenKind::digit) {
+      add(std::string(token.text), IndexForm::digit, token.span);
+      ++at_;
+    } else if (is_sign(token, "'") || is_control(token, "prime")) {
+      prime();
+    } else if (token.kind == TokenKind::superscript) {
+      superscript();
+    } else {
+      letter(token);
+    }
+  }
+
+  void prime() {
+    if (reading_.indices.empty()) {
+      refuse("a prime without an index before it");
+    } else {
+      ++reading_.indices.back().primes;
+    }
+    ++at_;
+  }
+
+  void superscript() {
+    const Argument argument = argument_at(tokens_, at_ + 1);
+    const bool primes = !trim(argument.content).empty() &&
+                        std::all_of(argument.content.begin(), argument.content.end(), [](const Token& token) {
+                          return is_control(token, "prime") || is_sign(token, "'");
+                        });
+    if (!primes || reading_.indices.empty()) {
+      refuse("a superscript inside a subscript is not read");
+      return;
+    }
+    reading_.indices.back().primes = static_cast<std::uint8_t>(argument.content.size());
+    at_ = argument.next;
+  }
+
+  void letter(const Token& token) {
+    const TokenView run = letter_run(tokens_, at_);
+    if (is_subscript_word(letters_of(run))) {
+      add(letters_of(run), IndexForm::word, span_of(run));
+      at_ += run.size();
+      return;
+    }
+    const std::string letter = letter_of(token);
+    const bool lone_sign =
+        tokens_.size() == 1 && (is_sign(token, "+") || is_sign(token, "-") || is_sign(token, "*"));
+    if (letter.empty() && (lone_sign || is_label_sign(token))) {
+      add(text_of({&token, 1}), IndexForm::word, token.span);
+      ++at_;
+      return;
+    }
+    if (letter == hole_letter) {
+      refuse("what is asked for is no index");
+      return;
+    }
+    if (letter.empty()) {
+      refuse(is_sign(token, ",") ? "a comma in a subscript can separate indices or be a derivative"
+                                 : fmt::format("`{}` in a subscript is not read", text_of({&token, 1})));
+      return;
+    }
+    add(letter, is_greek(letter) ? IndexForm::greek : IndexForm::letter, token.span);
+    ++at_;
+  }
+
+  void refuse(std::string message) {
+    reading_.obstacle = Obstacle{DiagnosticKind::unsupported, std::move(message), {}};
+    at_ = tokens_.size();
+  }
+
+  TokenView tokens_;
+  int depth_;
+  std::size_t at_ = 0;
+  IndexReading reading_;
+};
+
+}  // namespace
+
+IndexReading read_indices(TokenView tokens) { return IndexReader(tokens).read(); }
+
+SumReading read_sum_bounds(TokenView lower, TokenView upper) {
+  SumReading reading;
+  const auto equal =
+      std::find_if(lower.begin(), lower.end(), [](const Token& token) { return is_sign(token, "="); });
+  const TokenView names = lower.first(static_cast<std::size_t>(equal - lower.begin()));
+  if (equal != lower.end()) reading.sum.from = text_of(lower.subspan(names.size() + 1));
+  reading.sum.to = text_of(upper);
+  Tokens letters;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(letters),
+               [](const Token& token) { return !is_sign(token, ","); });
+  IndexReading indices = read_indices(letters);
+  if (indices.obstacle) {
+    reading.obstacle =
+        Obstacle{DiagnosticKind::unsupported, fmt::format("a sum over `{}` is not read", text_of(lower)), {}};
+  }
+  reading.sum.indices = std::move(indices.indices);
+  if (reading.sum.indices.empty() && !reading.obstacle) {
+    reading.obstacle = Obstacle{DiagnosticKind::unsupported,
+                                "the sum does not say over which index",
+                                {"write `\\sum_\\alpha` or `\\sum_i`"}};
+  }
+  return reading;
+}
+
+}  // namespace rigor

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "latex/token/syntax.h"
+#include "latex/token/tokens.h"
+
+namespace rigor {
+
+struct IndexReading {
+  std::vector<WrittenIndex> indices;
+  std::optional<Obstacle> obstacle;
+};
+
+/// The contents of a subscript: `ijk`, `\alpha i`, `i'j`, `12`, `\text{rot}`, `cm`. A comma, a sign or a bold
+/// letter is an obstacle.
+[[nodiscard]] IndexReading read_indices(TokenView tokens);
+
+/// The contents of a sum's subscript: `i`, `i=1`, `i,j`, `\alpha`; conditions such as `i<j` are obstacles.
+struct SumReading {
+  WrittenSum sum;
+  std::optional<Obstacle> obstacle;
+};
+[[nodiscard]] SumReading read_sum_bounds(TokenView lower, TokenView upper);
+
+}  // namespace rigor

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Derivatives in other forms: `\dv` and `\pdv`, ∂_i, and bars that say in which frame a derivative is taken.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/among.h"
+#include "latex/parse/parse_indices.h"
+#include "latex/parse/parser.h"
+#include "latex/split/differential.h"
+
+namespace rigor {
+namespace {
+
+bool may_be_coordinate(const WrittenIndex& index) {
+  static constexpr std::string_view coordinates[] = {"t", "x",       "y",        "z",     "u",     "v",
+                                                     "w", "\\theta", "\\varphi", "\\phi", "\\psi", "\\tau"};
+  return index.primes == 0 && is_one_of(index.text, coordinates);
+}
+
+/// ∂_t and ∂_x are by that coordinate, ∂_i and ∂_1 by x_i and x_1.
+WrittenVariable coordinate_of(const WrittenIndex& index) {
+  WrittenVariable variable;
+  variable.symbol.letter_span = index.span;
+  if (may_be_coordinate(index)) {
+    variable.symbol.letter = index.text;
+  } else {
+    variable.symbol.letter = "x";
+    variable.symbol.lower.push_back(index);
+  }
+  return variable;
+}
+
+}  // namespace
+
+/// `\dv{x}{t}`, `\dv[2]{x}{t}`, `\dv{t}`, `\pdv{f}{x}{y}`: the physics package.
+SyntaxId Parser::physics_derivative(Cursor& cursor, bool partial) {
+  const TokenView tokens = cursor.tokens;
+  const std::size_t begin = cursor.at;
+  std::size_t at = skip_blank(tokens, begin + 1);
+  if (at < tokens.size() && is_sign(tokens[at], "*")) ++at;
+  const Argument order = optional_argument_at(tokens, at);
+  std::vector<Argument> arguments{argument_at(tokens, order.next)};
+  while (arguments.size() < 3) {
+    const std::size_t open = skip_blank(tokens, arguments.back().next);
+    if (open >= tokens.size() || tokens[open].kind != TokenKind::begin_group) break;
+    if (arguments.size() == 2 && !partial) break;
+    arguments.push_back(argument_at(tokens, open));
+  }
+  read(tokens.subspan(begin, order.next - begin));
+  cursor.at = arguments.back().next;
+  const Span span = span_of(tokens.subspan(begin, cursor.at - begin));
+  const bool acts = arguments.size() > 1 && !trim(arguments[0].content).empty();
+  std::vector<WrittenVariable> by;
+  for (std::size_t k = arguments.size() > 1 ? 1 : 0; k < arguments.size(); ++k) {
+    const auto variable = this->variable(inner(arguments[k].content, span));
+    if (!variable || variable->times != 1) return opaque(span, "this derivative is not read");
+    by.push_back(*variable);
+  }
+  if (order.next != at) {
+    const std::string times = text_of(order.content);
+    if (times.size() != 1 || times[0] < '1' || times[0] > '9' || by.size() > 1)
+      return opaque(span, "the order of this derivative is not read");
+    by[0].times = static_cast<std::uint8_t>(times[0] - '0');
+  }
+  if (!acts) return operate(cursor, {partial, std::move(by)}, span);
+  return tree_.add_derivative(span, {partial, std::move(by)}, inner(arguments[0].content, span));
+}
+
+/// `\partial_i f`: acts on the next factor; where another one follows that it could act on too, it is not
+/// read.
+SyntaxId Parser::partial(Cursor& cursor) {
+  if (const auto slash = slash_derivative(cursor)) return *slash;
+  const Token token = cursor.token();
+  const std::size_t script = skip_blank(cursor.tokens, cursor.at + 1);
+  read_sign(cursor);
+  ++cursor.at;
+  if (script >= cursor.tokens.size() || cursor.tokens[script].kind != TokenKind::subscript)
+    return opaque(token.span, "`\\partial` without an index or a fraction is not read");
+  const Argument argument = script_argument_at(cursor.tokens, script + 1);
+  cursor.at = argument.next;
+  read(cursor.tokens.subspan(script, 1));
+  const Span span = cover(token.span, span_of(cursor.tokens.subspan(script, argument.next - script)));
+  std::vector<WrittenVariable> by;
+  if (auto obstacle = read_partial_index(argument.content, by)) return tree_.add_opaque(span, *obstacle);
+  cursor.skip_spacing();
+  if (cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
+    return opaque(span, "this derivative has nothing behind it to act on");
+  if (cursor.token().kind == TokenKind::superscript) {
+    cursor.at = script_argument_at(cursor.tokens, cursor.at + 1).next;
+    return opaque(span, "a power of `\\partial` is not read");
+  }
+  std::vector<SyntaxChild> factors;
+  bool more = true;
+  while (more && (factors.empty() || is_constant(factors.back().id))) {
+    factors.push_back({factor(cursor), factors.empty() ? Joint::none : Joint::juxtaposed});
+    cursor.skip_spacing();
+    more = !cursor.done() && !starts_sign(cursor) && factor_joint(cursor.token()) == Joint::none;
+  }
+  const Span behind = cover(tree_[factors.front().id].span, tree_[factors.back().id].span);
+  const Span whole = cover(span, behind);
+  if (more && !is_control(cursor.token(), "partial")) return unclear_operand(whole);
+  const SyntaxId operand = factors.size() == 1 ? factors[0].id : tree_.add(SyntaxKind::term, behind, factors);
+  return tree_.add_derivative(whole, {true, std::move(by)}, operand);
+}
+
+/// A number, δ or ε: whether it is differentiated makes no difference.
+bool Parser::is_constant(SyntaxId id) const {
+  const auto is_number = [&](SyntaxId each) { return tree_[each].kind == SyntaxKind::number; };
+  if (tree_[id].kind == SyntaxKind::fraction) {
+    const auto parts = tree_.children(id);
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const SyntaxChild& part) { return is_number(part.id); });
+  }
+  if (tree_[id].kind != SyntaxKind::symbol) return is_number(id);
+  const WrittenSymbol& symbol = tree_.symbol(id);
+  return (symbol.letter == "\\delta" && symbol.lower.size() == 2) ||
+         (symbol.letter == "\\epsilon" && symbol.lower.size() == 3);
+}
+
+std::optional<Obstacle> Parser::read_partial_index(TokenView content, std::vector<WrittenVariable>& by) {
+  const bool nested = std::any_of(content.begin(), content.end(),
+                                  [](const Token& token) { return token.kind == TokenKind::subscript; });
+  if (nested) {  // \partial_{x_i}
+    const auto variable = this->variable(inner(content, span_of(content)));
+    if (!variable)
+      return Obstacle{
+          DiagnosticKind::unsupported, fmt::format("a derivative by `{}` is not read", text_of(content)), {}};
+    by.push_back(*variable);
+    return std::nullopt;
+  }
+  const IndexReading reading = read_indices(content);
+  if (reading.obstacle) return reading.obstacle;
+  if (reading.indices.empty()) return Obstacle{DiagnosticKind::bad_syntax, "the subscript is empty", {}};
+  for (const WrittenIndex& index : reading.indices) {
+    const bool either = index.text == "r" || index.text == "s" || index.text == "\\rho" ||
+                        index.text == "\\sigma" || index.form == IndexForm::word;
+    if (either)
+      return Obstacle{DiagnosticKind::ambiguous_reading,
+                      fmt::format("`{}` can be an index here, or what is differentiated by", index.text),
+                      {"write `\\frac{\\partial}{\\partial r}` for a derivative by `r`"}};
+    by.push_back(coordinate_of(index));
+  }
+  read(content);
+  return std::nullopt;
+}
+
+/// `\right|_{\text{in}}`, `\bigg|_{x=0}` behind an expression.
+std::optional<Parser::EvaluationBar> Parser::evaluation_bar(Cursor& cursor) {
+  const TokenView tokens = cursor.tokens;
+  const std::size_t bar = skip_narrow(tokens, cursor.at);
+  if (bar >= tokens.size()) return std::nullopt;
+  if (!is_sign(tokens[bar], "|") && !is_control(tokens[bar], "vert") && !is_control(tokens[bar], "rvert"))
+    return std::nullopt;
+  const std::size_t script = skip_blank(tokens, bar + 1);
+  if (script >= tokens.size() || tokens[script].kind != TokenKind::subscript) return std::nullopt;
+  const Argument argument = script_argument_at(tokens, script + 1);
+  cursor.at = argument.next;
+  read(tokens.subspan(bar, argument.next - bar));
+  IndexReading reading = read_indices(argument.content);
+  const bool named = !reading.obstacle && !reading.indices.empty() &&
+                     std::none_of(reading.indices.begin(), reading.indices.end(),
+                                  [](const WrittenIndex& index) { return index.form == IndexForm::digit; });
+  return EvaluationBar{named ? std::move(reading.indices) : std::vector<WrittenIndex>{},
+                       span_of(tokens.subspan(bar, argument.next - bar))};
+}
+
+SyntaxId Parser::in_frame(SyntaxId node, bool partial, EvaluationBar bar) {
+  const Span span = cover(tree_[node].span, bar.span);
+  if (tree_[node].kind == SyntaxKind::opaque) return node;
+  if (tree_[node].kind != SyntaxKind::derivative || partial || bar.indices.empty())
+    return opaque(span, "an evaluation bar is read only where it names the frame of a derivative");
+  const SyntaxChild child{node};
+  const SyntaxId group = tree_.add(SyntaxKind::group, tree_[node].span, {&child, 1});
+  return tree_.add_component(span, group, std::move(bar.indices));
+}
+
+}  // namespace rigor

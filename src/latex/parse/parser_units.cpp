@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers with units: \SI{3}{kg.m^2}, \qty{3}{\kilo\gram}, \unit{m/s}, \num{3.2e5}, and 3\,\mathrm{kg}.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "latex/parse/parser.h"
+#include "latex/token/cover_tokens.h"
+#include "latex/unit/units.h"
+
+namespace rigor {
+namespace {
+
+constexpr int most_tens = 300;
+
+/// `3.2e5` as digits, `320000`; nothing for what is no such number.
+std::optional<std::string> digits_of(std::string_view text, bool& negative) {
+  std::string digits;
+  for (const char c : text) {
+    if (c != ' ' && c != '~') digits += c == 'E' ? 'e' : c;
+  }
+  negative = digits.starts_with('-');
+  if (negative || digits.starts_with('+')) digits.erase(0, 1);
+  int tens = 0;
+  if (const auto e = digits.find('e'); e != std::string::npos) {
+    const std::size_t begin = e + (digits.substr(e + 1).starts_with('+') ? 2 : 1);
+    const char* end = digits.data() + digits.size();
+    const auto [last, error] = std::from_chars(digits.data() + begin, end, tens);
+    if (error != std::errc() || last != end || tens > most_tens || tens < -most_tens) return std::nullopt;
+    digits.erase(e);
+  }
+  auto point = digits.find('.');
+  if (point == std::string::npos) point = digits.size();
+  digits.erase(std::min(point, digits.size()), point < digits.size() ? 1 : 0);
+  if (digits.empty() || !std::all_of(digits.begin(), digits.end(), is_digit)) return std::nullopt;
+  auto at = static_cast<std::ptrdiff_t>(point) + tens;
+  if (at <= 0) {
+    digits.insert(0, static_cast<std::size_t>(1 - at), '0');
+    at = 1;
+  }
+  const auto place = static_cast<std::size_t>(at);
+  if (place >= digits.size()) return digits + std::string(place - digits.size(), '0');
+  return digits.insert(place, ".");
+}
+
+}  // namespace
+
+/// `\qty` with two braces of which the second holds a unit; with anything else it is a bracket of the physics
+/// package.
+bool Parser::starts_quantity(const Cursor& cursor) {
+  const std::string_view name = cursor.token().text;
+  if (name == "SI" || name == "si" || name == "num") return true;
+  if (name != "qty" && name != "unit") return false;
+  const auto is_group = [&](std::size_t at) {
+    return at < cursor.tokens.size() && cursor.tokens[at].kind == TokenKind::begin_group;
+  };
+  const std::size_t first = skip_blank(cursor.tokens, cursor.at + 1);
+  if (!is_group(first)) return false;
+  if (name == "unit") return true;
+  const Argument number = argument_at(cursor.tokens, first);
+  const std::size_t second = skip_blank(cursor.tokens, number.next);
+  bool negative = false;
+  return is_group(second) && digits_of(text_of(number.content), negative) &&
+         read_unit(text_of(argument_at(cursor.tokens, second).content), UnitNames::units);
+}
+
+SyntaxId Parser::quantity(Cursor& cursor) {
+  const Token token = cursor.token();
+  const std::size_t begin = cursor.at;
+  const bool has_number = token.text == "SI" || token.text == "qty" || token.text == "num";
+  const bool has_unit = token.text != "num";
+  std::size_t at = skip_blank(cursor.tokens, cursor.at + 1);
+  const auto skip_options = [&] {
+    if (at >= cursor.tokens.size() || !is_sign(cursor.tokens[at], "[")) return;
+    while (at < cursor.tokens.size() && !is_sign(cursor.tokens[at], "]")) ++at;
+    at = skip_blank(cursor.tokens, std::min(at + 1, cursor.tokens.size()));
+  };
+  skip_options();
+  std::vector<SyntaxChild> factors;
+  Span span = token.span;
+  const auto argument = [&] {
+    const Argument found = argument_at(cursor.tokens, at);
+    at = found.next;
+    span = cover(token.span, cursor.tokens.subspan(begin, at - begin));
+    return text_of(found.content);
+  };
+  if (has_number) {
+    const std::string text = argument();
+    bool negative = false;
+    const auto digits = digits_of(text, negative);
+    cursor.at = at;
+    if (!digits) return opaque(span, fmt::format("`{}` is not read as a number", text));
+    const SyntaxId number = tree_.add_text(SyntaxKind::number, span, *digits);
+    const SyntaxChild minus{number, Joint::minus, span};
+    factors.push_back({negative ? tree_.add(SyntaxKind::sum, span, {&minus, 1}) : number});
+  }
+  if (has_unit) {
+    at = skip_blank(cursor.tokens, at);
+    skip_options();
+    const std::string text = argument();
+    cursor.at = at;
+    std::string problem;
+    if (!read_unit(text, UnitNames::units, &problem)) return opaque(span, std::move(problem));
+    factors.push_back({tree_.add_text(SyntaxKind::unit, span, text), Joint::juxtaposed, span});
+  }
+  read_since(cursor, begin);
+  if (factors.size() == 1 && tree_[factors[0].id].kind != SyntaxKind::sum) return factors[0].id;
+  const SyntaxChild whole{factors.size() == 1 ? factors[0].id : tree_.add(SyntaxKind::term, span, factors)};
+  return tree_.add(SyntaxKind::group, span, {&whole, 1});
+}
+
+/// A number, a power of one, a fraction of two, or what has a unit already.
+bool Parser::takes_unit(SyntaxId id) const {
+  switch (tree_[id].kind) {
+    case SyntaxKind::number:
+    case SyntaxKind::unit:
+      return true;
+    case SyntaxKind::power:
+      return takes_unit(tree_.child(id, 0));
+    case SyntaxKind::fraction:
+      return takes_unit(tree_.child(id, 0)) && takes_unit(tree_.child(id, 1));
+    default:
+      return false;
+  }
+}
+
+bool Parser::has_unit(SyntaxId id) const {
+  if (tree_[id].kind == SyntaxKind::power) return has_unit(tree_.child(id, 0));
+  return tree_[id].kind == SyntaxKind::unit;
+}
+
+/// A roman word behind a number or a unit: `3\,\mathrm{kg\,m^2}`.
+std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, bool spaced) {
+  if (!takes_unit(before) || cursor.done()) return std::nullopt;
+  const auto style = style_of(cursor.token());
+  const bool roman = (style && style->upright) || is_words(cursor.token());
+  if (!roman) return std::nullopt;
+  const Argument word = argument_at(cursor.tokens, cursor.at + 1);
+  const std::string text = text_of(word.content);
+  const bool apart = spaced || is_words(cursor.token()) || has_unit(before);
+  const std::size_t behind = skip_blank(cursor.tokens, word.next);
+  const bool goes_on = behind < cursor.tokens.size() &&
+                       (cursor.tokens[behind].kind == TokenKind::subscript ||
+                        is_sign(cursor.tokens[behind], "(") || is_sign(cursor.tokens[behind], "'"));
+  if (goes_on || !is_unit_word(text, apart)) return std::nullopt;
+  const Span span =
+      cover(cursor.token().span, span_of(cursor.tokens.subspan(cursor.at, word.next - cursor.at)));
+  read(cursor.tokens.subspan(cursor.at, word.next - cursor.at));
+  cursor.at = word.next;
+  return scripts(cursor, tree_.add_text(SyntaxKind::unit, span, text));
+}
+
+}  // namespace rigor

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/parse/unseen_braces.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "base/among.h"
+#include "base/ascii.h"
+#include "latex/token/vocabulary.h"
+
+namespace rigor {
+namespace {
+
+bool means_nothing(const Token& token) {
+  return is_blank(token) || is_spacing(token) || is_wide_space(token) || token.kind == TokenKind::align;
+}
+
+/// `a \over b` is seen as what it is, and a switch such as `\rm` is about the look of what it holds.
+bool is_seen(const Token& token) {
+  static constexpr std::array<std::string_view, 17> controls{
+      "over", "atop", "choose", "above", "brack", "brace", "rm",       "bf", "it",
+      "cal",  "sf",   "tt",     "frak",  "scr",   "sc",    "oldstyle", "sl"};
+  return is_control_of(token, controls) || relation_kind(token).has_value();
+}
+
+/// What acts on all that follows in its term, or may.
+bool acts(const Token& token) {
+  static constexpr std::array<std::string_view, 12> controls{
+      "nabla", "partial", "sum", "int", "oint", "prod", "iint", "iiint", "lim", "grad", "curl", "dd"};
+  return is_control_of(token, controls) ||
+         (token.kind == TokenKind::control && !function_name(token.text).empty());
+}
+
+/// What stands in a group, outside its own brackets and arguments.
+struct Contents {
+  int operands = 0;
+  bool sum = false;     // several terms
+  bool sign = false;    // one before the first
+  bool joined = false;  // by `\cdot`, `\times`, `/`
+  bool acting = false;
+  bool power = false;  // the last operand has one
+  bool seen = false;
+};
+
+/// Behind the bracket, environment or `\left…\right` that begins at `at`.
+std::size_t behind_enclosed(TokenView tokens, std::size_t at) {
+  Nesting nesting(false);
+  static_cast<void>(nesting.enter(tokens[at]));
+  for (std::size_t next = at + 1; next < tokens.size(); ++next) {
+    if (nesting.enter(tokens[next]) == 0) return next + 1;
+  }
+  return tokens.size();
+}
+
+/// Behind a control with the arguments that stand there: groups, or one token where it takes one.
+std::size_t behind_control(TokenView tokens, std::size_t at) {
+  const Token& control = tokens[at];
+  std::size_t next = at + 1;
+  if (!letter_of(control).empty()) return next;
+  if (is_control(control, "sqrt")) next = optional_argument_at(tokens, next).next;
+  const bool takes = style_of(control) || dots_of(control) > 0 || is_control(control, "sqrt");
+  const int least = is_fraction(control) ? 2 : takes ? 1 : 0;
+  for (int taken = 0;; ++taken) {
+    const std::size_t open = skip_blank(tokens, next);
+    const bool group = open < tokens.size() && tokens[open].kind == TokenKind::begin_group;
+    if (open >= tokens.size() || (!group && taken >= least)) return next;
+    next = argument_at(tokens, open).next;
+  }
+}
+
+std::size_t behind_operand(TokenView tokens, std::size_t at) {
+  const Token& token = tokens[at];
+  if (token.kind == TokenKind::begin_group) return argument_at(tokens, at).next;
+  if (token.kind == TokenKind::digit || is_sign(token, ".")) {
+    while (at < tokens.size() && (tokens[at].kind == TokenKind::digit || is_sign(tokens[at], "."))) ++at;
+    return at;
+  }
+  const bool opens = is_sign(token, "(") || is_sign(token, "[") || is_control(token, "begin") ||
+                     is_control(token, "{") || is_control(token, "lbrace");
+  if (opens) return behind_enclosed(tokens, at);
+  if (is_sign(token, "|") || is_control(token, "vert")) {
+    const auto rest = tokens.subspan(at + 1);
+    const auto close = std::find_if(rest.begin(), rest.end(), [](const Token& other) {
+      return is_sign(other, "|") || is_control(other, "vert");
+    });
+    return std::min(at + 2 + static_cast<std::size_t>(close - rest.begin()), tokens.size());
+  }
+  return token.kind == TokenKind::control ? behind_control(tokens, at) : at + 1;
+}
+
+Contents contents_of(TokenView group) {
+  Contents found;
+  for (std::size_t at = 0; at < group.size();) {
+    const Token& token = group[at];
+    found.seen = found.seen || is_seen(token);
+    if (means_nothing(token) || is_bracket_size(token)) {
+      ++at;
+    } else if (is_script(token)) {
+      found.power = token.kind == TokenKind::superscript;
+      at = is_sign(token, "'") ? at + 1 : script_argument_at(group, at + 1).next;
+    } else if (is_sum_sign(token)) {
+      (found.operands > 0 ? found.sum : found.sign) = true;
+      ++at;
+    } else if (factor_joint(token) != Joint::none) {
+      found.joined = true;
+      ++at;
+    } else {
+      ++found.operands;
+      found.power = false;
+      found.acting = found.acting || acts(token);
+      at = behind_operand(group, at);
+    }
+  }
+  return found;
+}
+
+/// `dx`, `\Delta x`, `\partial x`: `{\Delta x}^2` is seen as it is meant.
+bool is_change(TokenView group) {
+  group = trim(group);
+  if (group.empty()) return false;
+  const Token& first = group.front();
+  const bool upright = is_control(first, "mathrm") && text_of(argument_at(group, 1).content) == "d";
+  const bool marks = upright || is_control(first, "Delta") || is_control(first, "delta") ||
+                     is_control(first, "partial") || (first.kind == TokenKind::letter && first.text == "d");
+  if (!marks) return false;
+  const std::size_t next = upright ? argument_at(group, 1).next : 1;
+  const Contents rest = contents_of(group.subspan(next));
+  return rest.operands == 1 && !rest.sum && !rest.joined && !rest.power;
+}
+
+/// What stands beside a group.
+struct Sides {
+  const Token* before = nullptr;
+  const Token* behind = nullptr;
+  bool acting = false;  // something in the term before it
+};
+
+Sides sides_of(TokenView tokens, std::size_t at, std::size_t next) {
+  Sides sides;
+  while (next < tokens.size() && means_nothing(tokens[next])) ++next;
+  if (next < tokens.size()) sides.behind = &tokens[next];
+  for (std::size_t k = at; k > 0;) {
+    const Token& token = tokens[--k];
+    if (means_nothing(token)) continue;
+    if (sides.before == nullptr) sides.before = &token;
+    if (is_sum_sign(token)) break;
+    const bool differential = token.kind == TokenKind::letter && token.text == "d";
+    sides.acting = sides.acting || acts(token) || differential;
+  }
+  return sides;
+}
+
+bool ends_term(const Token* token) {
+  return token == nullptr || is_sum_sign(*token) || is_sign(*token, ",") || is_sign(*token, ";");
+}
+
+}  // namespace
+
+bool groups_unseen(TokenView tokens, std::size_t at) {
+  if (at >= tokens.size() || tokens[at].kind != TokenKind::begin_group || tokens[at].span.empty())
+    return false;
+  const Argument group = argument_at(tokens, at);
+  const Contents inside = contents_of(group.content);
+  if (inside.seen || inside.operands == 0) return false;
+  const Sides sides = sides_of(tokens, at, group.next);
+  const bool scripted = sides.behind != nullptr && is_script(*sides.behind);
+  if (inside.sum) {
+    const bool minus = sides.before != nullptr && is_sum_sign(*sides.before) && !is_sign(*sides.before, "+");
+    return minus || !ends_term(sides.before) || !ends_term(sides.behind);
+  }
+  const bool several = inside.operands > 1 || inside.joined;
+  if (scripted && (several || inside.sign)) return !is_change(group.content);
+  const bool divides = sides.before != nullptr && factor_joint(*sides.before) == Joint::slash;
+  if (inside.sign && !ends_term(sides.before) && factor_joint(*sides.before) == Joint::none) return true;
+  if (inside.acting && !ends_term(sides.behind)) return true;
+  if (!several) return false;
+  if (divides || sides.acting) return true;
+  return inside.joined && (!ends_term(sides.before) || !ends_term(sides.behind));
+}
+
+bool stacks_powers(TokenView tokens, std::size_t at) {
+  const Argument group = argument_at(tokens, at);
+  const Token* behind = sides_of(tokens, at, group.next).behind;
+  if (behind == nullptr || behind->kind != TokenKind::superscript || tokens[at].span.empty()) return false;
+  const Contents inside = contents_of(group.content);
+  return inside.power && inside.operands == 1 && !inside.seen;
+}
+
+bool holds_unseen_sum(TokenView tokens, std::size_t at) {
+  if (at >= tokens.size() || tokens[at].kind != TokenKind::begin_group || tokens[at].span.empty())
+    return false;
+  const Contents inside = contents_of(argument_at(tokens, at).content);
+  return inside.sum && !inside.seen;
+}
+
+}  // namespace rigor

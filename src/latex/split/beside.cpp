@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/split/beside.h"
+
+#include "base/ascii.h"
+#include "latex/split/blocks.h"
+#include "latex/split/differential.h"
+#include "latex/token/accounting.h"
+#include "latex/token/remarks.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t longest_list = 40;  // of tokens that are looked at
+
+bool is_swallowing(Remark kind) { return kind == Remark::no_sum || kind == Remark::cyclic; }
+
+bool is_visible_space(const Token& token) {
+  return is_sign(token, "~") || is_control(token, " ") || is_control(token, "enspace");
+}
+
+/// `\sin~x`: what stands behind the space belongs to the sign before it.
+bool awaits_argument(const Token& token) {
+  return token.kind == TokenKind::control && letter_of(token).empty();
+}
+
+/// A symbol with its accents, without its scripts.
+std::string bare_letter(TokenView symbol) {
+  Nesting nesting(false);
+  std::size_t end = 0;
+  while (end < symbol.size()) {
+    const bool script = symbol[end].kind == TokenKind::subscript ||
+                        symbol[end].kind == TokenKind::superscript || is_sign(symbol[end], "'");
+    if (nesting.enter(symbol[end]) == 0 && script) break;
+    ++end;
+  }
+  std::string text;
+  for (const Token& token : symbol.first(end)) {
+    if (!is_blank(token) && token.kind != TokenKind::begin_group && token.kind != TokenKind::end_group)
+      text += text_of({&token, 1});
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string spoken(TokenView tokens) {
+  std::string words;
+  for (std::size_t at = 0; at < tokens.size();) {
+    const bool text = is_words(tokens[at]) || is_control(tokens[at], "mathrm");
+    const Argument argument = text ? argument_at(tokens, at + 1) : Argument{tokens.subspan(at, 1), at + 1};
+    words += text_of(argument.content) + " ";
+    at = argument.next;
+  }
+  return words;
+}
+
+std::set<std::string> symbols_in(TokenView tokens) {
+  std::set<std::string> symbols;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    if (is_words(tokens[at])) {
+      at = argument_at(tokens, at + 1).next - 1;
+    } else if (const std::string letter = letter_of(tokens[at]); !letter.empty()) {
+      symbols.insert(letter.size() > 1 ? letter.substr(1) : letter);  // `alpha` of α
+    }
+  }
+  return symbols;
+}
+
+bool lists_symbols(TokenView tokens) {
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const Token& token = tokens[at];
+    if (is_words(token)) {
+      const Argument words = argument_at(tokens, at + 1);
+      if (remark_of(text_of(words.content)) != Remark::connective) return false;
+      at = words.next - 1;
+      continue;
+    }
+    const bool symbol = !letter_of(token).empty() || token.kind == TokenKind::digit || style_of(token) ||
+                        token.kind == TokenKind::subscript || is_sign(token, "'");
+    if (!symbol && !is_layout(token) && !is_sign(token, ",") && !is_sign(token, ".")) return false;
+  }
+  return true;
+}
+
+std::size_t remark_end(TokenView tokens, const Argument& words) {
+  const Remark kind = remark_of(text_of(words.content));
+  if (!is_swallowing(kind)) return words.next;
+  std::size_t end = words.next;
+  while (end < tokens.size() && end - words.next < longest_list && !is_wide_space(tokens[end]) &&
+         !is_words(tokens[end]) && !relation_kind(tokens[end]))
+    ++end;
+  if (end < tokens.size() && relation_kind(tokens[end])) return words.next;
+  const std::string all =
+      text_of(words.content) + " " + text_of(tokens.subspan(words.next, end - words.next));
+  return remark_of(all) == kind ? end : words.next;
+}
+
+std::size_t bracketed_remark_end(TokenView tokens, std::size_t at) {
+  if (!is_sign(tokens[at], "(") && !is_sign(tokens[at], "[")) return at;
+  const std::size_t inside = first_significant(tokens, at + 1);
+  if (inside >= tokens.size() || !is_words(tokens[inside])) return at;
+  const std::size_t end = bracket_end(tokens, at);
+  return is_swallowing(remark_of(spoken(tokens.subspan(at, end - at)))) ? end : at;
+}
+
+Beside behind_space(TokenView before, TokenView tokens, std::size_t at) {
+  before = trim(before);
+  if (before.empty() || !is_visible_space(before.back())) return Beside::goes_on;
+  const std::size_t end = symbol_end(tokens, at);
+  const std::size_t behind = first_significant(tokens, end);
+  if (end == at || behind >= tokens.size() || !relation_kind(tokens[behind])) return Beside::goes_on;
+  std::size_t last = before.size();
+  while (last > 0 && (is_blank(before[last - 1]) || is_spacing(before[last - 1]))) --last;
+  before = before.first(last);
+  if (before.empty() || ends_open(before) || awaits_argument(before.back())) return Beside::goes_on;
+  const std::size_t first = first_significant(before, 0);
+  const std::size_t left = symbol_end(before, first);
+  const std::size_t relation = first_significant(before, left);
+  const bool again =
+      left != first && relation < before.size() && relation_kind(before[relation]) &&
+      bare_letter(before.subspan(first, left - first)) == bare_letter(tokens.subspan(at, end - at));
+  return again ? Beside::begins : Beside::unclear;
+}
+
+}  // namespace rigor

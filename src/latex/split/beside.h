@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a remark such as "(no sum over i)" ends, and where the next equation begins without a wide space.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "latex/token/tokens.h"
+
+namespace rigor {
+
+/// The words with what stands between them, without the controls around them.
+[[nodiscard]] std::string spoken(TokenView tokens);
+
+/// The letters and signs with a name that stand outside of words: `i`, `alpha`.
+[[nodiscard]] std::set<std::string> symbols_in(TokenView tokens);
+
+/// Nothing but symbols with commas between, as behind `\forall`.
+[[nodiscard]] bool lists_symbols(TokenView tokens);
+
+/// `\text{no sum over }i`: the place behind the letters that belong to the words.
+[[nodiscard]] std::size_t remark_end(TokenView tokens, const Argument& words);
+
+/// `a_i = b_i \; (\text{no sum})`: the place behind a bracket at `at` that holds only "no sum" or "and cyclic
+/// permutations"; `at` itself for any other.
+[[nodiscard]] std::size_t bracketed_remark_end(TokenView tokens, std::size_t at);
+
+/// What a symbol does that stands behind a visible space (`~`, `\ `, `\enspace`) and directly before a
+/// relation.
+enum class Beside : std::uint8_t {
+  goes_on,  // no such symbol: it belongs to what stands before it
+  begins,   // `\dot\omega_1 = a~\dot\omega_2 = b`: the letter on the left side again, so the next equation
+  unclear,  // `a = b~c = d` is `a = b` and `c = d`, or `a = bc = d`
+};
+/// `before`: an equation with its relation.
+[[nodiscard]] Beside behind_space(TokenView before, TokenView tokens, std::size_t at);
+
+}  // namespace rigor

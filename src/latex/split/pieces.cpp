@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "latex/split/pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "base/among.h"
+#include "base/ascii.h"
+
+namespace rigor {
+namespace {
+
+bool is_layout_sign(const Token& token) {
+  static constexpr std::array<std::string_view, 10> controls{"\\", ",",    ";",     ":",     "!",
+                                                             " ",  "quad", "qquad", "notag", "nonumber"};
+  return is_blank(token) || token.kind == TokenKind::align || is_control_of(token, controls);
+}
+
+bool is_size(const Token& token) {
+  static constexpr std::array<std::string_view, 14> controls{"left",  "right", "big",   "Big",  "bigg",
+                                                             "Bigg",  "bigl",  "bigr",  "Bigl", "Bigr",
+                                                             "biggl", "biggr", "Biggl", "Biggr"};
+  return is_control_of(token, controls);
+}
+
+bool is_length_bar(const Token& token) {
+  return is_sign(token, "|") || is_control(token, "lvert") || is_control(token, "rvert");
+}
+
+int change_of_depth(const Token& token) {
+  if (token.kind == TokenKind::begin_group || is_sign(token, "(") || is_sign(token, "[")) return 1;
+  if (token.kind == TokenKind::end_group || is_sign(token, ")") || is_sign(token, "]")) return -1;
+  return 0;
+}
+
+/// What stands inside of something, to be cut in its turn.
+struct Inner {
+  TokenView tokens;
+  bool may_be_sum = false;
+};
+
+/// Controls whose arguments are sums as often as not.
+bool takes_sum(const Token& control) {
+  static constexpr std::array<std::string_view, 9> controls{"frac", "tfrac", "dfrac",      "sqrt", "abs",
+                                                            "norm", "qty",   "underbrace", "boxed"};
+  return is_control_of(control, controls);
+}
+
+/// Cuts one level into pieces; what it passes by on the way down is kept as further levels.
+class Cutter {
+ public:
+  explicit Cutter(TokenView tokens) : tokens_(tokens) {}
+
+  std::vector<Piece> cut(std::vector<Inner>& inner) {
+    inner_ = &inner;
+    std::vector<Piece> pieces;
+    while (at_ < tokens_.size()) {
+      if (is_layout_sign(tokens_[at_])) {
+        ++at_;
+      } else {
+        pieces.push_back(piece());
+      }
+    }
+    return pieces;
+  }
+
+ private:
+  Piece piece() {
+    const std::size_t begin = at_;
+    const Token& token = tokens_[at_];
+    PieceKind kind = PieceKind::factor;
+    if (is_sign(token, "+")) kind = PieceKind::plus;
+    if (is_sign(token, "-")) kind = PieceKind::minus;
+    if (is_control(token, "times") || is_control(token, "cross")) kind = PieceKind::cross;
+    if (is_control(token, "cdot") || is_control(token, "vdot") || is_sign(token, "/"))
+      kind = PieceKind::product;
+    if (kind != PieceKind::factor) {
+      ++at_;
+      return {kind, tokens_.subspan(begin, 1)};
+    }
+    Piece factor{kind, {}};
+    if (is_control(token, "sum")) factor.kind = PieceKind::big_sum;
+    base(factor);
+    scripts();
+    factor.tokens = tokens_.subspan(begin, at_ - begin);
+    return factor;
+  }
+
+  void base(Piece& factor) {
+    if (is_control(tokens_[at_], "qty")) ++at_;
+    if (at_ < tokens_.size() && is_size(tokens_[at_])) ++at_;
+    if (at_ >= tokens_.size()) return;
+    const Token& token = tokens_[at_];
+    if (is_length_bar(token))
+      return enclosed(factor, PieceKind::bars, [](const Token& other) { return is_length_bar(other); });
+    if (is_sign(token, "(") || is_sign(token, "[")) {
+      return enclosed(factor, PieceKind::factor,
+                      [](const Token& other) { return is_sign(other, ")") || is_sign(other, "]"); });
+    }
+    if (token.kind == TokenKind::digit) return number();
+    if (token.kind == TokenKind::begin_group) return arguments(factor, true);
+    ++at_;
+    if (token.kind == TokenKind::control && factor.kind != PieceKind::big_sum) {
+      const bool bars = token.text == "abs" || token.text == "norm";
+      const bool fraction = token.text == "frac" || token.text == "tfrac" || token.text == "dfrac";
+      if (bars && at_ < tokens_.size() && is_sign(tokens_[at_], "*")) ++at_;
+      arguments(factor, takes_sum(token));
+      if (bars && factor.inside.data() != nullptr) factor.kind = PieceKind::bars;
+      while (fraction && at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
+    }
+  }
+
+  /// From an opening sign to the closing one of the same depth.
+  template <class Closes>
+  void enclosed(Piece& factor, PieceKind kind, Closes closes) {
+    const std::size_t begin = ++at_;
+    std::size_t end = begin;
+    for (int depth = 0; end < tokens_.size(); ++end) {
+      if (depth == 0 && closes(tokens_[end])) break;
+      depth += change_of_depth(tokens_[end]);
+    }
+    at_ = std::min(end + 1, tokens_.size());
+    if (end > begin && is_size(tokens_[end - 1])) --end;
+    factor.kind = kind;
+    factor.inside = tokens_.subspan(begin, end - begin);
+    inner_->push_back({factor.inside, true});
+  }
+
+  void number() {
+    while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
+  }
+
+  void arguments(Piece& factor, bool may_be_sum) {
+    while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::begin_group) {
+      const Argument argument = argument_at(tokens_, at_);
+      factor.inside = argument.content;
+      inner_->push_back({argument.content, may_be_sum});
+      at_ = argument.next;
+    }
+  }
+
+  void scripts() {
+    while (at_ < tokens_.size() &&
+           (tokens_[at_].kind == TokenKind::superscript || tokens_[at_].kind == TokenKind::subscript ||
+            is_sign(tokens_[at_], "'"))) {
+      at_ = is_sign(tokens_[at_], "'") ? at_ + 1 : argument_at(tokens_, at_ + 1).next;
+    }
+  }
+
+  TokenView tokens_;
+  std::size_t at_ = 0;
+  std::vector<Inner>* inner_ = nullptr;
+};
+
+/// `\nabla^2`, `d^2x`, `\partial t^2`: how often, not a power.
+bool counts_derivatives(TokenView side, std::size_t superscript) {
+  const auto is_d = [&](std::size_t at) {
+    return is_control(side[at], "nabla") || is_control(side[at], "partial") ||
+           (side[at].kind == TokenKind::letter && side[at].text == "d");
+  };
+  return (superscript > 0 && is_d(superscript - 1)) ||
+         (superscript > 1 && (is_d(superscript - 2) ||
+                              (superscript > 2 && is_blank(side[superscript - 2]) && is_d(superscript - 3))));
+}
+
+}  // namespace
+
+std::vector<PieceLevel> levels_of(TokenView side) {
+  std::vector<PieceLevel> levels;
+  std::vector<Inner> pending{{side, true}};
+  for (std::size_t k = 0; k < pending.size(); ++k) {
+    const Inner inner = pending[k];
+    PieceLevel level{Cutter(inner.tokens).cut(pending), k == 0, inner.may_be_sum};
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+std::vector<PieceTerm> terms_of(const PieceLevel& level) {
+  std::vector<PieceTerm> terms;
+  const Piece* sign = nullptr;
+  for (const Piece& piece : level.pieces) {
+    if (piece.kind == PieceKind::plus || piece.kind == PieceKind::minus) {
+      sign = &piece;
+      continue;
+    }
+    if (terms.empty() || sign != nullptr) {
+      terms.push_back({sign, piece.tokens});
+    } else {
+      TokenView& tokens = terms.back().tokens;
+      tokens = {tokens.data(), piece.tokens.data() + piece.tokens.size()};
+    }
+    sign = nullptr;
+  }
+  return terms;
+}
+
+std::vector<TokenView> subscripts_of(TokenView side) {
+  std::vector<TokenView> subscripts;
+  for (std::size_t k = 1; k < side.size(); ++k) {
+    if (side[k].kind != TokenKind::subscript || is_control(side[k - 1], "sum")) continue;
+    subscripts.push_back(argument_at(side, k + 1).content);
+  }
+  return subscripts;
+}
+
+std::vector<TokenView> squares_of(TokenView side) {
+  std::vector<TokenView> squares;
+  for (std::size_t k = 0; k < side.size(); ++k) {
+    if (side[k].kind != TokenKind::superscript || counts_derivatives(side, k)) continue;
+    const Argument exponent = argument_at(side, k + 1);
+    if (text_of(exponent.content) == "2") squares.push_back(side.subspan(k, exponent.next - k));
+  }
+  return squares;
+}
+
+}  // namespace rigor

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/body/body.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/splitmix.h"
+#include "numeric/lane/double_double.h"
+#include "numeric/program/uniform.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
+
+/// Of a centre of mass from sharp sums, beside the extent of its body.
+constexpr double centre_rounding = 0x1p-90;
+
+}  // namespace
+
+Result<void> check_count(const Body& body) {
+  if (body.masses.empty()) return refuse("the body has no particles");
+  if (body.size() > most_particles)
+    return refuse(fmt::format("the body has {} particles, at most {}", body.size(), most_particles));
+  return {};
+}
+
+Result<void> check_body(const Body& body) {
+  if (const auto checked = check_count(body); !checked) return checked;
+  double total = 0;
+  for (std::size_t k = 0; k < body.size(); ++k) {
+    const double mass = body.masses[k];
+    if (!std::isfinite(mass) || mass < 0)
+      return refuse(
+          fmt::format("particle {} has the mass {} kg, which must be finite and not negative", k + 1, mass));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double x = body.positions[axis][k];
+      if (!std::isfinite(x))
+        return refuse(
+            fmt::format("particle {} has {} = {} m, which must be finite", k + 1, axis_names[axis], x));
+    }
+    total += mass;
+  }
+  if (total == 0) return refuse("the body has no mass");
+  if (!std::isfinite(total)) return refuse("the sum of the masses overflows");
+  return {};
+}
+
+PointColumns points_of(const Body& body) {
+  const auto& [x, y, z] = body.positions;
+  return {{x.data(), y.data(), z.data()}, body.masses.data(), body.size()};
+}
+
+double away_from(double x, const HighLow& centre) {
+  const auto difference = baseline::exact_difference(x, centre.high);
+  return difference.high + (difference.low - centre.low);
+}
+
+MovedCoordinates moved_coordinates(const double* coordinates, std::size_t count, std::size_t stride,
+                                   const HighLow& centre, double unit) {
+  MovedCoordinates moved;
+  moved.values.resize(count);
+  moved.rounded = unit != 1;
+  double extent = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double x = coordinates[stride * k];
+    moved.rounded = moved.rounded || baseline::exact_difference(x, centre.high).low != centre.low;
+    moved.values[k] = away_from(x, centre) * unit;
+    extent = std::max(extent, std::abs(moved.values[k]));
+  }
+  moved.shift = centre_rounding * extent + 0x1p-103 * std::abs(centre.high * unit) + 0x1p-1073;
+  return moved;
+}
+
+Result<Body> centred(Body body) {
+  if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
+  const auto centre = sharp_centre_of_mass(points_of(body));
+  if (!centre) return tl::unexpected(centre.error());
+  bool rounded = false;
+  double shift = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto moved = moved_coordinates(body.positions[axis].data(), body.size(), 1, (*centre)[axis]);
+    body.positions[axis] = std::move(moved.values);
+    rounded = rounded || moved.rounded;
+    shift = std::max(shift, moved.shift);
+  }
+  // Errors that are relative to the coordinates before are to the coordinates now and to the shift.
+  const auto far = [](const HighLow& x) { return std::abs(x.high); };
+  const double moved_by = std::max({far((*centre)[0]), far((*centre)[1]), far((*centre)[2])});
+  body.errors.shift += shift + body.errors.place * moved_by * (1 + 0x1p-40);
+  if (rounded) body.errors.place += 0x1.01p-53;
+  if (const auto checked = check_body(body); !checked) return tl::unexpected(checked.error());
+  return body;
+}
+
+std::optional<KnownInertia> known_inertia(const SharpMassSums& sums, double unit) {
+  KnownInertia known{.mass = sums.mass.high, .is_sharp = true, .mass_error = 0x1p-53};
+  double greatest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const HighLow& entry = sums.inertia[i][j];
+      const auto moment = baseline::DoubleDouble<double>{entry.high, entry.low} * unit * unit;
+      known.inertia[i][j] = moment.high;
+      known.low[i][j] = moment.low;
+      greatest = std::max(greatest, std::abs(moment.high));
+    }
+  }
+  known.error = (sums.error + 0x1p-100) * greatest;
+  if (!std::isfinite(greatest) || !std::isfinite(known.error)) return std::nullopt;
+  return known;
+}
+
+Result<Body> point_masses(std::string name, const std::vector<double>& masses,
+                          const std::vector<Position>& positions) {
+  if (masses.size() != positions.size())
+    return refuse(fmt::format("{} masses, but {} positions", masses.size(), positions.size()));
+  Body body{std::move(name), masses, {}, {}};
+  for (const Position& position : positions) {
+    for (std::size_t axis = 0; axis < 3; ++axis) body.positions[axis].push_back(position[axis]);
+  }
+  if (const auto sums = sharp_mass_sums(points_of(body))) body.known = known_inertia(*sums);
+  return centred(std::move(body));
+}
+
+Result<Body> random_cloud(std::string name, std::size_t count, std::uint64_t seed) {
+  if (count == 0) return refuse("the body has no particles");
+  if (count > most_particles)  // before they are in memory
+    return refuse(fmt::format("the body has {} particles, at most {}", count, most_particles));
+  SplitMix bits(seed);
+  Body body{std::move(name), {}, {}, {}};
+  for (std::size_t k = 0; k < count; ++k) {
+    body.masses.push_back(1 - uniform(bits));
+    for (std::vector<double>& coordinates : body.positions) coordinates.push_back(uniform_sign(bits));
+  }
+  return centred(std::move(body));
+}
+
+}  // namespace rigor

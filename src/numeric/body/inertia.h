@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mass, centre of mass and inertia tensor of a body, each on its own. Its principal moments and axes:
+// kernels/principal_moments.h.
+#pragma once
+
+#include "numeric/body/body.h"
+
+namespace rigor {
+
+/// kg. Error: the last rounding. Infinite where the sum overflows.
+[[nodiscard]] double total_mass(const Body& body);
+/// Error: the last rounding, beside 2^-90 of the body's extent. Cost: 3 ns a particle.
+[[nodiscard]] Result<Position> centre_of_mass(const Body& body);
+
+/// About the body's centre of mass, along its axes, wherever the body is: see `mass_sums`. Cost: one pass,
+/// 0.6 ns a particle where there are lanes of 8. Error: that of `mass_sums`, 24 u relative to the greatest
+/// entry but for underflow, 2 u as measured. Fails where a body is invalid or a sum overflows.
+[[nodiscard]] Result<InertiaTensor> inertia_tensor(const Body& body);
+
+/// The same as high + low, for differences of moments. Cost: 3 ns a particle. Error: 2^-100 relative to the
+/// greatest entry as measured.
+[[nodiscard]] Result<SharpTensor> sharp_inertia_tensor(const Body& body);
+
+}  // namespace rigor

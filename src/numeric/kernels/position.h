@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vectors and symmetric tensors by their components, as bodies and kernels hand them on.
+#pragma once
+
+#include <array>
+
+namespace rigor {
+
+/// A point or a vector by its components along the body's axes.
+using Position = std::array<double, 3>;
+/// I_ij = Σ m (r² δ_ij − x_i x_j), row by row; products of inertia carry the minus.
+using InertiaTensor = std::array<Position, 3>;
+
+}  // namespace rigor

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/lane/lane_kernels.h"
+
+namespace rigor {
+
+namespace baseline {
+extern const LaneKernels kernels;
+}
+#ifdef RIGOR_X86_64_LEVELS
+namespace x86_64_v3 {
+extern const LaneKernels kernels;
+}
+namespace x86_64_v4 {
+extern const LaneKernels kernels;
+}
+#endif
+
+const std::vector<const LaneKernels*>& runnable_lane_kernels() {
+  static const std::vector<const LaneKernels*> runnable = [] {
+    std::vector<const LaneKernels*> sets = {&baseline::kernels};
+#ifdef RIGOR_X86_64_LEVELS
+    if (__builtin_cpu_supports("x86-64-v3")) sets.push_back(&x86_64_v3::kernels);
+    if (__builtin_cpu_supports("x86-64-v4")) sets.push_back(&x86_64_v4::kernels);
+#endif
+    return sets;
+  }();
+  return runnable;
+}
+
+const LaneKernels& lane_kernels() {
+  static const LaneKernels& widest = *runnable_lane_kernels().back();
+  return widest;
+}
+
+}  // namespace rigor

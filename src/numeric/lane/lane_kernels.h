@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kernels that run in lanes, as they were compiled for one instruction set. All give the same bits, but
+// for plain sums over points, which have one rounding less a term where there is a fused multiply-add. The
+// widest set that the machine has is the fastest.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "numeric/lane/mesh_totals.h"
+#include "numeric/lane/point_sums.h"
+
+namespace rigor {
+
+struct MomentsColumns;
+struct FreeSpin;
+struct FreeAttitude;
+
+struct LaneKernels {
+  const char* instruction_set = "";  // baseline, x86_64_v3 (AVX2, FMA), x86_64_v4 (AVX-512)
+  std::size_t lanes = 0;             // doubles at once
+
+  // mesh_sums.h
+  MeshKernels mesh;
+
+  // principal_moments.h
+  void (*principal_moments)(const MomentsColumns&) = nullptr;
+
+  // mass_sums.h
+  SumPoints sum_points = nullptr;
+  SumPoints sum_points_sharply = nullptr;
+  SamplePoints sample_points = nullptr;
+
+  // torque_free.h
+  void (*set_free_spin)(const double* moments, const double* spin, FreeSpin& into) = nullptr;
+  void (*free_spin_at)(const FreeSpin& spin, double time, double* into) = nullptr;
+  void (*free_spins_at)(const FreeSpin& spin, const double* times, std::size_t count, double* into) = nullptr;
+
+  // torque_free_attitude.h
+  void (*set_free_attitude)(const double* moments, const double* spin, FreeAttitude& into) = nullptr;
+  void (*attitude_at)(const FreeAttitude& attitude, double time, double* into) = nullptr;
+  void (*attitudes_at)(const FreeAttitude& attitude, const double* times, std::size_t count,
+                       double* into) = nullptr;
+};
+
+/// Those that this program was built with and this machine can run, from the narrowest to the widest. Never
+/// empty.
+[[nodiscard]] const std::vector<const LaneKernels*>& runnable_lane_kernels();
+
+/// The widest of them.
+[[nodiscard]] const LaneKernels& lane_kernels();
+
+}  // namespace rigor

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An orthogonal similarity that makes a symmetric 3×3 tensor nearly diagonal, exactly a similarity.
+//
+// * In plain doubles, a quaternion q of axes: the eigenvector of the most separate eigenvalue from the
+// largest
+//   column of the adjugate, then one rotation about it.
+// * M(q), the rotation matrix times |q|², has MᵀM = |q|⁴ 1 for any q, so that S = MᵀbM in double-double has
+//   the eigenvalues of b times |q|⁴, whatever the first step got wrong: it only leaves S less diagonal.
+// Sources: D. Eberly, A Robust Eigensolver for 3 × 3 Symmetric Matrices (2014), for the first step; T. Ogita,
+// K. Aishima, Japan J. Indust. Appl. Math. 35 (2018) 1007, refine eigenvectors likewise, without the
+// quaternion.
+#pragma once
+
+#include "numeric/lane/double_double.h"
+
+namespace rigor::RIGOR_INSTRUCTION_SET {
+
+/// Diagonal a_ii, and beside it a_jk for the cyclic (i, j, k).
+template <class T>
+struct SymmetricTensor {
+  DoubleDouble<T> diagonal[3];
+  DoubleDouble<T> off[3];
+};
+
+template <class T>
+struct Quaternion {
+  T w, x, y, z;
+};
+
+/// a / b, and 0 where b is 0.
+template <class T>
+RIGOR_INLINE T quotient(T a, T b) {
+  return select(b == 0, b, a / b);
+}
+
+/// 2 cos(arccos(r)/3) for 0 ≤ r ≤ 1, the greatest root of β³ − 3β = 2r, to 3e-13: the polynomial of degree 13
+/// through the Chebyshev points.
+template <class T>
+RIGOR_INLINE T greatest_cubic_root(T r) {
+  constexpr double coefficients[] = {1.7320508075691519,     0.33333333322423364,    -0.09622503767726746,
+                                     0.04938252799049257,    -0.03118144813179973,   0.021926159068763287,
+                                     -0.016396215571246233,  0.012546952478520064,   -0.00931458308800107,
+                                     0.00622126514021407,    -0.0034123422145577414, 0.001383040549366602,
+                                     -0.0003582296360816274, 4.377029836177826e-05};
+  const T square = r * r;
+  T even = all<T>(coefficients[12]);
+  T odd = all<T>(coefficients[13]);
+  for (int k = 10; k >= 0; k -= 2) {
+    even = even * square + coefficients[k];
+    odd = odd * square + coefficients[k + 1];
+  }
+  return even + odd * r;
+}
+
+/// The deviator of a tensor in plain doubles, and the eigenvector of the eigenvalue that is most separate
+/// from the others; not normalised, with z ≥ 0.
+template <class T>
+struct Separate {
+  T diagonal[3];
+  T off[3];
+  T axis[3];
+};
+
+template <class T>
+RIGOR_INLINE Separate<T> separate_axis(const SymmetricTensor<T>& b) {
+  Separate<T> c;
+  const T mean = (b.diagonal[0].high + b.diagonal[1].high + b.diagonal[2].high) * (1. / 3);
+  T squares = T{};
+  for (int i = 0; i < 3; ++i) {
+    c.diagonal[i] = b.diagonal[i].high - mean;
+    c.off[i] = b.off[i].high;
+    squares = squares + (c.diagonal[i] * c.diagonal[i] + 2 * (c.off[i] * c.off[i]));
+  }
+  const T p = root(squares * (1. / 6));  // eigenvalues p (2 cos …)
+  T determinant = 2 * (c.off[0] * c.off[1] * c.off[2]) + c.diagonal[0] * c.diagonal[1] * c.diagonal[2];
+  for (int i = 0; i < 3; ++i) determinant = determinant - c.diagonal[i] * (c.off[i] * c.off[i]);
+  const T r = quotient(determinant * 3, squares * p);  // det/(2 p³)
+  const T value = with_sign(greatest_cubic_root(absolute(r)) * p, r);
+
+  T d[3];
+  for (int i = 0; i < 3; ++i) d[i] = c.diagonal[i] - value;
+  // adj(c − value 1) = κ n nᵀ with κ > 0: the column with the largest diagonal entry.
+  T adjugate_diagonal[3];
+  T adjugate_off[3];
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    adjugate_diagonal[i] = d[j] * d[k] - c.off[i] * c.off[i];
+    adjugate_off[i] = c.off[j] * c.off[k] - d[i] * c.off[i];
+  }
+  T best = adjugate_diagonal[0];
+  c.axis[0] = adjugate_diagonal[0];
+  c.axis[1] = adjugate_off[2];
+  c.axis[2] = adjugate_off[1];
+  for (int i = 1; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    const auto larger = adjugate_diagonal[i] > best;
+    best = select(larger, adjugate_diagonal[i], best);
+    c.axis[i] = select(larger, adjugate_diagonal[i], c.axis[i]);
+    c.axis[j] = select(larger, adjugate_off[k], c.axis[j]);
+    c.axis[k] = select(larger, adjugate_off[j], c.axis[k]);
+  }
+  const T sign = with_sign(all<T>(1), c.axis[2]);
+  for (int i = 0; i < 3; ++i) c.axis[i] = c.axis[i] * sign;
+  return c;
+}
+
+/// A unit quaternion, to rounding, of the rotation that carries z to the separate axis and x, y to the other
+/// two.
+template <class T>
+RIGOR_INLINE Quaternion<T> nearly_diagonalising(const SymmetricTensor<T>& b) {
+  const Separate<T> c = separate_axis(b);
+  const T x = c.axis[0];
+  const T y = c.axis[1];
+  const T length = root(x * x + y * y + c.axis[2] * c.axis[2]);
+  const T h = length + c.axis[2];
+  // Of length l h, orthogonal to the axis and to each other: what (h, −y, x, 0) carries x and y to.
+  const T e[3] = {length * h - x * x, -(x * y), -(x * h)};
+  const T f[3] = {e[1], length * h - y * y, -(y * h)};
+  T ee = T{};
+  T ef = T{};
+  T ff = T{};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    const T ce = c.diagonal[i] * e[i] + (c.off[k] * e[j] + c.off[j] * e[k]);
+    const T cf = c.diagonal[i] * f[i] + (c.off[k] * f[j] + c.off[j] * f[k]);
+    ee = ee + e[i] * ce;
+    ef = ef + e[i] * cf;
+    ff = ff + f[i] * cf;
+  }
+  // φ, |φ| ≤ π/4, is the rotation about the axis that makes ef vanish: (|half| + l, ef) has the direction φ,
+  // where l = √(half² + ef²), and its sum with its length along x has the direction φ/2.
+  const T half = (ee - ff) * 0.5;
+  const T towards = absolute(half) + root(half * half + ef * ef);
+  const T cosine = towards + root(towards * towards + ef * ef);
+  const T sine = with_sign(all<T>(1), half) * ef;
+  const auto round = cosine == 0;
+  const T w = select(round, all<T>(1), cosine);
+  const Quaternion<T> q = {h * w, x * sine - y * w, x * w + y * sine, h * sine};
+  const T norm = quotient(all<T>(1), root(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z));
+  return {q.w * norm, q.x * norm, q.y * norm, q.z * norm};
+}
+
+/// The rotation matrix of q times |q|², by columns, and |q|⁴ − 1.
+template <class T>
+struct Rotation {
+  DoubleDouble<T> column[3][3];
+  T excess;
+};
+
+/// Not normalised.
+template <class T>
+RIGOR_INLINE DoubleDouble<T> raw_sum(DoubleDouble<T> a, DoubleDouble<T> b) {
+  const DoubleDouble<T> s = exact_sum(a.high, b.high);
+  return {s.high, s.low + (a.low + b.low)};
+}
+
+template <class T>
+RIGOR_INLINE Rotation<T> rotation_of(const Quaternion<T>& q) {
+  const T v[3] = {q.x, q.y, q.z};
+  Rotation<T> m;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    const DoubleDouble<T> product = exact_product(2 * v[i], v[j]);
+    const DoubleDouble<T> turn = exact_product(2 * q.w, v[k]);
+    m.column[i][j] = raw_sum(product, turn);
+    m.column[j][i] = raw_sum(product, -turn);
+  }
+  const DoubleDouble<T> ww = exact_product(q.w, q.w);
+  const DoubleDouble<T> xx = exact_product(q.x, q.x);
+  const DoubleDouble<T> yy = exact_product(q.y, q.y);
+  const DoubleDouble<T> zz = exact_product(q.z, q.z);
+  const DoubleDouble<T> w_and_z = raw_sum(ww, zz);
+  const DoubleDouble<T> w_less_z = raw_sum(ww, -zz);
+  const DoubleDouble<T> x_and_y = raw_sum(xx, yy);
+  const DoubleDouble<T> x_less_y = raw_sum(xx, -yy);
+  m.column[0][0] = raw_sum(w_less_z, x_less_y);
+  m.column[1][1] = raw_sum(w_less_z, -x_less_y);
+  m.column[2][2] = raw_sum(w_and_z, -x_and_y);
+  const DoubleDouble<T> norm = raw_sum(w_and_z, x_and_y);
+  const T e = (norm.high - 1) + norm.low;
+  m.excess = 2 * e + e * e;
+  return m;
+}
+
+/// MᵀbM, which is diagonal but for small numbers: S₀₁, and S₀₂ and S₁₂. Nothing is normalised.
+template <class T>
+struct NearlyDiagonalTensor {
+  DoubleDouble<T> diagonal[3];
+  T pair;
+  T separate[2];
+};
+
+template <bool sharp, class T>
+RIGOR_INLINE NearlyDiagonalTensor<T> transformed(const SymmetricTensor<T>& b, const Rotation<T>& m) {
+  DoubleDouble<T> bm[3][3];  // by columns
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      CompensatedSum<T> sum = sum_of(raw_product(m.column[c][i], b.diagonal[i]));
+      if constexpr (sharp) {
+        sum.add(raw_product(m.column[c][j], b.off[k]));
+        sum.add(raw_product(m.column[c][k], b.off[j]));
+      } else {
+        sum.add(raw_product(m.column[c][j], b.off[k].high));
+        sum.add(raw_product(m.column[c][k], b.off[j].high));
+      }
+      bm[c][i] = sum.raw();
+    }
+  }
+  const auto product_of = [&](int i, int j) RIGOR_INLINE_LAMBDA {
+    CompensatedSum<T> sum = sum_of(raw_product(m.column[i][0], bm[j][0]));
+    for (int l = 1; l < 3; ++l) sum.add(raw_product(m.column[i][l], bm[j][l]));
+    return sum.raw();
+  };
+  NearlyDiagonalTensor<T> s;
+  for (int i = 0; i < 3; ++i) s.diagonal[i] = product_of(i, i);
+  const DoubleDouble<T> off = product_of(0, 1);
+  s.pair = off.high + off.low;
+  // The columns of M are orthogonal, so that mᵢ·b m₂ = mᵢ·(b m₂ − λ m₂), which is small where λ is S₂₂.
+  s.separate[0] = T{};
+  s.separate[1] = T{};
+  for (int l = 0; l < 3; ++l) {
+    const DoubleDouble<T> along = exact_product(m.column[2][l].high, s.diagonal[2].high);
+    const T rest =
+        (bm[2][l].high - along.high) + (bm[2][l].low - (along.low + m.column[2][l].low * s.diagonal[2].high));
+    for (int i = 0; i < 2; ++i) s.separate[i] = s.separate[i] + m.column[i][l].high * rest;
+  }
+  return s;
+}
+
+}  // namespace rigor::RIGOR_INSTRUCTION_SET

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Clouds of point masses from files, by the ending of the name in any case:
+//
+//   .bin          records of four little-endian doubles x, y, z, m, 32 bytes a point, nothing else
+//   .txt, .csv    a line `x y z m` for each point, with blanks or commas between the numbers; `#` begins a
+//                 comment, lines without a number are ignored
+//
+// in m and kg. Files are mapped: sums over a binary file read it where it lies, without a copy; text is
+// parsed there. A reason names the point or the line (from 1).
+#pragma once
+
+#include <string>
+
+#include "numeric/body/body.h"
+
+namespace rigor {
+
+/// Mass, centre of mass and inertia tensor of the points, as `mass_sums` has them. Cost of a binary file:
+/// that of reading it. At most `most_particles`.
+[[nodiscard]] Result<MassSums> mass_sums_of_file(const std::string& path, const SumOptions& options = {});
+
+/// The points as a body, about their centre of mass; `unit` is the length of 1 in the file, m. Copied once,
+/// when the centre is known, by all cores where there are more than 10^6 points.
+[[nodiscard]] Result<Body> read_cloud(std::string name, const std::string& path, double unit = 1);
+
+}  // namespace rigor

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/mesh/mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "numeric/body/bodies.h"
+#include "numeric/kernels/mesh_sums.h"
+#include "numeric/lane/double_double.h"
+#include "numeric/mesh/mesh_parts.h"
+
+namespace rigor {
+namespace {
+
+using Number = baseline::DoubleDouble<double>;
+
+/// Without an area: two edges from one corner are parallel, to rounding. Edges are scaled by a power of two.
+bool is_degenerate(const Position& a, const Position& b, const Position& c) {
+  double longest = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    longest = std::max({longest, std::abs(b[i] / 2 - a[i] / 2), std::abs(c[i] / 2 - a[i] / 2)});
+  if (longest == 0) return true;
+  const int exponent = std::ilogb(longest);
+  Position ab{};
+  Position ac{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    ab[i] = std::scalbn(b[i] / 2 - a[i] / 2, -exponent);
+    ac[i] = std::scalbn(c[i] / 2 - a[i] / 2, -exponent);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    if (ab[j] * ac[k] != ab[k] * ac[j]) return false;
+  }
+  return true;
+}
+
+std::size_t count_degenerate(const Mesh& mesh) {
+  const auto is_flat = [&](const std::array<std::uint32_t, 3>& t) {
+    return is_degenerate(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
+  };
+  return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), is_flat));
+}
+
+/// More than that lost to the determinants, and parts are taken one by one.
+constexpr double much_lost = 0x1p-60;
+
+/// In one, or, where that loses digits, by its parts. A part may be refused that alone encloses no volume.
+Result<MeshMoments> moments_of_surface(const Mesh& surface, MeshSharpness sharpness) {
+  auto whole = mesh_moments(surface.vertices, surface.triangles, sharpness);
+  if (whole && whole->errors.greatest <= much_lost) return whole;
+  const std::vector<Mesh> parts = connected_parts(surface);
+  if (parts.size() == 1) return whole;
+  auto joined = moments_of_parts(parts);
+  return joined || !whole ? joined : whole;
+}
+
+}  // namespace
+
+Result<MeshMass> in_unit(MeshMass enclosed, double unit) {
+  const double square = unit * unit;
+  enclosed.volume *= unit * square;
+  enclosed.volume_error += 4 * 0x1p-53;
+  for (std::size_t i = 0; i < 3; ++i) {
+    enclosed.centre[i] *= unit;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto moment = Number{enclosed.second_moments[i][j], enclosed.low[i][j]} * unit * unit;
+      if (!std::isfinite(moment.high)) return refuse("the second moments overflow");
+      enclosed.second_moments[i][j] = moment.high;
+      enclosed.low[i][j] = moment.low;
+      enclosed.error = std::max(enclosed.error, 0x1p-103 / square * std::abs(moment.high));
+    }
+  }
+  enclosed.error = 2 * enclosed.error * square + 0x1p-1072;
+  if (!std::isfinite(enclosed.volume)) return refuse("the volume overflows");
+  if (enclosed.volume < std::numeric_limits<double>::min()) return refuse("the volume underflows");
+  return enclosed;
+}
+
+Result<MeshMass> mesh_mass(const Mesh& mesh, MeshSharpness sharpness) {
+  if (mesh.triangles.empty()) return refuse("the mesh has no triangles");
+  const Result<Mesh> surface = welded(mesh);
+  if (!surface) return tl::unexpected(surface.error());
+  if (surface->triangles.empty()) return refuse("the mesh has no triangles");
+  if (const auto closed = check_closed(*surface); !closed) return tl::unexpected(closed.error());
+  const auto moments = moments_of_surface(*surface, sharpness);
+  if (!moments) return tl::unexpected(moments.error());
+
+  MeshMass mass;
+  mass.turned = moments->volume.high < 0;
+  mass.volume = std::abs(moments->volume.high);
+  mass.degenerate = mesh.triangles.size() - surface->triangles.size();
+  mass.is_sharp = moments->sharp;
+  mass.volume_error = moments->errors.volume + 0x1p-53;
+  if (moments->flat > 0) mass.degenerate += count_degenerate(*surface);
+  for (std::size_t i = 0; i < 3; ++i) {
+    mass.centre[i] = moments->centre[i].high;
+    for (std::size_t j = 0; j < 3; ++j) {
+      mass.second_moments[i][j] = moments->second_moments[i][j].high;
+      mass.low[i][j] = moments->second_moments[i][j].low;
+      mass.error = std::max(mass.error, moments->errors.second_moments[i][j]);
+    }
+  }
+  return mass;
+}
+
+Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass, double mass_error) {
+  if (!std::isfinite(mass) || mass <= 0)
+    return refuse(fmt::format("the mesh has the mass {} kg, which must be finite and positive", mass));
+  SecondMoments second{{}, enclosed.error};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j)
+      second.moments[i][j] = {enclosed.second_moments[i][j], enclosed.low[i][j]};
+  }
+  auto body = equimomental_body(std::move(name), mass, second, mass_error);
+  if (body) body->known->is_sharp = enclosed.is_sharp;
+  return body;
+}
+
+}  // namespace rigor

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/program/run_fuse.h"
+
+#include <utility>
+
+namespace rigor {
+namespace {
+
+[[nodiscard]] Kernel kernel_of(Instruction op) {
+  switch (op) {
+    case Instruction::add:
+      return Kernel::add;
+    case Instruction::subtract:
+      return Kernel::subtract;
+    case Instruction::multiply:
+      return Kernel::multiply;
+    case Instruction::divide:
+      return Kernel::divide;
+    case Instruction::negate:
+      return Kernel::negate;
+    case Instruction::root:
+      return Kernel::root;
+    case Instruction::absolute:
+      return Kernel::absolute;
+    case Instruction::sin:
+      return Kernel::sin;
+    case Instruction::cos:
+      return Kernel::cos;
+    case Instruction::exp:
+      return Kernel::exp;
+    case Instruction::constant:
+    case Instruction::input:
+    case Instruction::sum:
+      break;
+  }
+  return Kernel::copy;
+}
+
+class Fusion {
+ public:
+  Fusion(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in)
+      : scope_(scope), value_(value), here_(scope.code->values[value]), taken_in_(taken_in) {}
+
+  [[nodiscard]] FusedStep step() {
+    if (here_.op == Instruction::add || here_.op == Instruction::subtract) return sum();
+    if (here_.op == Instruction::multiply) return product();
+    return plain();
+  }
+
+ private:
+  [[nodiscard]] const Value& at(ValueId id) const { return scope_.code->values[id]; }
+  [[nodiscard]] bool is_private(ValueId id, Instruction op) const {
+    return scope_.is_private(id, op, scope_.wide[value_] != 0);
+  }
+  [[nodiscard]] bool is_square(ValueId id) const { return at(id).a == at(id).b; }
+
+  /// A product's operands, the wide one first.
+  void append_product(FusedStep& step, ValueId product) {
+    taken_in_[product] = 1;
+    ValueId a = at(product).a;
+    ValueId b = at(product).b;
+    if (scope_.wide[b] && !scope_.wide[a]) std::swap(a, b);
+    step.in[step.operands++] = a;
+    step.in[step.operands++] = b;
+  }
+
+  [[nodiscard]] FusedStep plain() const {
+    FusedStep step{kernel_of(here_.op), 1, {here_.a}};
+    if (!has_second_operand(here_.op)) return step;
+    step.operands = 2;
+    step.in[1] = here_.b;
+    const bool commutes = here_.op == Instruction::add || here_.op == Instruction::multiply;
+    if (commutes && scope_.wide[here_.b] && !scope_.wide[here_.a]) std::swap(step.in[0], step.in[1]);
+    return step;
+  }
+
+  [[nodiscard]] FusedStep product() {
+    FusedStep step{Kernel::product_3, 0, {}};
+    ValueId two = here_.a;
+    ValueId third = here_.b;
+    if (!is_private(two, Instruction::multiply)) std::swap(two, third);
+    if (two == third || !is_private(two, Instruction::multiply)) return plain();
+    append_product(step, two);
+    step.in[step.operands++] = third;
+    return step;
+  }
+
+  [[nodiscard]] FusedStep sum() {
+    FusedStep triples;
+    if (triple_chain(triples)) return triples;
+    const bool minus = here_.op == Instruction::subtract;
+    const bool first = is_private(here_.a, Instruction::multiply);
+    const bool second = here_.a != here_.b && is_private(here_.b, Instruction::multiply);
+    FusedStep step;
+    if (first && second) {
+      step.kernel = minus ? Kernel::product_difference : Kernel::product_sum;
+      append_product(step, here_.a);
+      append_product(step, here_.b);
+      return step;
+    }
+    if (!minus && (first || second)) {
+      const ValueId product = first ? here_.a : here_.b;
+      const ValueId other = first ? here_.b : here_.a;
+      if (three_products(step, other, product)) return step;
+    }
+    if (!first && !second) return plain();
+    step.kernel = !minus  ? Kernel::multiply_add
+                  : first ? Kernel::multiply_subtract
+                          : Kernel::subtract_product;
+    append_product(step, first ? here_.a : here_.b);
+    step.in[step.operands++] = first ? here_.b : here_.a;
+    return step;
+  }
+
+  /// Is it (a b) c, computed for nothing but its user, with a or b narrow if the user is wide?
+  [[nodiscard]] bool is_triple(ValueId id) const {
+    if (!is_private(id, Instruction::multiply) || at(id).a == at(id).b) return false;
+    const ValueId two = inner_of(id);
+    const ValueId third = at(id).a == two ? at(id).b : at(id).a;
+    if (!is_private(two, Instruction::multiply)) return false;
+    if (!scope_.wide[value_]) return true;
+    return scope_.wide[third] && scope_.wide[at(two).a] != scope_.wide[at(two).b];
+  }
+  /// The factor of a product that may be a product itself: the later one, if it is.
+  [[nodiscard]] ValueId inner_of(ValueId product) const {
+    const ValueId b = at(product).b;
+    return is_private(b, Instruction::multiply) ? b : at(product).a;
+  }
+  void append_triple(FusedStep& step, ValueId triple) {
+    taken_in_[triple] = 1;
+    const ValueId two = inner_of(triple);
+    append_product(step, two);
+    step.in[step.operands++] = at(triple).a == two ? at(triple).b : at(triple).a;
+  }
+
+  /// The last three summands of a sum, if they are triples; `s` is what comes before them, if anything does.
+  [[nodiscard]] bool triple_chain(FusedStep& step) {
+    std::array<ValueId, 3> triple{};
+    std::array<ValueId, 3> sum{};
+    std::size_t found = 0;
+    ValueId rest = value_;
+    const auto is_sum = [this](ValueId id) {
+      return is_private(id, Instruction::add) || is_private(id, Instruction::subtract);
+    };
+    while (found < 3 && (rest == value_ || is_sum(rest)) && is_triple(at(rest).b) &&
+           at(rest).a != at(rest).b) {
+      sum[found] = rest;
+      triple[found++] = at(rest).b;
+      rest = at(rest).a;
+    }
+    const bool begins = found == 2 && is_triple(rest);
+    if (!begins && (found < 3 || scope_.wide[rest] != scope_.wide[value_])) return false;
+    step.kernel = begins ? Kernel::triple_sum_3 : Kernel::add_triple_sum_3;
+    if (begins) {
+      append_triple(step, rest);
+    } else {
+      step.in[step.operands++] = rest;
+    }
+    for (std::size_t i = found; i-- > 0;) {
+      if (sum[i] != value_) taken_in_[sum[i]] = 1;
+      const std::size_t place = begins ? 2 - i : found - 1 - i;
+      if (at(sum[i]).op == Instruction::subtract)
+        step.minus = static_cast<std::uint8_t>(step.minus | 1u << place);
+      append_triple(step, triple[i]);
+    }
+    return true;
+  }
+
+  /// (a b + c d) + e f, if all factors are wide, or the first of each product only.
+  [[nodiscard]] bool three_products(FusedStep& step, ValueId two, ValueId third) {
+    if (!is_private(two, Instruction::add) || at(two).a == at(two).b) return false;
+    const std::array<ValueId, 3> product{at(two).a, at(two).b, third};
+    int both_wide = 0;
+    int squares = 0;
+    for (const ValueId each : product) {
+      if (each != third && !is_private(each, Instruction::multiply)) return false;
+      both_wide += scope_.wide[at(each).a] && scope_.wide[at(each).b] ? 1 : 0;
+      squares += is_square(each) ? 1 : 0;
+    }
+    if (scope_.wide[value_] && both_wide != 0 && both_wide != 3) return false;
+    taken_in_[two] = 1;
+    for (const ValueId each : product) append_product(step, each);
+    step.kernel = Kernel::product_sum_3;
+    if (squares != 3) return true;
+    step = {Kernel::square_sum_3, 3, {step.in[0], step.in[2], step.in[4]}};
+    return true;
+  }
+
+  const FusionScope& scope_;
+  ValueId value_;
+  const Value& here_;
+  std::span<std::uint8_t> taken_in_;
+};
+
+}  // namespace
+
+FusedStep fuse(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in) {
+  return Fusion(scope, value, taken_in).step();
+}
+
+}  // namespace rigor

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which values of a block are computed within the step of their only user.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "numeric/program/run_plan.h"
+
+namespace rigor {
+
+/// A step before its operands have places.
+struct FusedStep {
+  Kernel kernel = Kernel::clear;
+  std::uint8_t operands = 0;
+  std::array<ValueId, most_operands> in{};
+  std::uint8_t minus = 0;
+};
+
+/// What the choice depends on.
+struct FusionScope {
+  const Code* code = nullptr;
+  std::span<const std::uint32_t> uses;   // by value
+  std::span<const std::uint32_t> block;  // by value: the block it was collected for
+  std::span<const std::uint8_t> wide;    // by value
+  std::uint32_t current = 0;
+
+  /// Is it computed in this block, wide as its user, for nothing but it?
+  [[nodiscard]] bool is_private(ValueId value, Instruction op, bool user_is_wide) const {
+    return code->values[value].op == op && uses[value] == 1 && block[value] == current &&
+           (wide[value] != 0) == user_is_wide;
+  }
+};
+
+/// The step that computes a value. Values that it takes in are set in `taken_in` (by value).
+[[nodiscard]] FusedStep fuse(const FusionScope& scope, ValueId value, std::span<std::uint8_t> taken_in);
+
+}  // namespace rigor

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/program/samples.h"
+
+#include "base/check.h"
+
+namespace rigor {
+
+namespace {
+
+Column column_of(std::vector<double> values, std::size_t sample_stride, std::size_t particle_stride) {
+  const auto owned = std::make_shared<const std::vector<double>>(std::move(values));
+  return {ColumnValues(*owned), sample_stride, particle_stride, owned};
+}
+
+}  // namespace
+
+void Samples::put(SymbolId symbol, std::uint32_t component, std::vector<double> values,
+                  std::size_t sample_stride, std::size_t particle_stride) {
+  columns_[{symbol, component}] = column_of(std::move(values), sample_stride, particle_stride);
+}
+
+void Samples::set(SymbolId symbol, std::uint32_t component, double value) {
+  put(symbol, component, {value}, 0, 0);
+}
+
+void Samples::set(SymbolId symbol, std::uint32_t component, const HighLow& value) {
+  set(symbol, component, value.high);
+  columns_[{symbol, component}].low = value.low;
+}
+
+void Samples::set_each(SymbolId symbol, std::uint32_t component, std::vector<double> values) {
+  RIGOR_CHECK(values.size() == samples_, values.size(), samples_);
+  put(symbol, component, std::move(values), 1, 0);
+}
+
+void Samples::set_particles(SymbolId symbol, std::uint32_t component, std::vector<double> values) {
+  RIGOR_CHECK(values.size() == particles_, values.size(), particles_);
+  put(symbol, component, std::move(values), 0, 1);
+}
+
+void Samples::borrow_particles(SymbolId symbol, std::uint32_t component, std::span<const double> values) {
+  RIGOR_CHECK(values.size() == particles_, values.size(), particles_);
+  columns_[{symbol, component}] = {ColumnValues(values), 0, 1};
+}
+
+void Samples::set_particles_each(SymbolId symbol, std::uint32_t component, std::vector<double> values) {
+  RIGOR_CHECK(values.size() == particles_ * samples_, values.size(), particles_, samples_);
+  put(symbol, component, std::move(values), 1, samples_);
+}
+
+void Samples::set_errors(SymbolId symbol, std::uint32_t component, std::vector<double> errors) {
+  Column& column = columns_.at({symbol, component});
+  RIGOR_CHECK(errors.size() == 1 || errors.size() == column.values.size(), errors.size(),
+              column.values.size());
+  column.errors = std::make_shared<const std::vector<double>>(std::move(errors));
+}
+
+Samples Samples::only(std::span<const std::size_t> which) const {
+  Samples chosen(which.size(), particles_);
+  for (const auto& [key, column] : columns_) {
+    if (column.sample_stride == 0) {
+      chosen.columns_[key] = column;
+      chosen.columns_[key].errors = nullptr;
+      continue;
+    }
+    const std::size_t particles = column.particle_stride == 0 ? 1 : particles_;
+    std::vector<double> values;
+    for (std::size_t particle = 0; particle < particles; ++particle) {
+      for (const std::size_t sample : which)
+        values.push_back(column.values[sample * column.sample_stride + particle * column.particle_stride]);
+    }
+    chosen.columns_[key] = column_of(std::move(values), 1, column.particle_stride == 0 ? 0 : which.size());
+  }
+  return chosen;
+}
+
+Samples Samples::rounded_to_double() const {
+  Samples rounded = *this;
+  for (auto& [key, column] : rounded.columns_) {
+    column.low = 0;
+    column.errors = nullptr;
+  }
+  return rounded;
+}
+
+Samples Samples::rounded_to_float() const {
+  Samples rounded(samples_, particles_);
+  for (const auto& [key, column] : columns_) {
+    std::vector<double> values;
+    for (const double value : column.values) values.push_back(static_cast<double>(static_cast<float>(value)));
+    rounded.columns_[key] = column_of(std::move(values), column.sample_stride, column.particle_stride);
+  }
+  return rounded;
+}
+
+const Column* Samples::find(SymbolId symbol, std::uint32_t component) const {
+  const auto found = columns_.find({symbol, component});
+  return found == columns_.end() ? nullptr : &found->second;
+}
+
+}  // namespace rigor

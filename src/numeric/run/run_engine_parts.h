@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The functions of `run_engine.h`.
+#pragma once
+
+#include <algorithm>
+
+#include "numeric/run/run_engine.h"
+
+namespace rigor {
+
+template <class T>
+Engine<T>::Engine(const Code& code, Plan plan, std::size_t particles)
+    : plan_(std::move(plan)),
+      particles_(particles),
+      inputs_(code.inputs.size()),
+      free_(code.free_particles.size(), 0),
+      slots_(plan_.slots(), nullptr) {
+  constexpr std::size_t width = lane_count;
+  std::size_t buffers = plan_.lanes == Lanes::samples ? plan_.outputs : 0;
+  for (const PlanInput& input : plan_.inputs) buffers += input.wide ? 1 : 0;
+  const std::size_t narrow = plan_.narrow_registers + plan_.constants.size();
+  numbers_.assign((plan_.wide_registers + buffers) * width + narrow, T(0));
+  T* next = numbers_.data();
+  std::size_t slot = 0;
+  for (std::size_t i = 0; i < plan_.wide_registers; ++i, next += width) slots_[slot++] = next;
+  T* wide_buffer = next;
+  next += buffers * width;
+  for (std::size_t i = 0; i < plan_.narrow_registers; ++i) slots_[slot++] = next++;
+  for (const std::uint32_t constant : plan_.constants) {
+    *next = number_of<T>(code.constants[constant]);
+    slots_[slot++] = next++;
+  }
+  for (const PlanInput& input : plan_.inputs) {
+    buffers_.push_back(input.wide ? wide_buffer : nullptr);
+    if (input.wide) wide_buffer += width;
+  }
+  for (std::size_t i = 0; i < plan_.outputs; ++i) {
+    buffers_.push_back(plan_.lanes == Lanes::samples ? wide_buffer : nullptr);
+    if (plan_.lanes == Lanes::samples) wide_buffer += width;
+  }
+  const auto bind_steps = [](const std::vector<PlanStep>& steps, std::vector<StepFunction<T>>& functions) {
+    for (const PlanStep& step : steps)
+      functions.push_back(step.kernel == Kernel::loop ? nullptr : kernels::function_for<T>(step));
+  };
+  bind_steps(plan_.once, once_);
+  bind_steps(plan_.each, each_);
+}
+
+/// Points the slot of an input at the numbers for this sample and these particles. Lanes that do not lie side
+/// by side, or not all of them, are gathered; lanes without a sample or particle are 0.
+template <class T>
+void Engine<T>::set_input(std::uint32_t which) {
+  const PlanInput& input = plan_.inputs[which];
+  const BoundInput<T>& from = inputs_[input.input];
+  std::size_t particle = 0;
+  if (input.particle >= InputParticle::first_free) {
+    particle = free_[input.particle - InputParticle::first_free];
+  } else if (input.particle != InputParticle::none) {
+    particle = particle_[input.particle];
+  }
+  const T* first = from.data + sample_ * from.sample_stride + particle * from.particle_stride;
+  T*& slot = slots_[plan_.first_input() + which];
+  const std::size_t stride = input.lanes_are_particles ? from.particle_stride : from.sample_stride;
+  const int count = input.lanes_are_particles ? particles_here_ : samples_here_;
+  if (!input.wide || (stride == 1 && count == lane_count)) {
+    slot = const_cast<T*>(first);  // operands are only read
+    return;
+  }
+  slot = buffers_[which];
+  for (int i = 0; i < count; ++i) slot[i] = first[static_cast<std::size_t>(i) * stride];
+  for (int i = count; i < lane_count; ++i) slot[i] = T(0);
+}
+
+template <class T>
+void Engine<T>::set_inputs(std::span<const std::uint32_t> which) {
+  for (const std::uint32_t each : which) set_input(each);
+}
+
+template <class T>
+void Engine<T>::run_once() {
+  sample_ = 0;
+  set_inputs(plan_.once_inputs);
+  execute(plan_.once, once_, 0, plan_.once.size());
+}
+
+template <class T>
+void Engine<T>::run(std::size_t samples, T* results, std::size_t stride) {
+  const std::size_t width = plan_.lanes == Lanes::samples ? lane_count : 1;
+  for (sample_ = 0; sample_ < samples; sample_ += width)
+    run_batch(std::min(width, samples - sample_), results + sample_, stride);
+}
+
+/// Can all results be written as packets?
+template <class T>
+[[nodiscard]] bool is_aligned(const T* results, std::size_t stride) {
+  constexpr std::size_t packet = 16;
+  return reinterpret_cast<std::uintptr_t>(results) % packet == 0 && stride * sizeof(T) % packet == 0;
+}
+
+template <class T>
+void Engine<T>::run_batch(std::size_t samples, T* results, std::size_t stride) {
+  samples_here_ = static_cast<int>(samples);
+  const bool buffered = plan_.lanes == Lanes::samples &&
+                        (samples < static_cast<std::size_t>(lane_count) || !is_aligned(results, stride));
+  T** const outputs = slots_.data() + plan_.first_output();
+  for (std::size_t i = 0; i < plan_.outputs; ++i)
+    outputs[i] = buffered ? buffers_[plan_.inputs.size() + i] : results + i * stride;
+  set_inputs(plan_.each_inputs);
+  execute(plan_.each, each_, 0, plan_.each.size());
+  if (!buffered) return;
+  for (std::size_t i = 0; i < plan_.outputs; ++i) std::copy_n(outputs[i], samples, results + i * stride);
+}
+
+template <class T>
+void Engine<T>::prepare_point() {
+  sample_ = 0;
+  set_inputs(plan_.each_inputs);
+}
+
+template <class T>
+void Engine<T>::run_point(T* results) {
+  T** const outputs = slots_.data() + plan_.first_output();
+  for (std::size_t i = 0; i < plan_.outputs; ++i) outputs[i] = results + i;
+  execute(plan_.each, each_, 0, plan_.each.size());
+}
+
+template <class T>
+void Engine<T>::execute(const std::vector<PlanStep>& steps, const std::vector<StepFunction<T>>& functions,
+                        std::size_t begin, std::size_t end) {
+  T* const* const slots = slots_.data();
+  for (std::size_t at = begin; at < end; ++at) {
+    const PlanStep& step = steps[at];
+    if (step.kernel == Kernel::loop) {
+      loop(steps, functions, at);
+      at = step.end - 1;
+    } else {
+      functions[at](slots, step, particles_here_);
+    }
+  }
+}
+
+template <class T>
+void Engine<T>::loop(const std::vector<PlanStep>& steps, const std::vector<StepFunction<T>>& functions,
+                     std::size_t at) {
+  const PlanStep& step = steps[at];
+  const auto inputs = std::span(plan_.loop_inputs).subspan(step.inputs, step.input_count);
+  const std::size_t width = step.over_lanes ? lane_count : 1;
+  for (std::size_t particle = 0; particle < particles_; particle += width) {
+    particle_[step.level] = particle;
+    if (step.over_lanes) particles_here_ = static_cast<int>(std::min(width, particles_ - particle));
+    set_inputs(inputs);
+    execute(steps, functions, at + 1, step.end);
+  }
+}
+
+}  // namespace rigor

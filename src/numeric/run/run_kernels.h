@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One function for each step and each choice of wide operands, over Eigen arrays of `lane_count` numbers. A
+// fused step rounds after each of its operations, as separate steps would: the floor is compiled without
+// contraction into fused multiply-add instructions. Results may overwrite operands: all is lane by lane.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <type_traits>
+
+#include "base/check.h"
+#include "numeric/program/run_plan.h"
+#include "numeric/run/run_numbers.h"
+
+namespace rigor {
+
+inline constexpr int lane_count = 128;
+
+/// `lanes`: how many of them count, in steps over lanes.
+template <class T>
+using StepFunction = void (*)(T* const* slots, const PlanStep& step, int lanes);
+
+namespace kernels {
+
+template <class T>
+using LaneArray = Eigen::Array<T, lane_count, 1>;
+
+template <class T, bool wide>
+[[nodiscard]] decltype(auto) operand(T* at) {
+  if constexpr (wide) {
+    return Eigen::Map<const LaneArray<T>>(at);
+  } else {
+    return static_cast<const T&>(*at);
+  }
+}
+
+template <Kernel kernel, class T>
+[[nodiscard]] T function_of(const T& x) {
+  if constexpr (kernel == Kernel::root) return NumberTraits<T>::root(x);
+  if constexpr (kernel == Kernel::absolute) return NumberTraits<T>::absolute(x);
+  if constexpr (kernel == Kernel::sin) return NumberTraits<T>::sine(x);
+  if constexpr (kernel == Kernel::cos) return NumberTraits<T>::cosine(x);
+  if constexpr (kernel == Kernel::exp) return NumberTraits<T>::exponential(x);
+}
+
+template <class T, bool wide, class Value>
+void store(T* out, const Value& value) {
+  if constexpr (!wide) {
+    *out = value;
+  } else if constexpr (std::is_same_v<Value, T>) {
+    Eigen::Map<LaneArray<T>, Eigen::Aligned16> lanes(out);
+    lanes.setConstant(value);
+  } else {
+    Eigen::Map<LaneArray<T>, Eigen::Aligned16> lanes(out);
+    lanes = value;
+  }
+}
+
+/// Only so many lanes are added to: the others hold no particle.
+template <class T, bool wide, class Value>
+void accumulate(T* out, const Value& value, bool over_lanes, int lanes) {
+  if constexpr (!wide) {
+    *out = *out + value;
+  } else {
+    Eigen::Map<LaneArray<T>, Eigen::Aligned16> total(out);
+    if (!over_lanes || lanes == lane_count) {
+      total += value;
+    } else if constexpr (std::is_same_v<Value, T>) {
+      total.head(lanes) += value;
+    } else {
+      total.head(lanes) += value.head(lanes);
+    }
+  }
+}
+
+/// The sum of all lanes: the upper half is added to the lower one until one number is left.
+template <class T>
+[[nodiscard]] T folded(T* lanes) {
+  for (int half = lane_count / 2; half > 0; half /= 2) {
+    for (int i = 0; i < half; ++i) lanes[i] = lanes[i] + lanes[i + half];
+  }
+  return lanes[0];
+}
+
+template <class T, Kernel kernel, unsigned wide>
+void run(T* const* slots, const PlanStep& step, int lanes) {
+  constexpr bool to_wide = (wide & wide_result) != 0;
+  T* const out = slots[step.out];
+#define X(k) operand<T, (wide >> k & 1u) != 0>(slots[step.in[k]])
+// The sign of a triple goes to its narrow factor: that is exact.
+#define S(k, triple) T((step.minus >> triple & 1u) != 0 ? T(-X(k)) : X(k))
+  if constexpr (kernel == Kernel::clear) store<T, to_wide>(out, T(0));
+  if constexpr (kernel == Kernel::copy) store<T, to_wide>(out, X(0));
+  if constexpr (kernel == Kernel::negate) store<T, to_wide>(out, -X(0));
+  if constexpr (kernel == Kernel::add) store<T, to_wide>(out, X(0) + X(1));
+  if constexpr (kernel == Kernel::subtract) store<T, to_wide>(out, X(0) - X(1));
+  if constexpr (kernel == Kernel::multiply) store<T, to_wide>(out, X(0) * X(1));
+  if constexpr (kernel == Kernel::divide) store<T, to_wide>(out, X(0) / X(1));
+  if constexpr (kernel == Kernel::multiply_add) store<T, to_wide>(out, X(0) * X(1) + X(2));
+  if constexpr (kernel == Kernel::multiply_subtract) store<T, to_wide>(out, X(0) * X(1) - X(2));
+  if constexpr (kernel == Kernel::subtract_product) store<T, to_wide>(out, X(2) - X(0) * X(1));
+  if constexpr (kernel == Kernel::product_sum) store<T, to_wide>(out, X(0) * X(1) + X(2) * X(3));
+  if constexpr (kernel == Kernel::product_difference) store<T, to_wide>(out, X(0) * X(1) - X(2) * X(3));
+  if constexpr (kernel == Kernel::product_sum_3)
+    store<T, to_wide>(out, (X(0) * X(1) + X(2) * X(3)) + X(4) * X(5));
+  if constexpr (kernel == Kernel::square_sum_3)
+    store<T, to_wide>(out, (X(0) * X(0) + X(1) * X(1)) + X(2) * X(2));
+  if constexpr (kernel == Kernel::product_3) store<T, to_wide>(out, (X(0) * X(1)) * X(2));
+  if constexpr (kernel == Kernel::triple_sum_3)
+    store<T, to_wide>(out, (X(0) * S(1, 0) * X(2) + X(3) * S(4, 1) * X(5)) + X(6) * S(7, 2) * X(8));
+  if constexpr (kernel == Kernel::add_triple_sum_3)
+    store<T, to_wide>(out, ((X(0) + X(1) * S(2, 0) * X(3)) + X(4) * S(5, 1) * X(6)) + X(7) * S(8, 2) * X(9));
+  if constexpr (kernel == Kernel::accumulate) accumulate<T, to_wide>(out, X(0), step.over_lanes, lanes);
+  if constexpr (kernel == Kernel::accumulate_product)
+    accumulate<T, to_wide>(out, X(0) * X(1), step.over_lanes, lanes);
+  if constexpr (kernel == Kernel::fold) *out = folded(slots[step.in[0]]);
+  if constexpr (kernel >= Kernel::absolute && kernel <= Kernel::exp) {
+    if constexpr (!to_wide) {
+      *out = function_of<kernel>(X(0));
+    } else if constexpr (kernel == Kernel::root && std::is_same_v<T, double>) {
+      store<T, true>(out, X(0).sqrt());  // rounded correctly; Eigen's for float is not
+    } else {
+      store<T, true>(out, X(0).unaryExpr([](const T& x) { return function_of<kernel>(x); }));
+    }
+  }
+#undef X
+#undef S
+}
+
+template <class T, Kernel kernel, unsigned... choices>
+[[nodiscard]] StepFunction<T> choose(unsigned wide) {
+  StepFunction<T> chosen = nullptr;
+  if (wide == 0) return &run<T, kernel, 0>;
+  if constexpr (NumberTraits<T>::has_lanes)
+    static_cast<void>(((wide == choices ? (chosen = &run<T, kernel, choices>, true) : false) || ...));
+  RIGOR_CHECK(chosen != nullptr, static_cast<int>(kernel), wide);
+  return chosen;
+}
+
+/// Operands are wide in the order in which `run_fuse.h` puts them.
+template <class T>
+[[nodiscard]] StepFunction<T> function_for(const PlanStep& step) {
+  switch (step.kernel) {
+    case Kernel::clear:
+      return choose<T, Kernel::clear, 0x8000>(step.wide);
+    case Kernel::copy:
+      return choose<T, Kernel::copy, 0x8000, 0x8001>(step.wide);
+    case Kernel::negate:
+      return choose<T, Kernel::negate, 0x8001>(step.wide);
+    case Kernel::absolute:
+      return choose<T, Kernel::absolute, 0x8001>(step.wide);
+    case Kernel::root:
+      return choose<T, Kernel::root, 0x8001>(step.wide);
+    case Kernel::sin:
+      return choose<T, Kernel::sin, 0x8001>(step.wide);
+    case Kernel::cos:
+      return choose<T, Kernel::cos, 0x8001>(step.wide);
+    case Kernel::exp:
+      return choose<T, Kernel::exp, 0x8001>(step.wide);
+    case Kernel::add:
+      return choose<T, Kernel::add, 0x8001, 0x8003>(step.wide);
+    case Kernel::subtract:
+      return choose<T, Kernel::subtract, 0x8001, 0x8002, 0x8003>(step.wide);
+    case Kernel::multiply:
+      return choose<T, Kernel::multiply, 0x8001, 0x8003>(step.wide);
+    case Kernel::divide:
+      return choose<T, Kernel::divide, 0x8001, 0x8002, 0x8003>(step.wide);
+    case Kernel::multiply_add:
+      return choose<T, Kernel::multiply_add, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
+    case Kernel::multiply_subtract:
+      return choose<T, Kernel::multiply_subtract, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
+    case Kernel::subtract_product:
+      return choose<T, Kernel::subtract_product, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
+    case Kernel::product_sum:
+      return choose<T, Kernel::product_sum, 0x8005, 0x8007, 0x800d, 0x800f>(step.wide);
+    case Kernel::product_difference:
+      return choose<T, Kernel::product_difference, 0x8005, 0x8007, 0x800d, 0x800f>(step.wide);
+    case Kernel::product_sum_3:
+      return choose<T, Kernel::product_sum_3, 0x8015, 0x803f>(step.wide);
+    case Kernel::square_sum_3:
+      return choose<T, Kernel::square_sum_3, 0x8007>(step.wide);
+    case Kernel::product_3:
+      return choose<T, Kernel::product_3, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
+    case Kernel::triple_sum_3:
+      return choose<T, Kernel::triple_sum_3, 0x816d>(step.wide);
+    case Kernel::add_triple_sum_3:
+      return choose<T, Kernel::add_triple_sum_3, 0x82db>(step.wide);
+    case Kernel::accumulate:
+      return choose<T, Kernel::accumulate, 0x8000, 0x8001>(step.wide);
+    case Kernel::accumulate_product:
+      return choose<T, Kernel::accumulate_product, 0x8001, 0x8003>(step.wide);
+    case Kernel::fold:
+      if constexpr (NumberTraits<T>::has_lanes) return &run<T, Kernel::fold, 1>;
+      break;
+    case Kernel::loop:
+      break;
+  }
+  RIGOR_CHECK(false, static_cast<int>(step.kernel));
+  return nullptr;
+}
+
+}  // namespace kernels
+}  // namespace rigor

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/run/runner.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "numeric/run/run_engine.h"
+
+namespace rigor {
+
+extern template class Engine<double>;
+extern template class Engine<long double>;
+
+namespace {}  // namespace
+
+template <class T>
+Runner<T>::Runner(const Program& program, const Samples& fixed, std::span<const ProgramInput> varying,
+                  std::span<const std::uint32_t> at)
+    : values_(varying.size(), T(0)) {
+  const auto inputs = program.inputs();
+  std::vector<std::uint8_t> varies;
+  for (const ProgramInput& input : inputs) {
+    const auto same = [&](const ProgramInput& other) {
+      return other.symbol == input.symbol && other.component == input.component;
+    };
+    varies.push_back(std::any_of(varying.begin(), varying.end(), same) ? 1 : 0);
+  }
+  const Lanes lanes = fixed.particles() >= many_particles ? Lanes::particles : Lanes::one;
+  engine_ = std::make_unique<Engine<T>>(program.code(), make_plan(program.code(), lanes, varies),
+                                        fixed.particles());
+  fixed_.resize(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (varies[i] != 0) continue;
+    const Column* column = fixed.find(inputs[i].symbol, inputs[i].component);
+    RIGOR_CHECK(column != nullptr && column->sample_stride == 0, static_cast<std::uint32_t>(inputs[i].symbol),
+                inputs[i].component);
+    fixed_[i].assign(column->values.begin(), column->values.end());
+    engine_->bind(i, {fixed_[i].data(), 0, column->particle_stride});
+  }
+  for (std::size_t k = 0; k < varying.size(); ++k) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      if (varying[k].symbol == inputs[i].symbol && varying[k].component == inputs[i].component)
+        engine_->bind(i, {&values_[k], 0, 0});
+    }
+  }
+  RIGOR_CHECK(at.size() >= program.free_particles().size(), at.size(), program.free_particles().size());
+  for (std::size_t i = 0; i < program.free_particles().size(); ++i) {
+    RIGOR_CHECK(at[i] < fixed.particles(), at[i], fixed.particles());
+    engine_->set_free_particle(i, at[i]);
+  }
+  engine_->run_once();
+  engine_->prepare_point();
+}
+
+template <class T>
+Runner<T>::Runner(Runner&&) noexcept = default;
+template <class T>
+Runner<T>& Runner<T>::operator=(Runner&&) noexcept = default;
+template <class T>
+Runner<T>::~Runner() = default;
+
+template <class T>
+void Runner<T>::operator()(const T* values, T* results) {
+  std::copy_n(values, values_.size(), values_.data());
+  engine_->run_point(results);
+}
+
+template class Runner<double>;
+template class Runner<long double>;
+
+}  // namespace rigor

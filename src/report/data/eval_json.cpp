@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/data/eval_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "report/wording/advice.h"
+
+namespace rigor {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Infinite and not-a-number become null.
+Json spread(const Spread& spread) { return {{"worst", spread.worst}, {"median", spread.median}}; }
+
+Json measure_json(const ErrorMeasure& measure) {
+  Json json{{"compared", measure.compared}};
+  if (measure.compared > 0) {
+    json["relative_error"] = spread(measure.relative);
+    json["ulps"] = spread(measure.ulps);
+    json["bits"] = spread(measure.bits_kept);
+  }
+  json["overflows"] = measure.overflows;
+  json["not_a_number"] = measure.not_a_number;
+  json["wrong_signs"] = measure.wrong_signs;
+  json["zeros"] = measure.zeros;
+  if (measure.zeros > 0) json["worst_at_zero"] = measure.worst_at_zero;
+  json["undefined"] = measure.undefined;
+  json["unknown"] = measure.unknown;
+  if (measure.nanoseconds > 0) json["nanoseconds"] = measure.nanoseconds;
+  return json;
+}
+
+Json form_json(const FormResult& form) {
+  Json json{{"value", form.first}, {"measured", form.measure.measured}};
+  if (form.measure.condition_known > 0) json["condition"] = spread(form.measure.condition);
+  for (const ErrorMeasure& measure : form.measure.arithmetics)
+    json[std::string(name_of(measure.arithmetic))] = measure_json(measure);
+  return json;
+}
+
+Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
+  const auto& [chain, result] = evaluated;
+  const LineColumn place = sources.line_column(chain->span.file, chain->span.begin);
+  Json json{{"file", sources.path(chain->span.file)}, {"line", place.line}, {"column", place.column}};
+  if (!chain->tag.empty()) json["tag"] = chain->tag;
+  if (chain->image > 0) json["cyclic_image"] = chain->image;
+  json["section"] = chain->section;
+  json["forms"] = Json::array();
+  for (const ChainResult::Form& form : result.forms) {
+    json["forms"].push_back({{"source", chain->forms[form.side].source},
+                             {"operations", form.operations},
+                             {"operations_per_particle", form.operations_per_particle}});
+  }
+  json["not_evaluated"] = Json::array();
+  for (const ChainResult::LeftOut& each : result.left_out)
+    json["not_evaluated"].push_back({{"source", chain->forms[each.side].source}, {"why", each.why}});
+  if (!result.not_comparable.empty()) json["not_comparable"] = result.not_comparable;
+  if (!result.taken_for.empty()) json["taken_for"] = result.taken_for;
+  if (!result.no_trials.empty()) json["no_trials"] = result.no_trials;
+  json["trials"] = Json::array();
+  for (const TrialResult& trial : result.trials) {
+    Json forms = Json::array();
+    for (const FormResult& form : trial.forms) forms.push_back(form_json(form));
+    json["trials"].push_back({{"name", trial.name},
+                              {"what", trial.what},
+                              {"assumptions_hold", trial.met},
+                              {"samples", trial.samples},
+                              {"particles", trial.particles},
+                              {"forms", std::move(forms)}});
+  }
+  if (const auto advice = advise(result)) {
+    json["advice"] = {{"form", advice->form},
+                      {"all_alike", advice->all_alike},
+                      {"unbeaten", advice->fronts},
+                      {"text", advice_text(result, *advice)}};
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string evaluation_json(const EvaluatedNotes& notes, const SourceMap& sources) {
+  Json json{{"format", 1}, {"notes", notes.path}, {"chains", Json::array()}};
+  for (const EvaluatedChain& chain : notes.chains) json["chains"].push_back(chain_json(chain, sources));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rigor

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pieces of the page: text, mathematics, the details of a step, forms.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "latex/layout/mathml.h"
+#include "report/page/notes_math.h"
+#include "report/page/page.h"
+
+namespace rigor {
+
+/// What all pieces of one file need.
+struct PageContext {
+  SourceMap& sources;
+  NotesMath& math;
+  const std::string& link;  // to the notes; empty: there is none
+  FileId file = 0;          // which `link` leads to
+  const std::vector<WorkedStep>& derivations;
+};
+
+/// The whole <style> and <script>.
+[[nodiscard]] std::string_view page_style();
+[[nodiscard]] std::string_view page_script();
+
+/// LaTeX of a report as MathML; as code where it cannot be read.
+[[nodiscard]] std::string math_html(const PageContext& page, const std::string& latex, MathStyle style);
+/// A line with mathematics between dollar signs.
+[[nodiscard]] std::string line_html(const PageContext& page, const std::string& prose);
+/// A message: what stands between back-ticks is code.
+[[nodiscard]] std::string message_html(std::string_view message);
+/// `notes.md:12`, as a link if the page has one to the notes.
+[[nodiscard]] std::string place_html(const PageContext& page, Span span);
+
+/// What the line of a step shows beside its verdict.
+enum class StepLine : std::uint8_t {
+  gist,      // how, or what is wrong: its equation is the whole display
+  relation,  // the relation and the right side: it is one of several in the display
+  equation,  // both sides: there is no display
+};
+
+/// <li>: the step's verdict, and all that is known of it behind a click.
+[[nodiscard]] std::string step_html(const PageContext& page, const Step& step, StepLine line);
+
+/// Behind a click: time against error of the forms of a chain, and which to compute. `number` sets the
+/// picture's ids apart.
+[[nodiscard]] std::string forms_html(const PageContext& page, const EvaluatedChain& evaluated,
+                                     std::size_t number);
+
+/// A diagnostic of a step or of the file.
+[[nodiscard]] std::string diagnostic_html(const PageContext& page, const Diagnostic& diagnostic);
+
+}  // namespace rigor

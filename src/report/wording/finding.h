@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a diagnostic amounts to where a program runs the checks, and all that is said of it, as plain text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "report/wording/diagnostics_of.h"
+#include "source/source_map.h"
+
+namespace rigor {
+
+/// As `tally` weighs it: wrong makes the exit code 1, open 2, the others 0.
+enum class Weight : std::uint8_t { wrong, open, warning, expected };
+
+[[nodiscard]] Weight weight_of(const PlacedDiagnostic& placed, bool strict);
+
+/// `notes.tex:12:28`
+[[nodiscard]] std::string place_text(Span span, const SourceMap& sources);
+
+/// Behind the message, a line each: notes at other places, help, the sample, the nearest true statements,
+/// conditions. Every line ends with a line break.
+[[nodiscard]] std::string details_of(const PlacedDiagnostic& placed, const SourceMap& sources);
+
+/// A path as seen from a folder, if it is inside it; else as it is. Nothing is asked of the file system.
+[[nodiscard]] std::string path_from(const std::string& path, const std::string& folder);
+
+}  // namespace rigor

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/quantity/scene_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigor {
+namespace {
+
+/// 64 u, beside the trace: what differs by less is the rounding of places.
+constexpr double alike = 64 * 0x1p-53;
+
+double size_of(double entry) { return std::abs(entry); }
+double size_of(const HighLow& entry) { return std::abs(entry.high); }
+
+template <class Tensor>
+double greatest_of(const Tensor& tensor) {
+  double greatest = 0;
+  for (const auto& row : tensor) {
+    for (const auto& entry : row) greatest = std::max(greatest, size_of(entry));
+  }
+  return greatest;
+}
+
+/// Of a tensor that is diagonal to rounding: each moment goes to the axis that its own is along. Where two
+/// moments are so close that their axes are not, what stands on the diagonal.
+/// `left_out`: what that may be off by.
+Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor, Position& left_out) {
+  constexpr double nearly_along = 1 - 1e-6;
+  SharpPosition diagonal{tensor[0][0], tensor[1][1], tensor[2][2]};
+  if (tensor[1][0].high == 0 && tensor[2][0].high == 0 && tensor[2][1].high == 0) return diagonal;
+  const auto system = principal_axes(tensor);
+  if (!system) return tl::unexpected(system.error());
+  SharpPosition moments = diagonal;
+  const double products =
+      std::abs(tensor[1][0].high) + std::abs(tensor[2][0].high) + std::abs(tensor[2][1].high);
+  left_out = {2 * products, 2 * products, 2 * products};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (std::abs(system->axes[k][i]) < nearly_along) continue;
+      moments[i] = system->principal.moments[k];
+      left_out[i] = 0;
+    }
+  }
+  return moments;
+}
+
+}  // namespace
+
+SceneBody::SceneBody(const Body& body, SceneLedger& ledger) : body_(body), ledger_(ledger) {
+  for (const char* node :
+       {particles_node, tensor_node, sharp_tensor_node, moments_node, axes_node, places_node}) {
+    ledger.expect(node, "nothing that was asked needs it");
+  }
+}
+
+const Result<InertiaTensor>& SceneBody::tensor() {
+  if (!tensor_) {
+    tensor_ = ledger_.compute(tensor_node, "of the body's particles", [&]() -> Result<InertiaTensor> {
+      if (const auto checked = check_count(body_); !checked) return tl::unexpected(checked.error());
+      const auto sums = mass_sums(points_of(body_));
+      if (!sums) return tl::unexpected(sums.error());
+      tensor_rounding_ = sums->error == 0 ? 0 : sums->error * greatest_of(sums->inertia);
+      return sums->inertia;
+    });
+  }
+  return *tensor_;
+}
+
+Result<bool> SceneBody::is_along_principal_axes() {
+  const auto& inertia = tensor();
+  if (!inertia) return tl::unexpected(inertia.error());
+  const InertiaTensor& i = *inertia;
+  const double trace = i[0][0] + i[1][1] + i[2][2];
+  const double products = std::abs(i[0][1]) + std::abs(i[0][2]) + std::abs(i[1][2]);
+  return products <= alike * trace;
+}
+
+std::optional<SharpTensor> SceneBody::said_inertia() {
+  const auto& of_particles = tensor();
+  if (!body_.known || !body_.known->is_sharp || !of_particles) return std::nullopt;
+  const double allowed =
+      alike * (*of_particles)[0][0] + alike * (*of_particles)[1][1] + alike * (*of_particles)[2][2];
+  SharpTensor said{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      said[i][j] = {body_.known->inertia[i][j], body_.known->low[i][j]};
+      if (!(std::abs(said[i][j].high - (*of_particles)[i][j]) <= allowed)) return std::nullopt;
+    }
+  }
+  return said;
+}
+
+const Result<SharpTensor>& SceneBody::sharp_tensor() {
+  if (!sharp_tensor_) {
+    if (const auto said = said_inertia()) {
+      ledger_.skip(sharp_tensor_node, "the body's file says it");
+      is_said_ = true;
+      sharp_tensor_ = *said;
+    } else {
+      const auto sum = [&]() -> Result<SharpTensor> {
+        if (const auto checked = check_count(body_); !checked) return tl::unexpected(checked.error());
+        const auto sums = sharp_mass_sums(points_of(body_));
+        if (!sums) return tl::unexpected(sums.error());
+        sharp_tensor_rounding_ = sums->error == 0 ? 0 : sums->error * greatest_of(sums->inertia);
+        return sums->inertia;
+      };
+      sharp_tensor_ = ledger_.compute(sharp_tensor_node, "for the differences of principal moments", sum);
+    }
+  }
+  return *sharp_tensor_;
+}
+
+const Result<SharpPosition>& SceneBody::moments() {
+  if (moments_) return *moments_;
+  const auto along = is_along_principal_axes();
+  if (!along) {
+    moments_ = tl::unexpected(along.error());
+    return *moments_;
+  }
+  const auto& inertia = sharp_tensor();
+  if (!inertia) {
+    moments_ = tl::unexpected(inertia.error());
+  } else if (*along) {
+    moments_ = ledger_.compute(moments_node, "the body is along its principal axes",
+                               [&] { return moments_in_order_of_axes(*inertia, left_out_); });
+  } else {
+    moments_ = ledger_.compute(moments_node, "values alone", [&] {
+      return principal_moments(*inertia).map([](const PrincipalMoments& each) { return each.moments; });
+    });
+  }
+  return *moments_;
+}
+
+const Result<SceneBody::Axes>& SceneBody::axes() {
+  if (axes_) return *axes_;
+  const auto along = is_along_principal_axes();
+  if (!along) {
+    axes_ = tl::unexpected(along.error());
+  } else if (*along) {
+    ledger_.skip(axes_node, "the body is along its principal axes");
+    axes_ = std::array<Position, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  } else if (const auto& inertia = sharp_tensor(); !inertia) {
+    axes_ = tl::unexpected(inertia.error());
+  } else {
+    axes_ = ledger_.compute(axes_node, "vectors of the tensor", [&] {
+      return principal_axes(*inertia).map([](const PrincipalAxes& axes) { return axes.axes; });
+    });
+  }
+  return *axes_;
+}
+
+const Result<SceneBody::Places>& SceneBody::places_along_axes() {
+  if (places_) return *places_;
+  const auto& turn = axes();
+  if (!turn) {
+    places_ = tl::unexpected(turn.error());
+    return *places_;
+  }
+  places_ = ledger_.compute(places_node, "turned", [&] {
+    Places places;
+    for (std::size_t k = 0; k < 3; ++k) {
+      places[k].resize(body_.size());
+      const Position& axis = (*turn)[k];
+      for (std::size_t p = 0; p < body_.size(); ++p) {
+        places[k][p] = axis[0] * body_.positions[0][p] + axis[1] * body_.positions[1][p] +
+                       axis[2] * body_.positions[2][p];
+      }
+    }
+    return Result<Places>(std::move(places));
+  });
+  return *places_;
+}
+
+}  // namespace rigor

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene's body and what can be known of it, each computed once and only when asked: the inertia tensor, the
+// principal moments (values alone), the principal axes, the particles' places along them.
+#pragma once
+
+#include <optional>
+
+#include "numeric/body/body.h"
+#include "numeric/body/inertia.h"
+#include "numeric/kernels/principal_moments.h"
+#include "scene/quantity/explain.h"
+
+namespace rigor {
+
+class SceneBody {
+ public:
+  static constexpr const char* particles_node = "particles";
+  static constexpr const char* tensor_node = "inertia tensor";
+  static constexpr const char* sharp_tensor_node = "inertia tensor to 100 bits";
+  static constexpr const char* moments_node = "principal moments";
+  static constexpr const char* axes_node = "principal axes";
+  static constexpr const char* places_node = "particles along the principal axes";
+
+  /// Kept by reference.
+  SceneBody(const Body& body, SceneLedger& ledger);
+
+  [[nodiscard]] const Body& body() const { return body_; }
+  [[nodiscard]] const Result<InertiaTensor>& tensor();
+  /// Is the file's set of axes a principal one? No product of inertia exceeds 64 u times the trace.
+  [[nodiscard]] Result<bool> is_along_principal_axes();
+  /// In the order of the axes where the body is along them, else ascending. Computes no axes.
+  /// To about 100 bits of the greatest, so that their differences keep their digits; but two that are alike
+  /// to 64 u of the trace are taken for the tensor's diagonal where the axes of theirs are others: what is
+  /// left of their difference is the rounding of the places.
+  [[nodiscard]] const Result<SharpPosition>& moments();
+  /// In the order of `moments`, right-handed. Where the body is along them, e₁, e₂, e₃, and nothing is
+  /// computed.
+  using Axes = std::array<Position, 3>;
+  [[nodiscard]] const Result<Axes>& axes();
+  /// Coordinates of the particles along `axes`.
+  using Places = std::array<std::vector<double>, 3>;
+  [[nodiscard]] const Result<Places>& places_along_axes();
+
+  /// Bounds of the errors of what these give, for the body that was described (`BodyErrors`); infinite where
+  /// none is known, also where they fail. Of any entry of the tensor; of each moment, 64 v of the solver
+  /// taken for granted; of any component of each axis, and of each that particles are turned to.
+  [[nodiscard]] double tensor_error();
+  [[nodiscard]] Position moment_errors();
+  [[nodiscard]] Position axis_errors();
+  [[nodiscard]] Position turning_errors();
+  /// Of the coordinate along an axis, for each particle.
+  [[nodiscard]] std::vector<double> place_errors_along(std::size_t k);
+
+ private:
+  const Result<SharpTensor>& sharp_tensor();
+  /// Of any entry of that.
+  [[nodiscard]] double sharp_tensor_error();
+  /// What the body's file says of it, where its particles stand for that and differ by their rounding alone.
+  std::optional<SharpTensor> said_inertia();
+
+  const Body& body_;
+  SceneLedger& ledger_;
+  std::optional<Result<InertiaTensor>> tensor_;
+  double tensor_rounding_ = 0;        // of its sums
+  double sharp_tensor_rounding_ = 0;  // kg m²
+  bool is_said_ = false;              // the sharp tensor is what the file says
+  Position left_out_{};               // of the moments: what a tensor has beside its diagonal
+  std::optional<Result<SharpTensor>> sharp_tensor_;
+  std::optional<Result<SharpPosition>> moments_;
+  std::optional<Result<Axes>> axes_;
+  std::optional<Result<Places>> places_;
+};
+
+}  // namespace rigor

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far what is computed of a scene's body may be from the body that was described.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numeric/body/body_errors.h"
+#include "scene/quantity/scene_body.h"
+
+namespace rigor {
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr Position unknown{unbounded, unbounded, unbounded};
+
+/// Of the axes as they are found, and their lengths: 6 u and 10 u.
+constexpr double axis_rounding = 16 * u;
+
+double greatest_moment(const SharpPosition& moments) {
+  double greatest = 0;
+  for (const HighLow& moment : moments) greatest = std::max(greatest, std::abs(moment.high));
+  return greatest;
+}
+
+/// Of the axes of moments, of a tensor that is off by so much in the 2-norm: sin θ ≤ 2 |E|/gap, and |δn| ≤ √2
+/// sin θ (C. Davis, W. M. Kahan, SIAM J. Numer. Anal. 7 (1970) 1; Y. Yu, T. Wang, R. J. Samworth, Biometrika
+/// 102 (2015) 315). Where the tensor is exact, any axes of equal moments are right.
+Position turned_by(const SharpPosition& moments, double off) {
+  Position errors{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t l = 0; l < 3; ++l) {
+      const double gap = std::abs((moments[k].high - moments[l].high) + (moments[k].low - moments[l].low));
+      if (k == l || off == 0) continue;
+      errors[k] = std::max(errors[k], gap > 4 * off ? 3 * off / gap : unbounded);
+    }
+  }
+  return errors;
+}
+
+}  // namespace
+
+double SceneBody::tensor_error() {
+  if (!tensor()) return unbounded;
+  return tensor_rounding_ + inertia_error(body_);
+}
+
+double SceneBody::sharp_tensor_error() {
+  if (!sharp_tensor()) return unbounded;
+  return is_said_ ? body_.known->error : sharp_tensor_rounding_ + inertia_error(body_);
+}
+
+Position SceneBody::moment_errors() {
+  const auto& found = moments();
+  if (!found) return unknown;
+  // |E| ≤ 3 max |E_ij|; the solver's 64 v of the Frobenius norm, which is at most 3 times an entry.
+  const double solver = 0x1p-98 * greatest_moment(*found) + 0x1p-1070;
+  const double off = 3 * sharp_tensor_error();
+  Position errors{};
+  for (std::size_t k = 0; k < 3; ++k) errors[k] = off + solver + left_out_[k];
+  return errors;
+}
+
+Position SceneBody::turning_errors() {
+  const auto along = is_along_principal_axes();
+  if (!along) return unknown;
+  if (*along) return {};
+  const auto& found = moments();
+  if (!found) return unknown;
+  Position errors = turned_by(*found, 3 * sharp_tensor_error());
+  for (double& error : errors) error += axis_rounding;
+  return errors;
+}
+
+Position SceneBody::axis_errors() {
+  const auto along = is_along_principal_axes();
+  if (!along) return unknown;
+  if (!*along) return turning_errors();
+  const auto& found = moments();
+  const auto& inertia = sharp_tensor();
+  if (!found || !inertia) return unknown;
+  const double products =
+      std::abs((*inertia)[1][0].high) + std::abs((*inertia)[2][0].high) + std::abs((*inertia)[2][1].high);
+  return turned_by(*found, 3 * sharp_tensor_error() + 2 * products);
+}
+
+std::vector<double> SceneBody::place_errors_along(std::size_t k) {
+  const double turning = turning_errors()[k];
+  std::vector<double> errors(body_.size());
+  std::vector<double> squares(body_.size());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::vector<double> own = place_errors(body_, i);
+    for (std::size_t p = 0; p < body_.size(); ++p) {
+      errors[p] += own[p];
+      squares[p] += body_.positions[i][p] * body_.positions[i][p];
+    }
+  }
+  for (std::size_t p = 0; p < body_.size(); ++p) {
+    // sin θ and 3 roundings, and what squares lost below the normal range
+    const double reach = std::sqrt(squares[p]) + 0x1p-500;
+    errors[p] = (errors[p] + (turning + 4 * u) * reach) * (1 + 0x1p-20);
+  }
+  return errors;
+}
+
+}  // namespace rigor
