@@ -32,13 +32,14 @@ rigor_floor(latex ON source PRIVATE rigor::cmark-gfm
 rigor_floor(expr ON source
   ROOMS tree calculus print statement)
 rigor_floor(elaborate ON latex expr
-  ROOMS evidence name notation)
+  ROOMS evidence name reading symbol notation)
 rigor_floor(algebra ON expr PRIVATE rigor::ginac
   ROOMS engine point evaluator ring form generic sample decide)
 rigor_floor(numeric ON expr PRIVATE Eigen3::Eigen rigor::qd Boost::boost
   ROOMS lane kernels program run body mesh family measure)
 rigor_floor(check ON elaborate algebra
-  ROOMS step word directive prose event question meaning verdict scope dimension doubt repair form lint walk)
+  ROOMS step word directive prose event ledger question meaning verdict scope doubt repair place row walk dimension form lint
+    review entry)
 rigor_floor(derive ON algebra
   ROOMS polynomial notation chain answer)
 rigor_floor(scene ON elaborate numeric PRIVATE rigor::tomlplusplus Boost::boost

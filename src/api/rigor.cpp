@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "api/checked_step.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "report/text/terminal.h"
 
 namespace rigor {
@@ -29,7 +29,7 @@ std::size_t rank_of(StepVerdict verdict) {
   constexpr std::array order{StepVerdict::refuted, StepVerdict::not_understood, StepVerdict::undecided,
                              StepVerdict::skipped, StepVerdict::definition,     StepVerdict::given,
                              StepVerdict::proved};
-  return static_cast<std::size_t>(std::find(order.begin(), order.end(), verdict) - order.begin());
+  return static_cast<std::size_t>(std::ranges::find(order, verdict) - order.begin());
 }
 
 /// The worst step of the statement, with all that is said of the others and of the context.

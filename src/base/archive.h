@@ -4,8 +4,9 @@
 //
 //   template <class Archive> void fields(Archive& archive, Point& point) { archive(point.x, point.y); }
 //
-// Numbers have 8 bytes, least significant first; what has a length begins with it. Enumerations are read back
-// only below the bound that `bounded` gives.
+// A whole number takes seven bits a byte, least significant first; all bytes but the last have the highest
+// bit set. A real one takes its 8 bytes. What has a length begins with it. Enumerations are read back only
+// below the bound that `bounded` gives.
 #pragma once
 
 #include <array>
@@ -33,13 +34,17 @@ class ArchiveWriter {
 
  private:
   void put_number(std::uint64_t value) {
-    for (int k = 0; k < 8; ++k) bytes_ += static_cast<char>((value >> (8 * k)) & 0xFFU);
+    for (; value >= 0x80U; value >>= 7U) bytes_ += static_cast<char>(value | 0x80U);
+    bytes_ += static_cast<char>(value);
   }
   void put(std::string& text) {
     put_number(text.size());
     bytes_ += text;
   }
-  void put(double& value) { put_number(std::bit_cast<std::uint64_t>(value)); }
+  void put(double& value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    for (unsigned k = 0; k < 64; k += 8) bytes_ += static_cast<char>((bits >> k) & 0xFFU);
+  }
   template <class Value>
   void put(std::vector<Value>& values) {
     put_number(values.size());
@@ -82,6 +87,8 @@ class ArchiveReader {
     value = static_cast<Enumeration>(ok_ ? number : 0);
   }
   [[nodiscard]] bool ok() const { return ok_; }
+  /// What is not read yet.
+  [[nodiscard]] std::string_view rest() const { return bytes_; }
   /// All was read, and it fitted.
   [[nodiscard]] bool finished() const { return ok_ && bytes_.empty(); }
 
@@ -90,14 +97,22 @@ class ArchiveReader {
     ok_ = false;
     bytes_ = {};
   }
-  std::uint64_t get_number() {
-    if (bytes_.size() < 8) fail();
+  std::uint64_t get_byte() {
+    if (bytes_.empty()) fail();
     if (!ok_) return 0;
+    const auto byte = static_cast<unsigned char>(bytes_.front());
+    bytes_.remove_prefix(1);
+    return byte;
+  }
+  std::uint64_t get_number() {
     std::uint64_t value = 0;
-    for (std::size_t k = 0; k < 8; ++k)
-      value |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[k])) << (8 * k);
-    bytes_.remove_prefix(8);
-    return value;
+    for (unsigned shift = 0;; shift += 7) {
+      const std::uint64_t byte = get_byte();
+      if (shift == 63 && byte > 1) fail();
+      if (!ok_) return 0;
+      value |= (byte & 0x7FU) << shift;
+      if (byte < 0x80U) return value;
+    }
   }
   /// Of things that have at least a byte each.
   std::size_t get_length() {
@@ -110,7 +125,11 @@ class ArchiveReader {
     text = bytes_.substr(0, length);
     bytes_.remove_prefix(length);
   }
-  void get(double& value) { value = std::bit_cast<double>(get_number()); }
+  void get(double& value) {
+    std::uint64_t bits = 0;
+    for (unsigned k = 0; k < 64; k += 8) bits |= get_byte() << k;
+    value = std::bit_cast<double>(bits);
+  }
   template <class Value>
   void get(std::vector<Value>& values) {
     values.clear();

@@ -9,6 +9,9 @@ namespace rigor {
 
 [[nodiscard]] constexpr bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
 [[nodiscard]] constexpr bool is_capital_letter(char c) { return c >= 'A' && c <= 'Z'; }
+[[nodiscard]] constexpr bool is_capital_letter(std::string_view text) {
+  return text.size() == 1 && is_capital_letter(text[0]);
+}
 [[nodiscard]] constexpr bool is_letter(char c) { return is_small_letter(c) || is_capital_letter(c); }
 /// In the name of a control word: also `@`, which packages and preambles use.
 [[nodiscard]] constexpr bool is_word_letter(char c) { return is_letter(c) || c == '@'; }

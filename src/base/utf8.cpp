@@ -38,7 +38,7 @@ constexpr std::array<Range, 5> steering{
 
 template <std::size_t N>
 bool is_in(const std::array<Range, N>& ranges, char32_t c) {
-  return std::any_of(ranges.begin(), ranges.end(), [c](Range r) { return r.first <= c && c <= r.last; });
+  return std::ranges::any_of(ranges, [c](Range r) { return r.first <= c && c <= r.last; });
 }
 
 /// What to print for the code point that stands at [begin, end) of the text.
@@ -58,7 +58,7 @@ std::string as_utf8(std::string_view bytes) {
 
 std::size_t count_code_points(std::string_view text) {
   return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation(byte); }));
+      std::ranges::count_if(text, [](char byte) { return !is_continuation(byte); }));
 }
 
 char32_t next_code_point(std::string_view text, std::size_t& offset) {

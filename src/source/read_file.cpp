@@ -116,8 +116,8 @@ Diagnostics mend_text(std::string& text, FileId file) {
     if (nul.count > 1) message = fmt::format("the first of {} NUL bytes", nul.count);
     found.push_back({DiagnosticKind::nul_byte, nul.span(file), message, {}, {}});
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
+  std::ranges::stable_sort(
+      found, [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
   return found;
 }
 

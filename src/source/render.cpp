@@ -80,8 +80,8 @@ Excerpt excerpt_around(std::string_view line, std::uint32_t line_start, std::siz
   for (const Glyph& glyph : glyphs) total += glyph.width;
   if (total <= width && !result.cut_left && !result.cut_right) return result;
 
-  const auto after = std::find_if(glyphs.begin(), glyphs.end(),
-                                  [&](const Glyph& glyph) { return glyph.offset >= line_start + center; });
+  const auto after =
+      std::ranges::find_if(glyphs, [&](const Glyph& glyph) { return glyph.offset >= line_start + center; });
   auto first = static_cast<std::size_t>(after - glyphs.begin());
   std::size_t last = first;
   std::size_t room = width - 2;  // a cell for each `…`

@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "algebra/decide/decide.h"
+#include "exact_sample.h"
 #include "numeric/body/body_letters.h"
 #include "numeric/family/families.h"
 #include "numeric/measure/assumptions.h"
 #include "numeric/measure/bounds.h"
-#include "numeric/measure/exact_sample.h"
 #include "numeric/program/program.h"
 
 namespace rigor::agreement {

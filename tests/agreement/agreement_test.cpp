@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "scene/file/body_file.h"
 

@@ -10,6 +10,7 @@
 
 #include "algebra/decide/random_samples.h"
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 
 namespace rigor::agreement {

@@ -27,7 +27,7 @@
 #include "base/check.h"
 #include "check/event/notes.h"
 #include "check/step/report.h"
-#include "check/walk/session.h"
+#include "check/walk/walk.h"
 #include "decide_watch.h"
 #include "process.h"
 #include "source/read_file.h"
@@ -123,7 +123,7 @@ SessionTimes timed_session(const SourceMap& sources, const Notes& notes, Decide 
     before = now;
     deciding = 0.0;
   }};
-  Session(sources, notes, times.report, options).run();
+  static_cast<void>(walk_through(sources, notes, times.report, options));
   times.decisions.resize(times.report.steps.size());
   return times;
 }

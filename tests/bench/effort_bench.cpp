@@ -11,7 +11,7 @@
 #include <string>
 
 #include "algebra/engine/budget.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 
 namespace rigor::bench {
 namespace {

@@ -94,16 +94,10 @@ struct Times {
 [[nodiscard]] Times measure(const Bench& bench, const Term& term,
                             const std::function<void(double*)>& hand_written) {
   const Program program = bench.compile(term);
-  Engine<double> engine(program.code(),
-                        make_plan(program.code(), Lanes::samples, varying_inputs(program, bench.data, {})),
-                        bench.data.particles());
-  const BoundColumns<double> columns(engine, program, bench.data);
-  std::vector<double> ours(samples * program.outputs());
+  SampleEngine<double> engine(program, bench.data, Lanes::samples, {});
+  const std::vector<double>& ours = engine.run();
   std::vector<double> theirs(samples * program.outputs());
-  const auto run_program = [&] {
-    engine.run_once();
-    engine.run(samples, ours.data(), samples);
-  };
+  const auto run_program = [&] { engine.run(); };
   const auto run_hand = [&] { hand_written(theirs.data()); };
   const std::size_t program_repeats = repeats_of(run_program);
   const std::size_t hand_repeats = repeats_of(run_hand);
@@ -193,7 +187,7 @@ void in_a_loop() {
   const std::array<ProgramInput, 3> spin{{{one.w.symbol, 0}, {one.w.symbol, 1}, {one.w.symbol, 2}}};
   Samples fixed(1, 0);
   for (const Named& each : one.moment) fixed.set(each.symbol, 0, one.data.find(each.symbol, 0)->values[0]);
-  Runner<double> runner(program, fixed, spin);
+  Runner runner(program, fixed, spin);
   std::array<double, 3> state{0.6, 0.7, 0.9};
   std::array<double, 3> rates{};
   constexpr int calls = 100'000;

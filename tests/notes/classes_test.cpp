@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "program.h"
 
 namespace rigor {

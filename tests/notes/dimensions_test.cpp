@@ -11,7 +11,7 @@
 #include <regex>
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "program.h"
 
 namespace rigor {

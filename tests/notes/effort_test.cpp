@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "source/read_file.h"
 
 using namespace rigor;

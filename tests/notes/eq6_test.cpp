@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "program.h"
 
 namespace rigor {

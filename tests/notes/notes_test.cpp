@@ -5,7 +5,7 @@
 #include <set>
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "expectations.h"
 #include "program.h"
 

@@ -2,7 +2,7 @@
 // Sums over particles: what holds for any number of them is proved, and what holds for some numbers only is
 // refuted by a body with another number.
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "program.h"
 
 namespace rigor {

@@ -12,9 +12,10 @@
 
 #include "algebra/decide/random_samples.h"
 #include "base/check.h"
+#include "check/entry/check.h"
+#include "check/entry/read_forms.h"
 #include "check/event/notes.h"
 #include "check/form/forms.h"
-#include "check/walk/check.h"
 #include "declarations.h"
 #include "latex/document/document.h"
 #include "source/read_file.h"

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "mutate.h"
 
 namespace rigor::twins {

@@ -70,7 +70,7 @@ constexpr std::uint32_t cheap_terms = 3000;
 
 /// A proof, and under what it was found.
 struct Found {
-  Proof proof;
+  Trial trial;
   Attempt under;
   bool unfolded = false;  // with definitions unfolded
   Work cost;
@@ -97,7 +97,7 @@ class Decider {
   [[nodiscard]] std::optional<Found> try_proof(const Attempt& attempt, bool unfolded);
   [[nodiscard]] std::optional<Found> try_cheap_proof(const Attempt& attempt, bool& finished);
   void drop_needless_assumptions(Found& found);
-  [[nodiscard]] Decision proved(const Found& found) const;
+  [[nodiscard]] Decision proved(Found found) const;
   [[nodiscard]] Decision proved_by_value();
   [[nodiscard]] Decision refuted(const Refuter::Counterexample& counterexample);
   [[nodiscard]] std::string why_open() const;
@@ -110,7 +110,7 @@ class Decider {
   std::optional<bool> needs_definitions_;
   std::string gave_up_;         // the reason why the last proof was broken off
   bool no_real_value_ = false;  // a proof met a root of what is negative
-  Proof last_proof_;            // the last one that was finished and does not hold
+  Trial last_trial_;            // the last one that was finished and does not hold
 };
 
 std::optional<std::string> Decider::why_not_tried() const {
@@ -125,10 +125,10 @@ std::optional<std::string> Decider::why_not_tried() const {
 std::optional<Found> Decider::try_proof(const Attempt& attempt, bool unfolded) {
   const Work before = work_;
   try {
-    const Proof proof = prove(unfolded ? unfolded_ : opaque_, attempt, limits_, work_);
-    if (proof.holds)
-      return Found{proof, attempt, unfolded, {work_.terms - before.terms, work_.steps - before.steps}};
-    last_proof_ = proof;
+    Trial trial = prove(unfolded ? unfolded_ : opaque_, attempt, limits_, work_);
+    const Work cost{work_.terms - before.terms, work_.steps - before.steps};
+    if (trial.holds) return Found{std::move(trial), attempt, unfolded, cost};
+    last_trial_ = std::move(trial);
   } catch (const NoRealValue& reason) {
     gave_up_ = reason.what();
     no_real_value_ = true;
@@ -144,10 +144,10 @@ std::optional<Found> Decider::try_cheap_proof(const Attempt& attempt, bool& fini
   limits.expanded_terms = std::min(limits.expanded_terms, cheap_terms);
   Work work;
   try {
-    const Proof proof = prove(opaque_, attempt, limits, work);
+    Trial trial = prove(opaque_, attempt, limits, work);
     finished = true;
-    if (proof.holds) return Found{proof, attempt, false, work};
-    last_proof_ = proof;
+    if (trial.holds) return Found{std::move(trial), attempt, false, work};
+    last_trial_ = std::move(trial);
   } catch (const Undecidable&) {
     // tried again with the full limits, if need be
   }
@@ -205,9 +205,9 @@ void Decider::drop_needless_assumptions(Found& found) {
   const auto keep = [&](std::vector<std::size_t> assumptions) {
     const Attempt fewer{.effort = found.under.effort, .assumptions = std::move(assumptions)};
     try {
-      const Proof proof = prove(found.unfolded ? unfolded_ : opaque_, fewer, limits, work);
-      if (!proof.holds) return false;
-      found.proof = proof;
+      Trial trial = prove(found.unfolded ? unfolded_ : opaque_, fewer, limits, work);
+      if (!trial.holds) return false;
+      found.trial = std::move(trial);
       found.under = fewer;
       return true;
     } catch (const Undecidable&) {
@@ -216,7 +216,7 @@ void Decider::drop_needless_assumptions(Found& found) {
   };
   const std::vector<std::size_t>& kept = found.under.assumptions;
   if (kept.size() < 2) return;  // without any it was tried already
-  if (found.proof.used.size() < kept.size()) keep(found.proof.used);
+  if (found.trial.used.size() < kept.size()) keep(found.trial.used);
   for (std::size_t i = 0; i < kept.size() && kept.size() > 1;) {
     std::vector<std::size_t> fewer = kept;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
@@ -224,29 +224,17 @@ void Decider::drop_needless_assumptions(Found& found) {
   }
 }
 
-Decision Decider::proved(const Found& found) const {
-  Decision decision;
-  decision.outcome = Outcome::proved;
-  decision.vanishes = found.proof.vanishes;
-  decision.route = found.proof.order ? "sign of the difference" : "component normal form";
-  if (found.proof.moments) decision.route += ", moments of any number of particles";
-  if (found.proof.unit_vectors) decision.route += ", unit vectors at the generic point";
-  if (found.proof.rotations) decision.route += ", rotations at the generic point";
-  if (found.proof.functions) decision.route += ", addition formulas";
-  if (found.proof.radicals) decision.route += ", radicals";
-  decision.unfolded = reach_of_sample(found.unfolded ? unfolded_ : opaque_, found.under.assumptions).unfolded;
-  decision.assumptions = found.under.assumptions;
-  return decision;
+Decision Decider::proved(Found found) const {
+  Proof& proof = found.trial.proof;
+  proof.unfolded = reach_of_sample(found.unfolded ? unfolded_ : opaque_, found.under.assumptions).unfolded;
+  return proved_by(std::move(proof));
 }
 
 /// A claim without symbols holds if its numbers are equal.
 Decision Decider::proved_by_value() {
-  Decision decision;
-  decision.outcome = Outcome::proved;
-  decision.vanishes = refuter_.left_vanishes();
-  decision.route = "component normal form";
-  decision.unfolded = refuter_.reach().unfolded;
-  return decision;
+  Proof proof{.method = Proof::Method::value, .vanishes = refuter_.left_vanishes()};
+  proof.unfolded = refuter_.reach().unfolded;
+  return proved_by(std::move(proof));
 }
 
 /// What is printed is put into the question again first, as its reader would do it.
@@ -274,8 +262,8 @@ std::string Decider::why_open() const {
                        free ? "gives both sides a rational value" : "is known to satisfy the assumptions");
   }
   std::string reason = "no proof";
-  if (last_proof_.radicals) reason = "no proof, since its roots may depend on each other";
-  if (last_proof_.unsolved_assumptions) reason = "no proof, since its assumptions have no unique solution";
+  if (last_trial_.radicals) reason = "no proof, since its roots may depend on each other";
+  if (last_trial_.unsolved_assumptions) reason = "no proof, since its assumptions have no unique solution";
   return fmt::format("{}; it holds on all of {} exact samples on which both sides have a rational value",
                      reason, refuter_.points_compared());
 }
@@ -296,8 +284,8 @@ Decision Decider::decide() {
   if (const auto differs = look([this] { return refuter_.quick_look(); })) return refuted(*differs);
   if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
   auto found = try_all_proofs(Effort::plain);
-  if (!found && last_proof_.radicals) found = try_all_proofs(Effort::factored);
-  if (found && !found->proof.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
+  if (!found && last_trial_.radicals) found = try_all_proofs(Effort::factored);
+  if (found && !found->trial.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
     static_cast<void>(look([this] {
       refuter_.find_a_point();
       return std::optional<Refuter::Counterexample>();
@@ -307,7 +295,7 @@ Decision Decider::decide() {
   }
   if (found) {
     if (limits_.fewest_assumptions) drop_needless_assumptions(*found);
-    return proved(*found);
+    return proved(*std::move(found));
   }
   if (const auto differs = look([this] { return refuter_.search(); })) return refuted(*differs);
   Decision open = undecided(why_open());

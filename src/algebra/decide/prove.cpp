@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "algebra/evaluator/components.h"
 #include "algebra/generic/constraints.h"
 #include "algebra/generic/order.h"
+#include "algebra/generic/written_proof.h"
 #include "base/check.h"
 
 namespace rigor {
@@ -22,7 +26,28 @@ namespace {
   return Order(domain).is_within(value, allowed, constraints.reduced_facts());
 }
 
-[[nodiscard]] Proof prove_components(const Scope& scope, const Attempt& attempt, const Limits& limits,
+/// What the normal form took, the steps, and the assumptions that no step names.
+void write_down(Proof& proof, const Scope& scope, GenericDomain& domain, const Constraints& constraints,
+                std::span<const std::vector<std::uint8_t>> axes, const Attempt& attempt) {
+  const bool order = scope.question().claim.relation != Relation::equal;
+  proof.method = order ? Proof::Method::sign : Proof::Method::normal_form;
+  proof.moments = domain.used_moments();
+  proof.unit_vectors = domain.used_unit_vectors();
+  proof.rotations = domain.used_rotations();
+  proof.radicals = domain.used_radicals();
+  proof.functions = domain.used_functions();
+  write_steps(proof, scope, domain, constraints.trace(), axes);
+  if (order) {
+    const auto used = constraints.used(true);
+    proof.steps.push_back({.kind = ProofStep::Kind::sign, .assumptions = {used.begin(), used.end()}});
+  }
+  const std::vector<std::size_t> named = assumptions_of(proof);
+  for (const std::size_t position : attempt.assumptions) {
+    if (!std::binary_search(named.begin(), named.end(), position)) proof.in_force.push_back(position);
+  }
+}
+
+[[nodiscard]] Trial prove_components(const Scope& scope, const Attempt& attempt, const Limits& limits,
                                      Work& work, int angle_divisor) {
   const Equation& claim = scope.question().claim;
   GenericDomain domain(scope, limits, attempt.effort, work, angle_divisor);
@@ -46,45 +71,47 @@ namespace {
       }
     }
   };
-  const auto is_zero = [&](const Fraction& left, const Fraction& right) {
+  std::vector<std::vector<std::uint8_t>> reduced;  // the components that were not zero as they stood
+  const auto is_zero = [&](const auto& axes, const Fraction& left, const Fraction& right) {
     note_divisors(left, right);
-    return constraints.vanishes(domain.difference(left, right));
+    const std::size_t before = constraints.trace().vanishings.size();
+    const bool zero = constraints.vanishes(domain.difference(left, right));
+    if (constraints.trace().vanishings.size() > before) reduced.push_back(axes);
+    return zero;
   };
-  const auto is_right = [&](const Fraction& left, const Fraction& right) {
-    if (claim.relation == Relation::equal) return is_zero(left, right);
+  const auto is_right = [&](const auto& axes, const Fraction& left, const Fraction& right) {
+    if (claim.relation == Relation::equal) return is_zero(axes, left, right);
     note_divisors(left, right);
     domain.signs().conclude();
     return has_order(domain, constraints, claim.relation, domain.subtracted(right, left));
   };
   if (claim.relation != Relation::equal) domain.note_signs_as_written();
-  Proof proof;
-  proof.order = claim.relation != Relation::equal;
   const auto vanishes_alone = [&](const Fraction& left, const Fraction& right) {  // both are equal
     return right.numerator.is_zero() || constraints.reduced(domain.difference(left, Fraction{})).is_zero();
   };
-  proof.vanishes = !proof.order;
-  proof.holds = for_each_component(evaluator, scope.tree(), claim,
-                                   [&](const auto&, const Fraction& left, const Fraction& right) {
-                                     if (!is_right(left, right)) return false;
-                                     proof.vanishes = proof.vanishes && vanishes_alone(left, right);
+  bool vanishes = claim.relation == Relation::equal;
+  Trial trial;
+  trial.holds = for_each_component(evaluator, scope.tree(), claim,
+                                   [&](const auto& axes, const Fraction& left, const Fraction& right) {
+                                     if (!is_right(axes, left, right)) return false;
+                                     vanishes = vanishes && vanishes_alone(left, right);
                                      return true;
                                    });
-  proof.vanishes = proof.vanishes && proof.holds;
-  const bool by_signs = proof.order || domain.used_radicals() || domain.used_functions();
+  trial.radicals = domain.used_radicals();
+  trial.unsolved_assumptions = !trial.holds && constraints.incomplete();
+  if (!trial.holds) return trial;
+  const bool by_signs =
+      claim.relation != Relation::equal || domain.used_radicals() || domain.used_functions();
   const auto used = constraints.used(by_signs);
-  proof.used.assign(used.begin(), used.end());
-  proof.moments = domain.used_moments();
-  proof.unit_vectors = domain.used_unit_vectors();
-  proof.rotations = domain.used_rotations();
-  proof.radicals = domain.used_radicals();
-  proof.functions = domain.used_functions();
-  proof.unsolved_assumptions = !proof.holds && constraints.incomplete();
-  return proof;
+  trial.used.assign(used.begin(), used.end());
+  trial.proof.vanishes = vanishes;
+  write_down(trial.proof, scope, domain, constraints, reduced, attempt);
+  return trial;
 }
 
 }  // namespace
 
-Proof prove(const Scope& scope, const Attempt& attempt, const Limits& limits, Work& work) {
+Trial prove(const Scope& scope, const Attempt& attempt, const Limits& limits, Work& work) {
   try {
     for (int angle_divisor = 1;;) {
       try {

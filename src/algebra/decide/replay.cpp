@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algebra/decide/decide.h"
+#include "algebra/evaluator/components.h"
 #include "algebra/sample/refute.h"
 #include "algebra/sample/sample_text.h"
 #include "base/among.h"
@@ -33,13 +34,15 @@ constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at
 }
 
 [[nodiscard]] bool fits(const ExprTree& tree, const Equation& claim, const Sample& sample) {
-  const std::size_t axes = claim.indices.size() + tree[claim.left].rank;
-  const auto is_axis = [](std::uint8_t axis) { return axis >= 1 && axis <= 3; };
+  const std::vector<std::uint8_t> dimensions = dimensions_of(tree, claim);
+  const auto is_axis = [](std::uint8_t axis, std::uint8_t dimension) {
+    return axis >= 1 && axis <= dimension;
+  };
   const auto is_particle = [&](std::uint32_t particle) {
     return particle >= 1 && particle <= sample.particles;
   };
-  return sample.axes.size() == axes && sample.free_particles.size() == claim.particles.size() &&
-         std::all_of(sample.axes.begin(), sample.axes.end(), is_axis) &&
+  return sample.axes.size() == dimensions.size() && sample.free_particles.size() == claim.particles.size() &&
+         std::equal(sample.axes.begin(), sample.axes.end(), dimensions.begin(), is_axis) &&
          std::all_of(sample.free_particles.begin(), sample.free_particles.end(), is_particle);
 }
 

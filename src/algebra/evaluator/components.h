@@ -21,30 +21,46 @@ template <class Digit>
   return false;
 }
 
-/// The free indices' values, then the axes of the component of a value of this rank.
-[[nodiscard]] inline std::vector<std::uint8_t> axes_of(std::vector<std::uint8_t> indices, int rank,
-                                                       std::size_t component) {
-  for (std::size_t stride = component_count(rank) / 3; stride > 0; stride /= 3) {
-    indices.push_back(static_cast<std::uint8_t>(component / stride % 3 + 1));
+/// Counts up axes from 1, the last one fastest, each to the dimension of its space; false after the last.
+[[nodiscard]] inline bool next_axes(std::vector<std::uint8_t>& axes,
+                                    const std::vector<std::uint8_t>& dimensions) {
+  for (std::size_t k = axes.size(); k-- > 0;) {
+    if (axes[k] < dimensions[k]) {
+      ++axes[k];
+      return true;
+    }
+    axes[k] = 1;
   }
-  return indices;
+  return false;
+}
+
+/// The dimensions of the free indices' spaces, then of the axes of the sides.
+[[nodiscard]] inline std::vector<std::uint8_t> dimensions_of(const ExprTree& tree, const Equation& equation) {
+  std::vector<std::uint8_t> dimensions;
+  for (const IndexId index : equation.indices) dimensions.push_back(tree.space(index).dimension);
+  const ExprNode& side = tree[equation.left];
+  for (int axis = 0; axis < side.rank; ++axis) dimensions.push_back(side.axes[axis].dimension);
+  return dimensions;
 }
 
 /// Evaluates both sides for every value of the free indices and calls visit(axes, left, right) for each
-/// component, until it returns false; false if it did. The free particles are bound by the caller.
+/// component, until it returns false; false if it did. The axes are the free indices' values, then those of
+/// the component. The free particles are bound by the caller.
 template <class Domain, class Visit>
 bool for_each_component(Evaluator<Domain>& evaluator, const ExprTree& tree, const Equation& equation,
                         const Visit& visit) {
-  const int rank = tree[equation.left].rank;
-  std::vector<std::uint8_t> indices(equation.indices.size(), 1);
-  do {
-    for (std::size_t i = 0; i < indices.size(); ++i) evaluator.bind(equation.indices[i], indices[i]);
+  const std::vector<std::uint8_t> dimensions = dimensions_of(tree, equation);
+  const std::size_t free = equation.indices.size();
+  std::vector<std::uint8_t> axes(dimensions.size(), 1);
+  for (bool more = true; more;) {
+    for (std::size_t i = 0; i < free; ++i) evaluator.bind(equation.indices[i], axes[i]);
     const auto left = evaluator.array(equation.left);
     const auto right = evaluator.array(equation.right);
     for (std::size_t i = 0; i < left.size(); ++i) {
-      if (!visit(axes_of(indices, rank, i), left[i], right[i])) return false;
+      if (!visit(axes, left[i], right[i])) return false;
+      more = next_axes(axes, dimensions);
     }
-  } while (next_tuple<std::uint8_t>(indices, 1, 3));
+  }
   return true;
 }
 

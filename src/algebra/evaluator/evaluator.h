@@ -87,6 +87,7 @@ class Evaluator {
     return id == no_particle ? 0 : particle_[static_cast<std::size_t>(id)];
   }
   [[nodiscard]] std::size_t slot_position(ExprId id) const;
+  [[nodiscard]] std::size_t dimension_at(ExprId id, std::size_t slot) const;
   [[nodiscard]] int index_sign(ExprId id) const;
 
   [[nodiscard]] bool is_left_out(ExprId id) const;

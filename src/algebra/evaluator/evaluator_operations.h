@@ -77,12 +77,12 @@ auto Evaluator<Domain>::array(ExprId id) -> Array {
     case Op::symbol:
       return whole_symbol(here);
     case Op::basis: {
-      Array unit(3);
+      Array unit(component_count(here));
       unit[axis(tree_->slots(id)[0]) - 1u] = domain_->integer(1);
       return unit;
     }
     case Op::add: {
-      Array total(component_count(here.rank));
+      Array total(component_count(here));
       for (const ExprId each : tree_->children(id)) add_to(total, array(each));
       return total;
     }
@@ -113,7 +113,7 @@ auto Evaluator<Domain>::array(ExprId id) -> Array {
     case Op::determinant:
       return determinant(id);
     case Op::index_sum: {
-      Array total(component_count(here.rank));
+      Array total(component_count(here));
       const IndexChain chain = index_chain(id);
       for_each_index(chain, [&] { add_to(total, array(chain.body)); });
       return total;
@@ -129,13 +129,25 @@ auto Evaluator<Domain>::array(ExprId id) -> Array {
 
 // --- index variables
 
+/// Of the space that a slot runs over: that of the axis which it picks, or, in a table, its own.
+template <class Domain>
+std::size_t Evaluator<Domain>::dimension_at(ExprId id, std::size_t slot) const {
+  const ExprNode& here = node(id);
+  const auto axis = static_cast<int>(slot);
+  if (here.op == Op::symbol) return tree_->symbols[here.symbol].axes[axis].dimension;
+  if (here.op == Op::component) return node(child(id)).axes[axis].dimension;
+  const Slot& own = tree_->slots(id)[slot];
+  return own.axis == 0 ? tree_->space(own.variable).dimension : common_space.dimension;
+}
+
 /// The component that a node's slots pick, row by row; 0 where there are none.
 template <class Domain>
 std::size_t Evaluator<Domain>::slot_position(ExprId id) const {
+  const auto slots = tree_->slots(id);
   std::size_t position = 0;
-  for (const Slot& slot : tree_->slots(id)) {
-    RIGOR_CHECK(axis(slot) != 0, tree_->name(slot.variable));
-    position = 3 * position + (axis(slot) - 1u);
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    RIGOR_CHECK(axis(slots[k]) != 0, tree_->name(slots[k].variable));
+    position = dimension_at(id, k) * position + (axis(slots[k]) - 1u);
   }
   return position;
 }
@@ -189,7 +201,8 @@ void Evaluator<Domain>::for_each_value(const IndexChain& chain, std::size_t leve
     term();
     return;
   }
-  for (std::uint8_t value = 1; value <= 3; ++value) {
+  const std::uint8_t dimension = tree_->space(chain.variables[level]).dimension;
+  for (std::uint8_t value = 1; value <= dimension; ++value) {
     domain_->step();
     bind(chain.variables[level], value);
     const bool vanishes = std::any_of(chain.guards.begin(), chain.guards.end(),

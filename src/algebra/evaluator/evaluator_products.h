@@ -35,7 +35,7 @@ auto Evaluator<Domain>::scalar_factors(ExprId id) -> Number {
 
 template <class Domain>
 auto Evaluator<Domain>::outer_product(ExprId id) -> Array {
-  if (is_left_out(id)) return Array(component_count(node(id).rank));
+  if (is_left_out(id)) return Array(component_count(node(id)));
   Array value{scalar_factors(id)};
   const bool is_zero = domain_->is_zero(value.front());
   for (const ExprId factor : tree_->children(id)) {
@@ -52,7 +52,7 @@ auto Evaluator<Domain>::outer_product(ExprId id) -> Array {
     }
     value = std::move(longer);
   }
-  return is_zero ? Array(component_count(node(id).rank)) : value;
+  return is_zero ? Array(component_count(node(id))) : value;
 }
 
 /// What a scalar symbol's definition says, if that is all the symbol stands for.
@@ -100,14 +100,15 @@ template <class Domain>
 auto Evaluator<Domain>::contraction(ExprId id) -> Array {
   const Array a = array(child(id, 0));
   const Array b = array(child(id, 1));
-  const std::size_t rows = a.size() / 3;
-  const std::size_t columns = b.size() / 3;
+  const std::size_t shared = node(child(id, 1)).axes[0].dimension;
+  const std::size_t rows = a.size() / shared;
+  const std::size_t columns = b.size() / shared;
   Array value(rows * columns);
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       Number& total = value[row * columns + column];
-      for (std::size_t s = 0; s < 3; ++s) {
-        domain_->add(total, domain_->multiply(a[3 * row + s], b[s * columns + column]));
+      for (std::size_t s = 0; s < shared; ++s) {
+        domain_->add(total, domain_->multiply(a[shared * row + s], b[s * columns + column]));
       }
     }
   }
@@ -134,7 +135,7 @@ template <class Domain>
 auto Evaluator<Domain>::determinant(ExprId id) -> Array {
   std::array<Array, 9> entry;
   for (std::size_t i = 0; i < 9; ++i) entry[i] = array(child(id, i));
-  Array total(component_count(node(id).rank));
+  Array total(component_count(node(id)));
   const auto add_term = [&](std::size_t i, std::size_t j, std::size_t k, bool odd) {
     Array term{domain_->integer(odd ? -1 : 1)};
     for (const Array& factor : {entry[i], entry[3 + j], entry[6 + k]}) {
@@ -162,7 +163,7 @@ template <class Domain>
 auto Evaluator<Domain>::sum_over_particles(ExprId id) -> Array {
   const ParticleId variable = node(id).particle;
   const std::uint32_t before = bound(variable);
-  Array total = domain_->particle_sum(component_count(node(id).rank), [&](std::uint32_t particle) {
+  Array total = domain_->particle_sum(component_count(node(id)), [&](std::uint32_t particle) {
     bind(variable, particle);
     return array(child(id));
   });

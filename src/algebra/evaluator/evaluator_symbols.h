@@ -20,7 +20,7 @@ auto Evaluator<Domain>::symbol_component(const ExprNode& symbol, std::size_t com
 template <class Domain>
 auto Evaluator<Domain>::whole_symbol(const ExprNode& symbol) -> Array {
   Array value;
-  const std::size_t count = component_count(tree_->symbols[symbol.symbol].rank);
+  const std::size_t count = component_count(tree_->symbols[symbol.symbol]);
   value.reserve(count);
   for (std::size_t i = 0; i < count; ++i) value.push_back(symbol_component(symbol, i));
   return value;
@@ -29,7 +29,7 @@ auto Evaluator<Domain>::whole_symbol(const ExprNode& symbol) -> Array {
 template <class Domain>
 auto Evaluator<Domain>::value_of(const Definition& definition, std::uint32_t particle) -> Array {
   Array value;
-  const std::size_t count = component_count(tree_->symbols[definition.symbol].rank);
+  const std::size_t count = component_count(tree_->symbols[definition.symbol]);
   value.reserve(count);
   for (std::size_t i = 0; i < count; ++i) value.push_back(unfolded_component(definition, particle, i));
   return value;
@@ -39,7 +39,7 @@ template <class Domain>
 auto Evaluator<Domain>::unfolded_component(const Definition& definition, std::uint32_t particle,
                                            std::size_t component) -> Number {
   const std::uint64_t key = (static_cast<std::uint64_t>(definition.symbol) << 32) | particle;
-  const std::size_t count = component_count(tree_->symbols[definition.symbol].rank);
+  const std::size_t count = component_count(tree_->symbols[definition.symbol]);
   if (const auto known = unfolded_.find(key); known != unfolded_.end() && known->second[component]) {
     return *known->second[component];
   }
@@ -68,8 +68,9 @@ auto Evaluator<Domain>::inside(const Definition& definition, std::uint32_t parti
   for (const IndexId index : definition.indices) before.push_back(axis_[static_cast<std::size_t>(index)]);
   const std::uint32_t particle_before = bound(definition.particle);
   for (auto index = definition.indices.rbegin(); index != definition.indices.rend(); ++index) {
-    bind(*index, static_cast<std::uint8_t>(component % 3 + 1));
-    component /= 3;
+    const std::size_t dimension = tree_->space(*index).dimension;
+    bind(*index, static_cast<std::uint8_t>(component % dimension + 1));
+    component /= dimension;
   }
   if (definition.particle != no_particle) bind(definition.particle, particle);
   auto value = body();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algebra/engine/terms.h"
 #include "algebra/engine/undecidable.h"
@@ -37,7 +38,7 @@ void Constraints::assume(std::span<const std::size_t> positions) {
   }
   for_each(true, [&](std::size_t position) {
     orders_.insert(position);
-    learn_signs(assumptions[position]);
+    learn_signs(position);
   });
   domain_.signs().conclude();
   evaluator_.forget();
@@ -50,7 +51,8 @@ void Constraints::assume(std::span<const std::size_t> positions) {
 
 /// An order for each particle is learnt at the template, which all particles share, and for those of the
 /// claim.
-void Constraints::learn_signs(const Equation& assumption) {
+void Constraints::learn_signs(std::size_t position) {
+  const Equation& assumption = scope_.question().assumptions[position];
   if (assumption.particles.size() > 1) return;
   const bool each_particle = !assumption.particles.empty();
   const Relation relation = assumption.relation;
@@ -71,7 +73,8 @@ void Constraints::learn_signs(const Equation& assumption) {
                            domain_.signs().add_fact(value, narrower == Sign::impossible ? sign : narrower);
                          }
                          const bool nonzero = rigor::is_within(sign, Sign::not_zero);
-                         if (nonzero && (!each_particle || frame != template_frame)) note_nonzero(value);
+                         if (nonzero && (!each_particle || frame != template_frame))
+                           note_nonzero(value, position);
                          if (is_number(value) && !rigor::is_within(domain_.signs().of(value), sign)) {
                            throw Contradiction();
                          }
@@ -103,8 +106,8 @@ void Constraints::take_unit_vectors_as_coordinates(std::span<const SymbolId> sym
     for (std::uint32_t i = 0; i < 3; ++i) {
       square += GiNaC::pow(domain_.indeterminates().coordinate(symbol, i, common_frame), 2);
     }
-    equations_.push_back({square, {}});
-    unit_vectors_.push_back(symbol);
+    unit_vectors_.push_back({symbol, trace_.given.size()});
+    give({.equation = square, .origin = ConstraintsTrace::Given::Origin::unit_vector}, {});
   }
 }
 
@@ -121,7 +124,7 @@ void Constraints::solve_for_each_particle(std::size_t position) {
                        [&](const auto&, const Fraction& left, const Fraction& right) {
                          if (seen++ < solved) return true;
                          ++solved;
-                         again = replace_own_number(domain_.difference(left, right));
+                         again = replace_own_number(domain_.difference(left, right), position);
                          if (again) used_.insert(position);
                          return !again;
                        });
@@ -129,7 +132,7 @@ void Constraints::solve_for_each_particle(std::size_t position) {
   evaluator_.forget();
 }
 
-bool Constraints::replace_own_number(const ex& equation) {
+bool Constraints::replace_own_number(const ex& equation, std::size_t position) {
   const Indeterminates& indeterminates = domain_.indeterminates();
   const std::vector<ex>& all = indeterminates.all();
   const bool plain = std::none_of(all.begin(), all.end(), [&](const ex& x) {
@@ -143,7 +146,10 @@ bool Constraints::replace_own_number(const ex& equation) {
     const Symbol& named = scope_.tree().symbols[origin.symbol];
     if ((named.unit || named.rotation) && !scope_.is_defined(origin.symbol)) continue;
     if (equation.degree(x) != 1 || !is_number(equation.coeff(x, 1))) continue;
-    domain_.replace(origin.symbol, origin.component, solved_for(equation, x));
+    const ex own = x;  // the list may grow
+    const ex worth = solved_for(equation, own);
+    domain_.replace(origin.symbol, origin.component, worth);
+    trace_.of_each_particle.push_back({position, own, worth});
     return true;
   }
   return false;
@@ -151,6 +157,7 @@ bool Constraints::replace_own_number(const ex& equation) {
 
 /// An assumption for each particle holds for those that the claim names.
 void Constraints::collect(std::size_t position) {
+  using Origin = ConstraintsTrace::Given::Origin;
   const Equation& assumption = scope_.question().assumptions[position];
   const std::size_t free_particles = scope_.question().claim.particles.size();
   const std::size_t count = assumption.particles.size();
@@ -160,30 +167,42 @@ void Constraints::collect(std::size_t position) {
   const auto last = first_free_frame + static_cast<Frame>(free_particles) - 1;
   std::vector<std::uint32_t> frames(count, first_free_frame);
   std::vector<ex> all;
+  const std::size_t first = trace_.given.size();
   do {
     for (std::size_t i = 0; i < count; ++i) evaluator_.bind(assumption.particles[i], frames[i]);
     for_each_component(evaluator_, scope_.tree(), assumption,
-                       [&](const auto&, const Fraction& left, const Fraction& right) {
+                       [&](const auto& axes, const Fraction& left, const Fraction& right) {
                          const ex equation = domain_.difference(left, right);
                          for (const Fraction* side : {&left, &right}) {
                            for (const Divisor& each : side->divisors) note_nonzero(each.base);
                          }
                          all.push_back(equation);
-                         equations_.push_back({equation, {position}});
-                         equations_.push_back({domain_.radicals().squared(equation), {position}});
+                         give({equation, Origin::assumption, position, axes, frames}, {position});
+                         give({domain_.radicals().squared(equation), Origin::square_of_previous}, {position});
                          return true;
                        });
   } while (next_tuple(frames, first_free_frame, last));
-  collect_determinants(all, position);
+  collect_determinants(all, first, position);
 }
 
-void Constraints::collect_determinants(std::span<const ex> equations, std::size_t position) {
+void Constraints::give(ConstraintsTrace::Given given, Positions from) {
+  equations_.push_back({given.equation, std::move(from), trace_.given.size()});
+  trace_.given.push_back(std::move(given));
+}
+
+/// `first`: where the first of the equations is given; behind each stands its square.
+void Constraints::collect_determinants(std::span<const ex> equations, std::size_t first,
+                                       std::size_t position) {
   Indeterminates& known = domain_.indeterminates();
-  for (const SymbolId symbol : unit_vectors_) {
-    const std::array<ex, 3> n{known.coordinate(symbol, 0, common_frame),
-                              known.coordinate(symbol, 1, common_frame),
-                              known.coordinate(symbol, 2, common_frame)};
-    for (ex& each : kernel_determinants(equations, n)) determinants_.push_back({std::move(each), {position}});
+  for (const UnitVector& unit : unit_vectors_) {
+    const std::array<ex, 3> n{known.coordinate(unit.symbol, 0, common_frame),
+                              known.coordinate(unit.symbol, 1, common_frame),
+                              known.coordinate(unit.symbol, 2, common_frame)};
+    for (KernelDeterminant& each : kernel_determinants(equations, n)) {
+      determinants_.push_back({std::move(each.value), {position}});
+      for (std::size_t& row : each.rows) row = first + 2 * row;
+      trace_.determinants.push_back({each.rows, unit.given, n});
+    }
   }
 }
 
@@ -232,6 +251,7 @@ void Constraints::eliminate() {
       const ex x = linear_indeterminate(open[i].equation);
       if (x.is_zero()) continue;
       const Solution solution{x, solved_for(open[i].equation, x), open[i].from};
+      trace_.eliminations.push_back({x, open[i].given});
       open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
       for (Known& other : open) substitute(other.equation, other.from, solution);
       for (Solution& earlier : solutions_) substitute(earlier.worth, earlier.from, solution);
@@ -242,6 +262,7 @@ void Constraints::eliminate() {
   for (const Known& each : open) {
     remaining_.push_back({each.equation, monic_indeterminate(each.equation), each.from,
                           domain_.indeterminates().positions_in(each.equation)});
+    trace_.left.push_back({each.given, remaining_.back().monic_in});
   }
 }
 

@@ -18,11 +18,13 @@
 // stands as a factor: Σ m r = 0 makes M[m r_i] zero, not M[m r_i v_j].
 #pragma once
 
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
 
 #include "algebra/generic/cases.h"
+#include "algebra/generic/constraints_trace.h"
 
 namespace rigor {
 
@@ -42,7 +44,7 @@ class Constraints {
   [[nodiscard]] std::vector<Signs::Fact> reduced_facts();
 
   /// What stands in a denominator, or is not 0 for another reason.
-  void note_nonzero(const GiNaC::ex& value);
+  void note_nonzero(const GiNaC::ex& value, std::optional<std::size_t> assumption = {});
 
   /// A polynomial on the solutions, after steps 2 and 3.
   [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& value);
@@ -56,16 +58,23 @@ class Constraints {
   /// be enough.
   [[nodiscard]] std::set<std::size_t> used(bool signs) const;
 
+  [[nodiscard]] const ConstraintsTrace& trace() const { return trace_; }
+
  private:
   using Positions = std::set<std::size_t>;  // of assumptions
   struct Known {
     GiNaC::ex equation;
     Positions from;
+    std::size_t given = 0;  // position in the trace
   };
   struct Solution {
     GiNaC::ex indeterminate;
     GiNaC::ex worth;
     Positions from;
+  };
+  struct UnitVector {
+    SymbolId symbol{};
+    std::size_t given = 0;  // n·n = 1, by its position in the trace
   };
   struct Remaining {
     GiNaC::ex equation;  // expanded, not constant
@@ -74,18 +83,20 @@ class Constraints {
     std::set<std::size_t> indeterminates;  // by position
   };
 
-  void learn_signs(const Equation& assumption);
+  void learn_signs(std::size_t position);
   void solve_for_each_particle(std::size_t position);
   void collect(std::size_t position);
-  void collect_determinants(std::span<const GiNaC::ex> equations, std::size_t position);
+  void collect_determinants(std::span<const GiNaC::ex> equations, std::size_t first, std::size_t position);
+  void give(ConstraintsTrace::Given given, Positions from);
   void eliminate();
-  [[nodiscard]] bool replace_own_number(const GiNaC::ex& equation);
+  [[nodiscard]] bool replace_own_number(const GiNaC::ex& equation, std::size_t position);
   [[nodiscard]] GiNaC::ex solved(const GiNaC::ex& value);
-  [[nodiscard]] bool is_determinant(const GiNaC::ex& value);
+  [[nodiscard]] bool is_determinant(const GiNaC::ex& value, ConstraintsTrace::Vanishing& found);
+  [[nodiscard]] bool vanishes(const GiNaC::ex& value, ConstraintsTrace::Vanishing& found);
   void use(const Positions& positions);
   [[nodiscard]] std::vector<std::size_t> remaining_about(const GiNaC::ex& value) const;
   [[nodiscard]] bool is_combination_times_nonzero(const GiNaC::ex& value, const System& system,
-                                                  const std::vector<std::size_t>& which);
+                                                  ConstraintsTrace::Vanishing& found);
   [[nodiscard]] GiNaC::ex substituted(const GiNaC::ex& value, const Solution& by);
   void substitute(GiNaC::ex& value, Positions& from, const Solution& by);
   [[nodiscard]] GiNaC::ex linear_indeterminate(const GiNaC::ex& equation) const;
@@ -95,13 +106,13 @@ class Constraints {
   GenericDomain& domain_;
   Evaluator<GenericDomain>& evaluator_;
   std::vector<Known> equations_;
-  std::vector<Known> determinants_;  // of what makes a unit vector vanish
-  std::vector<GiNaC::ex> nonzero_;
-  std::vector<SymbolId> unit_vectors_;  // that are three coordinates
-  Positions orders_;                    // <, ≤ and ≠
+  std::vector<Known> determinants_;       // of what makes a unit vector vanish
+  std::vector<UnitVector> unit_vectors_;  // that are three coordinates
+  Positions orders_;                      // <, ≤ and ≠
   Positions used_;
   std::vector<Solution> solutions_;
   std::vector<Remaining> remaining_;
+  ConstraintsTrace trace_;
 };
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "algebra/engine/terms.h"
 #include "algebra/engine/undecidable.h"
@@ -51,38 +52,43 @@ ex Constraints::reduced(const ex& value) {
   return rest;
 }
 
-void Constraints::note_nonzero(const ex& value) {
-  const bool known =
-      std::any_of(nonzero_.begin(), nonzero_.end(), [&](const ex& each) { return each.is_equal(value); });
-  if (!known && !is_number(value)) nonzero_.push_back(value);
+void Constraints::note_nonzero(const ex& value, std::optional<std::size_t> assumption) {
+  const bool known = std::any_of(trace_.nonzero.begin(), trace_.nonzero.end(),
+                                 [&](const auto& each) { return each.value.is_equal(value); });
+  if (!known && !is_number(value)) trace_.nonzero.push_back({value, assumption});
 }
 
 /// Is the value, or its product with something that is not 0, a combination of the equations?
 bool Constraints::is_combination_times_nonzero(const ex& value, const System& system,
-                                               const std::vector<std::size_t>& which) {
+                                               ConstraintsTrace::Vanishing& found) {
   const std::vector<ex>& all = domain_.indeterminates().all();
   const auto is_zero = [&](const ex& product) {
     const auto taken = combination(product, system.equations, all, {.budget = domain_.budget()});
     if (!taken) return false;
-    for (const std::size_t each : *taken) use(remaining_[which[each]].from);
+    for (const std::size_t each : *taken) use(remaining_[found.left[each]].from);
     return true;
   };
+  found.how = ConstraintsTrace::Vanishing::How::combination;
+  found.core = value;
   if (is_zero(value)) return true;
   std::size_t tried = 0;
-  return std::any_of(system.nonzero.begin(), system.nonzero.end(), [&](const ex& factor) {
-    if (is_number(factor)) return false;
+  for (std::size_t i = 0; i < system.nonzero.size(); ++i) {
+    const ex& factor = system.nonzero[i];
+    if (is_number(factor)) continue;
     ex product = value;
     ex alone = 1;
     for (int power = 1; power <= largest_reduced_power; ++power) {
-      if (term_count(factor) * term_count(product) > largest_product || ++tried > largest_tried) return false;
+      if (term_count(factor) * term_count(product) > largest_product || ++tried > largest_tried) break;
       product = expanded_polynomial(product * factor);
       alone = expanded_polynomial(alone * factor);
       if (!is_zero(product)) continue;
       if (is_combination(alone, system.equations, all, {.budget = domain_.budget()})) throw Contradiction();
+      found.nonzero = i;
+      found.power = power;
       return true;
     }
-    return false;
-  });
+  }
+  return false;
 }
 
 /// The positions of the remaining equations that share indeterminates with a value, directly or through
@@ -116,39 +122,55 @@ std::set<std::size_t> Constraints::used(bool signs) const {
 void Constraints::use(const Positions& positions) { used_.insert(positions.begin(), positions.end()); }
 
 /// Is the value a multiple of a determinant that is zero?
-bool Constraints::is_determinant(const ex& value) {
-  return std::any_of(determinants_.begin(), determinants_.end(), [&](const Known& each) {
+bool Constraints::is_determinant(const ex& value, ConstraintsTrace::Vanishing& found) {
+  found.how = ConstraintsTrace::Vanishing::How::determinant;
+  for (found.determinant = 0; found.determinant < determinants_.size(); ++found.determinant) {
+    const Known& each = determinants_[found.determinant];
     const ex determinant = solved(each.equation);
     if (determinant.is_zero() ||
         !is_combination(value, std::span(&determinant, 1), domain_.indeterminates().all(),
                         {.budget = domain_.budget()}))
-      return false;
+      continue;
     use(each.from);
     return true;
-  });
+  }
+  return false;
 }
 
 bool Constraints::vanishes(const ex& value) {
+  if (value.is_zero()) return true;
+  ConstraintsTrace::Vanishing found{.value = value};
+  const Positions before = std::exchange(used_, {});
+  const bool vanishing = vanishes(value, found);
+  found.from = used_;
+  use(before);
+  if (vanishing) trace_.vanishings.push_back(std::move(found));
+  return vanishing;
+}
+
+bool Constraints::vanishes(const ex& value, ConstraintsTrace::Vanishing& found) {
   const ex open = solved(value);
   if (open.is_zero()) return true;
   if (remaining_.empty()) return false;
-  if (is_determinant(open)) return true;
-  const std::vector<std::size_t> which = remaining_about(open);
-  if (which.empty()) return false;
+  if (is_determinant(open, found)) return true;
+  found.left = remaining_about(open);
+  if (found.left.empty()) return false;
   System system;
-  for (const std::size_t each : which) system.equations.push_back(remaining_[each].equation);
+  for (const std::size_t each : found.left) system.equations.push_back(remaining_[each].equation);
   const Positions before = used_;  // what is not 0 may need assumptions, but seldom others
-  for (const ex& each : nonzero_) system.nonzero.push_back(reduced(each));
+  for (const auto& each : trace_.nonzero) system.nonzero.push_back(reduced(each.value));
   used_ = before;
   use(orders_);
-  if (is_combination_times_nonzero(without_factors(open, system.nonzero, domain_.budget()), system, which))
+  if (is_combination_times_nonzero(without_factors(open, system.nonzero, domain_.budget()), system, found))
     return true;
   const ex rest = reduced(open);
+  found.how = ConstraintsTrace::Vanishing::How::divided;
   if (rest.is_zero()) return true;
+  found.how = ConstraintsTrace::Vanishing::How::cases;
   const Cases::Verdict verdict =
       Cases(domain_).decide(without_factors(rest, system.nonzero, domain_.budget()), system);
   if (verdict == Cases::Verdict::empty) throw Contradiction();
-  for (const std::size_t each : which) use(remaining_[each].from);
+  for (const std::size_t each : found.left) use(remaining_[each].from);
   return verdict == Cases::Verdict::vanishes;
 }
 

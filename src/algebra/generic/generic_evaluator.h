@@ -90,6 +90,11 @@ class GenericDomain {
 
   [[nodiscard]] Indeterminates& indeterminates() { return indeterminates_; }
   [[nodiscard]] Radicals& radicals() { return radicals_; }
+  [[nodiscard]] const Functions& functions() const { return functions_; }
+  [[nodiscard]] const Moments& moments() const { return moments_; }
+  [[nodiscard]] bool is_coordinates(SymbolId unit_vector) const {
+    return as_coordinates_.contains(unit_vector);
+  }
   [[nodiscard]] Signs& signs() { return signs_; }
   [[nodiscard]] bool used_moments() const { return moments_.any(); }
   [[nodiscard]] bool used_radicals() const { return radicals_.any(); }

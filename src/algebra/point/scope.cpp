@@ -163,11 +163,15 @@ std::vector<std::size_t> relevant_assumptions(const Scope& scope) {
 
 namespace {
 
-/// How many numbers a symbol or an equation has, if there were a few particles.
-[[nodiscard]] std::size_t count_numbers(std::size_t axes, std::size_t particles) {
-  std::size_t count = 1;
-  for (std::size_t i = 0; i < axes; ++i) count *= 3;
-  for (std::size_t i = 0; i < particles; ++i) count *= 2;
+/// How many numbers a symbol or an equation of so many components has, if there were a few particles.
+[[nodiscard]] std::size_t count_numbers(std::size_t components, std::size_t particles) {
+  for (std::size_t i = 0; i < particles; ++i) components *= 2;
+  return components;
+}
+
+[[nodiscard]] std::size_t component_count(const ExprTree& tree, const Equation& equation) {
+  std::size_t count = rigor::component_count(tree[equation.left]);
+  for (const IndexId index : equation.indices) count *= tree.space(index).dimension;
   return count;
 }
 
@@ -183,8 +187,8 @@ std::vector<std::size_t> core_assumptions(const Scope& scope, const std::vector<
   std::vector<Candidate> open;
   for (const std::size_t position : positions) {
     const Equation& each = scope.question().assumptions[position];
-    const std::size_t axes = each.indices.size() + tree[each.left].rank;
-    open.push_back({position, count_numbers(axes, each.particles.size()), reach(scope, each).symbols});
+    open.push_back({position, count_numbers(component_count(tree, each), each.particles.size()),
+                    reach(scope, each).symbols});
   }
   std::vector<SymbolId> needed = reach(scope, scope.question().claim).symbols;
   const auto is_loose = [&](SymbolId symbol) {
@@ -194,7 +198,7 @@ std::vector<std::size_t> core_assumptions(const Scope& scope, const std::vector<
       if (share(each.symbols, {symbol})) equations += each.numbers;
     }
     const Symbol& named = tree.symbols[symbol];
-    return equations <= count_numbers(static_cast<std::size_t>(named.rank), named.per_particle ? 1 : 0);
+    return equations <= count_numbers(rigor::component_count(named), named.per_particle ? 1 : 0);
   };
   const auto fixes_what_is_loose = [&](const Candidate& each) {
     return std::any_of(each.symbols.begin(), each.symbols.end(), is_loose);

@@ -29,6 +29,13 @@ inline constexpr int largest_multiple = 12;  // of an angle, and of the fraction
 
 class Functions {
  public:
+  /// The functions of Q/d; each is created where it is needed.
+  struct Quantity {
+    GiNaC::ex cosine = 0;
+    GiNaC::ex sine = 0;
+    GiNaC::ex exponential = 0;
+  };
+
   Functions(Indeterminates& indeterminates, FractionArithmetic& arithmetic, Signs& signs, Radicals& radicals,
             int divisor)
       : indeterminates_(indeterminates),
@@ -40,14 +47,12 @@ class Functions {
   /// Throws FinerAngles where the angles' unit is too coarse.
   [[nodiscard]] Fraction value(Function function, Fraction argument);
   [[nodiscard]] bool any() const { return !quantities_.empty(); }
+  [[nodiscard]] const std::map<GiNaC::ex, Quantity, GiNaC::ex_is_less>& by_quantity() const {
+    return quantities_;
+  }
+  [[nodiscard]] int divisor() const { return divisor_; }  // d
 
  private:
-  /// The functions of Q/d; each is created where it is needed.
-  struct Quantity {
-    GiNaC::ex cosine = 0;
-    GiNaC::ex sine = 0;
-    GiNaC::ex exponential = 0;
-  };
   struct Multiple {
     GiNaC::ex quantity;
     int count = 0;  // of Q/d

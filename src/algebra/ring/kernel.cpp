@@ -41,18 +41,22 @@ constexpr std::size_t longest_coefficient = 12;  // of a coefficient
 
 }  // namespace
 
-std::vector<ex> kernel_determinants(std::span<const ex> equations, const Triple& vector) {
+std::vector<KernelDeterminant> kernel_determinants(std::span<const ex> equations, const Triple& vector) {
   std::vector<Triple> rows;
-  for (const ex& equation : equations) {
-    if (equation.is_zero() || rows.size() >= most_equations) continue;
-    if (const auto row = coefficients(equation, vector)) rows.push_back(*row);
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < equations.size(); ++i) {
+    if (equations[i].is_zero() || rows.size() >= most_equations) continue;
+    const auto row = coefficients(equations[i], vector);
+    if (!row) continue;
+    rows.push_back(*row);
+    positions.push_back(i);
   }
-  std::vector<ex> found;
+  std::vector<KernelDeterminant> found;
   for (std::size_t a = 0; a < rows.size(); ++a) {
     for (std::size_t b = a + 1; b < rows.size(); ++b) {
       for (std::size_t c = b + 1; c < rows.size(); ++c) {
         ex value = determinant(rows[a], rows[b], rows[c]);
-        if (!value.is_zero()) found.push_back(std::move(value));
+        if (!value.is_zero()) found.push_back({{positions[a], positions[b], positions[c]}, std::move(value)});
       }
     }
   }

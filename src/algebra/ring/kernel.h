@@ -10,9 +10,14 @@
 
 namespace rigor {
 
+struct KernelDeterminant {
+  std::array<std::size_t, 3> rows{};  // positions of the equations
+  GiNaC::ex value;                    // not 0 as a polynomial
+};
+
 /// The determinants of all threes among a few equations (expanded polynomials) that are linear and
 /// homogeneous in a vector's components.
-[[nodiscard]] std::vector<GiNaC::ex> kernel_determinants(std::span<const GiNaC::ex> equations,
-                                                         const std::array<GiNaC::ex, 3>& vector);
+[[nodiscard]] std::vector<KernelDeterminant> kernel_determinants(std::span<const GiNaC::ex> equations,
+                                                                 const std::array<GiNaC::ex, 3>& vector);
 
 }  // namespace rigor

@@ -17,16 +17,15 @@ namespace {
 
 using GiNaC::ex;
 
-using Exponents = std::string;  // a byte for each variable: its exponent
-using Row = std::map<Exponents, Rational>;
+using Row = SparsePolynomial;
 
 /// A combination of equations, and of which.
 struct Multiple {
   Row row;
   std::set<std::size_t> from = {};
+  std::map<std::size_t, Rational> made_of = {};  // multiples, by position, if an account is kept
 };
 
-constexpr int largest_exponent_here = 100;
 constexpr int more_degrees = 2;  // so far above the value's degree may multiples reach
 
 [[nodiscard]] int degree(const Exponents& monomial) {
@@ -57,48 +56,6 @@ constexpr int more_degrees = 2;  // so far above the value's degree may multiple
   return result;
 }
 
-/// Expanded polynomials as rows.
-class PolynomialRows {
- public:
-  explicit PolynomialRows(std::span<const ex> variables) {
-    for (const ex& each : variables) positions_.emplace(each, positions_.size());
-  }
-
-  /// Empty if an exponent is too large.
-  [[nodiscard]] std::optional<Row> row(const ex& value) const {
-    Row row;
-    const bool sum = GiNaC::is_a<GiNaC::add>(value);
-    for (std::size_t i = 0; i < (sum ? value.nops() : 1); ++i) {
-      Exponents monomial(positions_.size(), '\0');
-      Rational coefficient = 1;
-      const ex term = sum ? value.op(i) : value;
-      const bool factors = GiNaC::is_a<GiNaC::mul>(term);
-      for (std::size_t k = 0; k < (factors ? term.nops() : 1); ++k) {
-        if (!take(factors ? term.op(k) : term, monomial, coefficient)) return std::nullopt;
-      }
-      if (!cln::zerop(coefficient)) row.emplace(std::move(monomial), coefficient);
-    }
-    return row;
-  }
-
- private:
-  [[nodiscard]] bool take(const ex& factor, Exponents& monomial, Rational& coefficient) const {
-    if (GiNaC::is_a<GiNaC::numeric>(factor)) {
-      coefficient = coefficient * cln::the<Rational>(GiNaC::ex_to<GiNaC::numeric>(factor).to_cl_N());
-      return true;
-    }
-    const bool raised = GiNaC::is_a<GiNaC::power>(factor);
-    const auto at = positions_.find(raised ? factor.op(0) : factor);
-    if (at == positions_.end()) return false;
-    const int exponent = raised ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
-    if (exponent < 0 || exponent > largest_exponent_here) return false;
-    monomial[at->second] = static_cast<char>(exponent);
-    return true;
-  }
-
-  std::map<ex, std::size_t, GiNaC::ex_is_less> positions_;
-};
-
 /// The multiples of equations that may take part, by layers: those with a monomial of the value, those with a
 /// monomial of these, and so on.
 class Multiples {
@@ -114,6 +71,8 @@ class Multiples {
     }
     return std::move(rows_);
   }
+  /// Of each row: which equation, times which monomial.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, Exponents>>& multiples() const { return multiples_; }
 
  private:
   void meet(const Exponents& monomial) {
@@ -126,6 +85,7 @@ class Multiples {
       if (!factor || rows_.size() >= limit_) continue;
       if (degree(*factor) + degree(equations_[equation]) > largest_degree_) continue;
       if (!taken_.emplace(equation, *factor).second) continue;
+      multiples_.emplace_back(equation, *factor);
       Row row;
       for (const auto& [monomial, number] : equations_[equation]) {
         row.emplace(product(monomial, *factor), number);
@@ -141,6 +101,7 @@ class Multiples {
   std::vector<Exponents> met_;
   std::set<Exponents> known_;
   std::set<std::pair<std::size_t, Exponents>> taken_;
+  std::vector<std::pair<std::size_t, Exponents>> multiples_;
   std::vector<Multiple> rows_;
 };
 
@@ -162,10 +123,11 @@ class Echelon {
         rest.insert(row.extract(last));
       } else {
         multiple.from.insert(pivot->second.from.begin(), pivot->second.from.end());
+        note_subtracted(multiple, last->second, pivot->second);
         subtract(row, last->second, pivot->second.row);
       }
     }
-    return {std::move(rest), std::move(multiple.from)};
+    return {std::move(rest), std::move(multiple.from), std::move(multiple.made_of)};
   }
   void insert(Multiple multiple) {
     Multiple rest = reduced(std::move(multiple));
@@ -173,10 +135,17 @@ class Echelon {
     const auto last = std::prev(rest.row.end());
     const Rational scale = last->second;
     for (auto& [monomial, coefficient] : rest.row) coefficient = coefficient / scale;
+    for (auto& [position, coefficient] : rest.made_of) coefficient = coefficient / scale;
     pivots_.emplace(last->first, std::move(rest));
   }
 
  private:
+  static void note_subtracted(Multiple& from, const Rational factor, const Multiple& pivot) {
+    for (const auto& [position, coefficient] : pivot.made_of) {
+      const auto [at, is_new] = from.made_of.try_emplace(position, 0);
+      at->second = at->second - factor * coefficient;
+    }
+  }
   void subtract(Row& row, const Rational factor, const Row& pivot) {
     for (const auto& [monomial, coefficient] : pivot) {
       if (left_ > 0) --left_;
@@ -195,10 +164,10 @@ class Echelon {
 std::optional<std::set<std::size_t>> combination(const ex& value, std::span<const ex> equations,
                                                  std::span<const ex> variables,
                                                  const MembershipLimits& limits) {
-  const PolynomialRows rows(variables);
+  const SparseReader reader(variables);
   std::vector<Row> given;
-  for (const ex& equation : equations) given.push_back(rows.row(equation).value_or(Row{}));
-  const std::optional<Row> wanted = rows.row(value);
+  for (const ex& equation : equations) given.push_back(reader.read(equation).value_or(Row{}));
+  const std::optional<Row> wanted = reader.read(value);
   if (!wanted) return std::nullopt;
   Echelon echelon(limits.operations);
   std::vector<Multiple> multiples = Multiples(given, limits.multiples).around(*wanted);
@@ -213,6 +182,28 @@ std::optional<std::set<std::size_t>> combination(const ex& value, std::span<cons
 bool is_combination(const ex& value, std::span<const ex> equations, std::span<const ex> variables,
                     const MembershipLimits& limits) {
   return combination(value, equations, variables, limits).has_value();
+}
+
+/// What is subtracted of the value to leave nothing is the combination.
+std::optional<std::vector<SparsePolynomial>> cofactors(const SparsePolynomial& value,
+                                                       std::span<const SparsePolynomial> equations,
+                                                       const MembershipLimits& limits) {
+  const std::vector<Row> given(equations.begin(), equations.end());
+  Echelon echelon(limits.operations);
+  Multiples around(given, limits.multiples);
+  std::vector<Multiple> multiples = around.around(value);
+  for (std::size_t i = 0; i < multiples.size(); ++i) {
+    multiples[i].made_of.emplace(i, 1);
+    echelon.insert(std::move(multiples[i]));
+  }
+  const Multiple rest = echelon.reduced({value});
+  if (!rest.row.empty() || echelon.exhausted()) return std::nullopt;
+  std::vector<SparsePolynomial> found(given.size());
+  for (const auto& [position, coefficient] : rest.made_of) {
+    const auto& [equation, monomial] = around.multiples()[position];
+    if (!cln::zerop(coefficient)) found[equation].emplace(monomial, -coefficient);
+  }
+  return found;
 }
 
 }  // namespace rigor

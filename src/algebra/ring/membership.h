@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "algebra/engine/budget.h"
+#include "algebra/ring/sparse_polynomial.h"
 
 namespace rigor {
 
@@ -32,5 +33,11 @@ struct MembershipLimits {
 
 [[nodiscard]] bool is_combination(const GiNaC::ex& value, std::span<const GiNaC::ex> equations,
                                   std::span<const GiNaC::ex> variables, const MembershipLimits& limits = {});
+
+/// The cofactors g_k of a combination Σ g_k f_k that is the value, one for each equation; empty if none was
+/// found. The same search once more with an account of what was subtracted, which takes about twice as long.
+[[nodiscard]] std::optional<std::vector<SparsePolynomial>> cofactors(
+    const SparsePolynomial& value, std::span<const SparsePolynomial> equations,
+    const MembershipLimits& limits = {});
 
 }  // namespace rigor

@@ -34,6 +34,8 @@ class Moments {
   [[nodiscard]] Fraction sum(Fraction body);
 
   [[nodiscard]] bool any() const { return !moments_.empty(); }
+  /// What is summed over all particles in each, a monomial of the outermost sum's frame over a polynomial.
+  [[nodiscard]] const std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less>& by_key() const { return moments_; }
 
  private:
   struct Term {

@@ -212,6 +212,12 @@ std::vector<std::pair<ex, ex>> Radicals::roots() const {
   return all;
 }
 
+std::vector<std::pair<ex, ex>> Radicals::relations() const {
+  std::vector<std::pair<ex, ex>> all;
+  for (const Radical& each : radicals_) all.emplace_back(each.symbol, each.square);
+  return all;
+}
+
 Fraction Radicals::radical(const ex& square) {
   for (const Radical& known : radicals_) {
     if (known.root && known.square.is_equal(square)) return polynomial(known.symbol);

@@ -27,6 +27,9 @@ class Radicals {
   /// The indeterminates s with their squares, in order of creation: a square has only earlier ones in it.
   [[nodiscard]] std::vector<std::pair<GiNaC::ex, GiNaC::ex>> roots() const;
 
+  /// The same of all indeterminates whose square is replaced, roots or not.
+  [[nodiscard]] std::vector<std::pair<GiNaC::ex, GiNaC::ex>> relations() const;
+
   /// From now on another indeterminate's square is replaced, too: it may be negative.
   void relate(const GiNaC::ex& symbol, const GiNaC::ex& square);
 

@@ -414,7 +414,7 @@ void AssumptionSolver::put_known_tensors(SamplePoint& point, std::uint32_t attem
 
 bool AssumptionSolver::is_free_tensor(SymbolId symbol) const {
   const Symbol& named = scope_->tree().symbols[symbol];
-  return named.rank == 2 && !named.rotation;
+  return named.rank == 2 && !named.rotation && named.axes.are_common();  // the known ones are of three rows
 }
 
 bool AssumptionSolver::solve(SampleEvaluator& evaluator, SamplePoint& point, std::uint32_t attempt) const {

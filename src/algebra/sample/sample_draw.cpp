@@ -98,10 +98,26 @@ constexpr std::array generic_numbers{1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7
   return vector;
 }
 
-[[nodiscard]] std::array<Rational, 3> draw_along_axis(SplitMix& random) {
+[[nodiscard]] std::vector<Rational> draw_along_axis(std::uint32_t dimension, SplitMix& random) {
   constexpr std::array lengths{1, -1, 2, 3, -3, 4};
-  std::array<Rational, 3> vector{0, 0, 0};
-  vector[random.below(3)] = random.pick<int>(lengths);
+  std::vector<Rational> vector(dimension, 0);
+  vector[random.below(dimension)] = random.pick<int>(lengths);
+  return vector;
+}
+
+/// (2p, 1 − p²) / (1 + p²) for a vector p, times a small factor: a rational length in any dimension.
+[[nodiscard]] std::vector<Rational> draw_projected(std::uint32_t dimension, SplitMix& random) {
+  std::vector<Rational> vector;
+  Rational square = 0;
+  for (std::uint32_t k = 1; k < dimension; ++k) {
+    const Rational p =
+        Rational(static_cast<int>(random.below(9)) - 4) / (static_cast<int>(random.below(3)) + 1);
+    square = square + p * p;
+    vector.push_back(2 * p);
+  }
+  vector.push_back(1 - square);
+  const Rational scale = Rational(random.below(3) == 0 ? -2 : 1) / (1 + square);
+  for (Rational& each : vector) each = each * scale;
   return vector;
 }
 
@@ -109,9 +125,12 @@ constexpr std::array generic_numbers{1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7
   return from == Draw::along_axes || from == Draw::directions || from == Draw::with_lengths;
 }
 
-[[nodiscard]] std::array<Rational, 3> draw_vector(Draw from, SplitMix& random) {
-  if (from == Draw::along_axes) return draw_along_axis(random);
-  return from == Draw::directions ? draw_direction(from, random) : draw_with_length(random);
+[[nodiscard]] std::vector<Rational> draw_vector(Draw from, Space space, SplitMix& random) {
+  if (from == Draw::along_axes) return draw_along_axis(space.dimension, random);
+  if (space.dimension != common_space.dimension) return draw_projected(space.dimension, random);
+  const std::array<Rational, 3> drawn =
+      from == Draw::directions ? draw_direction(from, random) : draw_with_length(random);
+  return {drawn.begin(), drawn.end()};
 }
 
 /// Each second particle opposite to the one before. The pairs take the axes in turn, so that products of
@@ -124,7 +143,7 @@ void balance(SamplePoint& point, const ExprTree& tree, bool all_along_one, Split
     if (!named.per_particle || named.rank > 1 || named.unit) continue;
     for (const Coordinate& at : point.coordinates_of(symbol)) {
       if (!point.is_free(at)) continue;
-      const std::size_t axis = ((at.particle - 1) / 2 + (all_along_one ? 0 : turn)) % 3;
+      const std::size_t axis = ((at.particle - 1) / 2 + (all_along_one ? 0 : turn)) % named.axes[0].dimension;
       const Coordinate partner{symbol, at.particle - 1, at.component};
       const bool second = at.particle % 2 == 0;
       const bool along = named.rank == 0 || at.component == axis;
@@ -156,7 +175,7 @@ void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random)
     if (symbol.rank != 1 || !draws_whole_vectors(from)) {
       point.set(at, draw_number(from, symbol.rank, random));
     } else if (at.component == 0) {
-      point.set_all(at.symbol, at.particle, draw_vector(from, random));
+      point.set_all(at.symbol, at.particle, draw_vector(from, symbol.axes[0], random));
     }
   }
   if (from == Draw::balanced || from == Draw::balanced_out)

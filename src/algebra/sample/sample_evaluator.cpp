@@ -126,12 +126,13 @@ Difference SampleEvaluator::at(const Equation& equation, const Place& place) {
   for (std::size_t i = 0; i < equation.particles.size(); ++i) {
     evaluator_.bind(equation.particles[i], place.particles[i]);
   }
+  const std::vector<std::uint8_t> dimensions = dimensions_of(scope_->tree(), equation);
   std::size_t component = 0;
   for (std::size_t i = 0; i < place.axes.size(); ++i) {
     if (i < equation.indices.size()) {
       evaluator_.bind(equation.indices[i], place.axes[i]);
     } else {
-      component = 3 * component + (place.axes[i] - 1u);
+      component = dimensions[i] * component + (place.axes[i] - 1u);
     }
   }
   return {place, rational_of(evaluator_.array(equation.left)[component]),
@@ -146,14 +147,14 @@ std::vector<Rational> SampleEvaluator::value_of(const Definition& definition, st
 }
 
 std::vector<Place> SampleEvaluator::places(const Equation& equation) const {
-  const std::size_t rank = scope_->tree()[equation.left].rank;
+  const std::vector<std::uint8_t> dimensions = dimensions_of(scope_->tree(), equation);
   std::vector<Place> all;
-  Place place{.axes = std::vector<std::uint8_t>(equation.indices.size() + rank, 1),
+  Place place{.axes = std::vector<std::uint8_t>(dimensions.size(), 1),
               .particles = std::vector<std::uint32_t>(equation.particles.size(), 1)};
   do {
     do {
       all.push_back(place);
-    } while (next_tuple<std::uint8_t>(place.axes, 1, 3));
+    } while (next_axes(place.axes, dimensions));
   } while (next_tuple(place.particles, 1u, domain_.point().particles()));
   return all;
 }

@@ -19,7 +19,7 @@ SamplePoint::SamplePoint(const ExprTree& tree, std::span<const SymbolId> symbols
   for (const SymbolId symbol : symbols_) {
     offset_[static_cast<std::size_t>(symbol)] = static_cast<std::uint32_t>(size);
     const std::size_t copies = tree.symbols[symbol].per_particle ? particles : 1;
-    size += copies * component_count(tree.symbols[symbol].rank);
+    size += copies * component_count(tree.symbols[symbol]);
   }
   values_.resize(size);
 }
@@ -30,11 +30,11 @@ std::size_t SamplePoint::position(SymbolId symbol, std::uint32_t particle) const
   RIGOR_CHECK(offset != absent, named.name);
   RIGOR_CHECK(particle <= particles_ && (particle > 0) == named.per_particle, named.name, particle,
               particles_);
-  return offset + (named.per_particle ? particle - 1 : 0) * component_count(named.rank);
+  return offset + (named.per_particle ? particle - 1 : 0) * component_count(named);
 }
 
 std::span<const Rational> SamplePoint::values(SymbolId symbol, std::uint32_t particle) const {
-  return std::span(values_).subspan(position(symbol, particle), component_count(tree_->symbols[symbol].rank));
+  return std::span(values_).subspan(position(symbol, particle), component_count(tree_->symbols[symbol]));
 }
 
 std::uint32_t SamplePoint::first_particle(SymbolId symbol) const {
@@ -57,8 +57,7 @@ std::vector<Coordinate> SamplePoint::coordinates() const {
 std::vector<Coordinate> SamplePoint::coordinates_of(SymbolId symbol) const {
   std::vector<Coordinate> all;
   const Symbol& named = tree_->symbols[symbol];
-  const auto count =
-      static_cast<std::uint32_t>(named.unit || named.rotation ? 1 : component_count(named.rank));
+  const auto count = static_cast<std::uint32_t>(named.unit || named.rotation ? 1 : component_count(named));
   for (std::uint32_t particle = first_particle(symbol); particle <= last_particle(symbol); ++particle) {
     for (std::uint32_t component = 0; component < count; ++component) {
       if (canonical_component(named, component) == component) all.push_back({symbol, particle, component});
@@ -71,7 +70,7 @@ void SamplePoint::set(const Coordinate& at, const Rational& value) {
   const Symbol& named = tree_->symbols[at.symbol];
   const std::size_t first = position(at.symbol, at.particle);
   const bool lacks_logarithm = meaning(at.symbol).kind == Meaning::Kind::logarithm && !cln::plusp(value);
-  for (std::size_t component = 0; component < component_count(named.rank); ++component) {
+  for (std::size_t component = 0; component < component_count(named); ++component) {
     if (canonical_component(named, component) == at.component)
       values_[first + component] = lacks_logarithm ? Rational(1) : value;
   }

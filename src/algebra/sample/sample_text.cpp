@@ -37,7 +37,7 @@ std::optional<std::vector<Rational>> to_components(const SampleValue& value, con
     if (!number) return std::nullopt;
     components.push_back(*number);
   }
-  if (components.size() != component_count(symbol.rank)) return std::nullopt;
+  if (components.size() != component_count(symbol)) return std::nullopt;
   if (symbol.unit) {
     const Rational square =
         components[0] * components[0] + components[1] * components[1] + components[2] * components[2];

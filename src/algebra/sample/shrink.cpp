@@ -22,15 +22,21 @@ constexpr std::uint64_t tiny_seed = 0x74696e79;
 
 constexpr std::array small_numbers{0, 1, 2, -1, 3, -2, 4, -3, 5, -4};
 
-/// The components of a vector or tensor along renumbered axes.
-[[nodiscard]] std::vector<Rational> with_axes(std::span<const Rational> components,
+/// The components of a vector or tensor where the axes of the common space are renumbered.
+[[nodiscard]] std::vector<Rational> with_axes(std::span<const Rational> components, const Symbol& symbol,
                                               const std::array<std::size_t, 3>& order) {
   std::vector<Rational> result(components.size());
   for (std::size_t from = 0; from < components.size(); ++from) {
     std::size_t to = 0;
     std::size_t scale = 1;
-    for (std::size_t rest = from; scale < components.size(); rest /= 3, scale *= 3)
-      to += scale * order[rest % 3];
+    std::size_t rest = from;
+    for (int k = symbol.rank - 1; k >= 0; --k) {
+      const Space space = symbol.axes[k];
+      const std::size_t axis = rest % space.dimension;
+      to += scale * (space == common_space ? order[axis] : axis);
+      rest /= space.dimension;
+      scale *= space.dimension;
+    }
     result[to] = components[from];
   }
   return result;
@@ -92,7 +98,7 @@ void Refuter::exchange_axes(Counterexample& best) {
     for (const SymbolId symbol : reach_.symbols) {
       const bool each = tree.symbols[symbol].per_particle;
       for (std::uint32_t p = each ? 1 : 0; p <= (each ? before.particles() : 0); ++p)
-        renumbered.set_all(symbol, p, with_axes(before.values(symbol, p), order));
+        renumbered.set_all(symbol, p, with_axes(before.values(symbol, p), tree.symbols[symbol], order));
     }
     if (may_shrink()) consider(best, renumbered, best.attempt);
   }

@@ -88,8 +88,9 @@ std::vector<std::vector<Rational>> simple_wholes(const Symbol& symbol) {
     for (const RotationMatrix& each : known_rotations()) all.emplace_back(each.begin(), each.end());
     return all;
   }
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    all.emplace_back(3, Rational(0));
+  const std::size_t dimension = component_count(symbol);
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    all.emplace_back(dimension, Rational(0));
     all.back()[axis] = 1;
   }
   return all;

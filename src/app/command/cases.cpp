@@ -8,7 +8,7 @@
 
 #include "app/host/outputs.h"
 #include "base/utf8.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "report/data/ctest_listing.h"
 #include "report/data/test_cases.h"
 #include "source/read_file.h"

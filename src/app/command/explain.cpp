@@ -10,6 +10,7 @@
 #include "app/host/progress.h"
 #include "app/host/screen.h"
 #include "base/utf8.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "latex/token/tokens.h"
 #include "latex/token/vocabulary.h"

@@ -14,6 +14,7 @@
 #include "app/host/sample_bodies.h"
 #include "app/host/screen.h"
 #include "base/utf8.h"
+#include "check/entry/read_forms.h"
 #include "expr/statement/forms_of_name.h"
 #include "report/data/eval_json.h"
 #include "report/text/bench_text.h"

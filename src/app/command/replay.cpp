@@ -6,7 +6,7 @@
 
 #include "app/host/screen.h"
 #include "base/utf8.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "report/data/read_recorded.h"
 #include "report/text/replay_text.h"
 #include "source/read_file.h"

@@ -10,6 +10,7 @@
 #include "app/host/sample_bodies.h"
 #include "base/among.h"
 #include "base/utf8.h"
+#include "check/entry/read_forms.h"
 #include "report/data/scene_json.h"
 #include "report/picture/scene_plot.h"
 #include "report/text/scene_text.h"

@@ -10,6 +10,7 @@
 #include "app/hole/hole_text.h"
 #include "app/hole/write_back.h"
 #include "base/among.h"
+#include "check/entry/read_forms.h"
 #include "expr/print/print_latex.h"
 #include "expr/tree/same_expression.h"
 

@@ -10,6 +10,7 @@
 #include "app/hole/hole_text.h"
 #include "app/hole/write_back.h"
 #include "base/among.h"
+#include "check/entry/read_forms.h"
 #include "derive/answer/isolate.h"
 #include "derive/answer/propose.h"
 #include "expr/print/print_latex.h"

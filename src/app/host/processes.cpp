@@ -169,7 +169,7 @@ class PieceProcesses {
     std::string bytes;
     framing(bytes);
     if (!framing.ok()) return false;
-    child.unread.erase(0, bytes.size() + 8);
+    child.unread.erase(0, child.unread.size() - framing.rest().size());
     PieceMessage message;
     ArchiveReader reader(bytes);
     reader(message);

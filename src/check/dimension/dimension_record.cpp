@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
@@ -68,9 +70,104 @@ std::string written_name(const Symbol& symbol) {
   return symbol.name + (single ? "_" + indices : "_{" + indices + "}");
 }
 
-}  // namespace
+/// Relations between quantities of one dimension.
+bool compares(RelationKind kind) {
+  return kind != RelationKind::other && kind != RelationKind::implies && kind != RelationKind::demanded;
+}
 
-DimensionRecorder::DimensionRecorder(const ExprTree& tree, Names& names) : tree_(tree), names_(names) {
+/// `x(\SI{7.6}{s})`: a value at that time, or a product.
+bool takes_measured_argument(const SyntaxTree& syntax, std::span<const SyntaxChild> factors) {
+  for (std::size_t k = 1; k < factors.size(); ++k) {
+    const bool beside = factors[k].joint == Joint::juxtaposed &&
+                        syntax[factors[k - 1].id].kind == SyntaxKind::symbol &&
+                        syntax[factors[k].id].kind == SyntaxKind::group;
+    // `\SI{2}{s}` is a group by itself.
+    if (!beside || syntax[syntax.child(factors[k].id, 0)].kind != SyntaxKind::group) continue;
+    bool unit = false;
+    bool other = false;
+    std::vector<SyntaxId> pending(1, factors[k].id);
+    while (!pending.empty()) {
+      const SyntaxId id = pending.back();
+      pending.pop_back();
+      unit = unit || syntax[id].kind == SyntaxKind::unit;
+      other = other || syntax[id].kind == SyntaxKind::symbol || syntax[id].kind == SyntaxKind::sum;
+      for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+    }
+    if (unit && !other) return true;
+  }
+  return false;
+}
+
+bool has_measured_argument(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
+  std::vector<SyntaxId> pending = sides;
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    if (syntax[id].kind == SyntaxKind::term && takes_measured_argument(syntax, syntax.children(id)))
+      return true;
+    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  }
+  return false;
+}
+
+class DimensionRecorder {
+ public:
+  DimensionRecorder(const ExprTree& tree, const SyntaxTree& syntax, const FileReport& report);
+
+  void add(const LedgerEntry& entry) {
+    names_ = entry.scope.get();
+    std::visit([this](const auto& what) { add(what); }, entry.what);
+  }
+  [[nodiscard]] DimensionRecord finish();
+
+ private:
+  /// One relation between two sides; without `compared`, what stands inside the sides only. `inner_left`:
+  /// what stands inside the left side, too.
+  struct Relation {
+    std::size_t step = 0;
+    ExprId left{};
+    ExprId right{};
+    Span left_span;
+    Span right_span;
+    bool compared = true;
+    bool inner_left = true;
+    DimensionSource source = DimensionSource::law;
+  };
+  void add(const Statement& statement);
+  void add(const UnitLine& line);
+  void add(const FrameLine& line);
+  void add(const SectionBegins&);
+  void add(const StatementEnds&) { assumed_.clear(); }
+  void relate(const Relation& relation);
+  void renew(SymbolId symbol);
+  struct Declared {
+    Dimension dimension;
+    std::size_t section = 0;
+  };
+  DimensionForm form_of(ExprId symbol, std::vector<DimensionEquation>& equations);
+  Unknown unknown_of(SymbolId symbol);
+  Unknown fresh(UnknownName name = {});
+  DimensionReader reader(std::vector<DimensionEquation>& equations);
+  void in_body(const ExprNode& node, std::vector<DimensionEquation>& equations);
+  void relate_positions(const Relation& relation, std::vector<DimensionEquation>& equations);
+  [[nodiscard]] bool is_pure_number(SymbolId base) const;
+  bool is(SymbolId symbol, const NameKey& key) const { return find_symbol(names_->symbols, key) == symbol; }
+
+  const ExprTree& tree_;
+  const SyntaxTree& syntax_;
+  const FileReport& report_;
+  const Names* names_ = nullptr;  // where the entry at hand stands
+  DimensionRecord record_;
+  std::map<SymbolId, Unknown> unknowns_;
+  std::map<SymbolId, Declared> declared_;
+  std::map<SymbolId, bool> body_definitions_;  // read already
+  std::vector<std::size_t> assumed_;           // statements
+  std::vector<bool> used_;                     // unknowns, in statements
+  std::size_t section_ = 0;
+};
+
+DimensionRecorder::DimensionRecorder(const ExprTree& tree, const SyntaxTree& syntax, const FileReport& report)
+    : tree_(tree), syntax_(syntax), report_(report) {
   fresh({"t"});
   fresh();
 }
@@ -91,45 +188,52 @@ Unknown DimensionRecorder::unknown_of(SymbolId symbol) {
   return made;
 }
 
-void DimensionRecorder::enter_section() {
+/// Without `units` above it, letters of earlier sections are taken for other quantities.
+void DimensionRecorder::add(const SectionBegins&) {
   ++section_;
   if (record_.units.empty()) unknowns_.clear();
 }
 
+/// The symbol is now the name of another quantity.
 void DimensionRecorder::renew(SymbolId symbol) {
   if (declared_.contains(symbol) || is(symbol, {"t", 0, false})) return;
   unknowns_.erase(symbol);
 }
 
-void DimensionRecorder::declare(ExprId symbol, const Dimension& dimension, Span span, std::size_t directive) {
-  const SymbolId base = base_of(tree_.symbols, tree_[symbol].symbol);
+/// In another section than an earlier one, the symbol is taken for another quantity.
+void DimensionRecorder::add(const UnitLine& line) {
+  const SymbolId base = base_of(tree_.symbols, tree_[line.symbol].symbol);
   const auto earlier = declared_.find(base);
   const bool another = earlier != declared_.end() && earlier->second.section != section_ &&
-                       earlier->second.dimension != dimension && !is(base, {"t", 0, false});
+                       earlier->second.dimension != line.dimension && !is(base, {"t", 0, false});
   if (another) unknowns_.erase(base);
-  declared_[base] = {dimension, section_};
+  declared_[base] = {line.dimension, section_};
   std::vector<DimensionEquation> none;
-  record_.units.push_back({form_of(symbol, none), dimension, span, directive});
+  record_.units.push_back({form_of(line.symbol, none), line.dimension, line.span, line.directive});
 }
 
-void DimensionRecorder::declare_angular_velocity(ExprId symbol) {
+/// An angular velocity turns by so much a time.
+void DimensionRecorder::add(const FrameLine& line) {
   std::vector<DimensionEquation> none;
-  const Span span = tree_[symbol].span;
-  demand(record_.facts, {form_of(symbol, none), one(time_unknown, -1), span, span, Alike::known});
+  const Span span = tree_[line.angular_velocity].span;
+  demand(record_.facts,
+         {form_of(line.angular_velocity, none), one(time_unknown, -1), span, span, Alike::known});
 }
 
 /// Directions and rotations, and π, unless it is declared.
 bool DimensionRecorder::is_pure_number(SymbolId base) const {
   const Symbol& symbol = tree_.symbols[base];
-  const bool axes = std::any_of(names_.frames().begin(), names_.frames().end(),
+  const bool axes = std::any_of(names_->scope.frames->begin(), names_->scope.frames->end(),
                                 [&](const Frame& frame) { return frame.rotation == base; });
   const bool pi = is(base, {"\\pi", 0, false}) && !declared_.contains(base);
   return symbol.unit || symbol.rotation || axes || pi;
 }
 
-bool DimensionRecorder::is_used(const DeclaredUnit& unit) const {
-  return std::any_of(unit.symbol.unknowns.begin(), unit.symbol.unknowns.end(),
-                     [&](const auto& entry) { return used_[entry.first]; });
+DimensionRecord DimensionRecorder::finish() {
+  for (DeclaredUnit& unit : record_.units)
+    unit.used = std::any_of(unit.symbol.unknowns.begin(), unit.symbol.unknowns.end(),
+                            [&](const auto& entry) { return used_[entry.first]; });
+  return std::move(record_);
 }
 
 /// A symbol's own dimension, less what it is differentiated by.
@@ -159,7 +263,7 @@ void DimensionRecorder::in_body(const ExprNode& node, std::vector<DimensionEquat
   };
   if (is(node.symbol, {"V", 0, true})) {
     equal(one(unknown_of(node.symbol)), one(space_unknown, 3));
-    if (const auto position = names_.find({"r", 1, true}))
+    if (const auto position = find_symbol(names_->symbols, {"r", 1, true}))
       equal(one(unknown_of(*position)), one(space_unknown));
   }
   static const std::array<NameKey, 5> positions{
@@ -167,7 +271,7 @@ void DimensionRecorder::in_body(const ExprNode& node, std::vector<DimensionEquat
   for (const NameKey& key : positions) {
     if (is(node.symbol, key)) equal(one(unknown_of(node.symbol)), one(space_unknown));
   }
-  const NamedDefinition* definition = names_.definition_of(node.symbol);
+  const NamedDefinition* definition = definition_of(names_->scope, node.symbol);
   if (definition == nullptr || !body_definitions_.emplace(node.symbol, true).second) return;
   DimensionForm body = reader(equations).read(definition->definition.body);
   equal(one(unknown_of(node.symbol)), std::move(body));
@@ -181,11 +285,11 @@ DimensionReader DimensionRecorder::reader(std::vector<DimensionEquation>& equati
 }
 
 /// Where a statement differentiates by coordinates, what it calls the position has the dimension of these.
-void DimensionRecorder::relate_positions(const Statement& statement,
+void DimensionRecorder::relate_positions(const Relation& relation,
                                          std::vector<DimensionEquation>& equations) {
-  const std::array<bool, 4> axes = differentiated_axes(tree_, statement.left, statement.right);
+  const std::array<bool, 4> axes = differentiated_axes(tree_, relation.left, relation.right);
   if (std::none_of(axes.begin(), axes.end(), [](bool taken) { return taken; })) return;
-  for (const ExprId side : {statement.left, statement.right}) {
+  for (const ExprId side : {relation.left, relation.right}) {
     for (const SymbolId symbol : symbols_in(tree_, side)) {
       const bool vector = is(symbol, {"r", 1, false}) || is(symbol, {"x", 1, false});
       const bool coordinate = (is(symbol, {"x", 0, false}) && (axes[1] || axes[0])) ||
@@ -198,23 +302,22 @@ void DimensionRecorder::relate_positions(const Statement& statement,
   }
 }
 
-void DimensionRecorder::add(const Statement& statement) {
+void DimensionRecorder::relate(const Relation& relation) {
   DimensionStatement made;
-  made.step = statement.step;
-  made.source = statement.source;
-  made.span = cover(statement.left_span, statement.right_span);
+  made.step = relation.step;
+  made.source = relation.source;
+  made.span = cover(relation.left_span, relation.right_span);
   std::vector<DimensionEquation> inner_left;
-  const DimensionForm left = reader(statement.inner_left ? made.equations : inner_left).read(statement.left);
-  const DimensionForm right = reader(made.equations).read(statement.right);
-  relate_positions(statement, made.equations);
-  if (statement.compared) {
-    const bool number =
-        holds_only_numbers(tree_, statement.left) || holds_only_numbers(tree_, statement.right);
+  const DimensionForm left = reader(relation.inner_left ? made.equations : inner_left).read(relation.left);
+  const DimensionForm right = reader(made.equations).read(relation.right);
+  relate_positions(relation, made.equations);
+  if (relation.compared) {
+    const bool number = holds_only_numbers(tree_, relation.left) || holds_only_numbers(tree_, relation.right);
     demand(made.equations,
-           {left, right, statement.left_span, statement.right_span, number ? Alike::number : Alike::sides});
+           {left, right, relation.left_span, relation.right_span, number ? Alike::number : Alike::sides});
   }
   made.assumed = assumed_;
-  for (const ExprId side : {statement.left, statement.right}) {
+  for (const ExprId side : {relation.left, relation.right}) {
     for (const SymbolId symbol : symbols_in(tree_, side)) {
       const auto& derivation = tree_.symbols[symbol].derivation;
       if (derivation && derivation->time > 0) {
@@ -226,6 +329,46 @@ void DimensionRecorder::add(const Statement& statement) {
     }
   }
   record_.statements.push_back(std::move(made));
+}
+
+void DimensionRecorder::add(const Statement& statement) {
+  const ParsedChain& chain = *statement.chain;
+  if (!statement.is_settled() || statement.guessed || has_measured_argument(syntax_, chain.sides)) return;
+  const bool where = statement.role == Role::given && statement.for_now;
+  const bool local = where || statement.role == Role::claim;
+  bool read_before = false;
+  for (std::size_t k = 0; k < chain.written.relations.size(); ++k) {
+    const auto& left = statement.sides[k];
+    const auto& right = statement.sides[k + 1];
+    if (!left || !right || k >= statement.step_count) {
+      read_before = false;
+      continue;
+    }
+    const Step& step = report_.steps[statement.first_step + k];
+    const bool redefined =
+        step.verdict == Verdict::definition &&
+        std::any_of(step.diagnostics.begin(), step.diagnostics.end(),
+                    [](const Diagnostic& each) { return each.kind == DiagnosticKind::redefinition; });
+    if (redefined && tree_[left->id].op == Op::symbol) renew(tree_[left->id].symbol);
+    relate({.step = statement.first_step + k,
+            .left = left->id,
+            .right = right->id,
+            .left_span = chain.written.sides[k].span,
+            .right_span = chain.written.sides[k + 1].span,
+            .compared = compares(chain.written.relations[k].kind),
+            .inner_left = !read_before,
+            .source = local ? DimensionSource::local : DimensionSource::law});
+    read_before = true;
+    if (where) assumed_.push_back(record_.statements.size() - 1);  // until the next statement ends
+  }
+}
+
+}  // namespace
+
+DimensionRecord record_dimensions(const Ledger& ledger, const SyntaxTree& syntax, const FileReport& report) {
+  DimensionRecorder recorder(ledger.tree, syntax, report);
+  for (const LedgerEntry& entry : ledger.entries) recorder.add(entry);
+  return recorder.finish();
 }
 
 }  // namespace rigor

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the statements of one file say of dimensions, collected on the walk through the notes. `dimensions.h`
-// solves it when all verdicts are known.
+// What the statements of one file say of dimensions. `dimensions.h` solves it.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "check/dimension/dimension_form.h"
-#include "elaborate/name/names.h"
+#include "check/ledger/ledger.h"
+#include "check/step/report.h"
 
 namespace rigor {
 
@@ -32,6 +31,7 @@ struct DeclaredUnit {
   Dimension dimension;
   Span span;
   std::size_t directive = 0;
+  bool used = false;  // by a statement
 };
 
 /// Whose dimension an unknown is.
@@ -50,63 +50,9 @@ struct DimensionRecord {
 inline constexpr Unknown time_unknown = 0;
 inline constexpr Unknown space_unknown = 1;
 
-class DimensionRecorder {
- public:
-  DimensionRecorder(const ExprTree& tree, Names& names);
-
-  /// One relation between two sides; without `compared`, what stands inside the sides only. `inner_left`:
-  /// what stands inside the left side, too.
-  struct Statement {
-    std::size_t step = 0;
-    ExprId left{};
-    ExprId right{};
-    Span left_span;
-    Span right_span;
-    bool compared = true;
-    bool inner_left = true;
-    DimensionSource source = DimensionSource::law;
-  };
-  void add(const Statement& statement);
-  /// The next statements hold under what this one says, until `forget_assumed`.
-  void assume_last() { assumed_.push_back(record_.statements.size() - 1); }
-  void forget_assumed() { assumed_.clear(); }
-
-  /// `units`: in another section than an earlier one, the symbol is taken for another quantity.
-  void declare(ExprId symbol, const Dimension& dimension, Span span, std::size_t directive);
-  /// `frame`: an angular velocity turns by so much a time.
-  void declare_angular_velocity(ExprId symbol);
-  /// Without `units` above it, letters of earlier sections are taken for other quantities.
-  void enter_section();
-  /// The symbol is now the name of another quantity.
-  void renew(SymbolId symbol);
-
-  [[nodiscard]] const DimensionRecord& record() const { return record_; }
-  /// Is a declared symbol in a statement?
-  [[nodiscard]] bool is_used(const DeclaredUnit& unit) const;
-
- private:
-  struct Declared {
-    Dimension dimension;
-    std::size_t section = 0;
-  };
-  DimensionForm form_of(ExprId symbol, std::vector<DimensionEquation>& equations);
-  Unknown unknown_of(SymbolId symbol);
-  Unknown fresh(UnknownName name = {});
-  DimensionReader reader(std::vector<DimensionEquation>& equations);
-  void in_body(const ExprNode& node, std::vector<DimensionEquation>& equations);
-  void relate_positions(const Statement& statement, std::vector<DimensionEquation>& equations);
-  [[nodiscard]] bool is_pure_number(SymbolId base) const;
-  bool is(SymbolId symbol, const NameKey& key) const { return names_.find(key) == symbol; }
-
-  const ExprTree& tree_;
-  Names& names_;
-  DimensionRecord record_;
-  std::map<SymbolId, Unknown> unknowns_;
-  std::map<SymbolId, Declared> declared_;
-  std::map<SymbolId, bool> body_definitions_;  // read already
-  std::vector<std::size_t> assumed_;           // statements
-  std::vector<bool> used_;                     // unknowns, in statements
-  std::size_t section_ = 0;
-};
+/// What the ledger's statements and `units` lines say. All verdicts are known: what a name stood for before
+/// it got another meaning is another quantity. A statement whose letters are only guessed says nothing.
+[[nodiscard]] DimensionRecord record_dimensions(const Ledger& ledger, const SyntaxTree& syntax,
+                                                const FileReport& report);
 
 }  // namespace rigor

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "base/ascii.h"
 #include "check/directive/warning_names.h"
@@ -33,7 +34,8 @@ constexpr std::array directive_words{
     DirectiveWord{"variable", DirectiveKind::variable}, DirectiveWord{"where", DirectiveKind::where},
     DirectiveWord{"order", DirectiveKind::first_order}, DirectiveWord{"allow", DirectiveKind::allow},
     DirectiveWord{"warn", DirectiveKind::warn},         DirectiveWord{"units", DirectiveKind::units},
-    DirectiveWord{"for all", DirectiveKind::for_all},   DirectiveWord{"use", DirectiveKind::use}};
+    DirectiveWord{"for all", DirectiveKind::for_all},   DirectiveWord{"use", DirectiveKind::use},
+    DirectiveWord{"space", DirectiveKind::space}};
 
 /// Those of symbols, before or behind the kind.
 bool describes_symbols(const std::string& word) {
@@ -123,6 +125,7 @@ class DirectiveReader {
       return read_warning_names(sources_, opening.rest, directive, diagnostics_) ? std::optional(directive)
                                                                                  : std::nullopt;
     if (directive.kind == DirectiveKind::frame) return frame(opening.rest, std::move(directive));
+    if (directive.kind == DirectiveKind::space) return space(opening.rest, std::move(directive));
     if (directive.kind == DirectiveKind::use) return use(opening.rest, std::move(directive));
     if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
     const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
@@ -199,6 +202,20 @@ class DirectiveReader {
     const auto tokens = expand(lex(sources_, velocity), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
     return with_symbols(*tokens, std::move(directive));
+  }
+
+  /// `space plane 2`
+  std::optional<Directive> space(Span rest, Directive directive) {
+    std::istringstream words{std::string(sources_.text(rest))};
+    std::string dimension;
+    std::string more;
+    words >> directive.space >> dimension >> more;
+    const bool one_digit = dimension.size() == 1 && dimension[0] >= '1' && dimension[0] <= '9';
+    if (!one_digit || !more.empty())
+      return bad(directive.span, "the directive does not name a space and its dimension, from 1 to 9",
+                 "e.g. `space plane 2`");
+    directive.dimension = dimension[0] - '0';
+    return directive;
   }
 
   /// `use (2.1), line 12, label hooke, \mathbf{p}`

@@ -26,6 +26,7 @@ enum class DirectiveKind : std::uint8_t {
   rotation,
   basis,
   frame,
+  space,  // what vectors and indices run over from here to the end of the section
   small,
   units,
   let,
@@ -65,6 +66,8 @@ struct Directive {
   std::vector<DiagnosticKind> warnings = {};  // allow, warn
   std::vector<std::string> places = {};       // use: tags, `line 12`
   bool here = false;                          // allow, warn: of the next statement only
+  std::string space;                          // space: its name
+  int dimension = 0;                          // and dimension
   std::string rotating;                       // frame: the labels
   std::string fixed;
   std::string text;  // as written, without comment

@@ -10,7 +10,6 @@
 #include "check/doubt/one_direction.h"
 #include "check/prose/restrictions.h"
 #include "check/question/decision_cache.h"
-#include "check/scope/rehearsal.h"
 #include "check/verdict/law_diagnostic.h"
 #include "check/word/number_words.h"
 #include "check/word/prose_words.h"
@@ -38,7 +37,8 @@ std::set<SymbolId> letters_of(const ExprTree& tree, const Names& names, const Eq
     for (const SymbolId symbol : symbols_in(tree, id)) {
       const SymbolId base = base_of(tree.symbols, symbol);
       if (!letters.insert(base).second) continue;
-      if (const NamedDefinition* named = names.definition_of(base)) pending.push_back(named->definition.body);
+      if (const NamedDefinition* named = definition_of(names.scope, base))
+        pending.push_back(named->definition.body);
     }
   }
   return letters;
@@ -46,7 +46,7 @@ std::set<SymbolId> letters_of(const ExprTree& tree, const Names& names, const Eq
 
 class Heeding {
  public:
-  Heeding(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement, const Standpoint& at,
+  Heeding(ExprTree& tree, const Names& names, const Claim& claim, Judgement judgement, const Standpoint& at,
           DecisionCache* cache)
       : tree_(tree),
         names_(names),
@@ -94,28 +94,34 @@ class Heeding {
     return bearing;
   }
 
-  void take_for_granted(const Fact& fact) {
+  void take_for_granted(const Fact& fact, Names& names) const {
     const ExprNode left = tree_[fact.equation.left];
-    const bool names_it = fact.proves && !fact.at_instant && fact.equation.relation == Relation::equal &&
-                          left.op == Op::symbol && left.slot_count == 0 && left.rank == 0 &&
-                          left.particle == no_particle && names_.definition_of(left.symbol) == nullptr &&
-                          !tree_.symbols[left.symbol].derivation;
+    const bool names_it =
+        fact.proves && !fact.at_instant && fact.equation.relation == Relation::equal &&
+        left.op == Op::symbol && left.slot_count == 0 && left.rank == 0 && left.particle == no_particle &&
+        definition_of(names_.scope, left.symbol) == nullptr && !tree_.symbols[left.symbol].derivation;
     Equation right = fact.equation;
     right.left = right.right;
     Origin origin{fact.text, {}, std::nullopt};
     if (names_it && !letters_of(right).contains(left.symbol)) {
-      names_.define({{left.symbol, {}, no_particle, fact.equation.right}, std::move(origin), 0});
+      define(names.scope, {{left.symbol, {}, no_particle, fact.equation.right}, std::move(origin), 0});
     } else {
-      names_.assume({fact.equation, std::move(origin), 0, fact.at_instant});
+      assume(names.scope, {fact.equation, std::move(origin), 0, fact.at_instant});
     }
   }
 
+  Judgement ask(const Names& names, const Claim& claim) {
+    Judgement judgement = judge(tree_, names, claim, {}, cache_);
+    judgement_.used.insert(judgement.used.begin(), judgement.used.end());
+    return judgement;
+  }
+
   Judgement judge_with(const std::vector<const Fact*>& facts) {
-    const Rehearsal rehearsal(names_);
-    for (const Fact* fact : facts) take_for_granted(*fact);
-    Judgement judgement = judge(tree_, names_, claim_, {}, cache_);
+    Names names = names_;
+    for (const Fact* fact : facts) take_for_granted(*fact, names);
+    Judgement judgement = ask(names, claim_);
     // From what cannot be, anything follows.
-    if (judgement.verdict == Verdict::proved && !sample_of_assumptions(tree_, names_, {}, {}, cache_))
+    if (judgement.verdict == Verdict::proved && !sample_of_assumptions(tree_, names, {}, {}, cache_))
       judgement.verdict = Verdict::undecided;
     return judgement;
   }
@@ -127,6 +133,7 @@ class Heeding {
     if (proving.empty()) return false;
     Judgement other = judge_with(proving);
     if (other.verdict != Verdict::proved) return false;
+    other.used = std::move(judgement_.used);
     judgement_ = std::move(other);
     return true;
   }
@@ -179,7 +186,8 @@ class Heeding {
     if (!word) word = word_on_numbers(sentence_);
     if (word) {
       restricted_by(*word, "its sentence");
-    } else if (const std::string& arithmetic = names_.evidence.other_arithmetic; !arithmetic.empty()) {
+    } else if (const std::string& arithmetic = names_.symbols.evidence->other_arithmetic;
+               !arithmetic.empty()) {
       restricted_by(arithmetic, "its section");
     } else if (auto heading = word_on_numbers(at_.heading)) {
       restricted_by(*heading, "its heading");
@@ -207,7 +215,7 @@ class Heeding {
                {}, {meant_for_all()});
       return true;
     }
-    if (!may_be_in_the_plane(tree_, names_.evidence, claim_.equation)) return false;
+    if (!may_be_in_the_plane(tree_, *names_.symbols.evidence, claim_.equation)) return false;
     withdraw(
         DiagnosticKind::restricted,
         "it does not hold in space, and nothing in this section has a third component: it may be meant in "
@@ -228,7 +236,7 @@ class Heeding {
   std::string meant_for_all() const {
     std::vector<std::string> open;
     for (const SymbolId letter : letters_of(claim_.equation)) {
-      if (!tree_.symbols[letter].for_all && names_.definition_of(letter) == nullptr)
+      if (!is_for_all(names_.scope, letter) && definition_of(names_.scope, letter) == nullptr)
         open.push_back(tree_.symbols[letter].name);
     }
     return fmt::format("`rigor: for all {}` says that all are meant", fmt::join(open, ", "));
@@ -236,7 +244,7 @@ class Heeding {
 
   /// "To first order", "for small x" beside `\approx`, where something is declared small, say what is asked.
   bool says_what_is_asked(std::string_view word) const {
-    return claim_.nearly && !names_.small().empty() &&
+    return claim_.nearly && !names_.scope.small->empty() &&
            (word.find("small") != std::string_view::npos || word.find("order") != std::string_view::npos);
   }
 
@@ -268,7 +276,7 @@ class Heeding {
   bool is_in_force(const Fact& fact) {
     Claim said = claim_;
     said.equation = fact.equation;
-    return judge(tree_, names_, said, {}, cache_).verdict == Verdict::proved;
+    return ask(names_, said).verdict == Verdict::proved;
   }
 
   /// What is stated nearby, as a law or in a line, would make it true, or leave it open.
@@ -289,6 +297,7 @@ class Heeding {
     Judgement other = judge_with(bearing);
     if (other.verdict == Verdict::refuted) {
       if (other.counterexample && judgement_.counterexample) keep_what_is_asked(*other.counterexample);
+      other.used = std::move(judgement_.used);
       judgement_ = std::move(other);  // on a sample that meets what is stated
       return false;
     }
@@ -308,7 +317,7 @@ class Heeding {
   bool rests_on_borrowed() {
     const auto case_word = word_of_a_case(sentence_);
     std::vector<NamedDefinition> borrowed;
-    for (const NamedDefinition& named : names_.definitions()) {
+    for (const NamedDefinition& named : *names_.scope.definitions) {
       const bool asked = std::any_of(judgement_.question.definitions.begin(),
                                      judgement_.question.definitions.end(), [&](const Definition& each) {
                                        return base_of(tree_.symbols, each.symbol) ==
@@ -317,14 +326,13 @@ class Heeding {
       if (!asked || named.origin.directive) continue;
       const bool in_between = case_word && named.origin.event != at_.event;
       if (is_said_for(at_, named.origin) && !in_between) continue;
-      if (!is_used_here(at_, names_, named.origin, named.definition.symbol)) borrowed.push_back(named);
+      if (!is_used_here(at_, names_, named.origin, named.definition.symbol, judgement_.used))
+        borrowed.push_back(named);
     }
     if (borrowed.empty()) return false;
-    {
-      const Rehearsal rehearsal(names_);
-      for (const NamedDefinition& named : borrowed) names_.forget_definition(named.definition.symbol);
-      if (judge(tree_, names_, claim_, {}, cache_).verdict == Verdict::refuted) return false;
-    }
+    Names without = names_;
+    for (const NamedDefinition& named : borrowed) forget_definition(without.scope, named.definition.symbol);
+    if (ask(without, claim_).verdict == Verdict::refuted) return false;
     std::vector<Label> labels;
     std::vector<std::string> help;
     for (const NamedDefinition& named : borrowed) {
@@ -346,7 +354,7 @@ class Heeding {
   }
 
   ExprTree& tree_;
-  Names& names_;
+  const Names& names_;
   const Claim& claim_;
   Judgement judgement_;
   const Standpoint& at_;
@@ -360,7 +368,7 @@ bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& cla
   if (claim.for_all) return true;
   const std::set<SymbolId> letters = letters_of(tree, names, claim.equation);
   return !letters.empty() && std::all_of(letters.begin(), letters.end(), [&](SymbolId each) {
-    return tree.symbols[each].for_all || names.definition_of(each) != nullptr;
+    return is_for_all(names.scope, each) || definition_of(names.scope, each) != nullptr;
   });
 }
 
@@ -369,8 +377,9 @@ bool is_said_for(const Standpoint& at, const Origin& origin) {
   return at.prose.sections.reaches(origin.place, at.beside().place);
 }
 
-bool is_used_here(const Standpoint& at, Names& names, const Origin& origin, SymbolId symbol) {
-  const NameKey* key = names.key_of(symbol);
+bool is_used_here(const Standpoint& at, const Names& names, const Origin& origin, SymbolId symbol,
+                  std::set<std::size_t>& used) {
+  const NameKey* key = key_of(names.symbols, symbol);
   for (const UseDirective& use : at.uses) {
     if (!at.prose.sections.reaches(use.place, at.beside().place)) continue;
     const bool by_letter = key != nullptr && is_one_of(key->base, use.letters);
@@ -378,7 +387,7 @@ bool is_used_here(const Standpoint& at, Names& names, const Origin& origin, Symb
       return origin.text.ends_with(" " + place);
     });
     if (!by_letter && !by_place) continue;
-    names.mark_used(use.directive);
+    used.insert(use.directive);
     return true;
   }
   return false;
@@ -386,11 +395,11 @@ bool is_used_here(const Standpoint& at, Names& names, const Origin& origin, Symb
 
 std::string use_of(const Names& names, const ExprTree& tree, SymbolId symbol) {
   const SymbolId base = base_of(tree.symbols, symbol);
-  const NameKey* key = names.key_of(base);
+  const NameKey* key = key_of(names.symbols, base);
   return key == nullptr ? tree.symbols[base].name : key->base;
 }
 
-Judgement heed_place(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement,
+Judgement heed_place(ExprTree& tree, const Names& names, const Claim& claim, Judgement judgement,
                      const Standpoint& at, DecisionCache* cache) {
   return Heeding(tree, names, claim, std::move(judgement), at, cache).heed();
 }

@@ -53,7 +53,8 @@ struct Standpoint {
 };
 
 /// Does a `use` name this definition, or its symbol? Marks the directive as used.
-[[nodiscard]] bool is_used_here(const Standpoint& at, Names& names, const Origin& origin, SymbolId symbol);
+[[nodiscard]] bool is_used_here(const Standpoint& at, const Names& names, const Origin& origin,
+                                SymbolId symbol, std::set<std::size_t>& used);
 
 /// Is an earlier definition said for this place, or is it borrowed from elsewhere?
 [[nodiscard]] bool is_said_for(const Standpoint& at, const Origin& origin);
@@ -63,8 +64,8 @@ struct Standpoint {
 
 /// The judgement of a step that stands there: a proof with the help of what was said, or a refutation taken
 /// back.
-[[nodiscard]] Judgement heed_place(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement,
-                                   const Standpoint& at, DecisionCache* cache);
+[[nodiscard]] Judgement heed_place(ExprTree& tree, const Names& names, const Claim& claim,
+                                   Judgement judgement, const Standpoint& at, DecisionCache* cache);
 
 /// The letter or the tag as `use` names it.
 [[nodiscard]] std::string use_of(const Names& names, const ExprTree& tree, SymbolId symbol);

@@ -84,7 +84,7 @@ std::string decimal(std::int64_t value, int places) {
 
 class Comparison {
  public:
-  Comparison(ExprTree& tree, Names& names, ExprId value, ExprId side, const Shown& shown,
+  Comparison(ExprTree& tree, const Names& names, ExprId value, ExprId side, const Shown& shown,
              DecisionCache* cache)
       : tree_(tree), names_(names), value_(value), side_(side), shown_(shown), cache_(cache) {}
 
@@ -142,7 +142,7 @@ class Comparison {
       pending.pop_back();
       for (const SymbolId symbol : symbols) {
         if (is_circle_number(tree_, names_, symbol)) return true;
-        const NamedDefinition* named = names_.definition_of(symbol);
+        const NamedDefinition* named = definition_of(names_.scope, symbol);
         if (named != nullptr && seen.insert(symbol).second) pending.push_back(named->definition.body);
       }
     }
@@ -150,7 +150,7 @@ class Comparison {
   }
 
   void bound_pi(Question& question) {
-    const std::optional<SymbolId> pi = names_.find({"\\pi", 0, false});
+    const std::optional<SymbolId> pi = find_symbol(names_.symbols, {"\\pi", 0, false});
     if (!pi) return;
     const Span span = tree_[side_].span;
     const ExprId circle = tree_.add({.op = Op::symbol, .span = span, .symbol = *pi});
@@ -172,7 +172,7 @@ class Comparison {
   }
 
   ExprTree& tree_;
-  Names& names_;
+  const Names& names_;
   ExprId value_;
   ExprId side_;
   const Shown& shown_;
@@ -190,7 +190,7 @@ bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
     for (const SymbolId symbol : symbols_in(tree, id)) {
       if (tree.symbols[symbol].unit_of_measure || is_circle_number(tree, names, symbol)) continue;
       if (!seen.insert(symbol).second) continue;
-      const NamedDefinition* named = names.definition_of(symbol);
+      const NamedDefinition* named = definition_of(names.scope, symbol);
       if (named == nullptr) return false;
       pending.push_back(named->definition.body);
     }
@@ -210,7 +210,7 @@ bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
     const std::span<const ExprId> children = tree.children(id);
     pending.insert(pending.end(), children.begin(), children.end());
     if (node.op != Op::symbol || !seen.insert(node.symbol).second) continue;
-    if (const NamedDefinition* named = names.definition_of(node.symbol))
+    if (const NamedDefinition* named = definition_of(names.scope, node.symbol))
       pending.push_back(named->definition.body);
   }
   return false;
@@ -225,9 +225,9 @@ bool compares_decimals(const ExprTree& tree, const Names& names, const Equation&
 }
 
 bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol) {
-  const NameKey* key = names.key_of(symbol);
+  const NameKey* key = key_of(names.symbols, symbol);
   return key != nullptr && *key == NameKey{"\\pi", 0, false} && !tree.symbols[symbol].declared &&
-         names.definition_of(symbol) == nullptr;
+         definition_of(names.scope, symbol) == nullptr;
 }
 
 bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left, const Typed& right) {
@@ -235,7 +235,7 @@ bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& 
          symbols_in(tree, right.id).empty() && shown_in(tree, right.id, false);
 }
 
-std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names, const Claim& claim,
+std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& names, const Claim& claim,
                                                    DecisionCache* cache) {
   const Equation& equation = claim.equation;
   if (equation.relation != Relation::equal || tree[equation.left].rank != 0) return std::nullopt;

@@ -36,7 +36,7 @@ struct DigitComparison {
 
 /// Nothing where neither side is such a number, where the other depends on a letter, or where that cannot be
 /// decided.
-[[nodiscard]] std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, Names& names,
+[[nodiscard]] std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& names,
                                                                  const Claim& claim, DecisionCache* cache);
 
 }  // namespace rigor

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/doubt/one_direction.h"
 
-#include <array>
 #include <map>
 #include <set>
 
@@ -93,9 +92,11 @@ std::optional<Equation> with_numbers_for_lengths(ExprTree& tree, const Equation&
     }
     const ExprNode number{
         .op = Op::symbol, .span = vector.span, .symbol = entry->second, .particle = vector.particle};
-    const ExprId zero = tree.add_number(vector.span, "0");
-    const std::array<ExprId, 3> along{tree.add(number), zero, zero};
-    return tree.add({.op = Op::tuple, .rank = 1, .span = vector.span}, along);
+    const Space space = vector.axes[0];
+    std::vector<ExprId> along(space.dimension, tree.add_number(vector.span, "0"));
+    along[0] = tree.add(number);
+    return tree.add({.op = Op::tuple, .rank = 1, .span = vector.span, .axes = AxisSpaces::of(space, 1)},
+                    along);
   };
   Equation numeric = equation;
   numeric.left = replaced(tree, equation.left, by);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ascii.h"
 #include "check/verdict/chain_reading.h"
 #include "elaborate/name/possible_ranks.h"
 #include "latex/token/vocabulary.h"
@@ -86,7 +87,7 @@ std::optional<OpenPart> open_letter(const SyntaxTree& syntax, const Names& names
     const bool table = kind == SyntaxKind::tuple || kind == SyntaxKind::matrix;
     if (!table || syntax[alone].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(alone);
-    const bool declared = names.is_declared({symbol.letter, 0, false});
+    const bool declared = is_declared(names.symbols, {symbol.letter, 0, false});
     if (symbol.face != Face::plain || !symbol.lower.empty() || declared) continue;
     return OpenPart{syntax[alone].span, fmt::format("`{}` can be a point, a set or a matrix", symbol.letter)};
   }
@@ -113,8 +114,8 @@ std::optional<OpenPart> open_subscript(const SyntaxTree& syntax, const ParsedCha
       if (syntax[id].kind != SyntaxKind::symbol) return false;
       const std::vector<WrittenIndex>& lower = syntax.symbol(id).lower;
       for (const WrittenIndex& index : lower) {
-        const bool capital = lower.size() > 1 && index.form == IndexForm::letter && index.text.size() == 1 &&
-                             index.text[0] >= 'A' && index.text[0] <= 'Z';
+        const bool capital =
+            lower.size() > 1 && index.form == IndexForm::letter && is_capital_letter(index.text);
         if (capital) found = OpenPart{index.span, fmt::format("`{}` can be a label", index.text)};
         const bool word = index.form == IndexForm::word && !is_subscript_word(index.text) &&
                           index.text.find_first_of("ijklmn") != std::string::npos;

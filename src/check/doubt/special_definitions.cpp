@@ -11,7 +11,6 @@
 
 #include "base/among.h"
 #include "check/question/decision_cache.h"
-#include "check/scope/rehearsal.h"
 #include "check/word/prose_words.h"
 
 namespace rigor {
@@ -61,22 +60,25 @@ bool is_of_another_case(const ExprTree& tree, const Standpoint& at, const NamedD
   return said.sentence != at.beside().sentence && is_another_case(said.lead, at.beside().lead);
 }
 
-Judgement heed_cases(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement,
+Judgement heed_cases(ExprTree& tree, const Names& names, const Claim& claim, Judgement judgement,
                      const Standpoint& at, DecisionCache* cache) {
   if (judgement.verdict != Verdict::proved) return judgement;
   std::vector<NamedDefinition> of_others;
-  for (const NamedDefinition& named : names.definitions()) {
+  for (const NamedDefinition& named : *names.scope.definitions) {
     const bool used = is_one_of(named.origin.text, judgement.uses);
     if (!used || named.origin.directive) continue;
     if (!at.denied && !is_of_another_case(tree, at, named)) continue;
-    if (!is_used_here(at, names, named.origin, named.definition.symbol)) of_others.push_back(named);
+    if (!is_used_here(at, names, named.origin, named.definition.symbol, judgement.used))
+      of_others.push_back(named);
   }
   if (of_others.empty()) return judgement;
-  {
-    const Rehearsal rehearsal(names);
-    for (const NamedDefinition& named : of_others) names.forget_definition(named.definition.symbol);
-    Judgement without = judge(tree, names, claim, {}, cache);
-    if (without.verdict == Verdict::proved) return without;
+  Names others = names;
+  for (const NamedDefinition& named : of_others) forget_definition(others.scope, named.definition.symbol);
+  Judgement without = judge(tree, others, claim, {}, cache);
+  judgement.used.insert(without.used.begin(), without.used.end());
+  if (without.verdict == Verdict::proved) {
+    without.used = std::move(judgement.used);
+    return without;
   }
   const NamedDefinition& first = of_others.front();
   judgement.verdict = Verdict::undecided;

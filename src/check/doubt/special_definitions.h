@@ -13,7 +13,7 @@ namespace rigor {
 
 /// The judgement of a step that was proved: as it is without definitions that are said for another case, or
 /// that the page calls wrong in the place of the step. Cost: one more decision, where there are such.
-[[nodiscard]] Judgement heed_cases(ExprTree& tree, Names& names, const Claim& claim, Judgement judgement,
-                                   const Standpoint& at, DecisionCache* cache);
+[[nodiscard]] Judgement heed_cases(ExprTree& tree, const Names& names, const Claim& claim,
+                                   Judgement judgement, const Standpoint& at, DecisionCache* cache);
 
 }  // namespace rigor

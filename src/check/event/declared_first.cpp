@@ -39,7 +39,8 @@ bool ends_stretch(const Event& event) {
   if (std::holds_alternative<Heading>(event)) return true;
   const auto* placed = std::get_if<PlacedDirective>(&event);
   return placed != nullptr &&
-         (placed->directive.kind == DirectiveKind::frame || placed->directive.kind == DirectiveKind::basis);
+         (placed->directive.kind == DirectiveKind::frame || placed->directive.kind == DirectiveKind::basis ||
+          placed->directive.kind == DirectiveKind::space);
 }
 
 /// The letter with its face and marks, and its labels.

@@ -30,7 +30,7 @@ bool names_something(const WrittenSymbol& symbol) {
 
 }  // namespace
 
-std::set<std::string> bases_below(const SyntaxTree& syntax, SyntaxId root, Names& names) {
+std::set<std::string> bases_below(const SyntaxTree& syntax, SyntaxId root, const Names& names) {
   std::set<std::string> bases;
   for (const SyntaxId id : nodes_below(syntax, {root})) {
     if (syntax[id].kind != SyntaxKind::symbol || !names_something(syntax.symbol(id))) continue;
@@ -39,7 +39,7 @@ std::set<std::string> bases_below(const SyntaxTree& syntax, SyntaxId root, Names
   return bases;
 }
 
-std::set<std::string> bases_in(const Notes& notes, Names& names) {
+std::set<std::string> bases_in(const Notes& notes, const Names& names) {
   std::set<std::string> bases;
   const auto take = [&](SyntaxId root) { bases.merge(bases_below(notes.syntax, root, names)); };
   for (const Event& event : notes.events) {
@@ -98,7 +98,7 @@ struct Mentioned {
   }
 };
 
-Mentioned mentioned_in(const SyntaxTree& syntax, SyntaxId root, Names& names) {
+Mentioned mentioned_in(const SyntaxTree& syntax, SyntaxId root, const Names& names) {
   Mentioned mentioned{bases_below(syntax, root, names), {}};
   for (const SyntaxId id : nodes_below(syntax, {root})) {
     if (syntax[id].kind == SyntaxKind::derivative) mentioned.rates.merge(bases_below(syntax, id, names));
@@ -115,7 +115,7 @@ struct DemandedMeaning {
 };
 
 /// `I_{ij} =`, `(\Omega_1)^2 =`, `\dot\omega_1 =`; a component of a vector or tensor defines nothing.
-std::optional<DemandedMeaning> meaning_of(const SyntaxTree& syntax, SyntaxId side, Names& names) {
+std::optional<DemandedMeaning> meaning_of(const SyntaxTree& syntax, SyntaxId side, const Names& names) {
   DemandedMeaning meaning;
   for (;; side = syntax.child(side, 0)) {
     const SyntaxKind kind = syntax[side].kind;
@@ -133,7 +133,7 @@ std::optional<DemandedMeaning> meaning_of(const SyntaxTree& syntax, SyntaxId sid
   const bool component =
       std::any_of(name.axes.begin(), name.axes.end(),
                   [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; }) &&
-      (name.axes.size() > 1 || names.sightings.bold.contains({name.base, name.per_particle()}));
+      (name.axes.size() > 1 || names.symbols.sightings->bold.contains({name.base, name.per_particle()}));
   if (component && !meaning.rate) return std::nullopt;
   return meaning;
 }
@@ -159,7 +159,7 @@ bool may_define(const Event& event, const ParsedChain& chain, const DemandedMean
 
 }  // namespace
 
-std::set<const ParsedChain*> chains_needed(const Notes& notes, Names& names,
+std::set<const ParsedChain*> chains_needed(const Notes& notes, const Names& names,
                                            const std::vector<SyntaxId>& asked,
                                            const std::vector<NamedPlace>& wanted) {
   struct Candidate {

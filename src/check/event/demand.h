@@ -13,9 +13,9 @@
 namespace rigor {
 
 /// The letters of the notes with their labels: `r`, `T_{rot}`, as `take_apart` gives them.
-[[nodiscard]] std::set<std::string> bases_in(const Notes& notes, Names& names);
+[[nodiscard]] std::set<std::string> bases_in(const Notes& notes, const Names& names);
 /// Those below one node, without δ, ε and the axes' unit vectors.
-[[nodiscard]] std::set<std::string> bases_below(const SyntaxTree& syntax, SyntaxId root, Names& names);
+[[nodiscard]] std::set<std::string> bases_below(const SyntaxTree& syntax, SyntaxId root, const Names& names);
 
 /// What a tag or a heading names.
 struct NamedPlace {
@@ -30,7 +30,7 @@ struct NamedPlace {
 
 /// Chains of `wanted` places; chains whose first side names a letter that these or `asked` have; and so on.
 /// More than what is needed in the end, never less.
-[[nodiscard]] std::set<const ParsedChain*> chains_needed(const Notes& notes, Names& names,
+[[nodiscard]] std::set<const ParsedChain*> chains_needed(const Notes& notes, const Names& names,
                                                          const std::vector<SyntaxId>& asked,
                                                          const std::vector<NamedPlace>& wanted);
 

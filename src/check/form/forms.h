@@ -35,12 +35,4 @@ struct FormsReading {
   std::size_t chains_passed_over = 0;  // that nothing asked for needs
 };
 
-/// What is asked for and cannot be read, or has a letter that is nowhere in the notes, is a diagnostic of the
-/// file, and then `forms.asked` is empty. Never throws for anything in the notes or the request.
-[[nodiscard]] FormsReading read_forms(SourceMap& sources, const std::string& path,
-                                      const FormRequest& request);
-/// The same for text in memory.
-[[nodiscard]] FormsReading read_forms_of_text(SourceMap& sources, const std::string& path, std::string text,
-                                              const FormRequest& request);
-
 }  // namespace rigor

@@ -21,7 +21,7 @@ constexpr Limits limits_of_names{.expanded_terms = 10'000,
 
 class NameTrial {
  public:
-  NameTrial(ExprTree& tree, Names& names, const Claim& claim, HoleReading& reading)
+  NameTrial(ExprTree& tree, const Names& names, const Claim& claim, HoleReading& reading)
       : tree_(tree), names_(names), claim_(claim), reading_(reading) {}
 
   void run() {
@@ -34,8 +34,7 @@ class NameTrial {
   bool holds(const Equation& equation) {
     Claim claim = claim_;
     claim.equation = equation;
-    Names names = names_;  // a trial uses nothing
-    return judge(tree_, names, claim, limits_of_names).verdict == Verdict::proved;
+    return judge(tree_, names_, claim, limits_of_names).verdict == Verdict::proved;
   }
 
   std::vector<SymbolId> symbols_in_scope() const {
@@ -48,9 +47,9 @@ class NameTrial {
     for (std::size_t k = 0; k < tree_.symbols.size(); ++k) {
       const SymbolId symbol{static_cast<std::uint32_t>(k)};
       if (own.contains(symbol) || tree_.symbols[symbol].derivation) continue;
-      if (names_.definition_of(symbol) != nullptr) {
+      if (definition_of(names_.scope, symbol) != nullptr) {
         defined.push_back(symbol);
-      } else if (names_.seen_in_equation(symbol)) {
+      } else if (seen_in_equation(names_.scope, symbol)) {
         others.push_back(symbol);
       }
     }
@@ -115,7 +114,7 @@ class NameTrial {
   }
 
   ExprTree& tree_;
-  Names& names_;
+  const Names& names_;
   const Claim& claim_;
   HoleReading& reading_;
   std::size_t tried_ = 0;
@@ -123,7 +122,7 @@ class NameTrial {
 
 }  // namespace
 
-void try_names(ExprTree& tree, Names& names, const Claim& claim, HoleReading& reading) {
+void try_names(ExprTree& tree, const Names& names, const Claim& claim, HoleReading& reading) {
   NameTrial(tree, names, claim, reading).run();
 }
 

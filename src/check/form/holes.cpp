@@ -135,7 +135,7 @@ class HoleReader {
   }
 
   ChainReading read_as(const HoleShape& shape) {
-    Reading how{.no_sum = chain_.parsed.written.no_sum};
+    ReadingRules how{.no_sum = chain_.parsed.written.no_sum};
     how.hole = shape;
     return ChainReading(chain_.syntax, chain_.tree, chain_.names, chain_.parsed, how);
   }
@@ -149,13 +149,13 @@ class HoleReader {
     if (!own || !partner.typed) return std::nullopt;
     const std::size_t step = std::min(side_, partner_);
     auto claim = reading.claim(chain_.parsed, step, *partner.typed, *own, chain_.first_order, last_);
-    if (!claim || reading.elaborator().holes().empty()) return std::nullopt;
+    if (!claim || reading.reading().found.holes.empty()) return std::nullopt;
     for (std::size_t k = step; k < std::max(side_, partner_); ++k)
       claim->nearly = claim->nearly || chain_.parsed.written.relations[k].kind == RelationKind::nearly;
     if (!claim->nearly) claim->nearly = chain_.first_order;
     const Span span = span_of_hole();
     HoleReading found{.claim = claim->equation, .nearly = claim->nearly};
-    for (const Hole& hole : reading.elaborator().holes()) {
+    for (const Hole& hole : reading.reading().found.holes) {
       if (hole.span == span) found.symbol = hole.symbol;
     }
     const auto node = node_of(found.claim.right, found.symbol);
@@ -194,7 +194,7 @@ class HoleReader {
   }
 
   void ask(HoleReading& found) {
-    for (const SmallQuantity& small : chain_.names.small()) found.small.push_back(small.quantity);
+    for (const SmallQuantity& small : *chain_.names.scope.small) found.small.push_back(small.quantity);
     const Precision precision = found.nearly ? Precision::small_order : Precision::exact;
     for (int order = 0; order <= (found.nearly ? 1 : 0); ++order) {
       Prepared prepared = prepare(chain_.tree, chain_.names, found.claim, 0, precision, order);

@@ -44,7 +44,7 @@ std::string with_braces(const std::string& letter) {
 
 class Sighting {
  public:
-  Sighting(const Notes& notes, Names& names) : notes_(notes), names_(names) {
+  Sighting(const Notes& notes, const Names& names) : notes_(notes), names_(names) {
     for (const Event& event : notes.events) {
       if (const auto* display = std::get_if<ParsedDisplay>(&event)) take(display->chains);
       if (const auto* placed = std::get_if<PlacedDirective>(&event)) take(placed->directive.chains);
@@ -59,10 +59,10 @@ class Sighting {
     choose_axes(notation);
     for (std::size_t k = 0; k < tree.symbols.size(); ++k) {
       const auto symbol = static_cast<SymbolId>(k);
-      const NameKey* key = names_.key_of(symbol);
+      const NameKey* key = key_of(names_.symbols, symbol);
       if (key == nullptr || tree.symbols[symbol].derivation) continue;
-      if (names_.is_principal_value(tree.symbols, symbol)) notation.principal.insert(symbol);
-      if (names_.is_field(tree, symbol)) notation.fields.insert(symbol);
+      if (is_principal_value(names_.symbols, tree.symbols, symbol)) notation.principal.insert(symbol);
+      if (is_field(names_, tree, symbol)) notation.fields.insert(symbol);
       const std::string& name = tree.symbols[symbol].name;
       const bool renamed = without_face(name) != key->base && !key->base.starts_with("\\unit") &&
                            !tree.symbols[symbol].rotation;
@@ -151,7 +151,7 @@ class Sighting {
   }
 
   const Notes& notes_;
-  Names& names_;
+  const Names& names_;
   LetterCounts controls_;
   int number_fractions_ = 0;
   int letters_ = 0;  // components along x, y, z
@@ -164,7 +164,7 @@ class Sighting {
 
 }  // namespace
 
-Notation notation_of_notes(const Notes& notes, Names& names, const ExprTree& tree) {
+Notation notation_of_notes(const Notes& notes, const Names& names, const ExprTree& tree) {
   return Sighting(notes, names).notation(tree);
 }
 

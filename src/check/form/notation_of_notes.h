@@ -11,6 +11,6 @@ namespace rigor {
 
 /// Where the notes write a thing in several ways, the most frequent one. Of the faces, those that amsmath
 /// knows. `names` has all of the file's symbols. Cost: linear in the notes.
-[[nodiscard]] Notation notation_of_notes(const Notes& notes, Names& names, const ExprTree& tree);
+[[nodiscard]] Notation notation_of_notes(const Notes& notes, const Names& names, const ExprTree& tree);
 
 }  // namespace rigor

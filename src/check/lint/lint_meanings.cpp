@@ -27,7 +27,7 @@ std::optional<std::string> look_of(const WrittenSymbol& symbol) {
   return look;
 }
 
-std::string words_of(const SymbolReading& reading) {
+std::string said_of(const SymbolReading& reading) {
   switch (reading.meaning) {
     case ReadAs::number:
       return "a number of its own";
@@ -110,14 +110,13 @@ Findings lint_meanings(const LintInput& input) {
       if (!look || reading == readings.end()) continue;
       const auto [known, fresh] = first.try_emplace(*look, reading->second);
       if (fresh || known->second.meaning == reading->second.meaning || !said.insert(*look).second) continue;
-      const std::string before = words_of(known->second);
-      findings.push_back(
-          {{DiagnosticKind::two_meanings,
-            syntax[id].span,
-            fmt::format("`{}` is {} here, and {} elsewhere", input.sources.text(syntax[id].span),
-                        words_of(reading->second), before),
-            {{known->second.place, fmt::format("here it is {}", before)}},
-            {"another letter for one of them keeps them apart"}}});
+      const std::string before = said_of(known->second);
+      findings.push_back({{DiagnosticKind::two_meanings,
+                           syntax[id].span,
+                           fmt::format("`{}` is {} here, and {} elsewhere",
+                                       input.sources.text(syntax[id].span), said_of(reading->second), before),
+                           {{known->second.place, fmt::format("here it is {}", before)}},
+                           {"another letter for one of them keeps them apart"}}});
     }
   }
   return findings;

@@ -25,7 +25,7 @@ const NameKey* open_key(const ExprTree& tree, const Names& names, SymbolId symbo
   const SymbolId base = each.derivation ? each.derivation->base : symbol;
   const Symbol& whole = tree.symbols[base];
   if (whole.declared || whole.unit_of_measure || whole.rank != 0) return nullptr;
-  return names.key_of(base);
+  return key_of(names.symbols, base);
 }
 
 std::string letter_before_label(const NameKey& key) { return key.base.substr(0, key.base.find('_')); }
@@ -207,7 +207,8 @@ std::set<SymbolId> complex_symbols(const Question& question, const Names& names)
   std::set<SymbolId> found;
   for (const SymbolId symbol : symbols_of(question)) {
     const NameKey* key = open_key(*question.tree, names, symbol);
-    if (key != nullptr && may_be_complex(names.evidence, letter_before_label(*key))) found.insert(symbol);
+    if (key != nullptr && may_be_complex(*names.symbols.evidence, letter_before_label(*key)))
+      found.insert(symbol);
   }
   return found;
 }
@@ -244,7 +245,7 @@ bool holds_for_complex(const Question& question, const std::set<SymbolId>& symbo
 
 std::set<SymbolId> symbols_of_determinants(const Question& question, const Names& names) {
   const ExprTree& tree = *question.tree;
-  const Evidence& evidence = names.evidence;
+  const Evidence& evidence = *names.symbols.evidence;
   const auto can_be_matrix = [&](SymbolId symbol) {
     const NameKey* key = open_key(tree, names, symbol);
     if (key == nullptr || key->base.size() != 1 || key->base[0] < 'A' || key->base[0] > 'Z') return false;

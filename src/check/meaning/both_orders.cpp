@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/among.h"
+#include "base/ascii.h"
 #include "check/meaning/ordered_product.h"
 
 namespace rigor {
@@ -28,15 +29,11 @@ std::string_view letter_of_key(const NameKey& key) {
   return std::string_view(key.base).substr(0, key.base.find('_'));
 }
 
-bool is_capital(std::string_view letter) {
-  return letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
-}
-
 /// Letters that usually stand for matrices one of which belongs to each axis.
 bool is_usual_generator(std::string_view letter) {
   static constexpr std::array<std::string_view, 9> letters{
       "\\gamma", "\\sigma", "\\tau", "\\theta", "\\psi", "\\lambda", "\\eta", "\\Gamma", "\\Sigma"};
-  return is_capital(letter) || is_one_of(letter, letters);
+  return is_capital_letter(letter) || is_one_of(letter, letters);
 }
 
 /// `a_x`: a component that is written as a number.
@@ -87,8 +84,8 @@ class Products {
         return;
       case Op::length:  // `A` where `\vec A` stands in another section
         if (tree_[children[0]].op != Op::symbol) return look(children[0]);
-        if (const NameKey* key = names_.key_of(tree_[children[0]].symbol);
-            key != nullptr && !names_.evidence.vectors.contains(std::string(letter_of_key(*key))))
+        if (const NameKey* key = key_of(names_.symbols, tree_[children[0]].symbol);
+            key != nullptr && !names_.symbols.evidence->vectors.contains(std::string(letter_of_key(*key))))
           word.push_back({tree_[children[0]].symbol, {}});
         return;
       case Op::multiply:
@@ -147,16 +144,17 @@ class Products {
     const SymbolId symbol = tree_[id].symbol;
     if (tree_[id].rank != 0) return;  // dyads keep their order anyway
     see_capital(symbol);
-    const NameKey* key = names_.key_of(symbol);
-    const bool number = in_bars_ && key != nullptr && !is_capital(letter_of_key(*key));
+    const NameKey* key = key_of(names_.symbols, symbol);
+    const bool number = in_bars_ && key != nullptr && !is_capital_letter(letter_of_key(*key));
     if (!number) word.push_back({symbol, slots_of(id)});
   }
 
   /// `(1 + A)^{-1}B = B(1 + A)^{-1}`: what stands in the bracket is on its side.
   void add_capitals(ExprId id, std::vector<Factor>& word) const {
     for (const SymbolId symbol : symbols_in(tree_, id)) {
-      const NameKey* key = names_.key_of(symbol);
-      if (key != nullptr && key->rank == 0 && is_capital(letter_of_key(*key))) word.push_back({symbol, {}});
+      const NameKey* key = key_of(names_.symbols, symbol);
+      if (key != nullptr && key->rank == 0 && is_capital_letter(letter_of_key(*key)))
+        word.push_back({symbol, {}});
     }
   }
 
@@ -170,12 +168,12 @@ class Products {
   }
 
   void see_capital(SymbolId symbol) {
-    const NameKey* key = names_.key_of(symbol);
-    if (key == nullptr || key->rank != 0 || !is_capital(letter_of_key(*key))) return;
+    const NameKey* key = key_of(names_.symbols, symbol);
+    if (key == nullptr || key->rank != 0 || !is_capital_letter(letter_of_key(*key))) return;
     if (tree_.symbols[symbol].declared || is_number(*key) ||
-        names_.evidence.vectors.contains(std::string(letter_of_key(*key))))
+        names_.symbols.evidence->vectors.contains(std::string(letter_of_key(*key))))
       return;
-    const bool bare = is_capital(key->base);
+    const bool bare = is_capital_letter(key->base);
     if (in_exponent_ && !bare) labelled_exponents_.insert(symbol);
     if (bare) (in_exponent_ ? exponents_ : bases_).insert(symbol);
   }
@@ -189,24 +187,26 @@ class Products {
   }
 
   bool is_number(const NameKey& key) const {
-    return names_.evidence.numbers.contains(std::string(letter_of_key(key)));
+    return names_.symbols.evidence->numbers.contains(std::string(letter_of_key(key)));
   }
 
   bool may_have_order(const Factor& first, const Factor& second) const {
-    const NameKey* one = names_.key_of(first.symbol);
-    const NameKey* other = names_.key_of(second.symbol);
+    const NameKey* one = key_of(names_.symbols, first.symbol);
+    const NameKey* other = key_of(names_.symbols, second.symbol);
     if (one == nullptr || other == nullptr) return false;  // a derivative, say
     for (const SymbolId symbol : {first.symbol, second.symbol}) {
       const Symbol& each = tree_.symbols[symbol];
       if (each.declared || each.derivation || each.unit_of_measure || each.per_particle) return false;
     }
     if (first.slots.empty() != second.slots.empty()) return false;
-    const bool speaks = names_.evidence.speaks_of_order || names_.evidence.order_in_heading;
+    const bool speaks = names_.symbols.evidence->speaks_of_order || names_.symbols.evidence->order_in_heading;
     const bool same_letter = letter_of_key(*one) == letter_of_key(*other);
     const bool components = !first.slots.empty() || (is_component(*one) && is_component(*other));
     if (!components) return !is_number(*one) || !is_number(*other);
     const std::string letter(letter_of_key(*one));
-    if (names_.evidence.vectors.contains(letter) && !names_.evidence.labelled.contains(letter)) return false;
+    if (names_.symbols.evidence->vectors.contains(letter) &&
+        !names_.symbols.evidence->labelled.contains(letter))
+      return false;
     return same_letter ? speaks || is_usual_generator(letter) : speaks && first.slots.empty();
   }
 
@@ -247,8 +247,8 @@ void remove_numbers(const ExprTree& tree, ExprId root, std::set<SymbolId>& symbo
 }
 
 bool is_single_capital(const ExprTree& tree, const Names& names, SymbolId symbol) {
-  const NameKey* key = names.key_of(symbol);
-  return key != nullptr && key->rank == 0 && is_capital(key->base) && !tree.symbols[symbol].derivation;
+  const NameKey* key = key_of(names.symbols, symbol);
+  return key != nullptr && key->rank == 0 && is_capital_letter(key->base) && !tree.symbols[symbol].derivation;
 }
 
 bool is_defined_by_numbers(const Question& question, const Names& names, SymbolId symbol) {
@@ -265,14 +265,15 @@ bool is_defined_by_numbers(const Question& question, const Names& names, SymbolI
 std::set<SymbolId> capitals_that_must_commute(const Question& question, const Names& names) {
   const ExprTree& tree = *question.tree;
   const auto [left, right] = std::pair(question.claim.left, question.claim.right);
-  if (question.claim.relation != Relation::equal || names.evidence.speaks_of_numbers) return {};
+  if (question.claim.relation != Relation::equal || names.symbols.evidence->speaks_of_numbers) return {};
   std::set<SymbolId> capitals;
   for (const ExprId side : {left, right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) {
       if (!is_single_capital(tree, names, symbol) || tree.symbols[symbol].declared) continue;
-      const std::string& letter = names.key_of(symbol)->base;
-      const bool number = names.evidence.numbers.contains(letter) || names.evidence.real.contains(letter) ||
-                          names.evidence.vectors.contains(letter);
+      const std::string& letter = key_of(names.symbols, symbol)->base;
+      const bool number = names.symbols.evidence->numbers.contains(letter) ||
+                          names.symbols.evidence->real.contains(letter) ||
+                          names.symbols.evidence->vectors.contains(letter);
       if (!number && !is_defined_by_numbers(question, names, symbol)) capitals.insert(symbol);
     }
   }

@@ -44,8 +44,9 @@ std::vector<SymbolId> divisors_of_sample(const ExprTree& tree, const Names& name
   };
   if (std::none_of(sample.values.begin(), sample.values.end(), is_zero)) return {};
   std::set<SymbolId> divisors;
-  for (const NamedDefinition& each : names.definitions()) add_divisors(tree, each.definition.body, divisors);
-  for (const NamedAssumption& each : names.assumptions()) {
+  for (const NamedDefinition& each : *names.scope.definitions)
+    add_divisors(tree, each.definition.body, divisors);
+  for (const NamedAssumption& each : *names.scope.assumptions) {
     add_divisors(tree, each.equation.left, divisors);
     add_divisors(tree, each.equation.right, divisors);
   }

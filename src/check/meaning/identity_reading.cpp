@@ -57,11 +57,13 @@ std::size_t term_count(const ExprTree& tree, ExprId id) {
   return tree[id].op == Op::add ? tree.children(id).size() : 1;
 }
 
-std::vector<SymbolId> symbols_not_for_all(const ExprTree& tree, const std::set<SymbolId>& symbols) {
+std::vector<SymbolId> symbols_not_for_all(const ExprTree& tree, const NameScope& scope,
+                                          const std::set<SymbolId>& symbols) {
   std::vector<SymbolId> open;
   std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open), [&](SymbolId symbol) {
-    const Symbol& base = tree.symbols[base_of(tree.symbols, symbol)];
-    return !base.for_all && !base.unit_of_measure && !base.rotation;  // axes are no claim
+    const SymbolId base = base_of(tree.symbols, symbol);
+    const Symbol& known = tree.symbols[base];
+    return !is_for_all(scope, base) && !known.unit_of_measure && !known.rotation;  // axes are no claim
   });
   return open;
 }
@@ -224,14 +226,14 @@ std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
   return symbols_below(question, root, {});
 }
 
-std::vector<SymbolId> law_symbols(const Question& question, bool restates, const std::set<SymbolId>& frames,
-                                  DecisionCache* cache) {
+std::vector<SymbolId> law_symbols(const Question& question, const NameScope& scope, bool restates,
+                                  const std::set<SymbolId>& frames, DecisionCache* cache) {
   const ExprTree& tree = *question.tree;
   const std::set<SymbolId> left = as_set(primitive_symbols(question, question.claim.left));
   const std::set<SymbolId> right = as_set(primitive_symbols(question, question.claim.right));
   std::set<SymbolId> all = left;
   all.insert(right.begin(), right.end());
-  const std::vector<SymbolId> open = symbols_not_for_all(tree, all);
+  const std::vector<SymbolId> open = symbols_not_for_all(tree, scope, all);
   if (open.empty()) return {};
   if (question.claim.relation != Relation::equal) return without_bounds(question, open);
   if (tree.is_zero_literal(question.claim.right))
@@ -245,12 +247,12 @@ std::vector<SymbolId> law_symbols(const Question& question, bool restates, const
   if (!frames.empty() && !defines) {
     const OwnSymbols written = own_symbols(as_set(symbols_below(question, question.claim.left, frames)),
                                            as_set(symbols_below(question, question.claim.right, frames)));
-    const std::vector<SymbolId> open_written = symbols_not_for_all(tree, written.all());
+    const std::vector<SymbolId> open_written = symbols_not_for_all(tree, scope, written.all());
     if (!written.left.empty() && !written.right.empty() && !open_written.empty()) return open_written;
   }
   const auto [only_left, only_right] = own_symbols(left, right);
   const std::set<SymbolId> own = OwnSymbols{only_left, only_right}.all();
-  const std::vector<SymbolId> open_own = symbols_not_for_all(tree, own);
+  const std::vector<SymbolId> open_own = symbols_not_for_all(tree, scope, own);
   if (!open_own.empty()) {
     const bool one_sided = only_left.empty() || only_right.empty();
     const ExprId longer = only_left.empty() ? question.claim.right : question.claim.left;

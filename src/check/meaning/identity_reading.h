@@ -18,6 +18,7 @@
 #include <set>
 #include <vector>
 
+#include "elaborate/name/scope.h"
 #include "expr/statement/statement.h"
 
 namespace rigor {
@@ -28,8 +29,8 @@ class DecisionCache;
 /// reads as an identity. `restates`: the left side is a defined symbol alone, so one common symbol makes no
 /// condition of it. `frames`: the rotations that carry turning axes. They turn by an angular velocity, which,
 /// where nothing else is defined, stands on a side only if it is written there.
-[[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, bool restates = false,
-                                                const std::set<SymbolId>& frames = {},
+[[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, const NameScope& scope,
+                                                bool restates = false, const std::set<SymbolId>& frames = {},
                                                 DecisionCache* cache = nullptr);
 
 /// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in

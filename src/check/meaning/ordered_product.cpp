@@ -235,8 +235,8 @@ namespace {
 void remove_defined_numbers(const ExprTree& tree, const Names& names, const Question& question,
                             std::set<SymbolId>& found) {
   const auto is_number = [&](const Definition& definition) {
-    const NameKey* key = names.key_of(definition.symbol);
-    if (key == nullptr || names.evidence.ordered.contains(key->base.substr(0, key->base.find('_'))))
+    const NameKey* key = key_of(names.symbols, definition.symbol);
+    if (key == nullptr || names.symbols.evidence->ordered.contains(key->base.substr(0, key->base.find('_'))))
       return false;
     const std::vector<SymbolId> body = symbols_in(tree, definition.body);
     return std::none_of(body.begin(), body.end(), [&](SymbolId each) { return found.contains(each); });
@@ -371,16 +371,17 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
     for (const SymbolId symbol : symbols_in(tree, side)) {
       const auto& derivation = tree.symbols[symbol].derivation;
       const SymbolId base = derivation ? derivation->base : symbol;
-      const NameKey* key = names.key_of(base);
+      const NameKey* key = key_of(names.symbols, base);
       if (key == nullptr || key->rank > 1 || tree.symbols[base].declared) continue;
       const std::string letter = key->base.substr(0, key->base.find('_'));
       // Of a vector of matrices, `\boldsymbol\sigma`, only what was shown counts, not that it is a capital.
       const bool labelled = letter.starts_with("\\") && key->base != letter;  // `\sigma_x`
-      const bool spoken = names.evidence.order_in_heading || (labelled && names.evidence.speaks_of_order);
-      const bool weak = spoken && !names.evidence.numbers.contains(letter);
-      const bool plain = lengths.contains(symbol) && names.evidence.ordered.contains(letter);
-      const bool shown = key->rank == 0 ? weak || names.evidence.is_ordered(letter)
-                                        : plain || names.evidence.labelled.contains(letter);
+      const bool spoken =
+          names.symbols.evidence->order_in_heading || (labelled && names.symbols.evidence->speaks_of_order);
+      const bool weak = spoken && !names.symbols.evidence->numbers.contains(letter);
+      const bool plain = lengths.contains(symbol) && names.symbols.evidence->ordered.contains(letter);
+      const bool shown = key->rank == 0 ? weak || names.symbols.evidence->is_ordered(letter)
+                                        : plain || names.symbols.evidence->labelled.contains(letter);
       if (shown) found.insert(symbol);
     }
   };
@@ -399,11 +400,11 @@ std::set<SymbolId> unit_matrices(const Names& names, const Question& question,
                                  const std::set<SymbolId>& ordered) {
   std::set<SymbolId> units;
   for (const SymbolId symbol : ordered) {
-    const NameKey* key = names.key_of(symbol);
+    const NameKey* key = key_of(names.symbols, symbol);
     const bool defined =
         std::any_of(question.definitions.begin(), question.definitions.end(),
                     [&](const Definition& definition) { return definition.symbol == symbol; });
-    if (key != nullptr && key->rank == 0 && !defined && names.evidence.units.contains(key->base))
+    if (key != nullptr && key->rank == 0 && !defined && names.symbols.evidence->units.contains(key->base))
       units.insert(symbol);
   }
   return units;

@@ -26,10 +26,11 @@ namespace {
 
 /// The first number of a sample, not meant for all values, whose value is of some kind.
 template <class Kind>
-[[nodiscard]] const Symbol* not_for_all(const ExprTree& tree, const Sample& sample, const Kind& is_of_kind) {
+[[nodiscard]] const Symbol* not_for_all(const ExprTree& tree, const NameScope& scope, const Sample& sample,
+                                        const Kind& is_of_kind) {
   const auto found = std::find_if(sample.values.begin(), sample.values.end(), [&](const SampleValue& value) {
-    const Symbol& symbol = tree.symbols[value.symbol];
-    return symbol.rank == 0 && !symbol.for_all && is_of_kind(value.components[0]);
+    return tree.symbols[value.symbol].rank == 0 && !is_for_all(scope, value.symbol) &&
+           is_of_kind(value.components[0]);
   });
   return found == sample.values.end() ? nullptr : &tree.symbols[found->symbol];
 }
@@ -47,20 +48,21 @@ template <class Kind>
 
 }  // namespace
 
-std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question, const Sample& sample,
-                                        DecisionCache* cache) {
+std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question, const NameScope& scope,
+                                        const Sample& sample, DecisionCache* cache) {
   if (!has_root(tree, question)) return std::nullopt;
   // samples prefer positive scalars, so that a negative one was needed
   const Symbol* negative =
-      not_for_all(tree, sample, [](const std::string& value) { return value.starts_with('-'); });
+      not_for_all(tree, scope, sample, [](const std::string& value) { return value.starts_with('-'); });
   if (negative != nullptr) {
     return SignDoubt{
         negative->name,
         fmt::format("it was found to fail only where `{}` is negative, and nothing says whether it can be",
                     negative->name)};
   }
-  const Symbol* angle = not_for_all(
-      tree, sample, [](const std::string& value) { return value.find("arctan") != std::string::npos; });
+  const Symbol* angle = not_for_all(tree, scope, sample, [](const std::string& value) {
+    return value.find("arctan") != std::string::npos;
+  });
   if (angle == nullptr || !has_equal_squares(tree, question, cache)) return std::nullopt;
   return SignDoubt{angle->name,
                    fmt::format("the squares of both sides are equal, so it fails by a sign alone, "

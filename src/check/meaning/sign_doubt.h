@@ -7,6 +7,7 @@
 #include <string>
 
 #include "check/question/decision_cache.h"
+#include "elaborate/name/scope.h"
 #include "expr/statement/statement.h"
 
 namespace rigor {
@@ -20,6 +21,7 @@ struct SignDoubt {
 /// fails by a sign alone (the squares are proved to be equal), where the cosine is negative. `sample`: on
 /// which the question's claim fails. Its tree grows.
 [[nodiscard]] std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question,
-                                                      const Sample& sample, DecisionCache* cache);
+                                                      const NameScope& scope, const Sample& sample,
+                                                      DecisionCache* cache);
 
 }  // namespace rigor

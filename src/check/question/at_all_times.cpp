@@ -13,14 +13,14 @@
 namespace rigor {
 namespace {
 
-bool speaks_of(const ExprTree& tree, Names& names, ExprId root, By by) {
+bool speaks_of(const ExprTree& tree, const Names& names, ExprId root, By by) {
   const std::vector<SymbolId> symbols = symbols_in(tree, root);
   return std::any_of(symbols.begin(), symbols.end(),
-                     [&](SymbolId each) { return names.is_free_variable(tree, each, by); });
+                     [&](SymbolId each) { return is_free_variable(names, tree, each, by); });
 }
 
 /// Is there no value at 0, perhaps, or one that is not approached from both sides?
-bool may_fail_at_zero(const ExprTree& tree, Names& names, ExprId root) {
+bool may_fail_at_zero(const ExprTree& tree, const Names& names, ExprId root) {
   const ExprNode& node = tree[root];
   const auto speaks = [&](ExprId id) { return speaks_of(tree, names, id, By::time); };
   if (node.op == Op::divide && speaks(tree.children(root)[1])) return true;
@@ -33,14 +33,14 @@ bool may_fail_at_zero(const ExprTree& tree, Names& names, ExprId root) {
 
 /// Is it defined, or its rate given?
 bool is_ruled(const ExprTree& tree, const Names& names, SymbolId base) {
-  const auto& definitions = names.definitions();
+  const auto& definitions = *names.scope.definitions;
   return std::any_of(definitions.begin(), definitions.end(), [&](const NamedDefinition& each) {
     return base_of(tree.symbols, each.definition.symbol) == base;
   });
 }
 
 /// The quantities that change with the time, and which the assumption could be solved for.
-std::set<SymbolId> changing_in(const ExprTree& tree, Names& names, const Prepared& prepared,
+std::set<SymbolId> changing_in(const ExprTree& tree, const Names& names, const Prepared& prepared,
                                const Equation& equation) {
   std::set<SymbolId> changing;
   std::set<SymbolId> seen;
@@ -56,8 +56,9 @@ std::set<SymbolId> changing_in(const ExprTree& tree, Names& names, const Prepare
       if (known != definitions.end()) pending.push_back(known->body);
       const SymbolId base = base_of(tree.symbols, symbol);
       if (known != definitions.end() || is_ruled(tree, names, base)) continue;
-      if (names.is_free_variable(tree, base, By::space)) continue;
-      if (names.dependence(tree, base, By::time).kind == Dependence::Kind::varies) changing.insert(base);
+      if (is_free_variable(names, tree, base, By::space)) continue;
+      if (change(names, tree, base, By::time).dependence.kind == Dependence::Kind::varies)
+        changing.insert(base);
     }
   }
   return changing;
@@ -90,7 +91,7 @@ class Matching {
   std::set<SymbolId> tried_;
 };
 
-bool speaks_of_any(const ExprTree& tree, Names& names, const Equation& equation) {
+bool speaks_of_any(const ExprTree& tree, const Names& names, const Equation& equation) {
   return runs_with_time(tree, names, equation) || speaks_of(tree, names, equation.left, By::space) ||
          speaks_of(tree, names, equation.right, By::space);
 }
@@ -107,37 +108,38 @@ bool is_argument(const ExprTree& tree, ExprId root, SymbolId symbol) {
 
 }  // namespace
 
-bool runs_with_time(const ExprTree& tree, Names& names, const Equation& equation) {
+bool runs_with_time(const ExprTree& tree, const Names& names, const Equation& equation) {
   bool time = false;
   bool known = false;
   for (const ExprId side : {equation.left, equation.right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) {
       const SymbolId base = base_of(tree.symbols, symbol);
-      const NamedDefinition* named = names.definition_of(base);
+      const NamedDefinition* named = definition_of(names.scope, base);
       if (named != nullptr && symbols_in(tree, named->definition.body).empty()) return false;
-      if (names.is_free_variable(tree, symbol, By::time)) {
+      if (is_free_variable(names, tree, symbol, By::time)) {
         time = true;
       } else {
-        known = known || names.knows_change(tree, base, By::time);
+        known = known || knows_change(names, tree, base, By::time);
       }
     }
   }
   return time && known;
 }
 
-std::optional<Equation> at_time_zero(ExprTree& tree, Names& names, const Equation& equation) {
+std::optional<Equation> at_time_zero(ExprTree& tree, const Names& names, const Equation& equation) {
   if (equation.relation != Relation::equal || !runs_with_time(tree, names, equation)) return std::nullopt;
   for (const ExprId side : {equation.left, equation.right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) {
-      const bool time = names.is_free_variable(tree, symbol, By::time);
-      const bool constant = names.dependence(tree, symbol, By::time).kind == Dependence::Kind::constant;
-      if ((!time && !constant) || names.definition_of(symbol) != nullptr) return std::nullopt;
+      const bool time = is_free_variable(names, tree, symbol, By::time);
+      const bool constant =
+          change(names, tree, symbol, By::time).dependence.kind == Dependence::Kind::constant;
+      if ((!time && !constant) || definition_of(names.scope, symbol) != nullptr) return std::nullopt;
     }
     if (may_fail_at_zero(tree, names, side)) return std::nullopt;
   }
   const auto zero = [&](ExprId id) -> std::optional<ExprId> {
     const ExprNode node = tree[id];
-    if (!names.is_free_variable(tree, node.symbol, By::time)) return std::nullopt;
+    if (!is_free_variable(names, tree, node.symbol, By::time)) return std::nullopt;
     return tree.add_number(node.span, "0");
   };
   Equation result = equation;
@@ -146,7 +148,8 @@ std::optional<Equation> at_time_zero(ExprTree& tree, Names& names, const Equatio
   return result;
 }
 
-const NamedAssumption* unmatched_assumption(const ExprTree& tree, Names& names, const Prepared& prepared) {
+const NamedAssumption* unmatched_assumption(const ExprTree& tree, const Names& names,
+                                            const Prepared& prepared) {
   std::vector<const NamedAssumption*> equations;
   for (const NamedAssumption* each : prepared.assumptions) {
     const bool fits =
@@ -171,7 +174,8 @@ const NamedAssumption* unmatched_assumption(const ExprTree& tree, Names& names, 
   return nullptr;
 }
 
-std::vector<Equation> somewhere(ExprTree& tree, Names& names, const std::vector<Equation>& equations, By by) {
+std::vector<Equation> somewhere(ExprTree& tree, const Names& names, const std::vector<Equation>& equations,
+                                By by) {
   static constexpr std::array numerators{"5", "3", "2"};
   static constexpr std::array denominators{"7", "11", "13"};
   std::set<SymbolId> variables;
@@ -179,7 +183,7 @@ std::vector<Equation> somewhere(ExprTree& tree, Names& names, const std::vector<
   for (const Equation& equation : equations) {
     for (const ExprId side : {equation.left, equation.right}) {
       for (const SymbolId symbol : symbols_in(tree, side)) {
-        if (!names.is_free_variable(tree, symbol, by)) continue;
+        if (!is_free_variable(names, tree, symbol, by)) continue;
         variables.insert(symbol);
         if (is_argument(tree, side, symbol)) arguments.insert(symbol);
       }

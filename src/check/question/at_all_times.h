@@ -13,19 +13,20 @@ namespace rigor {
 
 /// Does it speak of the time as of what runs: of a quantity, too, that is said to be constant or to change,
 /// and of none that is a number? `x = vt` beside `x = 5` is about one moment.
-[[nodiscard]] bool runs_with_time(const ExprTree& tree, Names& names, const Equation& equation);
+[[nodiscard]] bool runs_with_time(const ExprTree& tree, const Names& names, const Equation& equation);
 
 /// The equation at t = 0, where it speaks of the time, all else in it is constant, and nothing divides by it.
-[[nodiscard]] std::optional<Equation> at_time_zero(ExprTree& tree, Names& names, const Equation& equation);
+[[nodiscard]] std::optional<Equation> at_time_zero(ExprTree& tree, const Names& names,
+                                                   const Equation& equation);
 
 /// An assumption of the question that speaks of the time or place itself and for which no quantity is left
 /// that could follow it; null if there is none. Each equation takes one changing quantity of its own.
-[[nodiscard]] const NamedAssumption* unmatched_assumption(const ExprTree& tree, Names& names,
+[[nodiscard]] const NamedAssumption* unmatched_assumption(const ExprTree& tree, const Names& names,
                                                           const Prepared& prepared);
 
 /// A moment (or place) that is like any other, as far as the equations speak of it outside functions: to be
 /// assumed where only one is looked at.
-[[nodiscard]] std::vector<Equation> somewhere(ExprTree& tree, Names& names,
+[[nodiscard]] std::vector<Equation> somewhere(ExprTree& tree, const Names& names,
                                               const std::vector<Equation>& equations, By by);
 
 }  // namespace rigor

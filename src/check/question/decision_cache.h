@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decisions of earlier runs on the same notes. What was asked is compared as a whole (`question_text`, the
-// limits, the program), so that an answer is only ever used again for the very same question.
+// Where the exact side is asked. Each question is closed before (`closed_question.h`), so that its answer
+// does not depend on what was asked before it. Decisions of earlier runs on the same notes are remembered:
+// what was asked is compared as a whole (the closed question, the limits, the program), so that an answer is
+// only ever used again for the very same question.
 #pragma once
 
 #include <map>
@@ -8,6 +10,7 @@
 #include <string>
 
 #include "algebra/decide/decide.h"
+#include "check/question/decision_file.h"
 #include "check/step/report.h"
 
 namespace rigor {
@@ -37,18 +40,17 @@ class DecisionCache {
 
  private:
   struct Entry {
-    std::string answer;
-    std::uint32_t age = 0;  // savings since it was last asked for
+    std::string answer;  // as in `SavedAnswer`
+    std::uint64_t work = 0;
+    std::uint32_t age = 0;
     bool asked = false;
   };
-  void load();
-  Entry* find(const std::string& question);
-  void remember(const std::string& question, std::string answer);
+  Entry* find(const std::string& asked);
+  void remember(const std::string& asked, std::string answer, std::uint64_t work);
   [[nodiscard]] bool remembers() const { return !path_.empty(); }
   /// Counts what an answer took before; false if there is not so much left.
   [[nodiscard]] bool takes(std::uint64_t work);
 
-  std::string folder_;
   std::string path_;
   std::string program_;
   std::map<std::string, Entry> entries_;  // by what was asked

@@ -36,7 +36,7 @@ struct Orders {
 
 class Preparation {
  public:
-  Preparation(ExprTree& tree, Names& names, int slack, Precision precision, int order)
+  Preparation(ExprTree& tree, const Names& names, int slack, Precision precision, int order)
       : tree_(tree), names_(names), slack_(slack), precision_(precision), order_(order) {}
 
   Prepared prepare(Equation claim, std::span<const ExprId> also) {
@@ -92,7 +92,7 @@ class Preparation {
   /// the rate of, as soon as another one speaks of that.
   bool follow_rules() {
     bool grew = false;
-    for (const NamedDefinition& rule : names_.definitions()) {
+    for (const NamedDefinition& rule : *names_.scope.definitions) {
       const SymbolId rate = rule.definition.symbol;
       if (reached_.contains(rate) || !bears(rule)) continue;
       highest_law_ = std::max(highest_law_, orders_of(rate).total());
@@ -105,7 +105,7 @@ class Preparation {
   }
 
   [[nodiscard]] bool has_rule() {
-    const auto& rules = names_.definitions();
+    const auto& rules = *names_.scope.definitions;
     return std::any_of(rules.begin(), rules.end(),
                        [this](const NamedDefinition& rule) { return bears(rule); });
   }
@@ -149,7 +149,7 @@ class Preparation {
     if (equation.relation != Relation::equal) return false;
     const std::vector<SymbolId>& symbols = symbols_of(equation);
     return std::any_of(symbols.begin(), symbols.end(),
-                       [&](SymbolId each) { return names_.is_free_variable(tree_, each, By::space); });
+                       [&](SymbolId each) { return is_free_variable(names_, tree_, each, By::space); });
   }
 
   /// What speaks of the time itself says something of each moment: how often it is differentiated, so that
@@ -159,7 +159,7 @@ class Preparation {
     if (!runs_with_time(tree_, names_, equation)) return 0;
     int constants = 0;
     for (const SymbolId symbol : symbols_of(equation)) {
-      const auto kind = names_.dependence(tree_, symbol, By::time).kind;
+      const auto kind = dependence(symbol, By::time).kind;
       if (kind == Dependence::Kind::varies && !definition_of(symbol, 0))
         return is_assumed_of(base_of(symbol), &assumption) ? beyond_ : 0;
       constants += kind == Dependence::Kind::constant ? 1 : 0;
@@ -173,9 +173,9 @@ class Preparation {
     if (!speaks_of_place(assumption.equation)) return 0;
     for (const SymbolId symbol : symbols_of(assumption.equation)) {
       if (definition_of(symbol, 0)) continue;
-      const bool place = names_.is_free_variable(tree_, symbol, By::space);
-      const bool constant = names_.dependence(tree_, symbol, By::space).kind == Dependence::Kind::constant;
-      if (place ? !tree_.symbols[symbol].for_all : !constant) return 0;
+      const bool place = is_free_variable(names_, tree_, symbol, By::space);
+      const bool constant = dependence(symbol, By::space).kind == Dependence::Kind::constant;
+      if (place ? !is_for_all(names_.scope, symbol) : !constant) return 0;
     }
     return most_by_place;
   }
@@ -183,7 +183,7 @@ class Preparation {
   // --- definitions
 
   std::optional<FoundAssumption> definition_of(SymbolId symbol, int depth) {
-    if (const NamedDefinition* named = names_.definition_of(symbol))
+    if (const NamedDefinition* named = rigor::definition_of(names_.scope, symbol))
       return FoundAssumption{named->definition, &named->origin, named->at_instant};
     const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
     if (!derivation || derivation->time + derivation->space + derivation->small > largest_order ||
@@ -231,7 +231,7 @@ class Preparation {
     std::vector<Slot> slots;
     if (result.indices.empty()) {
       for (int axis = 0; axis < tree_[result.body].rank; ++axis) {
-        result.indices.push_back(tree_.add_index("i"));
+        result.indices.push_back(tree_.add_index("i", tree_[result.body].axes[axis]));
         slots.push_back({0, result.indices.back()});
       }
     }
@@ -243,13 +243,19 @@ class Preparation {
 
   Differentiator differentiator(By by, Slot axis = {}) {
     const auto dependence_of = [this, by](SymbolId symbol) {
-      const Dependence dependence = names_.dependence(tree_, symbol, by);
+      const Dependence dependence = this->dependence(symbol, by);
       const bool guessed =
-          dependence.kind == Dependence::Kind::varies && !names_.knows_change(tree_, symbol, by);
+          dependence.kind == Dependence::Kind::varies && !knows_change(names_, tree_, symbol, by);
       if (guessed) note_unknown(symbol);
       return dependence;
     };
     return {tree_, by, dependence_of, budget_, axis};
+  }
+
+  Dependence dependence(SymbolId symbol, By by) {
+    const KnownChange known = change(names_, tree_, symbol, by);
+    if (known.directive) prepared_.used.insert(*known.directive);
+    return known.dependence;
   }
 
   void note_unknown(SymbolId symbol) {
@@ -262,7 +268,7 @@ class Preparation {
     const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
     if (!derivation) return false;
     const auto constant_by = [&](By by) {
-      return names_.dependence(tree_, derivation->base, by).kind == Dependence::Kind::constant;
+      return dependence(derivation->base, by).kind == Dependence::Kind::constant;
     };
     return (derivation->time > 0 && constant_by(By::time)) ||
            (derivation->space > 0 && constant_by(By::space)) ||
@@ -274,10 +280,11 @@ class Preparation {
     if (precision_ != Precision::small_order) return false;
     const auto& derivation = tree_.symbols[symbol].derivation;
     if (derivation && derivation->small > 0) return false;
-    return std::any_of(names_.small().begin(), names_.small().end(), [&](const SmallQuantity& small) {
-      const ExprNode& node = tree_[small.quantity];
-      return node.slot_count == 0 && node.symbol == base_of(symbol);
-    });
+    return std::any_of(names_.scope.small->begin(), names_.scope.small->end(),
+                       [&](const SmallQuantity& small) {
+                         const ExprNode& node = tree_[small.quantity];
+                         return node.slot_count == 0 && node.symbol == base_of(symbol);
+                       });
   }
 
   // --- assumptions
@@ -312,7 +319,7 @@ class Preparation {
     const ExprNode& left = tree_[equation.left];
     if (equation.relation != Relation::equal || left.op != Op::symbol || left.slot_count != 1) return false;
     const std::uint8_t axis = tree_.slots(equation.left)[0].axis;
-    const NamedDefinition* definition = names_.definition_of(left.symbol);
+    const NamedDefinition* definition = rigor::definition_of(names_.scope, left.symbol);
     if (axis == 0 || definition == nullptr || tree_[definition->definition.body].op != Op::tuple)
       return false;
     return tree_.children(definition->definition.body)[axis - 1u] == equation.right;
@@ -321,10 +328,10 @@ class Preparation {
   /// One round over the assumptions; true if something was added.
   bool add_assumptions() {
     bool grew = false;
-    for (const NamedAssumption& assumption : names_.assumptions()) {
+    for (const NamedAssumption& assumption : *names_.scope.assumptions) {
       if (!is_joined(assumption.equation)) grew = add(assumption.equation, &assumption) || grew;
     }
-    for (const SmallQuantity& small : names_.small()) {
+    for (const SmallQuantity& small : *names_.scope.small) {
       const ExprNode node = tree_[small.quantity];
       const bool constrained = node.slot_count > 0 || definition_of(node.symbol, 0).has_value();
       if (precision_ == Precision::small_order && constrained) grew = add(vanishing(small), nullptr) || grew;
@@ -338,7 +345,7 @@ class Preparation {
     if (fresh) {
       const ExprNode node = tree_[small.quantity];
       known.left = small.quantity;
-      known.right = zero_of_rank(tree_, node.span, node.rank);
+      known.right = zero_of_rank(tree_, node.span, node.rank, node.axes);
       known.particles = small.particles;
     }
     return known;
@@ -396,7 +403,7 @@ class Preparation {
 
   bool is_assumed_of(SymbolId symbol, const NamedAssumption* by_this) {
     const auto is_it = [&](SymbolId each) { return base_of(each) == symbol; };
-    return std::any_of(names_.assumptions().begin(), names_.assumptions().end(),
+    return std::any_of(names_.scope.assumptions->begin(), names_.scope.assumptions->end(),
                        [&](const NamedAssumption& other) {
                          if (&other == by_this) return false;
                          const std::vector<SymbolId>& symbols = symbols_of(other.equation);
@@ -457,7 +464,7 @@ class Preparation {
 
   /// Small quantities concern the claim through the question's definitions, too.
   void add_small() {
-    for (const SmallQuantity& small : names_.small()) names_.mark_used(small.directive);
+    for (const SmallQuantity& small : *names_.scope.small) prepared_.used.insert(small.directive);
   }
 
   /// n·n = 1 for all times makes n·ṅ = 0. A rotation's rate is not reasoned about.
@@ -468,7 +475,7 @@ class Preparation {
       if (!derivation || definition_of(symbol, 0) || is_constant(symbol)) continue;
       const Symbol& base = tree_.symbols[derivation->base];
       if (base.rotation) note_unknown(derivation->base);
-      if (!base.unit || names_.definition_of(derivation->base) != nullptr) continue;
+      if (!base.unit || rigor::definition_of(names_.scope, derivation->base) != nullptr) continue;
       Derivation& known = highest[derivation->base];
       known.time = std::max(known.time, derivation->time);
       known.space = std::max(known.space, derivation->space);
@@ -504,7 +511,7 @@ class Preparation {
   }
 
   ExprTree& tree_;
-  Names& names_;
+  const Names& names_;
   int slack_;
   Precision precision_;
   int order_;
@@ -523,7 +530,7 @@ class Preparation {
 
 }  // namespace
 
-Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack, Precision precision,
+Prepared prepare(ExprTree& tree, const Names& names, const Equation& claim, int slack, Precision precision,
                  int order, std::span<const ExprId> also) {
   return Preparation(tree, names, slack, precision, order).prepare(claim, also);
 }

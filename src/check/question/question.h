@@ -4,6 +4,7 @@
 // all times and places, so that derivatives of assumptions are assumptions.
 #pragma once
 
+#include <set>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Prepared {
   std::size_t without_slack = 0;                    // so many of the assumptions would be there without slack
   std::optional<std::string> too_large = {};        // why derivatives are missing: then nothing is decided
   std::vector<SymbolId> unknown_changes;            // differentiated, though nothing says whether they change
+  std::set<std::size_t> used = {};  // directives that say how something changes, or that it is small
   bool has_rates_or_times = false;  // something in the assumptions has a rate, or speaks of the time or place
   /// Taken, speaks of the time or place itself, and leaves no quantity free to follow it: what it says at all
   /// times would have to be compared coefficient by coefficient.
@@ -32,7 +34,7 @@ enum class Precision : std::uint8_t { exact, small_order };
 /// only show in them. `order`: which derivative by the small parameter is asked for, where everything small
 /// is 0; 0 and 1 make "equal to first order". `also`: expressions that are to be evaluated under the same
 /// definitions and assumptions.
-[[nodiscard]] Prepared prepare(ExprTree& tree, Names& names, const Equation& claim, int slack = 0,
+[[nodiscard]] Prepared prepare(ExprTree& tree, const Names& names, const Equation& claim, int slack = 0,
                                Precision precision = Precision::exact, int order = 0,
                                std::span<const ExprId> also = {});
 

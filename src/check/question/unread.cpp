@@ -84,7 +84,7 @@ std::vector<SymbolId> symbols_of(const Question& question) {
 
 const UnreadAssumption* unread_assumption(const ExprTree& tree, const Names& names,
                                           const Question& question) {
-  if (names.unread().empty()) return nullptr;
+  if (names.scope.unread->empty()) return nullptr;
   std::set<std::string> letters;
   for (const SymbolId symbol : symbols_of(question))
     letters.merge(letters_of(tree.symbols[base_of(tree.symbols, symbol)].name));
@@ -92,8 +92,8 @@ const UnreadAssumption* unread_assumption(const ExprTree& tree, const Names& nam
     return std::any_of(unread.letters.begin(), unread.letters.end(),
                        [&](const std::string& letter) { return letters.contains(letter); });
   };
-  const auto found = std::find_if(names.unread().rbegin(), names.unread().rend(), shares);
-  return found == names.unread().rend() ? nullptr : &*found;
+  const auto found = std::find_if(names.scope.unread->rbegin(), names.scope.unread->rend(), shares);
+  return found == names.scope.unread->rend() ? nullptr : &*found;
 }
 
 }  // namespace rigor

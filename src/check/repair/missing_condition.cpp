@@ -212,7 +212,7 @@ class ConditionSearch {
     };
     for (const ExprId side : {claim_->equation.left, claim_->equation.right}) {
       for (const SymbolId symbol : symbols_in(tree_, side)) {
-        if (names_.definition_of(symbol) == nullptr) add(symbol);
+        if (definition_of(names_.scope, symbol) == nullptr) add(symbol);
       }
       for (const SymbolId symbol : primitive_symbols(question, side)) {
         add(symbol);
@@ -228,7 +228,7 @@ class ConditionSearch {
       if (behind[0] >= 'a' && behind[0] <= 'z') return std::string(behind.substr(0, 1));
       if (behind.size() > 2 && behind[0] == '{' && behind[2] == '}') return std::string(behind.substr(1, 1));
     }
-    const auto& summed = names_.sightings.summed_greek;
+    const auto& summed = names_.symbols.sightings->summed_greek;
     return summed.empty() ? "\\alpha" : *summed.begin();
   }
 
@@ -248,7 +248,7 @@ class ConditionSearch {
       Diagnostics mismatches;
       const auto given = reading->claim(*chain, k, false, mismatches);
       if (!given || !mismatches.empty()) return false;
-      names_.assume({given->equation, {latex, {}, std::nullopt}, 0});
+      rigor::assume(names_.scope, {given->equation, {latex, {}, std::nullopt}, 0});
     }
     return true;
   }
@@ -268,7 +268,7 @@ class ConditionSearch {
     if (!reading->sides[0].typed || !reading->sides[0].typed->free.empty()) return false;
     const ExprNode& quantity = tree_[reading->sides[0].typed->id];
     if (quantity.op != Op::symbol || vanishes_without(quantity.symbol)) return false;
-    names_.declare_small({.quantity = reading->sides[0].typed->id});
+    declare_small(names_.scope, {.quantity = reading->sides[0].typed->id});
     Claim nearly = *claim_;
     nearly.nearly = true;
     return says_something(judge(tree_, names_, nearly, limits_of_conditions, cache_));

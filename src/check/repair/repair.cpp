@@ -119,7 +119,7 @@ class RepairSearch {
 
   std::optional<Typed> read(TokenView tokens) {
     const Span place = chain_.written.sides[wrong_.which].span;
-    return reading_->elaborator().expression(parse_side(tokens, place, syntax_));
+    return reading_->read(parse_side(tokens, place, syntax_));
   }
 
   /// The equations of those that can be read; the others are taken out.
@@ -144,7 +144,8 @@ class RepairSearch {
     if (!claim || !have_same_places(tree_, claim->equation, claim_.equation)) return std::nullopt;
     Equation equation = claim_.equation;
     equation.left = claim->equation.left;
-    equation.right = zero_of_rank(tree_, tree_[equation.left].span, tree_[equation.left].rank);
+    equation.right =
+        zero_of_rank(tree_, tree_[equation.left].span, tree_[equation.left].rank, tree_[equation.left].axes);
     return equation;
   }
 
@@ -173,7 +174,7 @@ class RepairSearch {
         const std::vector<SymbolId> symbols = symbols_in(tree_, side);
         const bool known = std::all_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
           const SymbolId base = base_of(tree_.symbols, symbol);
-          return reached.contains(base) || names_.definition_of(base) != nullptr;
+          return reached.contains(base) || definition_of(names_.scope, base) != nullptr;
         });
         if (known) sides.push_back(side);
       }
@@ -188,7 +189,8 @@ class RepairSearch {
       auto zero = against_zero(term.tokens);
       if (!zero) {
         zero = claim_.equation;
-        zero->left = zero->right = zero_of_rank(tree_, claim_.relation, tree_[claim_.equation.left].rank);
+        zero->left = zero->right = zero_of_rank(tree_, claim_.relation, tree_[claim_.equation.left].rank,
+                                                tree_[claim_.equation.left].axes);
       }
       zeros.push_back(*zero);
     }

@@ -19,8 +19,8 @@ using Slots = std::vector<Slot>;
 /// What both directions share: a symbol as it stands in an expression, and its derivatives.
 class Axes {
  public:
-  Axes(ExprTree& tree, Names& names, DerivativeBudget& budget)
-      : tree_(tree), names_(names), budget_(budget) {}
+  explicit Axes(Turning& turning)
+      : tree_(turning.tree), names_(turning.names), used_(turning.used), budget_(turning.budget) {}
 
  protected:
   /// A symbol without its time derivatives; those that were taken are `orders`.
@@ -48,8 +48,10 @@ class Axes {
   /// A vector or tensor: its components change with the axes.
   bool turns(SymbolId symbol) const {
     const SymbolId base = base_of(tree_.symbols, symbol);
-    return tree_.symbols[base].rank > 0 && !tree_.symbols[base].rotation &&
-           !names_.is_principal_value(tree_.symbols, base);
+    // A frame turns the axes of the common space.
+    const Symbol& base_symbol = tree_.symbols[base];
+    return base_symbol.rank > 0 && base_symbol.axes.are_common() && !base_symbol.rotation &&
+           !is_principal_value(names_.symbols, tree_.symbols, base);
   }
   bool is_gradient(SymbolId symbol) const {
     const auto& derivation = tree_.symbols[symbol].derivation;
@@ -67,7 +69,11 @@ class Axes {
   }
 
   ExprId rate(ExprId id) {
-    const auto dependence_of = [this](SymbolId symbol) { return names_.dependence(tree_, symbol, By::time); };
+    const auto dependence_of = [this](SymbolId symbol) {
+      const KnownChange known = change(names_, tree_, symbol, By::time);
+      if (known.directive) used_.insert(*known.directive);
+      return known.dependence;
+    };
     Differentiator by_time(tree_, By::time, dependence_of, budget_);
     return by_time.derivative_or_zero(id);
   }
@@ -100,30 +106,30 @@ class Axes {
   }
 
   ExprTree& tree_;
-  Names& names_;
+  const Names& names_;
+  Directives& used_;
   DerivativeBudget& budget_;
 };
 
 class ToTurning : Axes {
  public:
-  ToTurning(ExprTree& tree, Names& names, SymbolId rotation, DerivativeBudget& budget)
-      : Axes(tree, names, budget), rotation_(rotation) {}
+  explicit ToTurning(Turning& turning) : Axes(turning), rotation_(turning.rotation) {}
 
-  Names::Scene convert(const Names::Scene& before) {
-    Names::Scene after;
-    for (NamedDefinition each : before.definitions) {
+  Held convert(const Held& before) {
+    Held after;
+    for (NamedDefinition each : *before.definitions) {
       if (is_rate(each.definition.symbol) && turns(each.definition.symbol)) {  // a rule
         NamedAssumption rule{as_equation(tree_, each.definition), each.origin, each.depth, each.at_instant};
         convert(rule);
-        after.assumptions.push_back(std::move(rule));
+        after.assumptions.write().push_back(std::move(rule));
         continue;
       }
       convert(each);
-      after.definitions.push_back(std::move(each));
+      after.definitions.write().push_back(std::move(each));
     }
-    for (NamedAssumption each : before.assumptions) {
+    for (NamedAssumption each : *before.assumptions) {
       convert(each);
-      after.assumptions.push_back(std::move(each));
+      after.assumptions.write().push_back(std::move(each));
     }
     return after;
   }
@@ -250,8 +256,8 @@ class ToTurning : Axes {
 
 class ToFixed : Axes {
  public:
-  ToFixed(ExprTree& tree, Names& names, const Frame& frame, DerivativeBudget& budget)
-      : Axes(tree, names, budget), rotation_(frame.rotation), velocity_(frame.angular_velocity) {}
+  ToFixed(Turning& turning, ExprId angular_velocity)
+      : Axes(turning), rotation_(turning.rotation), velocity_(angular_velocity) {}
 
   /// Nothing where a derivative of R is not known here, or one is too large.
   std::optional<ExprId> convert(ExprId root) {
@@ -333,13 +339,10 @@ class ToFixed : Axes {
 
 }  // namespace
 
-Names::Scene along_turning_axes(ExprTree& tree, Names& names, SymbolId rotation, const Names::Scene& before,
-                                DerivativeBudget& budget) {
-  return ToTurning(tree, names, rotation, budget).convert(before);
-}
+Held along_turning_axes(Turning& turning, const Held& before) { return ToTurning(turning).convert(before); }
 
-NamedAssumption constant_along_fixed_axes(ExprTree& tree, Names& names, SymbolId rotation,
-                                          const Names::Constant& constant, DerivativeBudget& budget) {
+NamedAssumption constant_along_fixed_axes(Turning& turning, const DeclaredConstant& constant) {
+  ExprTree& tree = turning.tree;
   const Symbol symbol = tree.symbols[constant.symbol];
   NamedAssumption steady;
   steady.origin = {fmt::format("constant {}", symbol.name), "", constant.directive};
@@ -350,15 +353,15 @@ NamedAssumption constant_along_fixed_axes(ExprTree& tree, Names& names, SymbolId
   for (int axis = 0; axis < symbol.rank; ++axis) rule.indices.push_back(tree.add_index("i"));
   if (symbol.per_particle) rule.particle = tree.add_particle("p");
   steady.equation = as_equation(tree, rule);
-  ToTurning(tree, names, rotation, budget).convert(steady);
+  ToTurning(turning).convert(steady);
   return steady;
 }
 
-std::optional<NamedDefinition> along_fixed_axes(ExprTree& tree, Names& names, const Frame& frame,
-                                                NamedDefinition made) {
+std::optional<NamedDefinition> along_fixed_axes(ExprTree& tree, const Names& names, const Frame& frame,
+                                                NamedDefinition made, Directives& used) {
   Definition& definition = made.definition;
-  DerivativeBudget budget;
-  const auto body = ToFixed(tree, names, frame, budget).convert(definition.body);
+  Turning turning{tree, names, frame.rotation, used};
+  const auto body = ToFixed(turning, frame.angular_velocity).convert(definition.body);
   if (!body) return std::nullopt;
   made.at_instant = made.at_instant || !is_covariant(tree, names, definition.body, definition.indices);
   definition.body = *body;

@@ -11,22 +11,30 @@
 
 namespace rigor {
 
+/// What is turned by which rotation. Where derivatives are too large, the budget is exceeded and the result
+/// is not right. `used` gets the directives that say how what is turned changes.
+struct Turning {
+  ExprTree& tree;
+  const Names& names;
+  SymbolId rotation;
+  Directives& used;
+  DerivativeBudget budget = {};
+};
+
 /// What held along fixed axes before a frame. A covariant statement keeps its form but for rates, which
 /// become Rᵀ d(RA)/dt (for each axis of a tensor one R); in any other A becomes R A, and what is defined
 /// Rᵀ of the body. Both hold at all times. What cannot be turned so (a gradient's components) is marked as
-/// said at one instant. Where derivatives are too large, the budget is exceeded and the result is not right.
-[[nodiscard]] Names::Scene along_turning_axes(ExprTree& tree, Names& names, SymbolId rotation,
-                                              const Names::Scene& before, DerivativeBudget& budget);
+/// said at one instant.
+[[nodiscard]] Held along_turning_axes(Turning& turning, const Held& before);
 
 /// A vector or tensor that was declared constant before is constant along the fixed axes: an assumption.
-[[nodiscard]] NamedAssumption constant_along_fixed_axes(ExprTree& tree, Names& names, SymbolId rotation,
-                                                        const Names::Constant& constant,
-                                                        DerivativeBudget& budget);
+[[nodiscard]] NamedAssumption constant_along_fixed_axes(Turning& turning, const DeclaredConstant& constant);
 
 /// A definition that was made in a frame, for behind it: R is 1, and the rate along the turning axes is
 /// dA/dt − ω×A. What is not covariant holds at the moment only. Nothing where R was differentiated three
 /// times or more, or a derivative is too large.
-[[nodiscard]] std::optional<NamedDefinition> along_fixed_axes(ExprTree& tree, Names& names,
-                                                              const Frame& frame, NamedDefinition made);
+[[nodiscard]] std::optional<NamedDefinition> along_fixed_axes(ExprTree& tree, const Names& names,
+                                                              const Frame& frame, NamedDefinition made,
+                                                              Directives& used);
 
 }  // namespace rigor

@@ -24,19 +24,10 @@ constexpr Limits limits_of_contradictions{.expanded_terms = 6'000,
                                           .fewest_assumptions = false,
                                           .simplest_sample = false};
 
-ExprId ones_of_rank(ExprTree& tree, Span span, int rank) {
-  ExprId one = tree.add_number(span, "1");
-  for (int axes = 1; axes <= rank; ++axes) {
-    const std::array entries{one, one, one};
-    one = tree.add({.op = Op::tuple, .rank = static_cast<std::uint8_t>(axes), .span = span}, entries);
-  }
-  return one;
-}
-
 /// left = left + 1, which is 0 = 1 in the letters of the equation.
 Equation impossible_in(ExprTree& tree, const Equation& equation) {
   const ExprNode left = tree[equation.left];
-  const std::array terms{equation.left, ones_of_rank(tree, left.span, left.rank)};
+  const std::array terms{equation.left, filled(tree, tree.add_number(left.span, "1"), left.rank, left.axes)};
   Equation impossible = equation;
   impossible.relation = Relation::equal;
   impossible.right = tree.add({.op = Op::add, .rank = left.rank, .span = left.span}, terms);
@@ -56,7 +47,7 @@ bool may_contradict(const Prepared& prepared) {
   return prepared.has_rates_or_times && prepared.question.assumptions.size() > 1 && !prepared.too_large;
 }
 
-bool vanishes(ExprTree& tree, Names& names, SymbolId symbol, int order, DecisionCache* cache) {
+bool vanishes(ExprTree& tree, const Names& names, SymbolId symbol, int order, DecisionCache* cache) {
   Equation claim;
   claim.left = tree.add({.op = Op::symbol, .span = tree.symbols[symbol].first_seen, .symbol = symbol});
   claim.right = tree.add_number(tree.symbols[symbol].first_seen, "0");
@@ -66,20 +57,22 @@ bool vanishes(ExprTree& tree, Names& names, SymbolId symbol, int order, Decision
 }
 
 /// Is it impossible that all derivatives by place of the body are 0?
-bool changes_with_place(ExprTree& tree, Names& names, const Definition& definition) {
+bool changes_with_place(ExprTree& tree, const Names& names, const Definition& definition) {
   const std::vector<SymbolId> symbols = symbols_in(tree, definition.body);
   const bool speaks = std::any_of(symbols.begin(), symbols.end(), [&](SymbolId each) {
-    return names.is_free_variable(tree, each, By::space);
+    return is_free_variable(names, tree, each, By::space);
   });
   if (!speaks || !definition.indices.empty() || definition.particle != no_particle) return false;
   Question question;
   DerivativeBudget budget;
-  const auto dependence_of = [&](SymbolId symbol) { return names.dependence(tree, symbol, By::space); };
+  const auto dependence_of = [&](SymbolId symbol) {
+    return change(names, tree, symbol, By::space).dependence;
+  };
   for (std::uint8_t axis = 1; axis <= 3; ++axis) {
     Differentiator differentiate(tree, By::space, dependence_of, budget, {axis, {}});
     const ExprId derivative = differentiate.derivative_or_zero(definition.body);
     const ExprNode node = tree[derivative];
-    question.assumptions.push_back({derivative, zero_of_rank(tree, node.span, node.rank)});
+    question.assumptions.push_back({derivative, zero_of_rank(tree, node.span, node.rank, node.axes)});
   }
   if (budget.exceeded) return false;
   question.claim = impossible_in(tree, {definition.body, definition.body});
@@ -91,8 +84,8 @@ bool changes_with_place(ExprTree& tree, Names& names, const Definition& definiti
 
 }  // namespace
 
-bool last_assumption_contradicts(ExprTree& tree, Names& names) {
-  const Equation last = names.assumptions().back().equation;
+bool last_assumption_contradicts(ExprTree& tree, const Names& names) {
+  const Equation last = names.scope.assumptions->back().equation;
   if (last.relation != Relation::equal) return false;
   Prepared prepared = prepare(tree, names, impossible_in(tree, last), 1);
   if (!may_contradict(prepared)) return false;
@@ -107,27 +100,27 @@ bool last_assumption_contradicts(ExprTree& tree, Names& names) {
   return assumptions_contradict(prepared.question, limits_of_contradictions);
 }
 
-bool definition_contradicts(ExprTree& tree, Names& names, const Definition& definition) {
-  if (names.is_declared_constant(definition.symbol) && changes_with_place(tree, names, definition))
+bool definition_contradicts(ExprTree& tree, const Names& names, const Definition& definition) {
+  if (is_declared_constant(names.scope, definition.symbol) && changes_with_place(tree, names, definition))
     return true;
-  const Names::Scene before = names.scene();
-  names.forget_definition(definition.symbol);
-  names.assume({as_equation(tree, definition), {}, 0});
-  const bool contradicts = last_assumption_contradicts(tree, names);
-  names.replace(before);
-  return contradicts;
+  Names instead = names;
+  forget_definition(instead.scope, definition.symbol);
+  assume(instead.scope, {as_equation(tree, definition), {}, 0});
+  return last_assumption_contradicts(tree, instead);
 }
 
-void withdraw_constants_of_last(const ExprTree& tree, Names& names) {
-  for (const SymbolId base : bases_of(tree, names.assumptions().back().equation))
-    names.withdraw_constant(base);
+Directives withdraw_constants_of_last(const ExprTree& tree, Names& names) {
+  Directives withdrawn;
+  for (const SymbolId base : bases_of(tree, names.scope.assumptions->back().equation))
+    withdrawn.merge(withdraw_constant(names.scope, base));
+  return withdrawn;
 }
 
-std::optional<SymbolId> small_of_other_order(ExprTree& tree, Names& names, const Equation& equation,
+std::optional<SymbolId> small_of_other_order(ExprTree& tree, const Names& names, const Equation& equation,
                                              DecisionCache* cache) {
   if (equation.relation != Relation::equal) return std::nullopt;
   std::set<SymbolId> small;
-  for (const SmallQuantity& each : names.small()) {
+  for (const SmallQuantity& each : *names.scope.small) {
     if (tree[each.quantity].slot_count == 0) small.insert(base_of(tree.symbols, tree[each.quantity].symbol));
   }
   const std::set<SymbolId> bases = bases_of(tree, equation);

@@ -15,17 +15,18 @@ class DecisionCache;
 /// Is 0 = 1 proved from the last assumption, those that bear on it, and their derivatives? False where
 /// nothing is found. Cost: an attempt at a proof, where another assumption shares a letter or a time or place
 /// is spoken of.
-[[nodiscard]] bool last_assumption_contradicts(ExprTree& tree, Names& names);
+[[nodiscard]] bool last_assumption_contradicts(ExprTree& tree, const Names& names);
 
 /// The same if the definition were an assumption; it is not kept.
-[[nodiscard]] bool definition_contradicts(ExprTree& tree, Names& names, const Definition& definition);
+[[nodiscard]] bool definition_contradicts(ExprTree& tree, const Names& names, const Definition& definition);
 
-/// The letters of the last assumption that are declared constant, which then is no longer said of them.
-void withdraw_constants_of_last(const ExprTree& tree, Names& names);
+/// The letters of the last assumption that are declared constant, which then is no longer said of them. Gives
+/// the directives that said so.
+[[nodiscard]] Directives withdraw_constants_of_last(const ExprTree& tree, Names& names);
 
 /// What is declared small is of first order. `E = v^2`, where nothing else says that v is small, makes E the
 /// square of what is then of order 1/2: the small letters of the equation to which that happens.
-[[nodiscard]] std::optional<SymbolId> small_of_other_order(ExprTree& tree, Names& names,
+[[nodiscard]] std::optional<SymbolId> small_of_other_order(ExprTree& tree, const Names& names,
                                                            const Equation& equation, DecisionCache* cache);
 
 }  // namespace rigor

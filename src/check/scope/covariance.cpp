@@ -21,7 +21,7 @@ class Counting {
       case Op::number:
         return std::map<IndexId, int>{};
       case Op::symbol:
-        if (names_.is_principal_value(tree_.symbols, tree_[id].symbol)) return std::nullopt;
+        if (is_principal_value(names_.symbols, tree_.symbols, tree_[id].symbol)) return std::nullopt;
         return with_slots(id, std::map<IndexId, int>{});
       case Op::basis:
       case Op::delta:

@@ -41,8 +41,8 @@ std::vector<Decomposition> sums_stated(const ExprTree& tree, const Names& names,
     if (origin.directive || origin.conditional || origin.place != place || whole.by_square) return;
     if (auto sum = sum_of_parts(tree, whole, origin)) sums.push_back(*std::move(sum));
   };
-  for (const NamedDefinition& named : names.definitions()) add(named.definition, named.origin);
-  for (const NamedAssumption& assumption : names.assumptions()) {
+  for (const NamedDefinition& named : *names.scope.definitions) add(named.definition, named.origin);
+  for (const NamedAssumption& assumption : *names.scope.assumptions) {
     const Equation& said = assumption.equation;
     const ExprNode& left = tree[said.left];
     if (said.relation != Relation::equal || left.op != Op::symbol) continue;
@@ -65,7 +65,8 @@ ExprId difference(ExprTree& tree, ExprId whole, const std::vector<ExprId>& parts
 
 std::optional<Decomposition> decomposition(const ExprTree& tree, const Names& names, ExprId part,
                                            ExprId made_of, std::size_t place) {
-  if (tree[part].op != Op::symbol || names.definition_of(tree[part].symbol) != nullptr) return std::nullopt;
+  if (tree[part].op != Op::symbol || definition_of(names.scope, tree[part].symbol) != nullptr)
+    return std::nullopt;
   const std::vector<SymbolId> inside = symbols_in(tree, made_of);
   const auto is_inside = [&](SymbolId symbol) { return is_one_of(symbol, inside); };
   for (Decomposition& sum : sums_stated(tree, names, place)) {
@@ -82,23 +83,20 @@ std::optional<Decomposition> decomposition(const ExprTree& tree, const Names& na
 void take_apart(ExprTree& tree, Names& names, const Decomposition& apart, SymbolId part) {
   const Definition& whole = apart.whole;
   const Equation sum = as_equation(tree, whole);
-  Names::Scene scene = names.scene();
-  std::erase_if(scene.definitions,
-                [&](const NamedDefinition& named) { return named.definition.symbol == whole.symbol; });
-  std::erase_if(scene.assumptions,
-                [&](const NamedAssumption& said) { return said.equation.right == whole.body; });
-  names.replace(std::move(scene));
+  forget_definition(names.scope, whole.symbol);
+  names.scope.assumptions.erase_if(
+      [&](const NamedAssumption& said) { return said.equation.right == whole.body; });
   std::vector<ExprId> known;
   std::vector<ExprId> open;
   for (const ExprId term : apart.parts) {
     const SymbolId symbol = tree[term].symbol;
-    (symbol == part || names.definition_of(symbol) != nullptr ? known : open).push_back(term);
+    (symbol == part || definition_of(names.scope, symbol) != nullptr ? known : open).push_back(term);
   }
-  if (open.size() != 1) return names.assume({sum, apart.origin, 0});
+  if (open.size() != 1) return assume(names.scope, {sum, apart.origin, 0});
   Definition last = whole;
   last.symbol = tree[open.front()].symbol;
   last.body = difference(tree, sum.left, known);
-  names.define({last, apart.origin, 0});
+  define(names.scope, {last, apart.origin, 0});
 }
 
 }  // namespace rigor

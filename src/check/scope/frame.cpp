@@ -33,7 +33,8 @@ class FrameBuilder {
 
  private:
   void define(SymbolId symbol, ExprId body) {
-    names_.define({{symbol, {}, no_particle, body}, {fmt::format("frame {}", rotating_), "", directive_}, 0});
+    rigor::define(names_.scope,
+                  {{symbol, {}, no_particle, body}, {fmt::format("frame {}", rotating_), "", directive_}, 0});
   }
 
   template <class Entry>
@@ -77,52 +78,52 @@ class FrameBuilder {
 
 std::optional<std::string> declare_frame(ExprTree& tree, Names& names, const std::string& rotating,
                                          const std::string& fixed, ExprId angular_velocity,
-                                         std::size_t directive) {
-  Names::Scene before = names.scene();
+                                         std::size_t directive, Directives& used) {
+  Held before = held(names.scope);
   FrameBuilder builder(tree, names, rotating, directive, tree[angular_velocity].span);
   const SymbolId rotation = builder.rotation(angular_velocity);
-  const std::vector<NamedDefinition> with_rotation = names.definitions();
-  names.declare_frame({rotating, fixed, rotation, angular_velocity, directive, 0}, before);
-  DerivativeBudget budget;
-  Names::Scene after = along_turning_axes(tree, names, rotation, before, budget);
-  for (const NamedDefinition& each : with_rotation) {
+  const Shared<std::vector<NamedDefinition>> with_rotation = names.scope.definitions;
+  enter_frame(names.scope, {rotating, fixed, rotation, angular_velocity, directive, 0, before});
+  Turning turning{tree, names, rotation, used};
+  Held after = along_turning_axes(turning, before);
+  for (const NamedDefinition& each : *with_rotation) {
     const auto own = [&](const NamedDefinition& old) {
       return old.definition.symbol == each.definition.symbol;
     };
-    if (std::none_of(before.definitions.begin(), before.definitions.end(), own))
-      after.definitions.push_back(each);
+    if (std::none_of(before.definitions->begin(), before.definitions->end(), own))
+      after.definitions.write().push_back(each);
   }
   std::set<SymbolId> done;
-  for (const Names::Constant& constant : names.constants()) {
+  for (const DeclaredConstant& constant : *names.scope.constants) {
     const Symbol& symbol = tree.symbols[constant.symbol];
-    const bool turns =
-        symbol.rank > 0 && !symbol.rotation && !names.is_principal_value(tree.symbols, constant.symbol);
+    const bool turns = symbol.rank > 0 && symbol.axes.are_common() && !symbol.rotation &&
+                       !is_principal_value(names.symbols, tree.symbols, constant.symbol);
     if (turns && done.insert(constant.symbol).second)
-      after.assumptions.push_back(constant_along_fixed_axes(tree, names, rotation, constant, budget));
+      after.assumptions.write().push_back(constant_along_fixed_axes(turning, constant));
   }
-  if (budget.exceeded) {
-    names.withdraw_frame();
-    names.replace(std::move(before));
-    return std::move(budget.exceeded);
+  if (turning.budget.exceeded) {
+    withdraw_frame(names.scope);
+    replace(names.scope, std::move(before));
+    return std::move(turning.budget.exceeded);
   }
-  names.replace(std::move(after));
+  replace(names.scope, std::move(after));
   return std::nullopt;
 }
 
-void leave_frames(ExprTree& tree, Names& names, int level) {
-  for (const Frame& frame : names.frames()) {
+void leave_frames(ExprTree& tree, Names& names, int level, Directives& used) {
+  for (const Frame& frame : *names.scope.frames) {
     if (frame.depth < level) continue;
-    Names::Scene scene = names.scene();
+    Held behind_it = held(names.scope);
     std::vector<NamedDefinition> kept;
-    for (NamedDefinition& each : scene.definitions) {
-      if (!names.is_made_in_frame(each)) {
-        kept.push_back(std::move(each));
-      } else if (auto behind = along_fixed_axes(tree, names, frame, std::move(each))) {
+    for (const NamedDefinition& each : *behind_it.definitions) {
+      if (!is_made_in_frame(names.scope, each)) {
+        kept.push_back(each);
+      } else if (auto behind = along_fixed_axes(tree, names, frame, each, used)) {
         kept.push_back(std::move(*behind));
       }
     }
-    scene.definitions = std::move(kept);
-    names.replace(std::move(scene));
+    behind_it.definitions = Shared(std::move(kept));
+    replace(names.scope, std::move(behind_it));
   }
 }
 

@@ -16,13 +16,13 @@ namespace rigor {
 /// From here on components are along the turning axes; what held before is turned
 /// (check/scope/change_of_axes.h). `angular_velocity`: an expression of rank 1, components along the turning
 /// axes. Nothing is declared where the rates that were assumed before are too large to be turned: the result
-/// says so.
+/// says so. `used` gets the directives that say how what is turned changes.
 std::optional<std::string> declare_frame(ExprTree& tree, Names& names, const std::string& rotating,
                                          const std::string& fixed, ExprId angular_velocity,
-                                         std::size_t directive);
+                                         std::size_t directive, Directives& used);
 
 /// Before a heading of this level closes sections: what equations defined under a frame that ends there is
-/// said along fixed axes from here on.
-void leave_frames(ExprTree& tree, Names& names, int level);
+/// said along fixed axes from here on. `used`: as above.
+void leave_frames(ExprTree& tree, Names& names, int level, Directives& used);
 
 }  // namespace rigor

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/event/written_statements.h"
 #include "elaborate/name/letters.h"
 
 namespace rigor {
@@ -21,7 +22,8 @@ bool is_bold(const Sightings& sightings, const std::string& base) {
 
 }  // namespace
 
-void sight_events(const Notes& notes, Names& names, const std::function<bool(std::size_t)>& is_asked_for) {
+Directives sight_events(const Notes& notes, Names& names,
+                        const std::function<bool(std::size_t)>& is_asked_for) {
   std::vector<std::vector<SyntaxId>> statements;
   std::vector<std::string> latin_particles;
   for (std::size_t k = 0; k < notes.events.size(); ++k) {
@@ -41,14 +43,14 @@ void sight_events(const Notes& notes, Names& names, const std::function<bool(std
       }
     }
   }
-  auto& summed = names.sightings.summed_greek;
+  auto& summed = names.symbols.sightings.write().summed_greek;
   for (const auto& sides : statements) {
-    for (const SyntaxId side : sides) sight_sums(notes.syntax, side, names.sightings);
+    for (const SyntaxId side : sides) sight_sums(notes.syntax, side, names.symbols.sightings.write());
   }
   // "With $\sum_\alpha\mathbf p_\alpha = 0$": a letter that is summed over in a line is so everywhere.
   for (const SaidInLine& said : notes.prose.said) {
     for (const ParsedChain& chain : said.chains) {
-      for (const SyntaxId side : chain.sides) sight_sums(notes.syntax, side, names.sightings);
+      for (const SyntaxId side : chain.sides) sight_sums(notes.syntax, side, names.symbols.sightings.write());
     }
   }
   const std::set<std::string> greek_only = summed;
@@ -59,30 +61,39 @@ void sight_events(const Notes& notes, Names& names, const std::function<bool(std
   for (const auto& sides : statements) sight_indices(notes.syntax, sides, names);
   for (const auto& sides : statements) {
     for (const SyntaxId side : sides) sight_changes(notes.syntax, side, names);
-    sight_diagonals(notes.syntax, sides, names.sightings);
+    sight_diagonals(notes.syntax, sides, names.symbols.sightings.write());
   }
   summed = greek_only;
+  Directives used;
+  for (const auto& sides : statements) {
+    for (const SyntaxId id : nodes_below(notes.syntax, sides)) {
+      if (notes.syntax[id].kind == SyntaxKind::symbol)
+        used.merge(take_apart(notes.syntax.symbol(id), Letters{}, names).used);
+    }
+  }
+  return used;
 }
 
 LocalKinds::LocalKinds(const Notes& notes, Names& names, std::size_t event)
-    : names_(names), everywhere_(std::exchange(names.sightings, {})) {
+    : names_(names), everywhere_(std::exchange(names.symbols.sightings, {})) {
   const std::vector<ProseBeside>& beside = notes.prose.beside;
-  sight_events(notes, names, [&](std::size_t k) {
+  used_ = sight_events(notes, names, [&](std::size_t k) {
     return notes.prose.sections.reaches(beside[k].place, beside[event].place);
   });
   // What changes, and which letters label particles, is no kind.
-  names.sightings.rates = everywhere_.rates;
-  names.sightings.fields = everywhere_.fields;
-  names.sightings.partial_rates = everywhere_.partial_rates;
-  names.sightings.places = everywhere_.places;
-  names.sightings.summed_greek = everywhere_.summed_greek;
+  Sightings& here = names.symbols.sightings.write();
+  here.rates = everywhere_->rates;
+  here.fields = everywhere_->fields;
+  here.partial_rates = everywhere_->partial_rates;
+  here.places = everywhere_->places;
+  here.summed_greek = everywhere_->summed_greek;
 }
 
-LocalKinds::~LocalKinds() { names_.sightings = std::move(everywhere_); }
+LocalKinds::~LocalKinds() { names_.symbols.sightings = std::move(everywhere_); }
 
 std::optional<std::string> LocalKinds::borrowed_letter(const SyntaxTree& syntax,
                                                        const ParsedChain& parsed) const {
-  const Sightings& here = names_.sightings;
+  const Sightings& here = *names_.symbols.sightings;
   std::vector<SyntaxId> pending = parsed.sides;
   while (!pending.empty()) {
     const SyntaxId id = pending.back();
@@ -90,9 +101,9 @@ std::optional<std::string> LocalKinds::borrowed_letter(const SyntaxTree& syntax,
     for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const std::string base = take_apart(syntax.symbol(id), Letters{}, names_).base;
-    const bool borrowed = is_bold(everywhere_, base) != is_bold(here, base) ||
-                          has_base(everywhere_.indexed, base) != has_base(here.indexed, base) ||
-                          everywhere_.diagonal.contains(base) != here.diagonal.contains(base);
+    const bool borrowed = is_bold(*everywhere_, base) != is_bold(here, base) ||
+                          has_base(everywhere_->indexed, base) != has_base(here.indexed, base) ||
+                          everywhere_->diagonal.contains(base) != here.diagonal.contains(base);
     if (borrowed) return base;
   }
   return std::nullopt;

@@ -12,8 +12,10 @@
 
 namespace rigor {
 
-/// Notes in `names.sightings` how every symbol is written in the events that are asked for.
-void sight_events(const Notes& notes, Names& names, const std::function<bool(std::size_t)>& is_asked_for);
+/// Notes in `names.symbols.sightings` how every symbol is written in the events that are asked for. Gives the
+/// directives that say what its subscripts are.
+Directives sight_events(const Notes& notes, Names& names,
+                        const std::function<bool(std::size_t)>& is_asked_for);
 
 /// While it lives, only what is seen in an event's own section, and in those around it, counts.
 class LocalKinds {
@@ -23,13 +25,18 @@ class LocalKinds {
   LocalKinds(const LocalKinds&) = delete;
   LocalKinds& operator=(const LocalKinds&) = delete;
 
+  /// The directives that say what the subscripts in these sections are: what they are for may stand in a row
+  /// that is not read.
+  [[nodiscard]] const Directives& used() const { return used_; }
+
   /// A letter of the chain that is a vector, or has indices, by another section only.
   [[nodiscard]] std::optional<std::string> borrowed_letter(const SyntaxTree& syntax,
                                                            const ParsedChain& parsed) const;
 
  private:
   Names& names_;
-  Sightings everywhere_;
+  Shared<Sightings> everywhere_;
+  Directives used_;
 };
 
 }  // namespace rigor

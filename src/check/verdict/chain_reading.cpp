@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "elaborate/notation/elaborate.h"
+#include "elaborate/reading/equation.h"
 #include "expr/calculus/differentiate.h"
 #include "latex/reading/rewritings.h"
 
@@ -17,7 +19,8 @@ namespace {
 Equation as_squared_distance(ExprTree& tree, Equation unequal) {
   const Span span = tree[unequal.left].span;
   std::vector<Slot> slots;
-  for (int axis = 0; axis < tree[unequal.left].rank; ++axis) slots.push_back({0, tree.add_index("i")});
+  for (int axis = 0; axis < tree[unequal.left].rank; ++axis)
+    slots.push_back({0, tree.add_index("i", tree[unequal.left].axes[axis])});
   ExprId value = component_of(tree, unequal.left, slots);
   if (!tree.is_zero_literal(unequal.right)) {
     const ExprId right = component_of(tree, unequal.right, slots);
@@ -50,8 +53,8 @@ Relation relation_of(RelationKind kind) {
 /// `A_{i'} = \lambda_{ij}A_j`: on the rotation itself a prime says which axis is meant, and none may be left
 /// out.
 bool drops_prime_on_rotation(const SyntaxTree& syntax, std::vector<SyntaxId> pending, const Names& names) {
-  const auto rotation = names.primed_axes();
-  const NameKey* key = rotation ? names.key_of(*rotation) : nullptr;
+  const auto rotation = names.symbols.primed_axes;
+  const NameKey* key = rotation ? key_of(names.symbols, *rotation) : nullptr;
   if (key == nullptr) return false;
   while (!pending.empty()) {
     const SyntaxId id = pending.back();
@@ -79,17 +82,20 @@ std::string written_step(const ParsedChain& parsed, std::size_t which) {
 }  // namespace
 
 ChainReading::ChainReading(const SyntaxTree& syntax, ExprTree& tree, Names& names, const ParsedChain& parsed,
-                           const Reading& how)
-    : tree_(tree),
-      how_(how),
-      elaborator_(syntax, tree, names, read_letters(syntax, parsed.sides, names), own_, how) {
+                           const ReadingRules& how)
+    : tree_(tree), reading_{syntax, tree, names, read_letters(syntax, parsed.sides, names), own_, how} {
   for (const SyntaxId id : parsed.sides) {
     Side side;
-    side.typed = elaborator_.expression(id);
+    side.typed = read(id);
     side.diagnostics = std::exchange(own_, {});
-    if (sides.empty() && side.typed) elaborator_.expect_slots(side.typed->free);
     sides.push_back(std::move(side));
   }
+}
+
+std::optional<Typed> ChainReading::read(SyntaxId id) {
+  Around around;
+  if (!sides.empty() && sides[0].typed) around.slots = sides[0].typed->free;
+  return elaborate(reading_, id, around);
 }
 
 std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t which, bool first_order,
@@ -102,8 +108,8 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
   const WrittenRelation& relation = parsed.written.relations[which];
   const bool swapped =
       relation.kind == RelationKind::greater || relation.kind == RelationKind::greater_or_equal;
-  Elaborator::Mismatch place{relation.span, diagnostics};
-  auto equation = elaborator_.equation(swapped ? right : left, swapped ? left : right, place);
+  const Mismatch place{relation.span, diagnostics};
+  auto equation = equate(reading_, swapped ? right : left, swapped ? left : right, place);
   if (!equation) return std::nullopt;
   equation->relation = relation_of(relation.kind);
   const bool unequal = relation.kind == RelationKind::unequal;
@@ -133,7 +139,7 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
                .left = parsed.written.sides[which].span,
                .right = parsed.written.sides[which + 1].span,
                .written = written_step(parsed, which),
-               .reading = &elaborator_,
+               .reading = &reading_,
                .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr};
 }
 
@@ -152,28 +158,33 @@ bool ChainReading::is_balanced() const {
 
 std::unique_ptr<ChainReading> read_chain(const SyntaxTree& syntax, ExprTree& tree, Names& names,
                                          const ParsedChain& parsed) {
-  const auto read = [&](const Reading& how) {
+  const auto read = [&](const ReadingRules& how) {
     return std::make_unique<ChainReading>(syntax, tree, names, parsed, how);
   };
-  const Reading plain{.no_sum = parsed.written.no_sum};
+  const ReadingRules plain{.no_sum = parsed.written.no_sum};
   auto first = read(plain);
   if (parsed.sides.size() < 2 || first->is_balanced()) return first;
-  Reading unsummed = plain;
+  ReadingRules unsummed = plain;
   const bool all_read = std::all_of(first->sides.begin(), first->sides.end(),
                                     [](const auto& side) { return side.typed.has_value(); });
   for (const ChainReading::Side& side : first->sides) {
     if (!all_read) break;
     for (const FreeIndex& free : side.typed->free) {
-      if (first->elaborator().summed_letters().contains(free.letter)) unsummed.unsummed.insert(free.letter);
+      if (first->reading().found.summed_letters.contains(free.letter)) unsummed.unsummed.insert(free.letter);
     }
   }
-  Reading primes = plain;
+  ReadingRules primes = plain;
   primes.primes_on_axes = !drops_prime_on_rotation(syntax, parsed.sides, names);
-  for (const Reading& other : {unsummed, primes}) {
+  for (const ReadingRules& other : {unsummed, primes}) {
     const bool differs = !other.unsummed.empty() || other.primes_on_axes;
     if (!differs) continue;
     auto again = read(other);
-    if (again->is_balanced()) return again;
+    if (!again->is_balanced()) {
+      first->add_used(again->used());
+      continue;
+    }
+    again->add_used(first->used());
+    return again;
   }
   return first;
 }

@@ -10,7 +10,7 @@
 #include "check/directive/directive.h"
 #include "check/verdict/judge.h"
 #include "elaborate/name/names.h"
-#include "elaborate/notation/elaborator.h"
+#include "elaborate/reading/reading.h"
 
 namespace rigor {
 
@@ -23,7 +23,7 @@ class ChainReading {
 
   /// `syntax` holds the chain's sides.
   ChainReading(const SyntaxTree& syntax, ExprTree& tree, Names& names, const ParsedChain& parsed,
-               const Reading& how);
+               const ReadingRules& how);
   ChainReading(const ChainReading&) = delete;
   ChainReading& operator=(const ChainReading&) = delete;
 
@@ -36,21 +36,27 @@ class ChainReading {
                                            const Typed& right, bool first_order, Diagnostics& diagnostics);
   /// All sides are read, and have the same free letters (a number has none and fits all).
   [[nodiscard]] bool is_balanced() const;
-  [[nodiscard]] Elaborator& elaborator() { return elaborator_; }
-  [[nodiscard]] const Reading& how() const { return how_; }
+  /// Another part as it is read on one of its sides.
+  [[nodiscard]] std::optional<Typed> read(SyntaxId id);
+  [[nodiscard]] const Reading& reading() const { return reading_; }
+  /// The directives that say what was looked up so far.
+  [[nodiscard]] const Directives& used() const { return reading_.found.used; }
+  /// What another way to read the chain looked up.
+  void add_used(const Directives& used) { reading_.found.used.insert(used.begin(), used.end()); }
+  [[nodiscard]] const ReadingRules& how() const { return reading_.rules; }
 
   std::vector<Side> sides;
   bool for_all = false;  // the author says so: `claim`, `expect refuted`
 
  private:
   ExprTree& tree_;
-  Reading how_;
   Diagnostics own_;
-  Elaborator elaborator_;
+  Reading reading_;
 };
 
 /// The plain reading, unless the indices of the sides only fit in another one: a letter that is free on one
-/// side is not summed on another, or a prime does not make another letter of it.
+/// side is not summed on another, or a prime does not make another letter of it. What was looked up for those
+/// that did not fit is used as well.
 [[nodiscard]] std::unique_ptr<ChainReading> read_chain(const SyntaxTree& syntax, ExprTree& tree, Names& names,
                                                        const ParsedChain& parsed);
 

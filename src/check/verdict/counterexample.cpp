@@ -30,10 +30,13 @@ Result<Sample> placed(const Question& question, const Counterexample& example) {
   for (std::size_t k = 0; k < example.component.size(); ++k) {
     const auto& [index, value] = example.component[k];
     const bool is_particle = k >= axes;
+    const int axis_of_side = static_cast<int>(k) - static_cast<int>(claim.indices.size());
     const std::string expected = is_particle                ? tree.name(claim.particles[k - axes])
                                  : k < claim.indices.size() ? tree.name(claim.indices[k])
                                                             : "";
-    const int most = is_particle ? static_cast<int>(example.particles) : 3;
+    const int most = is_particle                ? static_cast<int>(example.particles)
+                     : k < claim.indices.size() ? tree.space(claim.indices[k]).dimension
+                                                : tree[claim.left].axes[axis_of_side].dimension;
     if (index != expected || value < 1 || value > most)
       return does_not_fit("the sample's component does not fit the step");
     if (is_particle) {

@@ -24,10 +24,6 @@
 namespace rigor {
 namespace {
 
-void mark_used(Names& names, const Origin& origin) {
-  if (origin.directive) names.mark_used(*origin.directive);
-}
-
 /// `-3/2` as an expression.
 ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
   const bool negative = value.starts_with('-');
@@ -43,7 +39,7 @@ ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
 
 class Judging {
  public:
-  Judging(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits, DecisionCache* cache)
+  Judging(ExprTree& tree, const Names& names, const Claim& claim, const Limits& limits, DecisionCache* cache)
       : tree_(tree), names_(names), claim_(claim), limits_(limits), cache_(cache) {}
 
   Judgement judge() {
@@ -92,21 +88,31 @@ class Judging {
     judgement_.diagnostics.push_back({kind, claim_.relation, std::move(message), {}, std::move(help)});
   }
 
+  void mark_used(const Origin& origin) {
+    if (origin.directive) judgement_.used.insert(*origin.directive);
+  }
+
+  [[nodiscard]] Prepared prepare(int slack, Precision precision, int order) {
+    Prepared prepared = rigor::prepare(tree_, names_, claim_.equation, slack, precision, order);
+    judgement_.used.insert(prepared.used.begin(), prepared.used.end());
+    return prepared;
+  }
+
   /// What only a derivative of an assumption shows is looked for as well, before a claim is given up or
   /// refuted.
   Decision decide_order(int order) {
     const Precision precision = claim_.nearly ? Precision::small_order : Precision::exact;
-    prepared_ = prepare(tree_, names_, claim_.equation, 0, precision, order);
+    prepared_ = prepare(0, precision, order);
     const bool asks_again = speaks_of_derivatives(prepared_);
     Decision decision = decide_prepared(!asks_again);
     if (decision.outcome == Outcome::proved || !asks_again) return decision;
-    prepared_ = prepare(tree_, names_, claim_.equation, 1, precision, order);
+    prepared_ = prepare(1, precision, order);
     return decide_prepared(true);
   }
 
   /// Unless it is the last word, any sample will do.
   Decision decide_prepared(bool last) {
-    for (const Origin* definition : prepared_.definitions) mark_used(names_, *definition);
+    for (const Origin* definition : prepared_.definitions) mark_used(*definition);
     if (prepared_.too_large) {
       Decision open;
       open.reason = *prepared_.too_large;
@@ -117,7 +123,7 @@ class Judging {
     Decision decision = answers_by_record() ? decide_by_record(prepared_, claim_.swapped, *claim_.recorded)
                                             : decide(cache_, prepared_.question, limits);
     for (const std::size_t which : decision.assumptions) {
-      if (prepared_.assumptions[which] != nullptr) mark_used(names_, prepared_.assumptions[which]->origin);
+      if (prepared_.assumptions[which] != nullptr) mark_used(prepared_.assumptions[which]->origin);
     }
     return decision;
   }
@@ -190,7 +196,7 @@ class Judging {
 
   void mark_all_assumptions() {
     for (const NamedAssumption* assumption : prepared_.assumptions) {
-      if (assumption != nullptr) mark_used(names_, assumption->origin);
+      if (assumption != nullptr) mark_used(assumption->origin);
     }
   }
 
@@ -201,11 +207,11 @@ class Judging {
   void name_what_it_rests_on() {
     judgement_.names = names_of(prepared_);
     if (!claim_.nearly || judgement_.verdict != Verdict::proved) return;
-    Prepared exact = prepare(tree_, names_, claim_.equation);
+    Prepared exact = prepare(0, Precision::exact, 0);
     if (exact.too_large) return;
     NearlyQuestion nearly{.exact = {}, .names = names_of(exact), .small = {}};
     nearly.exact = std::move(exact.question);
-    for (const SmallQuantity& small : names_.small()) nearly.small.push_back(small.quantity);
+    for (const SmallQuantity& small : *names_.scope.small) nearly.small.push_back(small.quantity);
     judgement_.nearly_question = std::move(nearly);
   }
 
@@ -218,7 +224,8 @@ class Judging {
     for (const std::size_t which : decision.assumptions) {
       if (prepared_.assumptions[which] != nullptr) add_use(prepared_.assumptions[which]->origin.text);
     }
-    for (const std::string& convention : claim_.reading->conventions()) add_use("convention: " + convention);
+    for (const std::string& convention : claim_.reading->found.conventions)
+      add_use("convention: " + convention);
   }
 
   bool assumes_the_impossible() const {
@@ -257,7 +264,7 @@ class Judging {
   /// Those that carry the axes of frames.
   [[nodiscard]] std::set<SymbolId> rotations() const {
     std::set<SymbolId> found;
-    for (const Frame& frame : names_.frames()) found.insert(frame.rotation);
+    for (const Frame& frame : *names_.scope.frames) found.insert(frame.rotation);
     return found;
   }
 
@@ -265,7 +272,7 @@ class Judging {
   bool takes_another_order() {
     if (!claim_.nearly) return false;
     for (const SymbolId symbol : symbols_of(prepared_.question)) {
-      if (!names_.is_of_other_order(base_of(tree_.symbols, symbol))) continue;
+      if (!is_of_other_order(names_.scope, base_of(tree_.symbols, symbol))) continue;
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
           fmt::format("`{}` is declared small, of first order, and another order follows from what it is",
@@ -287,7 +294,7 @@ class Judging {
                            .simplest_sample = false};
     judgement_.route += ", to first order in what is small";
     for (int order = 2; order <= highest; ++order) {
-      const Prepared higher = prepare(tree_, names_, claim_.equation, 0, Precision::small_order, order);
+      const Prepared higher = prepare(0, Precision::small_order, order);
       if (higher.too_large) return;
       const Decision decision = decide(cache_, higher.question, brief);
       if (decision.outcome == Outcome::proved) continue;
@@ -301,7 +308,7 @@ class Judging {
   /// Something was differentiated of which nothing says whether it changes: then only a proof counts.
   bool doubts_change() {
     std::vector<SymbolId> unknown = prepared_.unknown_changes;
-    const std::vector<SymbolId>& written = claim_.reading->unknown_changes();
+    const std::vector<SymbolId>& written = claim_.reading->found.unknown_changes;
     unknown.insert(unknown.end(), written.begin(), written.end());
     if (unknown.empty()) return false;
     unknown = bases_of(tree_, unknown);
@@ -356,7 +363,7 @@ class Judging {
   /// The left side is a defined symbol alone, so that the step says again what it is.
   bool restates_definition() const {
     const ExprNode& left = tree_[claim_.equation.left];
-    return left.op == Op::symbol && names_.definition_of(left.symbol) != nullptr;
+    return left.op == Op::symbol && definition_of(names_.scope, left.symbol) != nullptr;
   }
 
   /// `scalar I_1` beside `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
@@ -393,8 +400,8 @@ class Judging {
             decision, "no sample was found that satisfies all assumptions in force, so none can refute it"))
       return;
     if (may_be_excused()) return;
-    if (claim_.reading->guess() || claim_.doubt != nullptr) {
-      const Obstacle& guess = claim_.reading->guess() ? *claim_.reading->guess() : *claim_.doubt;
+    if (guess_of(*claim_.reading) || claim_.doubt != nullptr) {
+      const Obstacle& guess = guess_of(*claim_.reading) ? *guess_of(*claim_.reading) : *claim_.doubt;
       const bool restricted = guess.kind == DiagnosticKind::restricted;
       judgement_.verdict = restricted ? Verdict::undecided : Verdict::not_understood;
       add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried",
@@ -410,7 +417,8 @@ class Judging {
       return;
     }
     std::vector<SymbolId> law;
-    if (!claim_.for_all) law = law_symbols(prepared_.question, restates_definition(), rotations(), cache_);
+    if (!claim_.for_all)
+      law = law_symbols(prepared_.question, names_.scope, restates_definition(), rotations(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
       judgement_.verdict = Verdict::not_understood;
@@ -422,7 +430,8 @@ class Judging {
     }
     prepared_.question.tree = &tree_;
     std::optional<SignDoubt> doubt;
-    if (!claim_.for_all) doubt = doubt_of_signs(tree_, prepared_.question, *decision.sample, cache_);
+    if (!claim_.for_all)
+      doubt = doubt_of_signs(tree_, prepared_.question, names_.scope, *decision.sample, cache_);
     if (doubt) {
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided, doubt->reason,
@@ -444,7 +453,7 @@ class Judging {
   /// An assumption could not be read, or not all that it says was looked at: it may make the claim true.
   bool may_be_excused() {
     if (const UnreadAssumption* unread = unread_assumption(tree_, names_, prepared_.question)) {
-      names_.mark_used(unread->directive);
+      judgement_.used.insert(unread->directive);
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
           fmt::format("it was found to fail, and `{}`, which could not be read, may make it true",
@@ -467,7 +476,7 @@ class Judging {
   }
 
   ExprTree& tree_;
-  Names& names_;
+  const Names& names_;
   const Claim& claim_;
   Limits limits_;
   DecisionCache* cache_;
@@ -478,15 +487,15 @@ class Judging {
 
 }  // namespace
 
-Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits,
+Judgement judge(ExprTree& tree, const Names& names, const Claim& claim, const Limits& limits,
                 DecisionCache* cache) {
   return Judging(tree, names, claim, limits, cache).judge();
 }
 
-std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names, const Sample& known,
+std::optional<Sample> sample_of_assumptions(ExprTree& tree, const Names& names, const Sample& known,
                                             const Limits& limits, DecisionCache* cache) {
-  if (names.assumptions().empty()) return Sample{};
-  const Equation last = names.assumptions().back().equation;
+  if (names.scope.assumptions->empty()) return Sample{};
+  const Equation last = names.scope.assumptions->back().equation;
   Question question = prepare(tree, names, last).question;
   question.assumptions.push_back(last);  // also where it speaks of no symbol: 0 = 1
   return satisfying_sample(cache, question, known, limits);

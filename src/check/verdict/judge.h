@@ -4,13 +4,14 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "algebra/decide/decide.h"
 #include "check/step/report.h"
 #include "elaborate/name/names.h"
-#include "elaborate/notation/elaborator.h"
+#include "elaborate/reading/reading.h"
 #include "expr/statement/question_names.h"
 
 namespace rigor {
@@ -29,6 +30,7 @@ struct Judgement {
   QuestionNames names = {};                            // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
   std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
+  std::set<std::size_t> used = {};                     // directives that were asked for, whatever came of it
 };
 
 /// What is judged, and where it stands.
@@ -41,20 +43,20 @@ struct Claim {
   Span relation = {};
   Span left = {};
   Span right = {};
-  std::string written = {};             // both sides and the relation, where they can be pasted
-  const Elaborator* reading = nullptr;  // for its conventions and guesses
-  const Obstacle* doubt = nullptr;      // words beside it that may restrict it
-  bool explains = false;                // `names` and `nearly_question` are wanted
-  RecordedStep* recorded = nullptr;     // a sample to be put in instead of a search
+  std::string written = {};          // both sides and the relation, where they can be pasted
+  const Reading* reading = nullptr;  // for its conventions and guesses
+  const Obstacle* doubt = nullptr;   // words beside it that may restrict it
+  bool explains = false;             // `names` and `nearly_question` are wanted
+  RecordedStep* recorded = nullptr;  // a sample to be put in instead of a search
 };
 
 /// `cache`: what is asked is asked there first.
-[[nodiscard]] Judgement judge(ExprTree& tree, Names& names, const Claim& claim, const Limits& limits = {},
-                              DecisionCache* cache = nullptr);
+[[nodiscard]] Judgement judge(ExprTree& tree, const Names& names, const Claim& claim,
+                              const Limits& limits = {}, DecisionCache* cache = nullptr);
 
 /// A sample that meets the last assumption together with those in scope that bear on it, if one is found;
 /// `known` met earlier ones.
-[[nodiscard]] std::optional<Sample> sample_of_assumptions(ExprTree& tree, Names& names,
+[[nodiscard]] std::optional<Sample> sample_of_assumptions(ExprTree& tree, const Names& names,
                                                           const Sample& known = {}, const Limits& limits = {},
                                                           DecisionCache* cache = nullptr);
 

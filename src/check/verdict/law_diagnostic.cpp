@@ -78,7 +78,7 @@ Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim&
           "identity",
           assumed ? "it does not follow from what is assumed, and " : "", quoted_names(tree, symbols),
           symbols.size() == 1 ? "is" : "are")};
-  const std::vector<std::string> known = names.known_names(tree);
+  const std::vector<std::string> known = known_names(names, tree);
   std::set<std::string> in_statement;
   for (const ExprId side : {claim.equation.left, claim.equation.right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) in_statement.insert(tree.symbols[symbol].name);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/ascii.h"
 #include "check/meaning/beyond_reals.h"
 #include "check/meaning/both_orders.h"
 #include "check/meaning/ordered_product.h"
@@ -75,16 +76,16 @@ ClaimVectors vectors_of(const Question& question) {
 
 /// A length is not the root of `a·a` for complex vectors, whose squares need not be positive.
 std::optional<OtherReading> in_complex_vectors(const Question& question, const Names& names) {
-  const Evidence& evidence = names.evidence;
+  const Evidence& evidence = *names.symbols.evidence;
   const auto is_imaginary = [&](const char* letter) {
-    return evidence.letters.contains(letter) && !names.labels_particles(letter);
+    return evidence.letters.contains(letter) && !labels_particles(names.symbols, letter);
   };
   if (!evidence.complex_vectors && !is_imaginary("i") && !is_imaginary("\\mathrm{i}")) return std::nullopt;
   bool asked = question.claim.relation != Relation::equal;
   for_each_node(question, [&](const ExprNode& node) { asked = asked || node.op == Op::length; });
   std::set<SymbolId> open = vectors_of(question).open;
   std::erase_if(open, [&](SymbolId symbol) {
-    const NameKey* key = names.key_of(symbol);
+    const NameKey* key = key_of(names.symbols, symbol);
     return key != nullptr && evidence.real.contains(key->base);
   });
   if (!asked || open.empty()) return std::nullopt;
@@ -117,27 +118,29 @@ bool counts_dimensions(const Question& question) {
 
 /// A proof that counts components, or needs their axes, holds along three Cartesian ones.
 std::optional<OtherReading> in_another_space(const Question& question, const Names& names, bool proved) {
-  const Evidence& evidence = names.evidence;
-  const std::string& words = evidence.other_space.empty() ? evidence.other_axes : evidence.other_space;
+  const Evidence& evidence = *names.symbols.evidence;
+  // `space` says of how many dimensions it is, and nothing of its metric.
+  const bool said = space_of(names.symbols) != common_space;
+  const std::string& of_space = said ? evidence.other_metric : evidence.other_space;
+  const std::string& words = of_space.empty() ? evidence.other_axes : of_space;
   if (!proved || words.empty()) return std::nullopt;
-  const bool asked =
-      has_components(question) || (!evidence.other_space.empty() && counts_dimensions(question));
+  const bool asked = has_components(question) || (!of_space.empty() && counts_dimensions(question));
   const ClaimVectors vectors = vectors_of(question);
   if (!asked || (vectors.any && vectors.open.empty())) return std::nullopt;
   std::vector<std::string> help;
-  if (!vectors.open.empty()) {
+  if (!vectors.open.empty() && !said) {
     const Symbol& open = question.tree->symbols[*vectors.open.begin()];
     help.push_back(fmt::format("`rigor: {} {}` says that it has three components along Cartesian axes",
                                open.rank == 1 ? "vector" : "tensor", open.name));
   }
-  return OtherReading{
-      fmt::format("the words speak of `{}`; it is proved along three Cartesian axes only", words),
-      std::move(help)};
+  return OtherReading{fmt::format("the words speak of `{}`; it is proved along {}Cartesian axes only", words,
+                                  said ? "" : "three "),
+                      std::move(help)};
 }
 
 /// What holds for real numbers need not in another arithmetic.
 std::optional<OtherReading> in_another_arithmetic(const Question& question, const Names& names, bool proved) {
-  const std::string& words = names.evidence.other_arithmetic;
+  const std::string& words = names.symbols.evidence->other_arithmetic;
   if (!proved || words.empty()) return std::nullopt;
   std::set<SymbolId> open;
   for (const ExprId side : {question.claim.left, question.claim.right}) {
@@ -165,8 +168,7 @@ std::optional<OtherReading> in_complex_numbers(const Question& question, const N
 }
 
 bool is_capital(const NameKey& key) {
-  return key.rank == 0 && key.base[0] >= 'A' && key.base[0] <= 'Z' &&
-         (key.base.size() == 1 || key.base[1] == '_');
+  return key.rank == 0 && is_capital_letter(key.base[0]) && (key.base.size() == 1 || key.base[1] == '_');
 }
 
 /// `(I - P)^2 = I - 2P + P^2` between capitals, of which nothing says what they are.
@@ -180,9 +182,9 @@ std::optional<OtherReading> with_unit_matrix(const Question& question, const Nam
   }
   std::optional<SymbolId> unit;
   for (const SymbolId symbol : letters) {
-    const NameKey* key = names.key_of(symbol);
+    const NameKey* key = key_of(names.symbols, symbol);
     if (key == nullptr || !is_capital(*key)) return std::nullopt;
-    const bool open = !tree.symbols[symbol].declared && names.definition_of(symbol) == nullptr;
+    const bool open = !tree.symbols[symbol].declared && definition_of(names.scope, symbol) == nullptr;
     if (open && (key->base == "I" || key->base == "E")) unit = symbol;
   }
   if (!unit || letters.size() < 2 || !equal_with_units(tree, claim.left, claim.right, {*unit}, {*unit}))
@@ -214,7 +216,7 @@ std::optional<OtherReading> other_reading(const Question& question, const Names&
 }
 
 bool holds_with_unit_matrix(const Question& question, const Names& names) {
-  if (names.evidence.units.empty() || question.claim.relation != Relation::equal) return false;
+  if (names.symbols.evidence->units.empty() || question.claim.relation != Relation::equal) return false;
   const ExprTree& tree = *question.tree;
   const std::set<SymbolId> ordered = ordered_symbols(tree, names, question);
   const std::set<SymbolId> units = unit_matrices(names, question, ordered);

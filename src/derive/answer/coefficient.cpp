@@ -44,8 +44,8 @@ std::optional<Company> company_of(const IndexMonomial& monomial, SymbolId hole) 
     } else if (factor.slots.empty()) {
       company.scalars.push_back(factor);
     } else {
-      const auto shared = std::find_if(company.letters.begin(), company.letters.end(),
-                                       [&](const Slot& letter) { return is_same(letter, factor.slots[0]); });
+      const auto shared = std::ranges::find_if(
+          company.letters, [&](const Slot& letter) { return is_same(letter, factor.slots[0]); });
       if (factor.slots.size() != 1 || factor.exponent != 1 || shared == company.letters.end())
         return std::nullopt;
       company.vectors.emplace_back(*shared, factor);
@@ -56,15 +56,14 @@ std::optional<Company> company_of(const IndexMonomial& monomial, SymbolId hole) 
 
 /// Takes one factor of the vector out of a term and puts the letter in the place of its own.
 bool take_out(IndexMonomial& term, const IndexFactor& vector, const Slot& letter) {
-  const auto found = std::find_if(term.factors.begin(), term.factors.end(), [&](const IndexFactor& factor) {
+  const auto found = std::ranges::find_if(term.factors, [&](const IndexFactor& factor) {
     return factor.kind == Kind::component && factor.symbol == vector.symbol &&
            factor.particle == vector.particle && factor.exponent >= 1;
   });
   if (found == term.factors.end()) return false;
   const Slot own = found->slots[0];
   if (--found->exponent == 0) term.factors.erase(found);
-  const auto summed =
-      own.axis == 0 ? std::find(term.indices.begin(), term.indices.end(), own.variable) : term.indices.end();
+  const auto summed = own.axis == 0 ? std::ranges::find(term.indices, own.variable) : term.indices.end();
   if (summed != term.indices.end()) {
     term.indices.erase(summed);
     replace_index(term, own.variable, letter);
@@ -86,8 +85,8 @@ std::optional<ExprId> coefficient_of_vectors(ExprTree& tree, const Equation& cla
   contract(tree, *left);
   std::optional<Company> company;
   for (IndexMonomial& term : right->terms) {
-    const bool own = std::any_of(term.factors.begin(), term.factors.end(),
-                                 [&](const IndexFactor& factor) { return is_hole(factor, hole); });
+    const bool own =
+        std::ranges::any_of(term.factors, [&](const IndexFactor& factor) { return is_hole(factor, hole); });
     if (own && company) return std::nullopt;
     if (own) {
       company = company_of(term, hole);

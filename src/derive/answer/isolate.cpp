@@ -2,11 +2,11 @@
 #include "derive/answer/isolate.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "derive/polynomial/nodes.h"
 #include "expr/calculus/differentiate.h"
 
 namespace rigor {
@@ -56,7 +56,7 @@ class Isolating {
   bool is_zero(ExprId id) const {
     if (tree_[id].op == Op::tuple) {
       const auto entries = tree_.children(id);
-      return std::all_of(entries.begin(), entries.end(), [&](ExprId entry) { return is_zero(entry); });
+      return std::ranges::all_of(entries, [&](ExprId entry) { return is_zero(entry); });
     }
     return tree_.is_zero_literal(id);
   }
@@ -165,7 +165,7 @@ class Isolating {
     const ExprNode& node = tree_[id];
     const auto children = tree_.children(id);
     const auto speaks = [&](ExprId child) { return occurrences_of(tree_, child, hole_) > 0; };
-    const auto with_hole = std::count_if(children.begin(), children.end(), speaks);
+    const auto with_hole = std::ranges::count_if(children, speaks);
     switch (node.op) {
       case Op::symbol:
         return true;
@@ -188,36 +188,26 @@ class Isolating {
       default:
         return false;
     }
-    return std::all_of(children.begin(), children.end(), [&](ExprId child) { return is_linear(child); });
+    return std::ranges::all_of(children, [&](ExprId child) { return is_linear(child); });
+  }
+
+  void note_letters_on(ExprId id, std::set<IndexId>& letters) const {
+    for (const Slot& slot : tree_.slots(id)) {
+      if (slot.axis == 0) letters.insert(slot.variable);
+    }
   }
 
   /// The letters of the hole itself.
   void note_own_letters() {
-    std::vector<ExprId> pending{claim_.right};
-    while (!pending.empty()) {
-      const ExprId id = pending.back();
-      pending.pop_back();
-      if (tree_[id].op == Op::symbol && tree_[id].symbol == hole_) {
-        for (const Slot& slot : tree_.slots(id)) {
-          if (slot.axis == 0) own_.insert(slot.variable);
-        }
-      }
-      for (const ExprId child : tree_.children(id)) pending.push_back(child);
-    }
+    each_node(tree_, claim_.right, [&](ExprId id) {
+      if (tree_[id].op == Op::symbol && tree_[id].symbol == hole_) note_letters_on(id, own_);
+    });
   }
 
   /// The claim's free letters that stand in an expression and not on the hole.
   std::vector<IndexId> leftover(ExprId root) const {
     std::set<IndexId> present;
-    std::vector<ExprId> pending{root};
-    while (!pending.empty()) {
-      const ExprId id = pending.back();
-      pending.pop_back();
-      for (const Slot& slot : tree_.slots(id)) {
-        if (slot.axis == 0) present.insert(slot.variable);
-      }
-      for (const ExprId child : tree_.children(id)) pending.push_back(child);
-    }
+    each_node(tree_, root, [&](ExprId id) { note_letters_on(id, present); });
     std::vector<IndexId> letters;
     for (const IndexId letter : claim_.indices) {
       if (present.contains(letter) && !own_.contains(letter)) letters.push_back(letter);
@@ -250,13 +240,10 @@ class Isolating {
 
 int occurrences_of(const ExprTree& tree, ExprId root, SymbolId symbol) {
   int count = 0;
-  std::vector<ExprId> pending{root};
-  while (!pending.empty() && count < 2) {
-    const ExprId id = pending.back();
-    pending.pop_back();
+  static_cast<void>(any_node(tree, root, [&](ExprId id) {
     if (tree[id].op == Op::symbol && tree[id].symbol == symbol) ++count;
-    for (const ExprId child : tree.children(id)) pending.push_back(child);
-  }
+    return count == 2;
+  }));
   return count;
 }
 

@@ -109,7 +109,7 @@ std::optional<Basis> with_known(const ExprTree& tree, const Question& question, 
     if (left.op != Op::symbol || !reached.contains(left.symbol)) continue;
     if (const auto definition = as_definition(tree, each.equation)) {
       const auto same = [&](const NamedRule& rule) { return rule.definition.symbol == definition->symbol; };
-      const bool taken = std::any_of(rules.begin(), rules.end(), same);
+      const bool taken = std::ranges::any_of(rules, same);
       if (taken && !latest) continue;
       std::vector<NamedRule> all = basis.definitions;
       std::erase_if(all, same);

@@ -26,8 +26,7 @@ std::string text_of(const ExprTree& tree, IndexFactor factor) {
 
 bool is_open(const IndexMonomial& term, const IndexFactor& factor) {
   const auto speaks = [&](auto variable) { return speaks_of(factor, variable); };
-  return std::none_of(term.indices.begin(), term.indices.end(), speaks) &&
-         std::none_of(term.particles.begin(), term.particles.end(), speaks);
+  return std::ranges::none_of(term.indices, speaks) && std::ranges::none_of(term.particles, speaks);
 }
 
 void note_denominators(const ExprTree& tree, const IndexPolynomial& polynomial, Denominator& denominator) {

@@ -13,6 +13,7 @@
 #include "derive/polynomial/collected.h"
 #include "derive/polynomial/contraction.h"
 #include "derive/polynomial/fold.h"
+#include "derive/polynomial/nodes.h"
 #include "expr/print/print_latex.h"
 
 namespace rigor {
@@ -318,16 +319,11 @@ class Descending {
   }
 
   bool crosses_a_cross(ExprId root) const {
-    std::vector<ExprId> open{root};
-    while (!open.empty()) {
-      const ExprId id = open.back();
-      open.pop_back();
-      for (const ExprId child : tree_.children(id)) {
-        if (tree_[id].op == Op::cross && tree_[child].op == Op::cross) return true;
-        open.push_back(child);
-      }
-    }
-    return false;
+    return any_node(tree_, root, [&](ExprId id) {
+      const auto children = tree_.children(id);
+      return tree_[id].op == Op::cross &&
+             std::ranges::any_of(children, [&](ExprId child) { return tree_[child].op == Op::cross; });
+    });
   }
 
   void leave_out_second_order() {

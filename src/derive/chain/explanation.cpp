@@ -40,18 +40,12 @@ struct GluedChain {
 
 /// Is nothing written in index notation?
 bool is_direct(const ExprTree& tree, ExprId root) {
-  std::vector<ExprId> open{root};
-  while (!open.empty()) {
-    const ExprId id = open.back();
-    open.pop_back();
+  return !any_node(tree, root, [&](ExprId id) {
     const Op op = tree[id].op;
     const bool index = op == Op::index_sum || op == Op::delta || op == Op::epsilon || op == Op::component ||
                        op == Op::table || op == Op::basis || op == Op::determinant || tree[id].slot_count > 0;
-    if (index || (op == Op::tuple && !tree.is_zero_literal(id))) return false;
-    const auto children = tree.children(id);
-    open.insert(open.end(), children.begin(), children.end());
-  }
-  return true;
+    return index || (op == Op::tuple && !tree.is_zero_literal(id));
+  });
 }
 
 class Explaining {
@@ -194,7 +188,7 @@ class Explaining {
         if (meets(down.lines[i], up.lines[j])) found.emplace_back(i, j);
       }
     }
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    std::ranges::stable_sort(found, [](const auto& a, const auto& b) {
       return std::pair(a.first + a.second, a.second) < std::pair(b.first + b.second, b.second);
     });
     return found;
@@ -239,7 +233,7 @@ class Explaining {
   }
 
   bool holds(const GluedChain& chain) {
-    return std::all_of(chain.claims.begin(), chain.claims.end(), [&](const auto& claim) {
+    return std::ranges::all_of(chain.claims, [&](const auto& claim) {
       return proofs_.equal(claim.first, claim.second, chain.free);
     });
   }

@@ -3,6 +3,7 @@
 
 #include "derive/chain/shape.h"
 #include "derive/polynomial/collected.h"
+#include "derive/polynomial/nodes.h"
 
 namespace rigor {
 namespace {
@@ -37,15 +38,7 @@ void describe(ExprTree& tree, Line& line, const std::vector<IndexId>& open) {
 }
 
 bool contains(const ExprTree& tree, ExprId root, Op op) {
-  std::vector<ExprId> open{root};
-  while (!open.empty()) {
-    const ExprId id = open.back();
-    open.pop_back();
-    if (tree[id].op == op) return true;
-    const auto children = tree.children(id);
-    open.insert(open.end(), children.begin(), children.end());
-  }
-  return false;
+  return any_node(tree, root, [&](ExprId id) { return tree[id].op == op; });
 }
 
 bool meets(const Line& a, const Line& b) {

@@ -145,7 +145,7 @@ class Reading {
     for (const std::string& slot : slots) letters += '[' + slot + ']';
     if (node.op == Op::epsilon) traits_.epsilons.insert(letters);
     if (node.op == Op::symbol) traits_.tensors.insert(head + letters);
-    std::sort(slots.begin(), slots.end());
+    std::ranges::sort(slots);
     std::string sorted = head;
     for (const std::string& slot : slots) sorted += '[' + slot + ']';
     if (node.particle != no_particle) sorted += '{' + std::string(tree_.name(node.particle)) + '}';

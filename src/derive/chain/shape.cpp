@@ -29,8 +29,7 @@ class Shape {
     }
     std::vector<std::string> parts;
     collect(id, node.op, parts);
-    if (node.op == Op::add || node.op == Op::multiply || node.op == Op::dot)
-      std::sort(parts.begin(), parts.end());
+    if (node.op == Op::add || node.op == Op::multiply || node.op == Op::dot) std::ranges::sort(parts);
     std::string text = head(id) + '(';
     for (const std::string& part : parts) text += part + ',';
     return text + ')';

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/chain/small_proofs.h"
 
-#include <utility>
-
 namespace rigor {
 namespace {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/notation/along_axes.h"
 
-#include <array>
 #include <map>
 #include <vector>
 

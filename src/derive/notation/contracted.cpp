@@ -9,6 +9,7 @@
 #include "derive/polynomial/collected.h"
 #include "derive/polynomial/contraction.h"
 #include "derive/polynomial/fold.h"
+#include "derive/polynomial/nodes.h"
 
 namespace rigor {
 namespace {
@@ -19,16 +20,12 @@ constexpr int most_contractions = 60;
 void note_free(const ExprTree& tree, ExprId root, LetterChoice& choice) {
   std::set<IndexId> bound;
   std::set<IndexId> present;
-  std::vector<ExprId> pending{root};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
+  each_node(tree, root, [&](ExprId id) {
     if (tree[id].op == Op::index_sum) bound.insert(tree[id].index);
     for (const Slot& slot : tree.slots(id)) {
       if (slot.axis == 0) present.insert(slot.variable);
     }
-    for (const ExprId child : tree.children(id)) pending.push_back(child);
-  }
+  });
   for (const IndexId letter : present) {
     if (!bound.contains(letter)) choice.taken.insert(tree.name(letter));
   }

@@ -39,7 +39,7 @@ class FirstOrder {
  private:
   bool is_small(const IndexFactor& factor) const {
     if (factor.kind != Kind::component) return false;
-    return std::any_of(small_.begin(), small_.end(), [&](ExprId id) {
+    return std::ranges::any_of(small_, [&](ExprId id) {
       if (tree_[id].op != Op::symbol || tree_[id].symbol != base_of(tree_.symbols, factor.symbol))
         return false;
       const auto slots = tree_.slots(id);
@@ -73,8 +73,8 @@ class FirstOrder {
   }
 
   bool speaks_of_small(const IndexPolynomial& polynomial) const {
-    return std::any_of(polynomial.terms.begin(), polynomial.terms.end(),
-                       [&](const IndexMonomial& term) { return order_of(term) > 0; });
+    return std::ranges::any_of(polynomial.terms,
+                               [&](const IndexMonomial& term) { return order_of(term) > 0; });
   }
 
   /// rest/(P + Q) = rest/P − rest·Q/((P + Q)P), with Q of second order: the denominator becomes P.

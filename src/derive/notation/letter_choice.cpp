@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/among.h"
+#include "derive/polynomial/nodes.h"
 
 namespace rigor {
 namespace {
@@ -25,8 +26,14 @@ class Lettering {
 
   ExprId write(ExprId id, std::set<std::string>& used) {
     ExprNode node = tree_[id];
-    if (node.op == Op::index_sum) return index_sum(id, used);
-    if (node.op == Op::particle_sum) return particle_sum(id, used);
+    if (node.op == Op::index_sum) {
+      const std::string name = choose(tree_.name(node.index), choice_.indices, usual_indices, used);
+      return renamed_sum(id, &ExprNode::index, tree_.add_index(name), indices_, used);
+    }
+    if (node.op == Op::particle_sum) {
+      const std::string name = choose(tree_.name(node.particle), choice_.particles, usual_particles, used);
+      return renamed_sum(id, &ExprNode::particle, tree_.add_particle(name), particles_, used);
+    }
     const std::vector<ExprId> before(tree_.children(id).begin(), tree_.children(id).end());
     const bool apart = node.op == Op::add || node.op == Op::tuple || node.op == Op::table;
     const std::set<std::string> outside = used;
@@ -53,8 +60,7 @@ class Lettering {
       renamed = true;
     }
     if (!renamed) return id;
-    if (node.op == Op::table) return tree_.add_table(node.span, after, slots, Table(tree_.table(id)));
-    return tree_.add(node, after, slots);
+    return with_children(tree_, id, node, after, slots);
   }
 
  private:
@@ -75,27 +81,16 @@ class Lettering {
     }
   }
 
-  ExprId index_sum(ExprId id, std::set<std::string>& used) {
+  /// `variable`: the letter of the node's sum; `renamed`: the letters of its sort that have another one here.
+  template <class Variable>
+  ExprId renamed_sum(ExprId id, Variable ExprNode::*variable, Variable fresh,
+                     std::map<Variable, Variable>& renamed, std::set<std::string>& used) {
     ExprNode node = tree_[id];
-    const std::string own = tree_.name(node.index);
-    const IndexId fresh = tree_.add_index(choose(own, choice_.indices, usual_indices, used));
-    const auto outer = indices_;
-    indices_[node.index] = fresh;
+    const auto outer = renamed;
+    renamed[node.*variable] = fresh;
     const ExprId body = write(tree_.children(id)[0], used);
-    indices_ = outer;
-    node.index = fresh;
-    return tree_.add(node, std::array{body});
-  }
-
-  ExprId particle_sum(ExprId id, std::set<std::string>& used) {
-    ExprNode node = tree_[id];
-    const std::string own = tree_.name(node.particle);
-    const ParticleId fresh = tree_.add_particle(choose(own, choice_.particles, usual_particles, used));
-    const auto outer = particles_;
-    particles_[node.particle] = fresh;
-    const ExprId body = write(tree_.children(id)[0], used);
-    particles_ = outer;
-    node.particle = fresh;
+    renamed = outer;
+    node.*variable = fresh;
     return tree_.add(node, std::array{body});
   }
 
@@ -108,16 +103,11 @@ class Lettering {
 }  // namespace
 
 void note_letters(const ExprTree& tree, ExprId root, LetterChoice& choice) {
-  std::vector<ExprId> open{root};
-  while (!open.empty()) {
-    const ExprId id = open.back();
-    open.pop_back();
+  each_node(tree, root, [&](ExprId id) {
     const ExprNode& node = tree[id];
     if (node.op == Op::index_sum) add_once(choice.indices, tree.name(node.index));
     if (node.op == Op::particle_sum) add_once(choice.particles, tree.name(node.particle));
-    const auto children = tree.children(id);
-    open.insert(open.end(), children.rbegin(), children.rend());
-  }
+  });
 }
 
 ExprId with_letters(ExprTree& tree, ExprId root, const LetterChoice& choice) {

@@ -32,14 +32,13 @@ class Tidying {
     if (node.op == Op::multiply) return product(id, before, after);
     if (after == before) return id;
     const std::vector<Slot> slots(tree_.slots(id).begin(), tree_.slots(id).end());
-    if (node.op == Op::table) return tree_.add_table(node.span, after, slots, Table(tree_.table(id)));
-    return tree_.add(node, after, slots);
+    return with_children(tree_, id, node, after, slots);
   }
 
  private:
   template <class Slots>
   ExprId sign(ExprId id, const Slots& slots) {
-    const bool numbered = std::all_of(slots.begin(), slots.end(), [](const Slot& s) { return s.axis != 0; });
+    const bool numbered = std::ranges::all_of(slots, [](const Slot& s) { return s.axis != 0; });
     if (!numbered) return id;
     if (slots.size() == 2) return number_node(tree_, slots[0].axis == slots[1].axis ? 1 : 0);
     if (slots.size() != 3) return id;
@@ -97,9 +96,9 @@ class Tidying {
     const auto is_one = [&](ExprId each) {
       return tree_[each].op == Op::number && tree_.digits(each) == "1";
     };
-    if (factors == before && std::none_of(factors.begin(), factors.end(), is_one)) return id;
+    if (factors == before && std::ranges::none_of(factors, is_one)) return id;
     const auto is_number = [&](ExprId each) { return tree_[each].op == Op::number; };
-    if (std::count_if(factors.begin(), factors.end(), is_number) == 1)
+    if (std::ranges::count_if(factors, is_number) == 1)
       std::stable_partition(factors.begin(), factors.end(), is_number);
     bool negative = false;
     for (ExprId& factor : factors) {

@@ -103,8 +103,7 @@ ExprId transported(ExprTree& tree, ExprId root, const TurningFrame& frame) {
   if (after != before) {
     const ExprNode node = tree[root];
     const std::vector<Slot> slots(tree.slots(root).begin(), tree.slots(root).end());
-    result = node.op == Op::table ? tree.add_table(node.span, after, slots, Table(tree.table(root)))
-                                  : tree.add(node, after, slots);
+    result = with_children(tree, root, node, after, slots);
   }
   return seen_from_frame(tree, result, frame).value_or(result);
 }

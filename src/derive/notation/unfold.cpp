@@ -2,7 +2,6 @@
 #include "derive/notation/unfold.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 
 #include "derive/notation/letter_choice.h"
@@ -22,8 +21,7 @@ ExprId rebuilt(ExprTree& tree, ExprId root,
   std::vector<Slot> slots(tree.slots(root).begin(), tree.slots(root).end());
   change(node, slots);
   if (node.op == Op::number) return root;
-  if (node.op == Op::table) return tree.add_table(node.span, after, slots, Table(tree.table(root)));
-  return tree.add(node, after, slots);
+  return with_children(tree, root, node, after, slots);
 }
 
 /// (√x)² as x.
@@ -38,8 +36,7 @@ ExprId without_squared_roots(ExprTree& tree, ExprId root) {
   for (const ExprId child : before) after.push_back(without_squared_roots(tree, child));
   if (after == before) return root;
   const std::vector<Slot> slots(tree.slots(root).begin(), tree.slots(root).end());
-  if (node.op == Op::table) return tree.add_table(node.span, after, slots, Table(tree.table(root)));
-  return tree.add(node, after, slots);
+  return with_children(tree, root, node, after, slots);
 }
 
 }  // namespace
@@ -73,7 +70,7 @@ ExprId with_slots(ExprTree& tree, ExprId root, const std::vector<IndexId>& varia
   if (variables.empty()) return root;
   return rebuilt(tree, root, [&](ExprNode&, std::vector<Slot>& slots) {
     for (Slot& slot : slots) {
-      const auto place = std::find(variables.begin(), variables.end(), slot.variable);
+      const auto place = std::ranges::find(variables, slot.variable);
       if (slot.axis == 0 && place != variables.end())
         slot = by[static_cast<std::size_t>(place - variables.begin())];
     }

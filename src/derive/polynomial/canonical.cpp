@@ -110,7 +110,7 @@ class Canonical {
   /// Long texts become their place among the others.
   static std::vector<std::string> ranked(const std::vector<std::string>& colors) {
     std::vector<std::string> sorted = colors;
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     std::vector<std::string> ranks;
     for (const std::string& color : colors) {
@@ -141,7 +141,7 @@ class Canonical {
                                    : speaks_of(each, term.particles[which - term.indices.size()]);
       if (stands) texts.push_back(factor(each, calling, depth).text);
     }
-    std::sort(texts.begin(), texts.end());
+    std::ranges::sort(texts);
     std::string all = color[which];
     for (const std::string& text : texts) all += text + '.';
     return all;
@@ -155,7 +155,7 @@ class Canonical {
       result.sign *= text.sign;
       texts.push_back(text.text);
     }
-    std::sort(texts.begin(), texts.end());
+    std::ranges::sort(texts);
     for (std::size_t k = 0; k < term.indices.size(); ++k) result.text += "i";
     for (std::size_t k = 0; k < term.particles.size(); ++k) result.text += "p";
     for (const std::string& text : texts) result.text += text + '.';
@@ -183,7 +183,7 @@ class Canonical {
     switch (factor.kind) {
       case Kind::delta:
         result.text = "delta";
-        std::sort(slots.begin(), slots.end());
+        std::ranges::sort(slots);
         break;
       case Kind::epsilon:
         result.text = "epsilon";

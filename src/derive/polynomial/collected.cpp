@@ -13,8 +13,7 @@ namespace {
 using Kind = IndexFactor::Kind;
 
 bool is_closed(const IndexMonomial& term, const IndexFactor& factor) {
-  return std::none_of(term.indices.begin(), term.indices.end(),
-                      [&](IndexId index) { return speaks_of(factor, index); });
+  return std::ranges::none_of(term.indices, [&](IndexId index) { return speaks_of(factor, index); });
 }
 
 /// Powers of equal factors that no sum over components reaches are one factor.
@@ -120,7 +119,7 @@ std::string text_of_terms(const SymbolTable& symbols, const IndexPolynomial& pol
     texts.push_back((term.coefficient * SmallRational(text.sign == 0 ? 1 : text.sign)).text() + '*' +
                     text.text);
   }
-  std::sort(texts.begin(), texts.end());
+  std::ranges::sort(texts);
   std::string all;
   for (const std::string& text : texts) all += text + '+';
   return all;

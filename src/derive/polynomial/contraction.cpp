@@ -260,7 +260,7 @@ bool replace_cosines(IndexPolynomial& polynomial) {
   while (!open.empty()) {
     IndexMonomial term = std::move(open.back());
     open.pop_back();
-    const auto cosine = std::find_if(term.factors.begin(), term.factors.end(), [](const IndexFactor& factor) {
+    const auto cosine = std::ranges::find_if(term.factors, [](const IndexFactor& factor) {
       return factor.kind == Kind::function && factor.function == Function::cos && factor.exponent >= 2;
     });
     if (cosine == term.factors.end()) {

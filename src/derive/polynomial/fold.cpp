@@ -210,8 +210,7 @@ class Folding {
       if (!piece.slots.empty()) return 2;
       return tree_[piece.expr].op == Op::symbol ? 0 : 1;
     };
-    std::stable_sort(pieces_.begin(), pieces_.end(),
-                     [&](const Piece& a, const Piece& b) { return place(a) < place(b); });
+    std::ranges::stable_sort(pieces_, [&](const Piece& a, const Piece& b) { return place(a) < place(b); });
     join_powers();
     const bool negative = term.coefficient.over() < 0;
     const SmallRational size = negative ? term.coefficient * SmallRational(-1) : term.coefficient;

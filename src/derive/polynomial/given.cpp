@@ -2,7 +2,6 @@
 #include "derive/polynomial/given.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 
 #include "base/among.h"
@@ -116,7 +115,7 @@ class Matching {
   template <class Variable>
   bool stands_elsewhere(Variable variable, const Binding& binding) const {
     for (std::size_t k = 0; k < term_.factors.size(); ++k) {
-      const auto place = std::find(binding.factors.begin(), binding.factors.end(), k);
+      const auto place = std::ranges::find(binding.factors, k);
       const bool whole =
           place != binding.factors.end() &&
           term_.factors[k].exponent ==

@@ -48,8 +48,7 @@ bool speaks_in_argument(const IndexFactor& factor, Variable variable) {
 }  // namespace
 
 bool speaks_of(const IndexFactor& factor, IndexId variable) {
-  return std::any_of(factor.slots.begin(), factor.slots.end(),
-                     [&](const Slot& slot) { return is_variable(slot, variable); }) ||
+  return std::ranges::any_of(factor.slots, [&](const Slot& slot) { return is_variable(slot, variable); }) ||
          speaks_in_argument(factor, variable);
 }
 

@@ -8,6 +8,12 @@
 
 namespace rigor {
 
+ExprId with_children(ExprTree& tree, ExprId id, const ExprNode& node, const std::vector<ExprId>& children,
+                     const std::vector<Slot>& slots) {
+  if (node.op == Op::table) return tree.add_table(node.span, children, slots, Table(tree.table(id)));
+  return tree.add(node, children, slots);
+}
+
 ExprId number_node(ExprTree& tree, std::int64_t value) {
   const ExprId digits = tree.add_number({}, std::to_string(value < 0 ? -value : value));
   return value < 0 ? negated_node(tree, digits) : digits;

@@ -151,11 +151,18 @@ class PolynomialReader {
     return total;
   }
 
+  /// Every term under one more sum.
+  template <class Letter>
+  static IndexPolynomial summed(IndexPolynomial body, std::vector<Letter> IndexMonomial::*sums,
+                                Letter letter) {
+    for (IndexMonomial& term : body.terms) (term.*sums).insert((term.*sums).begin(), letter);
+    return body;
+  }
+
   IndexPolynomial square_of_length(ExprId vector) {
     const IndexId index = tree_.add_index("");
-    IndexPolynomial square = times(read(vector, {{0, index}}), read(vector, {{0, index}}));
-    for (IndexMonomial& term : square.terms) term.indices.insert(term.indices.begin(), index);
-    return square;
+    return summed(times(read(vector, {{0, index}}), read(vector, {{0, index}})), &IndexMonomial::indices,
+                  index);
   }
 
   IndexPolynomial power(ExprId base, int exponent) {
@@ -238,9 +245,7 @@ class PolynomialReader {
     std::vector<Slot> right{{0, index}};
     left.push_back({0, index});
     right.insert(right.end(), split, slots.end());
-    IndexPolynomial result = times(read(child(id), left), read(child(id, 1), right));
-    for (IndexMonomial& term : result.terms) term.indices.insert(term.indices.begin(), index);
-    return result;
+    return summed(times(read(child(id), left), read(child(id, 1), right)), &IndexMonomial::indices, index);
   }
 
   IndexPolynomial cross(ExprId id, const Slot& slot) {
@@ -286,8 +291,7 @@ class PolynomialReader {
     indices_[written] = {0, fresh};
     IndexPolynomial body = read(child(id), slots);
     indices_ = outer;
-    for (IndexMonomial& term : body.terms) term.indices.insert(term.indices.begin(), fresh);
-    return body;
+    return summed(std::move(body), &IndexMonomial::indices, fresh);
   }
 
   IndexPolynomial particle_sum(ExprId id, const std::vector<Slot>& slots) {
@@ -297,8 +301,7 @@ class PolynomialReader {
     particles_[written] = fresh;
     IndexPolynomial body = read(child(id), slots);
     particles_ = outer;
-    for (IndexMonomial& term : body.terms) term.particles.insert(term.particles.begin(), fresh);
-    return body;
+    return summed(std::move(body), &IndexMonomial::particles, fresh);
   }
 
   ExprTree& tree_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a sum of monomials to an expression in index notation.
 #include <algorithm>
-#include <map>
 
 #include "derive/polynomial/canonical.h"
 #include "derive/polynomial/factor_node.h"
@@ -49,8 +48,8 @@ class PolynomialWriter {
   /// The factors, with those that speak of a particle under its sum.
   ExprId product(SmallRational coefficient, std::vector<IndexFactor> factors,
                  std::vector<ParticleId> particles) {
-    std::stable_sort(factors.begin(), factors.end(),
-                     [](const IndexFactor& a, const IndexFactor& b) { return place_of(a) < place_of(b); });
+    std::ranges::stable_sort(
+        factors, [](const IndexFactor& a, const IndexFactor& b) { return place_of(a) < place_of(b); });
     if (particles.empty()) return quotient(coefficient, factors, {});
     const ParticleId particle = particles.front();
     particles.erase(particles.begin());
@@ -61,8 +60,8 @@ class PolynomialWriter {
     std::vector<ParticleId> inner;  // sums over particles that stand beside this one in a factor
     std::vector<ParticleId> beside;
     for (const ParticleId other : particles) {
-      const bool joined = std::any_of(inside.begin(), inside.end(),
-                                      [&](const IndexFactor& each) { return speaks_of(each, other); });
+      const bool joined =
+          std::ranges::any_of(inside, [&](const IndexFactor& each) { return speaks_of(each, other); });
       (joined ? inner : beside).push_back(other);
     }
     if (!inner.empty()) {
@@ -138,8 +137,7 @@ class PolynomialWriter {
   }
 
   static bool is_open(const IndexMonomial& term, const IndexFactor& factor) {
-    return std::none_of(term.indices.begin(), term.indices.end(),
-                        [&](IndexId index) { return speaks_of(factor, index); });
+    return std::ranges::none_of(term.indices, [&](IndexId index) { return speaks_of(factor, index); });
   }
 
   std::optional<std::size_t> place_of_equal(const IndexMonomial& term, const IndexFactor& candidate) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
+
 namespace rigor {
 namespace {
 
@@ -77,7 +79,7 @@ void see_product(const SyntaxTree& syntax, SyntaxId term, Evidence& evidence) {
 }  // namespace
 
 bool Evidence::is_ordered(const std::string& letter) const {
-  const bool capital = letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
+  const bool capital = is_capital_letter(letter);
   return ordered.contains(letter) || (capital && speaks_of_order && !vectors.contains(letter));
 }
 

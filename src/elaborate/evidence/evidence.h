@@ -34,6 +34,7 @@ struct Evidence {
   bool speaks_of_complex = false;  // the words do
   bool complex_vectors = false;    // and so that fields and amplitudes may be complex as well
   std::string other_space;         // words of another number of dimensions, or another metric
+  std::string other_metric;        // of another metric
   std::string other_axes;          // words of components that are not Cartesian
   std::string other_arithmetic;    // words of sums and products that are not those of real numbers
   std::set<std::string> raised;    // x of `x^\mu`, `x^1 = x`: its upper indices are no powers

@@ -160,10 +160,6 @@ void see_ket(TokenView tokens, std::size_t bar, Evidence& evidence) {
   if (begin > 0) add_letters(tokens.subspan(begin - 1, 1), evidence);
 }
 
-bool is_capital(const std::string& letter) {
-  return letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
-}
-
 bool is_inverse_at(TokenView tokens, std::size_t at) {
   return at < tokens.size() && tokens[at].kind == TokenKind::superscript &&
          text_of(script_argument_at(tokens, at + 1).content) == "-1";
@@ -181,7 +177,7 @@ void see_inverses(TokenView tokens, const std::vector<std::size_t>& closing, Evi
       if (inverted) at = script_argument_at(tokens, script + 1).next - 1;
       const std::size_t last = row.size() - 1;
       const bool sandwich = last >= 2 && row[last - 2].first == row[last].first &&
-                            is_capital(row[last].first) && is_capital(row[last - 1].first) &&
+                            is_capital_letter(row[last].first) && is_capital_letter(row[last - 1].first) &&
                             (row[last].second != row[last - 2].second);
       if (sandwich) evidence.ordered.insert({row[last].first, row[last - 1].first});
     }
@@ -191,8 +187,9 @@ void see_inverses(TokenView tokens, const std::vector<std::size_t>& closing, Evi
     if (end >= tokens.size() || !is_inverse_at(tokens, skip_blank(tokens, end + 1))) continue;
     const TokenView inside = tokens.subspan(at + 1, end - at - 1);
     const std::vector<FoundLetter> letters = letters_in(inside);
-    if (letters.size() > 1 && std::all_of(letters.begin(), letters.end(),
-                                          [](const FoundLetter& each) { return is_capital(each.name); }))
+    if (letters.size() > 1 && std::all_of(letters.begin(), letters.end(), [](const FoundLetter& each) {
+          return is_capital_letter(each.name);
+        }))
       add_letters(inside, evidence);
   }
 }
@@ -298,7 +295,7 @@ void see_inline(std::string_view formula, bool follows, Evidence& evidence) {
       if (bold) at = std::min(formula.find_first_of("} ", end + 1), formula.size());
       continue;
     }
-    const bool capital = c >= 'A' && c <= 'Z';
+    const bool capital = is_capital_letter(c);
     const bool small = c >= 'a' && c <= 'z';
     if (c == '_' || c == '^') return;  // a script says nothing of its own
     const bool labelled = at + 1 < formula.size() && formula[at + 1] == '_';

@@ -40,8 +40,8 @@ void see_functional(TokenView tokens, std::size_t at, Evidence& evidence) {
     if (style->upright) letter = fmt::format("\\mathrm{{{}}}", letter);
     next = argument.next;
   }
-  const bool capital = letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
-  const bool greek_capital = is_greek(letter) && letter.size() > 1 && letter[1] >= 'A' && letter[1] <= 'Z';
+  const bool capital = is_capital_letter(letter);
+  const bool greek_capital = is_greek(letter) && letter.size() > 1 && is_capital_letter(letter[1]);
   const bool function = letter == "f" || letter == "g" || letter == "h";
   const bool styled = letter.starts_with("\\math");
   if (!function && !styled && !greek_capital && (!capital || is_usual_coefficient(letter))) return;
@@ -165,10 +165,9 @@ ListedLetters listed_letters(std::string_view formula) {
 
 /// `$AB$`, "the triangle ABC": capitals in a row.
 void see_points(std::string_view text, Evidence& evidence) {
-  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
-    while (end < text.size() && is_capital(text[end])) ++end;
+    while (end < text.size() && is_capital_letter(text[end])) ++end;
     const bool apart = (at == 0 || !is_letter(text[at - 1])) && (end == text.size() || !is_letter(text[end]));
     const bool name = apart && end - at >= 2 && end - at <= 4;
     for (std::size_t k = at; name && k < end; ++k) evidence.points.insert(std::string(1, text[k]));

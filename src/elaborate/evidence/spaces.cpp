@@ -10,14 +10,16 @@
 namespace rigor {
 namespace {
 
-/// Of another number of dimensions, or another metric.
-constexpr std::array<std::string_view, 22> other_spaces{
+/// Of another number of dimensions.
+constexpr std::array<std::string_view, 16> other_dimensions{
     "two dimension",    "two-dimension",  "2-dimension",         "2 dimension",
     "four dimension",   "four-dimension", "4-dimension",         "4 dimension",
     "n dimension",      "n-dimension",    "d dimension",         "d-dimension",
-    "higher dimension", "any dimension",  "arbitrary dimension", "any number of dimension",
-    "spacetime",        "space-time",     "minkowski",           "four-vector",
-    "4-vector",         "four-moment"};
+    "higher dimension", "any dimension",  "arbitrary dimension", "any number of dimension"};
+
+/// Of a space whose metric is not δ.
+constexpr std::array<std::string_view, 6> other_metrics{"spacetime",   "space-time", "minkowski",
+                                                        "four-vector", "4-vector",   "four-moment"};
 
 /// Of three dimensions, but its components do not belong to right-handed Cartesian axes.
 constexpr std::array<std::string_view, 12> other_axes{"curvilinear",
@@ -85,7 +87,9 @@ std::string_view counted_indices(std::string_view text) {
 
 void see_spaces(std::string_view text, Evidence& evidence) {
   const std::string lower = lowered_line(text);
-  if (evidence.other_space.empty()) evidence.other_space = first_in(lower, other_spaces);
+  if (evidence.other_metric.empty()) evidence.other_metric = first_in(lower, other_metrics);
+  if (evidence.other_space.empty()) evidence.other_space = first_in(lower, other_dimensions);
+  if (evidence.other_space.empty()) evidence.other_space = first_in(lower, other_metrics);
   if (evidence.other_space.empty()) evidence.other_space = first_in(text, other_formulas);
   if (evidence.other_space.empty()) evidence.other_space = counted_dimensions(lower);
   if (evidence.other_space.empty()) evidence.other_space = counted_indices(lower);

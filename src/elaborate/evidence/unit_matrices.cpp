@@ -51,9 +51,7 @@ constexpr std::array<std::string_view, 4> naming{"is", "denotes", "be", "for"};
 constexpr std::array<std::string_view, 3> articles{"the", "a", "an"};
 
 /// A capital alone.
-bool holds_letter(const WordOrFormula& piece) {
-  return piece.formula && piece.text.size() == 1 && piece.text[0] >= 'A' && piece.text[0] <= 'Z';
-}
+bool holds_letter(const WordOrFormula& piece) { return piece.formula && is_capital_letter(piece.text); }
 
 }  // namespace
 

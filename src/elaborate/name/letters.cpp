@@ -70,14 +70,14 @@ void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, 
       own.begin(), own.end(), [&](const std::string& letter) { return letters.labels.contains(letter); });
   if (own.empty() || labelled || (symbol.face == Face::vector && !is_basis_family(symbol))) return;
   const std::string base = letter_with_marks(symbol);
-  const bool known_vector =
-      own.size() == 1 &&
-      (names.sightings.bold.contains({base, false}) || names.sightings.bold.contains({base, true}) ||
-       names.is_declared({base, 1, false}) || names.is_declared({base, 1, true}));
+  const bool known_vector = own.size() == 1 && (names.symbols.sightings->bold.contains({base, false}) ||
+                                                names.symbols.sightings->bold.contains({base, true}) ||
+                                                is_declared(names.symbols, {base, 1, false}) ||
+                                                is_declared(names.symbols, {base, 1, true}));
   const bool company = own.size() > 1 && std::any_of(own.begin(), own.end(), [&](const std::string& letter) {
                          return letters.is_index(letter);
                        });
-  const bool tensor = names.is_declared({base, static_cast<int>(own.size()), false});
+  const bool tensor = is_declared(names.symbols, {base, static_cast<int>(own.size()), false});
   if (!known_vector && !company && !tensor) return;
   letters.evidence = true;
   letters.indices.insert(own.begin(), own.end());
@@ -131,7 +131,7 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
 /// Is it declared with its subscripts as one letter: `scalar \omega_n`?
 bool is_declared_with_labels(const WrittenSymbol& symbol, const Names& names) {
   return !symbol.lower.empty() &&
-         names.is_declared({with_labels(letter_with_marks(symbol), symbol.lower), 0, false});
+         is_declared(names.symbols, {with_labels(letter_with_marks(symbol), symbol.lower), 0, false});
 }
 
 /// `A_iA_i`: who counts with labels writes a square.
@@ -183,9 +183,10 @@ void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, const 
     const std::vector<std::string> own = latin_letters(symbol.lower);
     const std::string base = letter_with_marks(symbol);
     const int rank = static_cast<int>(own.size());
-    const bool declared = names.is_declared({base, rank, false}) || names.is_declared({base, rank, true});
+    const bool declared =
+        is_declared(names.symbols, {base, rank, false}) || is_declared(names.symbols, {base, rank, true});
     const bool component = symbol.face == Face::plain && own.size() == 1 &&
-                           names.evidence.vectors.contains(base) && !may_label(own[0], counts);
+                           names.symbols.evidence->vectors.contains(base) && !may_label(own[0], counts);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol) || declared || component)
       found = own;
   }
@@ -259,7 +260,7 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
       letters.bold_vectors.insert(letter_with_marks(syntax.symbol(id)));
       letters.bold_vectors.insert(with_labels(letter_with_marks(syntax.symbol(id)), syntax.symbol(id).lower));
     }
-    if (own.size() == 1 && letters.is_index(own[0]) && !names.labels_particles(own[0]))
+    if (own.size() == 1 && letters.is_index(own[0]) && !labels_particles(names.symbols, own[0]))
       letters.indexed_vectors.insert(letter_with_marks(syntax.symbol(id)));
   });
   read_sure(syntax, sides, names, letters);
@@ -277,23 +278,23 @@ void sight_sums(const SyntaxTree& syntax, SyntaxId root, Sightings& sightings) {
 
 void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names) {
   for_each_node(syntax, {root}, [&](SyntaxId id) {
-    if (syntax[id].kind == SyntaxKind::term) sight_crossed(syntax, id, names.sightings);
+    if (syntax[id].kind == SyntaxKind::term) sight_crossed(syntax, id, names.symbols.sightings.write());
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const WrittenSymbol& symbol = syntax.symbol(id);
     const bool hat = symbol.accent == Accent::hat;
     if (hat && (symbol.letter == "i" || symbol.letter == "j" || symbol.letter == "\\imath" ||
                 symbol.letter == "\\jmath")) {
-      names.sightings.hatted_ij = true;
+      names.symbols.sightings.write().hatted_ij = true;
     }
     if (symbol.face != Face::vector && !hat) return;
     const WrittenName name = take_apart(symbol, Letters{}, names);
     if (name.axes.empty()) {
-      names.sightings.bold.insert({name.base, name.per_particle()});
+      names.symbols.sightings.write().bold.insert({name.base, name.per_particle()});
     } else if (std::all_of(name.axes.begin(), name.axes.end(),
                            [](const WrittenIndex& index) { return index.form == IndexForm::digit; })) {
-      names.sightings.bold.insert({with_labels(name.base, name.axes), name.per_particle()});
+      names.symbols.sightings.write().bold.insert({with_labels(name.base, name.axes), name.per_particle()});
     } else {
-      names.sightings.bold_indexed.insert(name.base);
+      names.symbols.sightings.write().bold_indexed.insert(name.base);
     }
   });
 }
@@ -308,11 +309,12 @@ void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
       return index.form == IndexForm::letter && axis_of_letter(index.text) == 0;
     });
     if (any_letter)
-      names.sightings.indexed.insert({name.base, static_cast<int>(name.axes.size()), name.per_particle()});
+      names.symbols.sightings.write().indexed.insert(
+          {name.base, static_cast<int>(name.axes.size()), name.per_particle()});
   });
 }
 
-WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Names& names) {
+WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, const Names& names) {
   WrittenName name;
   if (symbol.face == Face::plain && is_declared_with_labels(symbol, names)) {
     name.base = with_labels(letter_with_marks(symbol), symbol.lower);
@@ -321,9 +323,13 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Name
   std::vector<WrittenIndex> labels;
   std::vector<WrittenIndex> labels_behind;  // behind an axis: `T_{i\text{x}}` is not `T_{\text{x}i}`
   bool bare_label = false;                  // a digit or letter that is no axis
+  // In the plane `a_3` is no label, either: it is an axis that is not there.
+  const char last_axis = static_cast<char>('0' + std::max<int>(3, space_of(names.symbols).dimension));
   for (const WrittenIndex& index : symbol.lower) {
-    const bool particle = names.is_particle_letter(index.text) && index.form != IndexForm::word;
-    const bool axis_digit = index.form == IndexForm::digit && index.text >= "1" && index.text <= "3";
+    if (const auto directive = particles_declared_by(names.symbols, index.text)) name.used.insert(*directive);
+    const bool particle = labels_particles(names.symbols, index.text) && index.form != IndexForm::word;
+    const bool axis_digit = index.form == IndexForm::digit && index.text.size() == 1 &&
+                            index.text[0] >= '1' && index.text[0] <= last_axis;
     const bool axis_letter =
         is_small_latin(index) && (letters.is_index(index.text) || axis_of_letter(index.text) != 0);
     if (particle) {
@@ -339,7 +345,7 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Name
     labels.clear();
     std::copy_if(symbol.lower.begin(), symbol.lower.end(), std::back_inserter(labels),
                  [&](const WrittenIndex& index) {
-                   return !names.is_particle_letter(index.text) || index.form == IndexForm::word;
+                   return !labels_particles(names.symbols, index.text) || index.form == IndexForm::word;
                  });
     labels_behind.clear();
     name.axes.clear();

@@ -49,9 +49,10 @@ struct WrittenName {
   std::string base;                     // `r`, `T_{rot}`, `\hat{n}`, `r'`: the same for every face
   std::vector<WrittenIndex> axes;       // digits, index letters and x, y, z, in order
   std::vector<WrittenIndex> particles;  // particle labels
+  Directives used = {};                 // that say which subscripts these are
   [[nodiscard]] bool per_particle() const { return !particles.empty(); }
 };
-[[nodiscard]] WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, Names& names);
+[[nodiscard]] WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, const Names& names);
 /// The base when the axes are labels after all: `m_1`, `v_{x}`.
 [[nodiscard]] std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels);
 

@@ -215,7 +215,7 @@ class RankReader {
     return whole;
   }
 
-  /// ∇ with what it acts on, as `Elaborator::apply_operator` reads it.
+  /// ∇ with what it acts on, as `apply_operator` reads it.
   RankSet operated(std::span<const SyntaxChild> children, std::size_t at, std::size_t& next) {
     const SyntaxId id = children[at].id;
     if (at + 1 >= children.size()) return unread(syntax_[id].span, "an operator stands without an operand");
@@ -296,7 +296,8 @@ class RankReader {
   // -- letters --
 
   bool is_declared(const std::string& base, int rank) const {
-    return names_.is_declared({base, rank, false}) || names_.is_declared({base, rank, true});
+    return rigor::is_declared(names_.symbols, {base, rank, false}) ||
+           rigor::is_declared(names_.symbols, {base, rank, true});
   }
 
   RankSet symbol(const WrittenSymbol& written, Span span) {
@@ -321,7 +322,8 @@ class RankReader {
     for (int rank = 0; rank <= 2; ++rank) {
       if (!is_declared(base, rank) && !is_declared(labelled, rank)) continue;
       const bool whole = written.face != Face::plain || written.accent == Accent::hat || rank == 0 ||
-                         names_.is_plain({base, rank, false}) || names_.is_plain({base, rank, true});
+                         is_plain(names_.symbols, {base, rank, false}) ||
+                         is_plain(names_.symbols, {base, rank, true});
       ranks |= whole ? only(rank) : scalar;
     }
     // `scalar A` leaves `\mathbf A` a vector.
@@ -333,7 +335,8 @@ class RankReader {
     const bool small = first >= 'a' && first <= 'z';
     if (!written.lower.empty() && written.lower[0].form == IndexForm::letter)
       return static_cast<RankSet>(scalar | vector);
-    if (small || written.accent == Accent::hat || names_.evidence.crossed.contains(base)) return vector;
+    if (small || written.accent == Accent::hat || names_.symbols.evidence->crossed.contains(base))
+      return vector;
     open_.push_back({span, fmt::format("`\\mathbf{{{}}}` can be a vector or a matrix", written.letter)});
     return static_cast<RankSet>(vector | tensor);
   }
@@ -344,12 +347,13 @@ class RankReader {
     if (hat) {
       static const std::set<std::string> directions{
           "x", "y", "z", "i", "j", "k", "\\imath", "\\jmath", "n", "r", "\\theta", "\\phi", "\\varphi"};
-      if (!names_.evidence.operators && directions.contains(written.letter)) return vector;
+      if (!names_.symbols.evidence->operators && directions.contains(written.letter)) return vector;
       open_.push_back({span, fmt::format("`{}` can be a vector, an operator or a number", base)});
       return any_rank;
     }
     const bool coordinate = written.lower.empty() && written.accent == Accent::none && numbers.contains(base);
-    if (coordinate || names_.evidence.vectors.contains(base) || names_.evidence.numbers.contains(base))
+    if (coordinate || names_.symbols.evidence->vectors.contains(base) ||
+        names_.symbols.evidence->numbers.contains(base))
       return scalar;
     open_.push_back(
         {span, fmt::format("nothing says that `{}` is a number", with_labels(base, written.lower))});

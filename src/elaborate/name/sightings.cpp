@@ -16,11 +16,12 @@ namespace {
 void sight_rate(const WrittenSymbol& symbol, Names& names) {
   const WrittenName name = take_apart(symbol, Letters{}, names);
   const bool particle = name.per_particle();
-  std::set<NameKey>& rates = names.sightings.rates;
+  std::set<NameKey>& rates = names.symbols.sightings.write().rates;
   const bool plain = symbol.face == Face::plain;
   if (plain) rates.insert({name.base, static_cast<int>(name.axes.size()), particle});
   if (!name.axes.empty()) rates.insert({with_labels(name.base, name.axes), 0, particle});
-  const bool vector = !plain || (name.axes.empty() && names.sightings.bold.contains({name.base, particle}));
+  const bool vector =
+      !plain || (name.axes.empty() && names.symbols.sightings->bold.contains({name.base, particle}));
   if (vector) rates.insert({name.base, 1, particle});
   if (!plain) rates.insert({name.base, 2, particle});
 }
@@ -34,7 +35,7 @@ SyntaxId differentiated(const SyntaxTree& syntax, SyntaxId id) {
 
 /// Its base, and whether it is a vector.
 std::optional<std::pair<std::string, bool>> face_of(const SyntaxTree& syntax, SyntaxId operand,
-                                                    Names& names) {
+                                                    const Names& names) {
   const SyntaxId id = differentiated(syntax, operand);
   if (syntax[id].kind != SyntaxKind::symbol) return std::nullopt;
   const WrittenSymbol& symbol = syntax.symbol(id);
@@ -45,12 +46,14 @@ std::optional<std::pair<std::string, bool>> face_of(const SyntaxTree& syntax, Sy
 
 /// A factor of a product need not be a field.
 void sight_field(const SyntaxTree& syntax, SyntaxId operand, Names& names) {
-  names.sightings.places = true;
-  if (auto face = face_of(syntax, operand, names)) names.sightings.fields.insert(*std::move(face));
+  names.symbols.sightings.write().places = true;
+  if (auto face = face_of(syntax, operand, names))
+    names.symbols.sightings.write().fields.insert(*std::move(face));
 }
 
 void sight_partial_rate(const SyntaxTree& syntax, SyntaxId operand, Names& names) {
-  if (auto face = face_of(syntax, operand, names)) names.sightings.partial_rates.insert(*std::move(face));
+  if (auto face = face_of(syntax, operand, names))
+    names.symbols.sightings.write().partial_rates.insert(*std::move(face));
 }
 
 /// `D(fg)/Dt`: unless it is declared constant, each letter is carried along by the motion.
@@ -124,7 +127,7 @@ void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
         if (symbol.dots > 0) sight_rate(symbol, names);
         const auto primed = [](const WrittenIndex& index) { return index.primes > 0; };
         const bool mixed = symbol.lower.size() == 2 && primed(symbol.lower[0]) != primed(symbol.lower[1]);
-        if (mixed && !is_kronecker(symbol)) names.sightings.mixed_axes.insert(symbol.letter);
+        if (mixed && !is_kronecker(symbol)) names.symbols.sightings.write().mixed_axes.insert(symbol.letter);
         break;
       }
       case SyntaxKind::derivative: {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/among.h"
+#include "base/ascii.h"
 #include "elaborate/name/letters.h"
 
 namespace rigor {
@@ -26,10 +27,6 @@ SyntaxId base_of(const SyntaxTree& syntax, SyntaxId id) {
   return syntax[id].kind == SyntaxKind::power ? syntax.child(id, 0) : id;
 }
 
-bool is_capital(const std::string& letter) {
-  return letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
-}
-
 /// A plain Latin letter; scripts may stand on it.
 const WrittenSymbol* plain_letter(const SyntaxTree& syntax, SyntaxId id) {
   const SyntaxId base = base_of(syntax, id);
@@ -40,8 +37,8 @@ const WrittenSymbol* plain_letter(const SyntaxTree& syntax, SyntaxId id) {
 }
 
 bool is_declared(const Names& names, const std::string& letter) {
-  return names.is_declared({letter, 0, false}) || names.is_declared({letter, 1, false}) ||
-         names.is_declared({letter, 2, false});
+  return is_declared(names.symbols, {letter, 0, false}) || is_declared(names.symbols, {letter, 1, false}) ||
+         is_declared(names.symbols, {letter, 2, false});
 }
 
 /// Letters side by side without a blank.
@@ -122,8 +119,8 @@ bool may_act(const SyntaxTree& syntax, const WrittenSymbol& symbol, SyntaxId bra
   if (symbol.face != Face::plain || is_declared(names, symbol.letter)) return false;
   const bool script = symbol.letter.starts_with("\\mathcal{") || symbol.letter.starts_with("\\mathscr{") ||
                       symbol.letter.starts_with("\\mathbb{");
-  if (script || names.evidence.functionals.contains(symbol.letter)) return true;
-  return is_capital(symbol.letter) && symbol.lower.empty() && holds_functions(syntax, bracket);
+  if (script || names.symbols.evidence->functionals.contains(symbol.letter)) return true;
+  return is_capital_letter(symbol.letter) && symbol.lower.empty() && holds_functions(syntax, bracket);
 }
 
 }  // namespace
@@ -141,7 +138,7 @@ std::optional<SpelledPart> spelled_part(const SyntaxTree& syntax, std::span<cons
                          fmt::format("`{}` can be a word or a product of letters", word),
                          {"`\\operatorname{…}` makes it a word, and `rigor: scalar …` its letters factors"}};
     }
-    const bool segment = several && !run.declared && is_segment(run.word, names.evidence);
+    const bool segment = several && !run.declared && is_segment(run.word, *names.symbols.evidence);
     if (segment) {
       return SpelledPart{span_between(syntax, factors, k, run.end),
                          fmt::format("`{}` can be the name of a segment or a product of letters", run.word),

@@ -25,7 +25,7 @@ std::optional<ExprId> Differentiator::derivative(ExprId id) {
 
 ExprId Differentiator::derivative_or_zero(ExprId id) {
   if (const Maybe result = derivative(id)) return *result;
-  return zero_of_rank(tree_, tree_[id].span, tree_[id].rank);
+  return zero_of_rank(tree_, tree_[id].span, tree_[id].rank, tree_[id].axes);
 }
 
 std::optional<ExprId> Differentiator::compute(ExprId id) {
@@ -105,13 +105,19 @@ ExprId Differentiator::of_symbol_at(const ExprNode& node, SymbolId derivative, s
     slots.push_back(axis_);
     return tree_.add(made, {}, slots);
   }
+  const Space space = tree_.symbols[node.symbol].axes[static_cast<int>(slots.size())];
   std::vector<ExprId> entries;
-  for (std::uint8_t axis = 1; axis <= 3; ++axis) {
+  for (std::uint8_t axis = 1; axis <= space.dimension; ++axis) {
     slots.push_back({axis, {}});
     entries.push_back(of_symbol_at(node, derivative, slots));
     slots.pop_back();
   }
-  return make(Op::tuple, static_cast<std::uint8_t>(rank - slots.size()), entries);
+  spend(entries.size());
+  return tree_.add({.op = Op::tuple,
+                    .rank = static_cast<std::uint8_t>(rank - slots.size()),
+                    .span = span_,
+                    .axes = AxisSpaces::of(space, 1)},
+                   entries);
 }
 
 std::optional<ExprId> Differentiator::of_sum(ExprId id) {
@@ -216,7 +222,7 @@ std::optional<ExprId> Differentiator::of_entries(ExprId id) {
   if (!any) return std::nullopt;
   std::vector<ExprId> changed;
   for (const ExprId each : entries) changed.push_back(derivative_or_zero(each));
-  if (tree_[id].op == Op::tuple) return make(Op::tuple, tree_[id].rank, changed);
+  if (tree_[id].op == Op::tuple) return copy(id, std::move(changed));
   const std::vector<Slot> slots(tree_.slots(id).begin(), tree_.slots(id).end());
   return tree_.add_table(span_, changed, slots, Table(tree_.table(id)));
 }
@@ -290,13 +296,21 @@ ExprId component_of(ExprTree& tree, ExprId id, std::span<const Slot> slots) {
   return tree.add({.op = Op::component, .span = span}, std::span(&id, 1), slots);
 }
 
-ExprId zero_of_rank(ExprTree& tree, Span span, int rank) {
-  ExprId zero = tree.add_number(span, "0");
-  for (int axes = 1; axes <= rank; ++axes) {
-    const std::array entries{zero, zero, zero};
-    zero = tree.add({.op = Op::tuple, .rank = static_cast<std::uint8_t>(axes), .span = span}, entries);
+ExprId filled(ExprTree& tree, ExprId number, int rank, AxisSpaces axes) {
+  const Span span = tree[number].span;
+  for (int axis = rank - 1; axis >= 0; --axis) {
+    const std::vector<ExprId> entries(axes[axis].dimension, number);
+    number = tree.add({.op = Op::tuple,
+                       .rank = static_cast<std::uint8_t>(rank - axis),
+                       .span = span,
+                       .axes = AxisSpaces::of(axes[axis], 1)},
+                      entries);
   }
-  return zero;
+  return number;
+}
+
+ExprId zero_of_rank(ExprTree& tree, Span span, int rank, AxisSpaces axes) {
+  return filled(tree, tree.add_number(span, "0"), rank, axes);
 }
 
 }  // namespace rigor

@@ -97,6 +97,8 @@ class Differentiator {
 [[nodiscard]] ExprId component_of(ExprTree& tree, ExprId id, std::span<const Slot> slots);
 
 /// The written 0 of a rank.
-[[nodiscard]] ExprId zero_of_rank(ExprTree& tree, Span span, int rank);
+[[nodiscard]] ExprId zero_of_rank(ExprTree& tree, Span span, int rank, AxisSpaces axes = {});
+/// A number at every place of a value.
+[[nodiscard]] ExprId filled(ExprTree& tree, ExprId number, int rank, AxisSpaces axes);
 
 }  // namespace rigor

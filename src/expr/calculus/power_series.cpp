@@ -172,7 +172,8 @@ std::optional<PowerSeries> PowerSeriesExpansion::entries(ExprId id) {
     std::vector<ExprId> terms;
     for (const PowerSeries& each : all)
       terms.push_back(each.terms[static_cast<std::size_t>(order)].value_or(number(0)));
-    result.terms.emplace_back(make({.op = Op::tuple, .rank = tree_[id].rank}, std::move(terms)));
+    result.terms.emplace_back(
+        make({.op = Op::tuple, .rank = tree_[id].rank, .axes = tree_[id].axes}, std::move(terms)));
   }
   return result;
 }

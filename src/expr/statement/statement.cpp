@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expr/statement/statement.h"
 
+#include <utility>
+
 namespace rigor {
 
 Equation as_equation(ExprTree& tree, const Definition& definition) {
@@ -13,6 +15,17 @@ Equation as_equation(ExprTree& tree, const Definition& definition) {
   equation.indices = definition.indices;
   if (definition.particle != no_particle) equation.particles.push_back(definition.particle);
   return equation;
+}
+
+Decision proved_by(Proof proof) {
+  Decision decision;
+  decision.outcome = Outcome::proved;
+  decision.vanishes = proof.vanishes;
+  decision.route = route_of(proof);
+  decision.unfolded = proof.unfolded;
+  decision.assumptions = assumptions_of(proof);
+  decision.proof = std::move(proof);
+  return decision;
 }
 
 }  // namespace rigor

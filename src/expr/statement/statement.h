@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "expr/statement/proof.h"
 #include "expr/tree/tree.h"
 
 namespace rigor {
@@ -67,6 +68,7 @@ struct Sample {
   std::string right;
 };
 
+/// `vanishes`, `route`, `unfolded` and `assumptions` of what is proved are those of the proof (`proved_by`).
 struct Decision {
   Outcome outcome = Outcome::undecided;
   bool vanishes = false;                      // proved, and each side is zero by itself
@@ -75,7 +77,11 @@ struct Decision {
   bool no_real_value = false;                 // undecided: a side has no real value under the assumptions
   std::vector<SymbolId> unfolded = {};        // definitions that were used
   std::vector<std::size_t> assumptions = {};  // positions in Question::assumptions that were used
-  std::optional<Sample> sample = {};
+  std::optional<Sample> sample = {};          // refuted
+  std::optional<Proof> proof = {};            // proved here, not read from a record
 };
+
+/// The only place where what a proof used is put down for others.
+[[nodiscard]] Decision proved_by(Proof proof);
 
 }  // namespace rigor

@@ -115,6 +115,25 @@ bool names_an_axis(const ExprTree& tree, ExprId root) {
   return false;
 }
 
+bool is_of_common_space(const ExprTree& tree, ExprId root) {
+  std::vector<ExprId> open{root};
+  while (!open.empty()) {
+    const ExprId id = open.back();
+    open.pop_back();
+    const ExprNode& node = tree[id];
+    const auto slots = tree.slots(id);
+    const auto leaves = [&](const Slot& slot) {
+      return slot.axis == 0 && tree.space(slot.variable) != common_space;
+    };
+    if (!node.axes.are_common() || std::any_of(slots.begin(), slots.end(), leaves)) return false;
+    if (node.op == Op::symbol && !tree.symbols[node.symbol].axes.are_common()) return false;
+    if (node.op == Op::index_sum && tree.space(node.index) != common_space) return false;
+    const auto children = tree.children(id);
+    open.insert(open.end(), children.begin(), children.end());
+  }
+  return true;
+}
+
 std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root) {
   std::vector<SymbolId> found;
   std::vector<bool> seen(tree.symbols.size(), false);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "base/check.h"
 
@@ -33,6 +34,8 @@ SymbolId SymbolTable::add(Symbol symbol) {
   RIGOR_CHECK(!symbol.symmetric || symbol.rank == 2 || symbol.derivation, symbol.name, symbol.rank);
   RIGOR_CHECK(!symbol.unit || symbol.rank == 1, symbol.name, symbol.rank);
   RIGOR_CHECK(!symbol.rotation || symbol.rank == 2, symbol.name, symbol.rank);
+  // Their generic points are written in three dimensions.
+  RIGOR_CHECK(!(symbol.unit || symbol.rotation) || symbol.axes.are_common(), symbol.name);
   symbols_.push_back(std::move(symbol));
   return static_cast<SymbolId>(symbols_.size() - 1);
 }
@@ -57,6 +60,7 @@ SymbolId SymbolTable::derivative(SymbolId of, By by) {
   Symbol symbol;
   symbol.name = name_of_derivative(base.name, derivation);
   symbol.rank = base.rank + derivation.space;
+  symbol.axes = base.axes;
   symbol.per_particle = base.per_particle;
   symbol.symmetric = base.symmetric;
   symbol.declared = base.declared;
@@ -77,12 +81,14 @@ std::size_t canonical_component(const Symbol& symbol, std::size_t component) {
   if (exchangeable < 2 && !symbol.symmetric) return component;
   std::vector<std::size_t> axes(static_cast<std::size_t>(symbol.rank));
   for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
-    *axis = component % 3;
-    component /= 3;
+    const std::size_t dimension = symbol.axes[static_cast<int>(axes.rend() - axis) - 1].dimension;
+    *axis = component % dimension;
+    component /= dimension;
   }
   if (symbol.symmetric) std::sort(axes.begin(), axes.begin() + 2);
   std::sort(axes.end() - static_cast<std::ptrdiff_t>(exchangeable), axes.end());
-  for (const std::size_t axis : axes) component = 3 * component + axis;
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    component = symbol.axes[static_cast<int>(k)].dimension * component + axes[k];
   return component;
 }
 

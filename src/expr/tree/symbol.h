@@ -7,13 +7,14 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/span.h"
 #include "expr/tree/dimension.h"
+#include "expr/tree/space.h"
 
 namespace rigor {
 
@@ -35,23 +36,28 @@ struct Derivation {
 inline constexpr int largest_derivation = 1000;
 
 struct Symbol {
-  std::string name;  // LaTeX without indices and particle label: `\mathbf{r}`, `T_{\text{rot}}`
-  int rank = 0;      // 0 scalar, 1 vector, 2 and more tensor; axes run over 1..3, right-handed orthonormal
+  std::string name;           // LaTeX without indices and particle label: `\mathbf{r}`, `T_{\text{rot}}`
+  int rank = 0;               // 0 scalar, 1 vector, 2 and more tensor
   bool per_particle = false;  // has a value for each particle
   bool symmetric = false;     // rank 2: equal to its transpose
   bool unit = false;          // rank 1: length 1
   bool rotation = false;      // rank 2: orthogonal with determinant 1; the first axis is the rotated one
   bool declared = false;      // a directive says what it is
-  bool for_all = false;       // a directive says that statements are meant for all its values
   std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes
   Span first_seen = {};
   std::optional<Derivation> derivation = {};  // of a derivative; its last `space` axes can be exchanged
+  AxisSpaces axes = {};                       // orthonormal
 };
+
+[[nodiscard]] inline std::size_t component_count(const Symbol& symbol) {
+  return component_count(symbol.rank, symbol.axes);
+}
 
 /// Symmetric tensors and repeated derivatives have equal components: the first of those that equal this one,
 /// row by row.
 [[nodiscard]] std::size_t canonical_component(const Symbol& symbol, std::size_t component);
 
+/// A reference to a symbol stays valid while others are added: preparing a question adds derivatives.
 class SymbolTable {
  public:
   SymbolId add(Symbol symbol);
@@ -66,7 +72,7 @@ class SymbolTable {
   [[nodiscard]] std::optional<SymbolId> find(const Derivation& derivation) const;
 
  private:
-  std::vector<Symbol> symbols_;
+  std::deque<Symbol> symbols_;
   std::map<std::array<std::uint32_t, 4>, SymbolId> derivatives_;  // by base and orders
 };
 

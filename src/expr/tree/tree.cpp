@@ -53,7 +53,7 @@ struct Shape {
     case Op::component:
       return {1, any_count};
     case Op::tuple:
-      return {3, 0};
+      return {any_count, 0};  // as many as its first axis has dimensions, see check_axes
     case Op::determinant:
       return {9, 0};
     case Op::index_sum:
@@ -122,7 +122,7 @@ constexpr int no_rank = -1;
     case Op::component:
       return slots > 0 && ranks[0] == static_cast<int>(slots) ? 0 : no_rank;
     case Op::tuple:
-      return all_of_rank(ranks, ranks[0]) ? ranks[0] + 1 : no_rank;
+      return !ranks.empty() && all_of_rank(ranks, ranks[0]) ? ranks[0] + 1 : no_rank;
     case Op::determinant:
       return rank_of_determinant(ranks);
     case Op::symbol:
@@ -150,8 +150,10 @@ void check_symbol(const SymbolTable& symbols, const ExprNode& node) {
 
 }  // namespace
 
-IndexId ExprTree::add_index(std::string name) {
+IndexId ExprTree::add_index(std::string name, Space space) {
+  RIGOR_CHECK(space.dimension >= 1 && space.dimension <= most_dimensions, name, space.dimension);
   index_names_.push_back(std::move(name));
+  index_spaces_.push_back(space);
   return static_cast<IndexId>(index_names_.size() - 1);
 }
 
@@ -163,6 +165,72 @@ ParticleId ExprTree::add_particle(std::string name) {
 ExprId ExprTree::add(ExprNode node, std::span<const ExprId> children, std::span<const Slot> slots) {
   RIGOR_CHECK(node.op != Op::number && node.op != Op::table, static_cast<int>(node.op));
   return append(node, children, slots);
+}
+
+/// The spaces of the value's axes, as its children and slots make them. What is joined must be of one space.
+AxisSpaces ExprTree::axes_of(const ExprNode& node, std::span<const ExprId> children,
+                             std::span<const Slot> slots) const {
+  const auto at = [&](std::size_t k) -> const ExprNode& { return (*this)[children[k]]; };
+  const int op = static_cast<int>(node.op);
+  switch (node.op) {
+    case Op::symbol: {
+      const AxisSpaces axes = symbols[node.symbol].axes;
+      for (std::size_t k = 0; k < slots.size(); ++k) check_slot(slots[k], axes[static_cast<int>(k)]);
+      return slots.empty() ? axes : AxisSpaces();
+    }
+    case Op::basis:
+      check_slot(slots[0], node.axes[0]);
+      return node.axes.first(1);
+    case Op::component:
+      for (std::size_t k = 0; k < slots.size(); ++k) check_slot(slots[k], at(0).axes[static_cast<int>(k)]);
+      return {};
+    case Op::epsilon:
+      for (const Slot& slot : slots) check_slot(slot, common_space);
+      return {};
+    case Op::add:
+    case Op::table:
+    case Op::divide:
+    case Op::negate:
+    case Op::index_sum:
+    case Op::particle_sum:
+      if (node.op == Op::add || node.op == Op::table) {
+        for (std::size_t k = 1; k < children.size(); ++k) RIGOR_CHECK(at(k).axes == at(0).axes, op, k);
+      }
+      return at(0).axes;
+    case Op::multiply: {
+      AxisSpaces axes;
+      int rank = 0;
+      for (std::size_t k = 0; k < children.size(); ++k) {
+        axes = axes.then(rank, at(k).axes);
+        rank += at(k).rank;
+      }
+      return axes;
+    }
+    case Op::dot: {
+      const int last = at(0).rank - 1;
+      RIGOR_CHECK(at(0).axes[last] == at(1).axes[0], op);
+      return at(0).axes.first(last).then(last, at(1).axes.without_first(1));
+    }
+    case Op::cross:
+    case Op::determinant:
+      for (std::size_t k = 0; k < children.size(); ++k) RIGOR_CHECK(at(k).axes.are_common(), op, k);
+      return {};
+    case Op::tuple:
+      RIGOR_CHECK(children.size() == node.axes[0].dimension, op, children.size());
+      for (std::size_t k = 1; k < children.size(); ++k) RIGOR_CHECK(at(k).axes == at(0).axes, op, k);
+      return node.axes.first(1).then(1, at(0).axes);
+    default:
+      return {};
+  }
+}
+
+/// A literal axis is one of the space, and a variable runs over it.
+void ExprTree::check_slot(const Slot& slot, Space of) const {
+  if (slot.axis != 0) {
+    RIGOR_CHECK(slot.axis <= of.dimension, slot.axis, of.dimension);
+  } else {
+    RIGOR_CHECK(space(slot.variable) == of, name(slot.variable), of.dimension);
+  }
 }
 
 ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::span<const Slot> slots) {
@@ -178,7 +246,7 @@ ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::sp
     ranks.push_back(nodes_[static_cast<std::size_t>(child)].rank);
   }
   for (const Slot& slot : slots) {
-    RIGOR_CHECK(slot.axis <= 3, op, slot.axis);
+    RIGOR_CHECK(slot.axis <= most_dimensions, op, slot.axis);
     RIGOR_CHECK(slot.axis != 0 || static_cast<std::size_t>(slot.variable) < index_names_.size(), op);
   }
   node.weight = static_cast<std::uint32_t>(std::min<std::uint64_t>(weight, 0xffffffffu));
@@ -191,6 +259,7 @@ ExprId ExprTree::append(ExprNode node, std::span<const ExprId> children, std::sp
   } else {
     RIGOR_CHECK(static_cast<int>(node.rank) == rank_of(node.op, ranks, node.slot_count), op, node.rank);
   }
+  node.axes = axes_of(node, children, slots);
   if (node.op == Op::index_sum) RIGOR_CHECK(static_cast<std::size_t>(node.index) < index_names_.size(), op);
   if (node.particle != no_particle)
     RIGOR_CHECK(static_cast<std::size_t>(node.particle) < particle_names_.size(), op);
@@ -212,7 +281,7 @@ ExprId ExprTree::add_number(Span span, std::string digits) {
 ExprId ExprTree::add_table(Span span, std::span<const ExprId> values, std::span<const Slot> slots,
                            Table table) {
   std::size_t tuples = 1;
-  for (std::size_t i = 0; i < slots.size(); ++i) tuples *= 3;
+  for (const Slot& slot : slots) tuples *= slot.axis == 0 ? space(slot.variable).dimension : 3u;
   RIGOR_CHECK(table.entry.size() == tuples, table.entry.size(), slots.size());
   for (const std::uint8_t entry : table.entry) RIGOR_CHECK(entry < values.size(), entry, values.size());
   ExprNode node{.op = Op::table, .span = span};
@@ -243,8 +312,8 @@ const Table& ExprTree::table(ExprId id) const {
 bool ExprTree::is_zero_literal(ExprId id) const {
   while ((*this)[id].op == Op::tuple) {
     const std::span<const ExprId> entries = children(id);
-    if (entries[1] != entries[0] || entries[2] != entries[0])
-      return false;  // a written 0 given a rank has one entry thrice
+    if (std::any_of(entries.begin(), entries.end(), [&](ExprId each) { return each != entries[0]; }))
+      return false;  // a written 0 given a rank has one entry, as often as there are axes
     id = entries[0];
   }
   if ((*this)[id].op != Op::number) return false;

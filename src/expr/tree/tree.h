@@ -3,7 +3,7 @@
 // notation and direct notation live side by side, so that a program can evaluate the form that was written:
 // `\epsilon_{ijk}A_jB_k` is sums over components, `\mathbf A\times\mathbf B` is a cross product. Implicit
 // sums have become explicit; definitions are still names. Nodes lie in one vector, children before parents.
-// Axes are 1, 2, 3, right-handed and orthonormal.
+// AxisSpaces are orthonormal; in the common space they are 1, 2, 3, right-handed.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,20 @@
 #include <vector>
 
 #include "base/span.h"
+#include "expr/tree/space.h"
 #include "expr/tree/symbol.h"
 
 namespace rigor {
 
 enum class ExprId : std::uint32_t {};
-enum class IndexId : std::uint32_t {};     // an index variable, over 1..3
+enum class IndexId : std::uint32_t {};     // an index variable, over the axes of its space
 enum class ParticleId : std::uint32_t {};  // a particle variable
 
 enum class Op : std::uint8_t {
   number,     // text: decimal digits with at most one point, e.g. `2`, `0.25`
   symbol,     // all slots given: rank 0; no slots: the symbol's rank. `particle` where the symbol is per
               // particle
-  basis,      // e_s, a unit vector along the axis of its one slot; rank 1
+  basis,      // e_s, a unit vector along the axis of its one slot; rank 1; `axes` says in which space
   delta,      // two slots
   epsilon,    // three slots; ε_123 = 1
   add,        // any number of children, all of one rank
@@ -38,9 +39,10 @@ enum class Op : std::uint8_t {
   dot,        // contraction of the last axis of the first with the first axis of the second; rank a + b − 2
   cross,      // ranks 1, 1 -> 1: (a×b)_i = ε_ijk a_j b_k
   component,  // one child of rank = number of slots -> rank 0
-  tuple,      // three children of equal rank r -> rank r + 1: the components
+  tuple,      // children of equal rank r -> rank r + 1: the components; `axes` says of which space the
+              // first axis is, and its dimension how many children there are
   determinant,   // nine children row by row; all of rank 0, or one row of rank 1: ε_ijk a_1i a_2j a_3k
-  index_sum,     // Σ over `index` = 1..3
+  index_sum,     // Σ over `index`, along the axes of its space
   particle_sum,  // Σ over all particles
   function,      // `function` of one child of rank 0; rank 0
   table,  // values by index tuple: children are the values; `entry` says for each tuple which child (see
@@ -49,14 +51,7 @@ enum class Op : std::uint8_t {
 
 enum class Function : std::uint8_t { sin, cos, exp };
 
-/// Of a value of that rank: 1, 3, 9, …
-[[nodiscard]] constexpr std::size_t component_count(int rank) {
-  std::size_t count = 1;
-  for (int axis = 0; axis < rank; ++axis) count *= 3;
-  return count;
-}
-
-/// A place for an index: a literal axis 1..3, or a variable.
+/// A place for an index: a literal axis, from 1, or a variable.
 struct Slot {
   std::uint8_t axis = 0;  // 0: the variable is meant
   IndexId variable{};
@@ -82,10 +77,12 @@ struct ExprNode {
   std::int32_t exponent = 0;          // power
   std::uint32_t payload = 0;          // number: text; table: table
   Function function = Function::sin;  // function
+  AxisSpaces axes =
+      {};  // of the value; `ExprTree::add` finds them, but for a basis vector and a tuple's first one
 };
 
-/// A function of index values: `entry[9(i-1)+3(j-1)+(k-1)]` (one base-3 digit a slot, first slot most
-/// significant) names a child.
+/// A function of index values: `entry[9(i-1)+3(j-1)+(k-1)]` in three dimensions (the last slot runs fastest)
+/// names a child.
 struct Table {
   std::vector<std::uint8_t> entry;
 };
@@ -94,11 +91,12 @@ class ExprTree {
  public:
   SymbolTable symbols;
 
-  IndexId add_index(std::string name);
+  IndexId add_index(std::string name, Space space = common_space);
   ParticleId add_particle(std::string name);
   [[nodiscard]] const std::string& name(IndexId id) const {
     return index_names_[static_cast<std::size_t>(id)];
   }
+  [[nodiscard]] Space space(IndexId id) const { return index_spaces_[static_cast<std::size_t>(id)]; }
   [[nodiscard]] const std::string& name(ParticleId id) const {
     return particle_names_[static_cast<std::size_t>(id)];
   }
@@ -120,6 +118,9 @@ class ExprTree {
 
  private:
   ExprId append(ExprNode node, std::span<const ExprId> children, std::span<const Slot> slots);
+  [[nodiscard]] AxisSpaces axes_of(const ExprNode& node, std::span<const ExprId> children,
+                                   std::span<const Slot> slots) const;
+  void check_slot(const Slot& slot, Space of) const;
 
   std::vector<ExprNode> nodes_;
   std::vector<ExprId> children_;
@@ -127,8 +128,17 @@ class ExprTree {
   std::vector<std::string> numbers_;
   std::vector<Table> tables_;
   std::vector<std::string> index_names_;
+  std::vector<Space> index_spaces_;
   std::vector<std::string> particle_names_;
 };
+
+/// How many components its value has.
+[[nodiscard]] inline std::size_t component_count(const ExprNode& node) {
+  return component_count(node.rank, node.axes);
+}
+
+/// Does all that stands there belong to the common space of three dimensions?
+[[nodiscard]] bool is_of_common_space(const ExprTree& tree, ExprId root);
 
 /// The symbols below a node, in order of first occurrence, each once. Definitions are not unfolded.
 /// Is something said along an axis: a basis vector, or a component that is named by its number?

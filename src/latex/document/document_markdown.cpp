@@ -69,7 +69,7 @@ class MarkdownReader : NotesReader {
         block.first == block.last ? atx_title(text_, at_) : text_.trimmed(at_, known_.lines[block.last]);
     const Span whole = text_.trimmed(at_, end_);
     std::string words(text_.between(title.begin, title.end));
-    std::replace(words.begin(), words.end(), '\n', ' ');
+    std::ranges::replace(words, '\n', ' ');
     add(Heading{text_.span(at_, whole.end), block.level, std::move(words)});
     at_ = end_;
   }

@@ -18,26 +18,17 @@ struct Alphabet {
 };
 
 Alphabet alphabet_of(Typeface face) {
-  switch (face) {
-    case Typeface::bold:
-      return {0x1D400, 0x1D41A, 0x1D7CE, 0x1D6A8, 0x1D6C2};
-    case Typeface::bold_italic:
-      return {0x1D468, 0x1D482, 0x1D7CE, 0x1D71C, 0x1D736};
-    case Typeface::sans:
-      return {0x1D5A0, 0x1D5BA, 0x1D7E2, 0, 0};
-    case Typeface::script:
-      return {0x1D49C, 0x1D4B6, 0, 0, 0};
-    case Typeface::fraktur:
-      return {0x1D504, 0x1D51E, 0, 0, 0};
-    case Typeface::blackboard:
-      return {0x1D538, 0x1D552, 0x1D7D8, 0, 0};
-    case Typeface::mono:
-      return {0x1D670, 0x1D68A, 0x1D7F6, 0, 0};
-    case Typeface::italic:
-    case Typeface::upright:
-      break;
-  }
-  return {};
+  static constexpr std::array<Alphabet, 9> alphabets{{// in the order of Typeface
+                                                      {},
+                                                      {},
+                                                      {0x1D400, 0x1D41A, 0x1D7CE, 0x1D6A8, 0x1D6C2},
+                                                      {0x1D468, 0x1D482, 0x1D7CE, 0x1D71C, 0x1D736},
+                                                      {0x1D5A0, 0x1D5BA, 0x1D7E2},
+                                                      {0x1D49C, 0x1D4B6},
+                                                      {0x1D504, 0x1D51E},
+                                                      {0x1D538, 0x1D552, 0x1D7D8},
+                                                      {0x1D670, 0x1D68A, 0x1D7F6}}};
+  return alphabets.at(static_cast<std::size_t>(face));
 }
 
 /// Letters that Unicode had before it got the alphabets: their places there are empty.

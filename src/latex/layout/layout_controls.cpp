@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Controls that are more than a sign.
 #include <algorithm>
-#include <array>
-#include <map>
 
 #include "base/among.h"
 #include "base/ascii.h"
 #include "latex/layout/layout_reader.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
@@ -15,13 +14,12 @@ namespace {
 /// controls.
 int bracket_size(std::string_view name) {
   if (name.ends_with('l') || name.ends_with('r') || name.ends_with('m')) name.remove_suffix(1);
-  static const std::map<std::string_view, int> sizes{{"big", 1}, {"Big", 2}, {"bigg", 3}, {"Bigg", 4}};
-  const auto found = sizes.find(name);
-  return found == sizes.end() ? 0 : found->second;
+  static const WordMap<int> sizes{{"big", 1}, {"Big", 2}, {"bigg", 3}, {"Bigg", 4}};
+  return sizes.find(name).value_or(0);
 }
 
 bool only_letters(TokenView tokens) {
-  return std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
+  return std::ranges::all_of(tokens, [](const Token& token) {
     return (token.kind == TokenKind::letter && !sign_of_character(token.text)) ||
            token.kind == TokenKind::digit || is_blank(token);
   });
@@ -48,8 +46,7 @@ void LayoutReader::control(std::string_view name) {
       quantity(name) || physics(name))
     return;
   if (const auto face = typeface_of(name)) {
-    const bool is_switch =
-        name == "bf" || name == "rm" || name == "it" || name == "sf" || name == "tt" || name == "cal";
+    const bool is_switch = is_one_of(name, {"bf", "rm", "it", "sf", "tt", "cal"});
     if (is_switch) {
       context_.face = *face;
       return;
@@ -98,9 +95,8 @@ void LayoutReader::function_word(Box word) {
     scripts();
   const std::size_t behind = skip_blank(tokens_, at_);
   if (behind >= tokens_.size()) return;
-  const bool bracketed = is_sign(tokens_[behind], "(") || is_sign(tokens_[behind], "[") ||
-                         is_control(tokens_[behind], "left") || is_sign(tokens_[behind], ")") ||
-                         is_sign(tokens_[behind], ",");
+  const bool bracketed = is_sign_of(tokens_[behind], "([") || is_control(tokens_[behind], "left") ||
+                         is_sign_of(tokens_[behind], "),");
   if (!bracketed) push(space_box(0.1667));
 }
 
@@ -141,11 +137,10 @@ bool LayoutReader::bracket(std::string_view name) {
 }
 
 bool LayoutReader::fraction(std::string_view name) {
-  static constexpr std::array<std::string_view, 6> fractions{"frac",  "tfrac",    "dfrac",
-                                                             "cfrac", "nicefrac", "sfrac"};
-  static constexpr std::array<std::string_view, 3> binomials{"binom", "dbinom", "tbinom"};
-  const bool ruled = is_one_of(name, fractions);
-  if (ruled || is_one_of(name, binomials)) {
+  static const WordSet fractions("frac tfrac dfrac cfrac nicefrac sfrac");
+  static const WordSet binomials("binom dbinom tbinom");
+  const bool ruled = fractions.contains(name);
+  if (ruled || binomials.contains(name)) {
     Box above = argument();
     Box box = fraction_box(std::move(above), argument());
     box.ruled = ruled;
@@ -185,13 +180,12 @@ void LayoutReader::negated() {
 
 /// One thing above or below another.
 bool LayoutReader::stacked(std::string_view name) {
-  static const std::map<std::string_view, std::string_view> arrows{
-      {"xrightarrow", "→"}, {"xleftarrow", "←"}, {"xleftrightarrow", "↔"}, {"xRightarrow", "⇒"},
-      {"xLeftarrow", "⇐"},  {"xmapsto", "↦"},    {"xlongequal", "="},      {"xLeftrightarrow", "⇔"}};
-  if (const auto arrow = arrows.find(name); arrow != arrows.end()) {
+  static const WordTable arrows(R"(xrightarrow →  xleftarrow ←  xleftrightarrow ↔  xmapsto ↦
+      xRightarrow ⇒  xLeftarrow ⇐  xLeftrightarrow ⇔  xlongequal =)");
+  if (const std::string_view arrow = arrows.find(name); !arrow.empty()) {
     const auto lower = take_optional();
     Box upper = argument();
-    Box base = sign_box(arrow->second, SignRole::relation);
+    Box base = sign_box(arrow, SignRole::relation);
     base.wide = base.limits = true;
     push(scripts_box(std::move(base), lower ? inner(*lower) : Box{}, std::move(upper)));
     return true;
@@ -211,10 +205,9 @@ bool LayoutReader::stacked(std::string_view name) {
 }
 
 bool LayoutReader::vanishing(std::string_view name) {
-  static constexpr std::array<std::string_view, 10> one{"vphantom",     "vspace",      "color", "footnote",
-                                                        "hypertarget",  "label",       "index", "setcounter",
-                                                        "footnotemark", "footnotetext"};
-  if (is_one_of(name, one)) {
+  static const WordSet one(
+      "vphantom vspace color footnote hypertarget label index setcounter footnotemark footnotetext");
+  if (one.contains(name)) {
     skip_star();
     static_cast<void>(take_argument());
     return true;
@@ -226,13 +219,11 @@ bool LayoutReader::vanishing(std::string_view name) {
     tag_ = bare ? text : "(" + text + ")";
     return true;
   }
-  static constexpr std::array<std::string_view, 6> lengths{"hskip", "vskip", "mskip",
-                                                           "kern",  "mkern", "hglue"};
-  if (!is_one_of(name, lengths)) return false;
+  static const WordSet lengths("hskip vskip mskip kern mkern hglue");
+  if (!lengths.contains(name)) return false;
   at_ = skip_blank(tokens_, at_);
   const std::size_t begin = at_;
-  while (at_ < tokens_.size() && (tokens_[at_].kind == TokenKind::digit || is_sign(tokens_[at_], ".") ||
-                                  is_sign(tokens_[at_], "-") || is_sign(tokens_[at_], "+")))
+  while (at_ < tokens_.size() && (tokens_[at_].kind == TokenKind::digit || is_sign_of(tokens_[at_], ".-+")))
     ++at_;
   if (at_ > begin) at_ = std::min(at_ + 2, tokens_.size());  // the unit
   return true;
@@ -240,12 +231,11 @@ bool LayoutReader::vanishing(std::string_view name) {
 
 /// What its argument is kept of, perhaps changed.
 bool LayoutReader::kept(std::string_view name) {
-  static const std::map<std::string_view, BoxKind> kinds{
-      {"boxed", BoxKind::framed},    {"Aboxed", BoxKind::framed}, {"phantom", BoxKind::hidden},
-      {"hphantom", BoxKind::hidden}, {"cancel", BoxKind::struck}, {"bcancel", BoxKind::struck},
-      {"xcancel", BoxKind::struck}};
-  if (const auto found = kinds.find(name); found != kinds.end()) {
-    Box box{.kind = found->second};
+  static const WordMap<BoxKind> kinds{{"boxed Aboxed", BoxKind::framed},
+                                      {"phantom hphantom", BoxKind::hidden},
+                                      {"cancel bcancel xcancel", BoxKind::struck}};
+  if (const auto kind = kinds.find(name)) {
+    Box box{.kind = *kind};
     box.parts.push_back(argument());
     push(std::move(box));
     return true;

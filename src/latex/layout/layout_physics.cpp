@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the physics package abbreviates: derivatives, brackets, vectors, differentials.
-#include <map>
-
+#include "base/among.h"
 #include "latex/layout/layout_reader.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
@@ -13,29 +13,26 @@ struct FenceSigns {
 };
 
 /// `\abs{x}` and others around one argument, of mathtools and physics.
-const FenceSigns* fence_signs(std::string_view name) {
-  static const std::map<std::string_view, FenceSigns> fences{
-      {"abs", {"|", "|"}},    {"absolutevalue", {"|", "|"}},
-      {"norm", {"‖", "‖"}},   {"order", {"𝒪(", ")"}},
-      {"set", {"{", "}"}},    {"pqty", {"(", ")"}},
-      {"bqty", {"[", "]"}},   {"Bqty", {"{", "}"}},
-      {"vqty", {"|", "|"}},   {"ev", {"⟨", "⟩"}},
-      {"expval", {"⟨", "⟩"}}, {"bra", {"⟨", "|"}},
-      {"ket", {"|", "⟩"}},    {"expectationvalue", {"⟨", "⟩"}},
-      {"ceil", {"⌈", "⌉"}},   {"floor", {"⌊", "⌋"}}};
-  const auto found = fences.find(name);
-  return found == fences.end() ? nullptr : &found->second;
+std::optional<FenceSigns> fence_signs(std::string_view name) {
+  static const WordMap<FenceSigns> fences{{"abs absolutevalue vqty", {"|", "|"}},
+                                          {"norm", {"‖", "‖"}},
+                                          {"order", {"𝒪(", ")"}},
+                                          {"set Bqty", {"{", "}"}},
+                                          {"pqty", {"(", ")"}},
+                                          {"bqty", {"[", "]"}},
+                                          {"ev expval expectationvalue", {"⟨", "⟩"}},
+                                          {"bra", {"⟨", "|"}},
+                                          {"ket", {"|", "⟩"}},
+                                          {"ceil", {"⌈", "⌉"}},
+                                          {"floor", {"⌊", "⌋"}}};
+  return fences.find(name);
 }
 
 /// `\pmqty{a & b \\ c & d}`.
-const FenceSigns* matrix_signs(std::string_view name) {
-  static const std::map<std::string_view, FenceSigns> fences{{"mqty", {"", ""}},
-                                                             {"pmqty", {"(", ")"}},
-                                                             {"bmqty", {"[", "]"}},
-                                                             {"vmqty", {"|", "|"}},
-                                                             {"matrixquantity", {"", ""}}};
-  const auto found = fences.find(name);
-  return found == fences.end() ? nullptr : &found->second;
+std::optional<FenceSigns> matrix_signs(std::string_view name) {
+  static const WordMap<FenceSigns> fences{
+      {"mqty matrixquantity", {"", ""}}, {"pmqty", {"(", ")"}}, {"bmqty", {"[", "]"}}, {"vmqty", {"|", "|"}}};
+  return fences.find(name);
 }
 
 /// The place behind the bracket that closes the one at `at`.
@@ -59,11 +56,10 @@ bool LayoutReader::physics(std::string_view name) {
     const auto power = take_optional();
     if (power) d = scripts_box(std::move(d), Box{}, inner(*power));
     push(std::move(d));
-    if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::begin_group) push(argument());
+    if (is_kind_at(tokens_, at_, TokenKind::begin_group)) push(argument());
     return true;
   }
-  if (name == "vb" || name == "vectorbold" || name == "va" || name == "vectorarrow" || name == "vu" ||
-      name == "vectorunit") {
+  if (is_one_of(name, {"vb", "vectorbold", "va", "vectorarrow", "vu", "vectorunit"})) {
     const bool arrow = name == "va" || name == "vectorarrow";
     const bool hat = name == "vu" || name == "vectorunit";
     const Typeface face = next_is("*") ? Typeface::bold_italic : Typeface::bold;
@@ -87,15 +83,10 @@ bool LayoutReader::physics(std::string_view name) {
 
 /// `\dv[n]{f}{x}`, `\pdv{f}{x}{y}`, `\dv{x}` with its argument behind it.
 bool LayoutReader::derivative(std::string_view name) {
-  static const std::map<std::string_view, std::string_view> signs{{"dv", "d"},
-                                                                  {"derivative", "d"},
-                                                                  {"pdv", "∂"},
-                                                                  {"pderivative", "∂"},
-                                                                  {"partialderivative", "∂"},
-                                                                  {"fdv", "δ"},
-                                                                  {"functionalderivative", "δ"}};
-  const auto sign = signs.find(name);
-  if (sign == signs.end()) return false;
+  static const WordTable signs(R"(dv d  derivative d  pdv ∂  pderivative ∂  partialderivative ∂
+      fdv δ  functionalderivative δ)");
+  const std::string_view sign = signs.find(name);
+  if (sign.empty()) return false;
   skip_star();
   const auto order = take_optional();
   std::vector<TokenView> arguments;
@@ -103,7 +94,7 @@ bool LayoutReader::derivative(std::string_view name) {
          (arguments.empty() || tokens_[at_].kind == TokenKind::begin_group))
     arguments.push_back(take_argument());
   const auto d = [&](bool powered) {
-    Box box = letter_box(sign->second, Typeface::upright);
+    Box box = letter_box(sign, Typeface::upright);
     if (arguments.size() == 3 && powered)
       return scripts_box(std::move(box), Box{}, {.kind = BoxKind::number, .text = "2"});
     return order && powered ? scripts_box(std::move(box), Box{}, inner(*order)) : box;
@@ -122,24 +113,23 @@ bool LayoutReader::derivative(std::string_view name) {
 }
 
 bool LayoutReader::physics_fence(std::string_view name) {
-  if (const FenceSigns* matrix = matrix_signs(name)) {
+  if (const auto matrix = matrix_signs(name)) {
     Box cells = table(take_argument(), TableAlignment::centre, {context_.depth + 1, context_.face});
     push(matrix->open.empty() ? std::move(cells) : fence_box(matrix->open, std::move(cells), matrix->close));
     return true;
   }
-  if (const FenceSigns* fence = fence_signs(name)) {
+  if (const auto fence = fence_signs(name)) {
     skip_star();
     Box inside = argument();
     push(fence_box(fence->open, std::move(inside), fence->close));
     return true;
   }
-  if (name == "comm" || name == "commutator" || name == "acomm" || name == "pb" || name == "braket" ||
-      name == "innerproduct") {
+  if (is_one_of(name, {"comm", "commutator", "acomm", "pb", "braket", "innerproduct"})) {
     const bool square = name.starts_with("comm");
     const bool state = name == "braket" || name == "innerproduct";
     std::vector<Box> parts;
     parts.push_back(argument());
-    if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::begin_group) {
+    if (is_kind_at(tokens_, at_, TokenKind::begin_group)) {
       parts.push_back(state ? sign_box("|", SignRole::bar) : sign_box(",", SignRole::punctuation));
       parts.push_back(argument());
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/layout/layout_reader.h"
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
@@ -28,8 +30,7 @@ bool awaits_operand(const std::vector<Box>& parts) {
 /// ∑ and lim take their scripts below and above, and so does a brace.
 bool takes_limits(const Box& base) {
   if (base.limits) return true;
-  if (base.kind == BoxKind::accent)
-    return base.wide && (base.text == "⏞" || base.text == "⏟" || base.text == "⎴" || base.text == "⎵");
+  if (base.kind == BoxKind::accent) return base.wide && is_one_of(base.text, {"⏞", "⏟", "⎴", "⎵"});
   return base.kind == BoxKind::sign && (base.role == SignRole::big || base.role == SignRole::word);
 }
 
@@ -117,7 +118,7 @@ std::optional<TokenView> LayoutReader::take_optional() {
 /// A control that takes arguments comes with them: `\frac12` in `^\frac12`.
 Box LayoutReader::argument(Typeface face) {
   at_ = skip_blank(tokens_, at_);
-  if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::control) {
+  if (is_kind_at(tokens_, at_, TokenKind::control)) {
     const Argument script = script_argument_at(tokens_, at_);
     at_ = script.next;
     return inner(script.content, face);
@@ -200,8 +201,7 @@ void LayoutReader::sign(PrintedSign printed, int size) {
       return push(letter_box(printed.text, bold ? Typeface::bold : Typeface::upright));
     }
   }
-  const bool may_be_prefix =
-      printed.text == "+" || printed.text == "−" || printed.text == "±" || printed.text == "∓";
+  const bool may_be_prefix = is_one_of(printed.text, {"+", "−", "±", "∓"});
   if (may_be_prefix && awaits_operand(parts_)) printed.role = SignRole::prefix;
   Box box = sign_box(printed.text, printed.role);
   box.size = size;

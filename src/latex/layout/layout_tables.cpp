@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Environments: rows and cells.
-#include <map>
-
 #include "latex/layout/layout_reader.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
@@ -14,35 +13,24 @@ struct TableShape {
   bool takes_argument = false;  // `{rcl}`, `{2}`
 };
 
-const TableShape* shape_of(std::string_view name) {
+std::optional<TableShape> shape_of(std::string_view name) {
   using enum TableAlignment;
-  static const std::map<std::string_view, TableShape> shapes{{"matrix", {}},
-                                                             {"smallmatrix", {}},
-                                                             {"pmatrix", {centre, "(", ")"}},
-                                                             {"bmatrix", {centre, "[", "]"}},
-                                                             {"Bmatrix", {centre, "{", "}"}},
-                                                             {"vmatrix", {centre, "|", "|"}},
-                                                             {"Vmatrix", {centre, "‖", "‖"}},
-                                                             {"array", {centre, {}, {}, true}},
-                                                             {"subarray", {centre, {}, {}, true}},
-                                                             {"cases", {left, "{", {}}},
-                                                             {"dcases", {left, "{", {}}},
-                                                             {"rcases", {left, {}, "}"}},
-                                                             {"aligned", {pairs}},
-                                                             {"align", {pairs}},
-                                                             {"split", {pairs}},
-                                                             {"flalign", {pairs}},
-                                                             {"alignedat", {pairs, {}, {}, true}},
-                                                             {"alignat", {pairs, {}, {}, true}},
-                                                             {"eqnarray", {equations}},
-                                                             {"gather", {}},
-                                                             {"gathered", {}},
-                                                             {"lgathered", {left}},
-                                                             {"multline", {staggered}},
-                                                             {"multlined", {staggered}}};
+  static const WordMap<TableShape> shapes{{"matrix smallmatrix gather gathered", {}},
+                                          {"pmatrix", {centre, "(", ")"}},
+                                          {"bmatrix", {centre, "[", "]"}},
+                                          {"Bmatrix", {centre, "{", "}"}},
+                                          {"vmatrix", {centre, "|", "|"}},
+                                          {"Vmatrix", {centre, "‖", "‖"}},
+                                          {"array subarray", {centre, {}, {}, true}},
+                                          {"cases dcases", {left, "{", {}}},
+                                          {"rcases", {left, {}, "}"}},
+                                          {"aligned align split flalign", {pairs}},
+                                          {"alignedat alignat", {pairs, {}, {}, true}},
+                                          {"eqnarray", {equations}},
+                                          {"lgathered", {left}},
+                                          {"multline multlined", {staggered}}};
   if (name.ends_with('*')) name.remove_suffix(1);
-  const auto found = shapes.find(name);
-  return found == shapes.end() ? nullptr : &found->second;
+  return shapes.find(name);
 }
 
 /// Depth of braces and environments: `&` and `\\` divide a table only at 0.
@@ -59,14 +47,11 @@ class TableNesting {
   int depth_ = 0;
 };
 
-bool ends_row(const Token& token) {
-  return is_control(token, "\\") || is_control(token, "cr") || is_control(token, "newline") ||
-         is_control(token, "tabularnewline");
-}
+bool ends_row(const Token& token) { return is_control_of(token, {"\\", "cr", "newline", "tabularnewline"}); }
 
 /// Behind `\\`, `\\*`, `\\[2pt]`.
 std::size_t behind_row_end(TokenView tokens, std::size_t at) {
-  if (at < tokens.size() && is_sign(tokens[at], "*")) ++at;
+  if (is_sign_at(tokens, at, "*")) ++at;
   const Argument length = optional_argument_at(tokens, at);
   return is_length(length.content) ? length.next : at;
 }
@@ -126,9 +111,9 @@ Box LayoutReader::table(TokenView tokens, TableAlignment alignment, LayoutContex
 
 void LayoutReader::environment() {
   const std::string name = text_of(take_argument());
-  const TableShape* shape = shape_of(name);
+  const auto shape = shape_of(name);
   if (name == "array" || name == "aligned" || name == "gathered") static_cast<void>(take_optional());
-  if (shape != nullptr && shape->takes_argument) static_cast<void>(take_argument());
+  if (shape && shape->takes_argument) static_cast<void>(take_argument());
   int open = 1;
   std::size_t end = at_;
   for (; end < tokens_.size(); ++end) {
@@ -138,14 +123,13 @@ void LayoutReader::environment() {
   const TokenView body = tokens_.subspan(at_, end - at_);
   at_ = end < tokens_.size() ? argument_at(tokens_, end + 1).next : end;
   const LayoutContext deeper{context_.depth + 1, context_.face};
-  if (shape == nullptr && !has_rows(body)) {
+  if (!shape && !has_rows(body)) {
     LayoutReader reader(body, deeper);
     push(reader.read());
     if (!reader.tag().empty()) tag_ = reader.tag();
     return;
   }
-  const TableShape plain;
-  const TableShape& used = shape == nullptr ? plain : *shape;
+  const TableShape used = shape.value_or(TableShape{});
   if (context_.depth > 60) return push(words_box(text_of(body)));
   Box cells = table(body, used.alignment, deeper);
   if (used.open.empty() && used.close.empty()) return push(std::move(cells));
@@ -154,8 +138,8 @@ void LayoutReader::environment() {
 
 ShownDisplay layout_of_display(TokenView tokens, std::string_view environment) {
   if (has_rows(tokens)) {
-    const TableShape* shape = shape_of(environment);
-    const TableAlignment alignment = shape != nullptr ? shape->alignment : TableAlignment::pairs;
+    const auto shape = shape_of(environment);
+    const TableAlignment alignment = shape ? shape->alignment : TableAlignment::pairs;
     Box box = LayoutReader::table(tokens, alignment, {});
     if (box.row_ends.size() != 1) return {std::move(box), {}};
     std::string tag = std::move(box.tags.front());

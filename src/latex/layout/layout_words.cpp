@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words inside mathematics, and numbers with units as siunitx writes them.
-#include <map>
-
 #include "base/ascii.h"
 #include "latex/layout/layout_reader.h"
 #include "latex/token/vocabulary.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
@@ -23,7 +22,7 @@ std::string printed_word(const Token& token) {
     case TokenKind::control:
       break;
     default:
-      return is_sign(token, "'") || is_sign(token, "`") ? "’" : std::string(token.text);
+      return is_sign_of(token, "'`") ? "’" : std::string(token.text);
   }
   if (const auto printed = sign_of_control(token.text)) return std::string(printed->text);
   if (const auto width = space_of(token.text)) return *width > 0 ? " " : "";
@@ -36,23 +35,18 @@ struct UnitWord {
   bool prefix = false;
 };
 
-const UnitWord* unit_word(std::string_view name) {
-  static const std::map<std::string_view, UnitWord> words{
-      {"gram", {"g"}},          {"metre", {"m"}},       {"meter", {"m"}},      {"second", {"s"}},
-      {"ampere", {"A"}},        {"kelvin", {"K"}},      {"mole", {"mol"}},     {"candela", {"cd"}},
-      {"newton", {"N"}},        {"joule", {"J"}},       {"watt", {"W"}},       {"pascal", {"Pa"}},
-      {"hertz", {"Hz"}},        {"coulomb", {"C"}},     {"volt", {"V"}},       {"farad", {"F"}},
-      {"ohm", {"Ω"}},           {"siemens", {"S"}},     {"weber", {"Wb"}},     {"tesla", {"T"}},
-      {"henry", {"H"}},         {"minute", {"min"}},    {"hour", {"h"}},       {"day", {"d"}},
-      {"litre", {"L"}},         {"liter", {"L"}},       {"tonne", {"t"}},      {"bar", {"bar"}},
-      {"radian", {"rad"}},      {"steradian", {"sr"}},  {"degree", {"°"}},     {"percent", {"%"}},
-      {"electronvolt", {"eV"}}, {"kilogram", {"kg"}},   {"celsius", {"°C"}},   {"deca", {"da", true}},
-      {"hecto", {"h", true}},   {"kilo", {"k", true}},  {"mega", {"M", true}}, {"giga", {"G", true}},
-      {"tera", {"T", true}},    {"peta", {"P", true}},  {"deci", {"d", true}}, {"centi", {"c", true}},
-      {"milli", {"m", true}},   {"micro", {"µ", true}}, {"nano", {"n", true}}, {"pico", {"p", true}},
-      {"femto", {"f", true}}};
-  const auto found = words.find(name);
-  return found == words.end() ? nullptr : &found->second;
+std::optional<UnitWord> unit_word(std::string_view name) {
+  static const WordTable units(R"(
+      gram g  metre m  meter m  second s  ampere A  kelvin K  mole mol  candela cd  newton N  joule J
+      watt W  pascal Pa  hertz Hz  coulomb C  volt V  farad F  ohm Ω  siemens S  weber Wb  tesla T  henry H
+      minute min  hour h  day d  litre L  liter L  tonne t  bar bar  radian rad  steradian sr  degree °
+      percent %  electronvolt eV  kilogram kg  celsius °C)");
+  static const WordTable prefixes(R"(
+      deca da  hecto h  kilo k  mega M  giga G  tera T  peta P  deci d  centi c  milli m  micro µ  nano n
+      pico p  femto f)");
+  if (const std::string_view sign = units.find(name); !sign.empty()) return UnitWord{sign, false};
+  const std::string_view sign = prefixes.find(name);
+  return sign.empty() ? std::nullopt : std::optional(UnitWord{sign, true});
 }
 
 /// `\kilo\metre\per\second\squared` or `kg.m/s^2` as a row.
@@ -75,7 +69,7 @@ class UnitPrinter {
       at_ = argument_at(tokens_, at_ + 1).next - 1;
       return flush();
     }
-    const bool parts_units = is_blank(token) || is_sign(token, ".") || is_sign(token, "~");
+    const bool parts_units = is_blank(token) || is_sign_of(token, ".~");
     if (parts_units) return flush();
     if (is_sign(token, "/")) {
       flush();
@@ -97,7 +91,7 @@ class UnitPrinter {
     } else if (name == "square" || name == "cubic") {
       flush();
       power_ = name == "square" ? "2" : "3";
-    } else if (const UnitWord* unit = unit_word(name)) {
+    } else if (const auto unit = unit_word(name)) {
       if (!prefixed_) flush_sign();
       sign_ += unit->sign;
       prefixed_ = unit->prefix;
@@ -218,7 +212,7 @@ bool LayoutReader::words(std::string_view name) {
 }
 
 bool LayoutReader::quantity(std::string_view name) {
-  const bool braced = at_ < tokens_.size() && tokens_[at_].kind == TokenKind::begin_group;
+  const bool braced = is_kind_at(tokens_, at_, TokenKind::begin_group);
   if (name == "num" || name == "ang") {
     static_cast<void>(take_optional());
     push(number_box(text_of(take_argument())));
@@ -234,7 +228,7 @@ bool LayoutReader::quantity(std::string_view name) {
   const std::size_t begin = at_;
   static_cast<void>(take_optional());
   const TokenView value = take_argument();
-  const bool two = at_ < tokens_.size() && tokens_[at_].kind == TokenKind::begin_group;
+  const bool two = is_kind_at(tokens_, at_, TokenKind::begin_group);
   if (name == "qty" && !(braced && two)) {  // that of the physics package
     at_ = begin;
     return false;

@@ -1,40 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/layout/plain_text.h"
 
-#include <map>
 #include <optional>
 
+#include "base/among.h"
 #include "base/utf8.h"
 #include "latex/layout/layout_reader.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
 
-using Raised = std::map<std::string_view, std::string_view>;
-
-const Raised& superscripts() {
-  static const Raised table{
-      {"0", "⁰"}, {"1", "¹"}, {"2", "²"}, {"3", "³"}, {"4", "⁴"}, {"5", "⁵"}, {"6", "⁶"}, {"7", "⁷"},
-      {"8", "⁸"}, {"9", "⁹"}, {"+", "⁺"}, {"−", "⁻"}, {"=", "⁼"}, {"(", "⁽"}, {")", "⁾"}, {"a", "ᵃ"},
-      {"b", "ᵇ"}, {"c", "ᶜ"}, {"d", "ᵈ"}, {"e", "ᵉ"}, {"f", "ᶠ"}, {"g", "ᵍ"}, {"h", "ʰ"}, {"i", "ⁱ"},
-      {"j", "ʲ"}, {"k", "ᵏ"}, {"l", "ˡ"}, {"m", "ᵐ"}, {"n", "ⁿ"}, {"o", "ᵒ"}, {"p", "ᵖ"}, {"r", "ʳ"},
-      {"s", "ˢ"}, {"t", "ᵗ"}, {"u", "ᵘ"}, {"v", "ᵛ"}, {"w", "ʷ"}, {"x", "ˣ"}, {"y", "ʸ"}, {"z", "ᶻ"},
-      {"N", "ᴺ"}, {"T", "ᵀ"}, {"′", "′"}};
+const WordTable& superscripts() {
+  static const WordTable table(R"(
+      0 ⁰  1 ¹  2 ²  3 ³  4 ⁴  5 ⁵  6 ⁶  7 ⁷  8 ⁸  9 ⁹  + ⁺  − ⁻  = ⁼  ( ⁽  ) ⁾  a ᵃ  b ᵇ  c ᶜ  d ᵈ  e ᵉ
+      f ᶠ  g ᵍ  h ʰ  i ⁱ  j ʲ  k ᵏ  l ˡ  m ᵐ  n ⁿ  o ᵒ  p ᵖ  r ʳ  s ˢ  t ᵗ  u ᵘ  v ᵛ  w ʷ  x ˣ  y ʸ  z ᶻ
+      N ᴺ  T ᵀ  ′ ′)");
   return table;
 }
 
-const Raised& subscripts() {
-  static const Raised table{{"0", "₀"}, {"1", "₁"}, {"2", "₂"}, {"3", "₃"}, {"4", "₄"}, {"5", "₅"},
-                            {"6", "₆"}, {"7", "₇"}, {"8", "₈"}, {"9", "₉"}, {"+", "₊"}, {"−", "₋"},
-                            {"=", "₌"}, {"(", "₍"}, {")", "₎"}, {"a", "ₐ"}, {"e", "ₑ"}, {"h", "ₕ"},
-                            {"i", "ᵢ"}, {"j", "ⱼ"}, {"k", "ₖ"}, {"l", "ₗ"}, {"m", "ₘ"}, {"n", "ₙ"},
-                            {"o", "ₒ"}, {"p", "ₚ"}, {"r", "ᵣ"}, {"s", "ₛ"}, {"t", "ₜ"}, {"u", "ᵤ"},
-                            {"v", "ᵥ"}, {"x", "ₓ"}, {"′", "′"}};
+const WordTable& subscripts() {
+  static const WordTable table(R"(
+      0 ₀  1 ₁  2 ₂  3 ₃  4 ₄  5 ₅  6 ₆  7 ₇  8 ₈  9 ₉  + ₊  − ₋  = ₌  ( ₍  ) ₎  a ₐ  e ₑ  h ₕ  i ᵢ  j ⱼ
+      k ₖ  l ₗ  m ₘ  n ₙ  o ₒ  p ₚ  r ᵣ  s ₛ  t ₜ  u ᵤ  v ᵥ  x ₓ  ′ ′)");
   return table;
 }
 
 /// The text with each character raised or lowered; nothing where one has no such form.
-std::optional<std::string> shifted(std::string_view text, const Raised& table) {
+std::optional<std::string> shifted(std::string_view text, const WordTable& table) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     std::size_t next = at;
@@ -42,27 +35,23 @@ std::optional<std::string> shifted(std::string_view text, const Raised& table) {
     const std::string_view one = text.substr(at, next - at);
     at = next;
     if (one == " ") continue;
-    const auto found = table.find(one);
-    if (found == table.end()) return std::nullopt;
-    result += found->second;
+    const std::string_view found = table.find(one);
+    if (found.empty()) return std::nullopt;
+    result += found;
   }
   return result;
 }
 
 std::string_view combining_mark(std::string_view accent) {
-  static const std::map<std::string_view, std::string_view> marks{
-      {"˙", "\u0307"}, {"¨", "\u0308"}, {"⃛", "\u20DB"},  {"⃜", "\u20DC"},  {"^", "\u0302"}, {"~", "\u0303"},
-      {"‾", "\u0304"}, {"→", "\u20D7"}, {"↔", "\u20E1"}, {"←", "\u20D6"}, {"ˇ", "\u030C"}, {"˘", "\u0306"},
-      {"´", "\u0301"}, {"`", "\u0300"}, {"˚", "\u030A"}, {"_", "\u0332"}};
-  const auto found = marks.find(accent);
-  return found == marks.end() ? std::string_view{} : found->second;
+  static const WordTable marks(
+      "˙ \u0307  ¨ \u0308  ⃛ \u20DB  ⃜ \u20DC  ^ \u0302  ~ \u0303  ‾ \u0304  → \u20D7  ↔ \u20E1  ← \u20D6  "
+      "ˇ \u030C  ˘ \u0306  ´ \u0301  ` \u0300  ˚ \u030A  _ \u0332");
+  return marks.find(accent);
 }
 
 std::string_view common_fraction(std::string_view written) {
-  static const std::map<std::string_view, std::string_view> table{
-      {"1/2", "½"}, {"1/3", "⅓"}, {"2/3", "⅔"}, {"1/4", "¼"}, {"3/4", "¾"}, {"1/6", "⅙"}, {"1/8", "⅛"}};
-  const auto found = table.find(written);
-  return found == table.end() ? std::string_view{} : found->second;
+  static const WordTable table("1/2 ½  1/3 ⅓  2/3 ⅔  1/4 ¼  3/4 ¾  1/6 ⅙  1/8 ⅛");
+  return table.find(written);
 }
 
 /// One letter, number or bracket, with its scripts: needs no brackets around it.
@@ -158,7 +147,7 @@ class PlainWriter {
   }
 
   void sign(const Box& box, std::string_view text) {
-    const bool tight = text == "×" || text == "·" || text == "∗" || text == "∘";
+    const bool tight = is_one_of(text, {"×", "·", "∗", "∘"});
     if (box.role == SignRole::relation || (box.role == SignRole::binary && !tight)) {
       blank();
       out_ += printable(text);
@@ -207,7 +196,7 @@ class PlainWriter {
     if (role == SignRole::big || role == SignRole::integral || role == SignRole::word) out_ += ' ';
   }
 
-  void script(const Box& box, const std::string& text, std::string_view mark, const Raised& table) {
+  void script(const Box& box, const std::string& text, std::string_view mark, const WordTable& table) {
     if (text.empty()) return;
     const bool is_word = box.kind == BoxKind::letter && count_code_points(text) > 1;
     if (const auto small = shifted(text, table); small && !is_word) {

@@ -4,42 +4,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
 
-#include "base/utf8.h"
 #include "latex/layout/layout_reader.h"
 #include "latex/layout/typeset_signs.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
 
 std::string_view face_command(Typeface face) {
-  switch (face) {
-    case Typeface::bold:
-      return "\\mathbf";
-    case Typeface::bold_italic:
-      return "\\boldsymbol";
-    case Typeface::sans:
-      return "\\mathsf";
-    case Typeface::script:
-      return "\\mathcal";
-    case Typeface::fraktur:
-      return "\\mathfrak";
-    case Typeface::blackboard:
-      return "\\mathbb";
-    case Typeface::mono:
-      return "\\mathtt";
-    case Typeface::upright:
-      return "\\mathrm";
-    case Typeface::italic:
-      break;
-  }
-  return {};
+  static constexpr std::array<std::string_view, 9> commands{
+      // in the order of Typeface
+      "",          "\\mathrm",   "\\mathbf", "\\boldsymbol", "\\mathsf",
+      "\\mathcal", "\\mathfrak", "\\mathbb", "\\mathtt"};
+  return commands.at(static_cast<std::size_t>(face));
 }
 
 bool is_capital(std::string_view text) { return text.size() == 1 && text[0] >= 'A' && text[0] <= 'Z'; }
 bool is_ascii_word(std::string_view text) {
-  return std::all_of(text.begin(), text.end(), [](char c) {
+  return std::ranges::all_of(text, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
   });
 }
@@ -140,33 +124,30 @@ class TypesetWriter {
     if (sign.empty()) sign = "\\text{" + typeset_words(text) + "}";
     switch (box.role) {
       case SignRole::relation:
-        out_ += "\\mathrel{" + sign + "}";
-        return;
+        return set_as("\\mathrel", sign);
       case SignRole::binary:
-        out_ += "\\mathbin{" + sign + "}";
-        return;
+        return set_as("\\mathbin", sign);
       case SignRole::prefix:
       case SignRole::ordinary:
       case SignRole::bar:
-        out_ += "{" + sign + "}";
-        return;
+        return set_as("", sign);
       case SignRole::opening:
-        out_ += "\\mathopen{" + sign + "}";
-        return;
+        return set_as("\\mathopen", sign);
       case SignRole::closing:
-        out_ += "\\mathclose{" + sign + "}";
-        return;
+        return set_as("\\mathclose", sign);
       case SignRole::punctuation:
-        out_ += "\\mathpunct{" + sign + "}";
-        return;
+        return set_as("\\mathpunct", sign);
       case SignRole::big:
       case SignRole::integral:
         out_ += sign + " ";
         return;
       case SignRole::word:
-        out_ += "\\operatorname*{" + sign_word(text) + "}";
-        return;
+        return set_as("\\operatorname*", sign_word(text));
     }
+  }
+
+  void set_as(std::string_view command, std::string_view sign) {
+    out_ += fmt::format("{}{{{}}}", command, sign);
   }
 
   static std::string sign_word(std::string_view text) {
@@ -222,58 +203,29 @@ class TypesetWriter {
   }
 
   void accent(const Box& box) {
-    static const std::map<std::string_view, std::pair<std::string_view, std::string_view>> commands{
-        {"˙", {"\\dot", "\\dot"}},
-        {"¨", {"\\ddot", "\\ddot"}},
-        {"⃛", {"\\dddot", "\\dddot"}},
-        {"⃜", {"\\ddddot", "\\ddddot"}},
-        {"^", {"\\hat", "\\widehat"}},
-        {"~", {"\\tilde", "\\widetilde"}},
-        {"‾", {"\\bar", "\\overline"}},
-        {"→", {"\\vec", "\\overrightarrow"}},
-        {"←", {"\\overleftarrow", "\\overleftarrow"}},
-        {"↔", {"\\overleftrightarrow", "\\overleftrightarrow"}},
-        {"ˇ", {"\\check", "\\check"}},
-        {"˘", {"\\breve", "\\breve"}},
-        {"´", {"\\acute", "\\acute"}},
-        {"`", {"\\grave", "\\grave"}},
-        {"˚", {"\\mathring", "\\mathring"}},
-        {"_", {"\\underline", "\\underline"}},
-        {"⏞", {"\\overbrace", "\\overbrace"}},
-        {"⏟", {"\\underbrace", "\\underbrace"}}};
-    const auto found = commands.find(box.text);
+    static const WordTable narrow(R"(
+        ˙ \dot  ¨ \ddot  ⃛ \dddot  ⃜ \ddddot  ^ \hat  ~ \tilde  ‾ \bar  → \vec  ← \overleftarrow
+        ↔ \overleftrightarrow  ˇ \check  ˘ \breve  ´ \acute  ` \grave  ˚ \mathring  _ \underline
+        ⏞ \overbrace  ⏟ \underbrace)");
+    static const WordTable wide(R"(
+        ^ \widehat  ~ \widetilde  ‾ \overline  → \overrightarrow)");
+    const std::string_view own = narrow.find(box.text);
+    const std::string_view wider = box.wide ? wide.find(box.text) : "";
     const bool is_arrow_below = box.below && box.text == "→";
     if (is_arrow_below) {
       out_ += "\\underrightarrow";
-    } else if (found == commands.end()) {
+    } else if (own.empty()) {
       out_ += box.below ? "\\underline" : "\\overline";
     } else {
-      out_ += box.wide ? found->second.second : found->second.first;
+      out_ += wider.empty() ? own : wider;
     }
     group(box.parts[0]);
   }
 
   static std::string delimiter(std::string_view text) {
-    static const std::map<std::string_view, std::string_view> known{{"(", "("},
-                                                                    {")", ")"},
-                                                                    {"[", "["},
-                                                                    {"]", "]"},
-                                                                    {"{", "\\{"},
-                                                                    {"}", "\\}"},
-                                                                    {"|", "\\vert "},
-                                                                    {"‖", "\\Vert "},
-                                                                    {"⟨", "\\langle "},
-                                                                    {"⟩", "\\rangle "},
-                                                                    {"⌊", "\\lfloor "},
-                                                                    {"⌋", "\\rfloor "},
-                                                                    {"⌈", "\\lceil "},
-                                                                    {"⌉", "\\rceil "},
-                                                                    {"/", "/"},
-                                                                    {"↑", "\\uparrow "},
-                                                                    {"↓", "\\downarrow "},
-                                                                    {"∖", "\\backslash "}};
-    const auto found = known.find(text);
-    return found == known.end() ? std::string() : std::string(found->second);
+    static const WordSet known("( ) [ ] { } | ‖ ⟨ ⟩ ⌊ ⌋ ⌈ ⌉ / ↑ ↓");
+    if (text == "∖") return "\\backslash ";
+    return known.contains(text) ? typeset_sign(text) : std::string();
   }
 
   void fence(const Box& box) {

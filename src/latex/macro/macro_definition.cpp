@@ -4,31 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
+
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
 
 using enum DefinitionForm;
-
-constexpr auto forms = std::to_array<std::pair<std::string_view, DefinitionForm>>({
-    {"newcommand", command},
-    {"renewcommand", command},
-    {"DeclareRobustCommand", command},
-    {"providecommand", provided_command},
-    {"NewDocumentCommand", document_command},
-    {"RenewDocumentCommand", document_command},
-    {"DeclareDocumentCommand", document_command},
-    {"def", primitive},
-    {"gdef", primitive},
-    {"edef", primitive},
-    {"xdef", primitive},
-    {"let", synonym},
-    {"DeclareMathOperator", math_operator},
-    {"DeclarePairedDelimiter", delimiters},
-    {"DeclarePairedDelimiterX", delimiters_around},
-});
 
 constexpr std::string_view not_closed = "is not closed or has no body";
 
@@ -253,10 +236,16 @@ class DefinitionReader {
 }  // namespace
 
 std::optional<DefinitionForm> definition_form(std::string_view control) {
-  const auto form =
-      std::find_if(forms.begin(), forms.end(), [&](const auto& entry) { return entry.first == control; });
-  if (form == forms.end()) return std::nullopt;
-  return form->second;
+  static const WordMap<DefinitionForm> forms{
+      {"newcommand renewcommand DeclareRobustCommand", command},
+      {"providecommand", provided_command},
+      {"NewDocumentCommand RenewDocumentCommand DeclareDocumentCommand", document_command},
+      {"def gdef edef xdef", primitive},
+      {"let", synonym},
+      {"DeclareMathOperator", math_operator},
+      {"DeclarePairedDelimiter", delimiters},
+      {"DeclarePairedDelimiterX", delimiters_around}};
+  return forms.find(control);
 }
 
 bool read_definition(const Token& control, DefinitionForm form, MacroStream& stream, MacroTable& macros,

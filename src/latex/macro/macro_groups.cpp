@@ -43,8 +43,8 @@ std::size_t MacroGroups::opening_of(GroupMark mark, std::string_view name) const
 bool carries_out_argument(std::string_view control) {
   static constexpr auto beginnings =
       std::to_array<std::string_view>({"@", "AddTo", "AfterE", "At", "If", "if"});
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [&](std::string_view beginning) { return control.starts_with(beginning); });
+  return std::ranges::any_of(beginnings,
+                             [&](std::string_view beginning) { return control.starts_with(beginning); });
 }
 
 }  // namespace rigor

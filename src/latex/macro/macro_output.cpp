@@ -1,94 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/macro/macro_output.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-#include <utility>
-
-#include "base/ascii.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
 
-constexpr auto takes_one = std::to_array<std::string_view>({
-    "acute",
-    "bar",
-    "bm",
-    "boldsymbol",
-    "boxed",
-    "breve",
-    "check",
-    "ddddot",
-    "dddot",
-    "ddot",
-    "dot",
-    "grave",
-    "hat",
-    "mathbb",
-    "mathbf",
-    "mathbfit",
-    "mathbfsf",
-    "mathcal",
-    "mathfrak",
-    "mathit",
-    "mathnormal",
-    "mathring",
-    "mathrm",
-    "mathscr",
-    "mathsf",
-    "mathtt",
-    "mbox",
-    "norm",
-    "operatorname",
-    "overbrace",
-    "overleftarrow",
-    "overleftrightarrow",
-    "overline",
-    "overrightarrow",
-    "pmb",
-    "sqrt",
-    "symbf",
-    "symbfit",
-    "symrm",
-    "text",
-    "textbf",
-    "textit",
-    "textnormal",
-    "textrm",
-    "tilde",
-    "underbrace",
-    "underline",
-    "unit",
-    "va",
-    "vb",
-    "vec",
-    "vectorbold",
-    "vectorunit",
-    "vu",
-    "widehat",
-    "widetilde",
-});
-constexpr auto takes_two = std::to_array<std::string_view>({
-    "binom",
-    "cfrac",
-    "dbinom",
-    "dfrac",
-    "frac",
-    "overset",
-    "stackrel",
-    "tbinom",
-    "textcolor",
-    "tfrac",
-    "underset",
-});
-static_assert(std::is_sorted(takes_one.begin(), takes_one.end()));
-static_assert(std::is_sorted(takes_two.begin(), takes_two.end()));
-
 std::uint8_t arguments_of(const Token& token) {
+  static const WordSet takes_one(
+      "acute bar bm boldsymbol boxed breve check ddddot dddot ddot dot grave hat mathbb mathbf mathbfit "
+      "mathbfsf mathcal mathfrak mathit mathnormal mathring mathrm mathscr mathsf mathtt mbox norm "
+      "operatorname overbrace overleftarrow overleftrightarrow overline overrightarrow pmb sqrt symbf "
+      "symbfit symrm text textbf textit textnormal textrm tilde underbrace underline unit va vb vec "
+      "vectorbold vectorunit vu widehat widetilde");
+  static const WordSet takes_two(
+      "binom cfrac dbinom dfrac frac overset stackrel tbinom textcolor tfrac underset");
   if (token.kind != TokenKind::control) return 0;
-  if (std::binary_search(takes_one.begin(), takes_one.end(), token.text)) return 1;
-  return std::binary_search(takes_two.begin(), takes_two.end(), token.text) ? 2 : 0;
+  return takes_one.contains(token.text) ? 1 : takes_two.contains(token.text) ? 2 : 0;
 }
 
 }  // namespace

@@ -2,39 +2,13 @@
 #include "latex/markdown/markdown_fences.h"
 
 #include <algorithm>
-#include <array>
 
-#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/markdown/markdown_lines.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
-
-/// Languages of code cells, and directives that hold no Markdown.
-constexpr auto codes =
-    std::to_array<std::string_view>({"asy",        "asymptote",  "autoclass",    "autofunction",
-                                     "automodule", "bash",       "bibliography", "block",
-                                     "c",          "cat",        "code",         "code-block",
-                                     "code-cell",  "comment",    "contents",     "cpp",
-                                     "css",        "csv-table",  "digraph",      "doctest",
-                                     "dot",        "embed",      "eval-rst",     "fortran",
-                                     "go",         "graph",      "graphviz",     "haskell",
-                                     "highlight",  "html",       "iframe",       "image",
-                                     "include",    "java",       "javascript",   "js",
-                                     "jsx",        "julia",      "latex",        "literalinclude",
-                                     "lua",        "make",       "mathematica",  "matlab",
-                                     "mermaid",    "node",       "octave",       "ojs",
-                                     "perl",       "php",        "plantuml",     "plot",
-                                     "prolog",     "prompt",     "py",           "pyodide",
-                                     "python",     "r",          "raw",          "Rcpp",
-                                     "R",          "ruby",       "rust",         "sage",
-                                     "sas",        "scala",      "scheme",       "sh",
-                                     "sourcecode", "sql",        "stan",         "tableofcontents",
-                                     "testcode",   "testoutput", "tex",          "tikz",
-                                     "toctree",    "toc",        "ts",           "typescript",
-                                     "video",      "webr",       "wolfram",      "yaml",
-                                     "zsh"});
 
 /// `note` in `{note} A title`; `note` in `note`; `callout-note` in `{.callout-note}` keeps its point.
 std::string_view first_word(std::string_view words) {
@@ -46,7 +20,17 @@ std::string_view first_word(std::string_view words) {
   return without_blanks_around(words).substr(0, without_blanks_around(words).find_first_of(" \t,;"));
 }
 
-bool is_code(std::string_view name) { return is_one_of(name, codes); }
+/// Languages of code cells, and directives that hold no Markdown.
+bool is_code(std::string_view name) {
+  static const WordSet codes(
+      "asy asymptote autoclass autofunction automodule bash bibliography block c cat code code-block "
+      "code-cell comment contents cpp css csv-table digraph doctest dot embed eval-rst fortran go graph "
+      "graphviz haskell highlight html iframe image include java javascript js jsx julia latex "
+      "literalinclude lua make mathematica matlab mermaid node octave ojs perl php plantuml plot prolog "
+      "prompt py pyodide python r raw Rcpp R ruby rust sage sas scala scheme sh sourcecode sql stan "
+      "tableofcontents testcode testoutput tex tikz toctree toc ts typescript video webr wolfram yaml zsh");
+  return codes.contains(name);
+}
 
 bool is_option(std::string_view line) {
   const std::size_t end = line.starts_with(':') ? line.find(':', 1) : std::string_view::npos;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/markdown/markdown_lines.h"
 
-#include <algorithm>
 #include <array>
 
 #include "base/ascii.h"

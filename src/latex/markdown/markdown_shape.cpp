@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/ascii.h"
-
 namespace rigor {
 namespace {
 

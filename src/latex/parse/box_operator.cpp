@@ -23,7 +23,7 @@ bool starts_operand(TokenView tokens, std::size_t at) {
     case TokenKind::begin_group:
       return true;
     case TokenKind::other:
-      return is_sign(token, "(") || is_sign(token, "[");
+      return is_sign_of(token, "([");
     case TokenKind::control:
       return !is_spacing(token) && !is_words(token) && factor_joint(token) == Joint::none &&
              !is_sum_sign(token) && !is_one_of(token.text, closing);
@@ -35,7 +35,7 @@ bool starts_operand(TokenView tokens, std::size_t at) {
 /// Behind `^2`, `^{2}` and the like at `at`.
 std::size_t behind_power(TokenView tokens, std::size_t at) {
   const std::size_t script = skip_blank(tokens, at);
-  if (script >= tokens.size() || tokens[script].kind != TokenKind::superscript) return at;
+  if (!is_kind_at(tokens, script, TokenKind::superscript)) return at;
   return argument_at(tokens, script + 1).next;
 }
 
@@ -47,8 +47,8 @@ bool has_box_term(TokenView sum) {
     if (sum[k].kind == TokenKind::end_group) --depth;
     if (depth != 0 || !is_box(sum[k])) continue;
     const std::size_t behind = skip_blank(sum, behind_power(sum, k + 1));
-    if (behind == sum.size() || is_sum_sign(sum[behind]) || is_sign(sum[behind], ")") ||
-        is_sign(sum[behind], "]") || is_control(sum[behind], "right"))
+    if (behind == sum.size() || is_sum_sign(sum[behind]) || is_sign_of(sum[behind], ")]") ||
+        is_control(sum[behind], "right"))
       return true;
   }
   return false;
@@ -60,7 +60,7 @@ bool is_box_operator(TokenView tokens, std::size_t begin, std::size_t end) {
   const Token& first = tokens[begin];
   if (!starts_operand(tokens, skip_blank(tokens, end))) return false;
   if (is_box(first)) return behind_power(tokens, begin + 1) == end;
-  const bool bracket = is_sign(first, "(") || is_sign(first, "[") || is_control(first, "left");
+  const bool bracket = is_sign_of(first, "([") || is_control(first, "left");
   return bracket && has_box_term(tokens.subspan(begin, end - begin));
 }
 

@@ -29,7 +29,7 @@ std::string letters_of(TokenView tokens) {
 /// A run of plain letters from `at` on; only the letters themselves.
 TokenView letter_run(TokenView tokens, std::size_t at) {
   std::size_t end = at;
-  while (end < tokens.size() && tokens[end].kind == TokenKind::letter && tokens[end].text.size() == 1) ++end;
+  while (is_kind_at(tokens, end, TokenKind::letter) && tokens[end].text.size() == 1) ++end;
   return tokens.subspan(at, end - at);
 }
 
@@ -66,7 +66,7 @@ class IndexReader {
       reading_.indices.insert(reading_.indices.end(), inner.indices.begin(), inner.indices.end());
       if (inner.obstacle) reading_.obstacle = inner.obstacle;
       at_ = group.next;
-    } else if (is_control(token, "rm") || is_control(token, "sf") || is_control(token, "it")) {  // {\\rm in}
+    } else if (is_control_of(token, {"rm", "sf", "it"})) {  // {\\rm in}
       const TokenView words = trim(tokens_.subspan(at_ + 1));
       if (!words.empty()) add(text_of(words), IndexForm::word, cover(token.span, span_of(words)));
       at_ = tokens_.size();
@@ -97,10 +97,10 @@ class IndexReader {
 
   void superscript() {
     const Argument argument = argument_at(tokens_, at_ + 1);
-    const bool primes = !trim(argument.content).empty() &&
-                        std::all_of(argument.content.begin(), argument.content.end(), [](const Token& token) {
-                          return is_control(token, "prime") || is_sign(token, "'");
-                        });
+    const bool primes =
+        !trim(argument.content).empty() && std::ranges::all_of(argument.content, [](const Token& token) {
+          return is_control(token, "prime") || is_sign(token, "'");
+        });
     if (!primes || reading_.indices.empty()) {
       refuse("a superscript inside a subscript is not read");
       return;
@@ -117,8 +117,7 @@ class IndexReader {
       return;
     }
     const std::string letter = letter_of(token);
-    const bool lone_sign =
-        tokens_.size() == 1 && (is_sign(token, "+") || is_sign(token, "-") || is_sign(token, "*"));
+    const bool lone_sign = tokens_.size() == 1 && is_sign_of(token, "+-*");
     if (letter.empty() && (lone_sign || is_label_sign(token))) {
       add(text_of({&token, 1}), IndexForm::word, token.span);
       ++at_;
@@ -154,8 +153,7 @@ IndexReading read_indices(TokenView tokens) { return IndexReader(tokens).read();
 
 SumReading read_sum_bounds(TokenView lower, TokenView upper) {
   SumReading reading;
-  const auto equal =
-      std::find_if(lower.begin(), lower.end(), [](const Token& token) { return is_sign(token, "="); });
+  const auto equal = std::ranges::find_if(lower, [](const Token& token) { return is_sign(token, "="); });
   const TokenView names = lower.first(static_cast<std::size_t>(equal - lower.begin()));
   if (equal != lower.end()) reading.sum.from = text_of(lower.subspan(names.size() + 1));
   reading.sum.to = text_of(upper);

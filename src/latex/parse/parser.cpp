@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
 #include "base/ascii.h"
 #include "latex/parse/box_operator.h"
@@ -33,8 +32,7 @@ void skip_group_before_script(Parser::Cursor& cursor) {
   if (cursor.done() || cursor.token().kind != TokenKind::begin_group) return;
   const Argument group = argument_at(cursor.tokens, cursor.at);
   const std::size_t behind = skip_blank(cursor.tokens, group.next);
-  if (trim(group.content).empty() && behind < cursor.tokens.size() && is_script(cursor.tokens[behind]))
-    cursor.at = behind;
+  if (trim(group.content).empty() && is_script_at(cursor.tokens, behind)) cursor.at = behind;
 }
 
 /// `[uv]_a^b`: behind the other limit of a bracket that ends before `behind` and has one at `script`. A
@@ -43,7 +41,7 @@ std::optional<std::size_t> second_limit(TokenView tokens, std::size_t behind, st
                                         std::size_t next) {
   if (behind == 0 || !is_sign(tokens[behind - 1], "]")) return std::nullopt;
   const std::size_t other = skip_blank(tokens, next);
-  if (other >= tokens.size() || !is_script(tokens[other]) || is_sign(tokens[other], "'") ||
+  if (!is_script_at(tokens, other) || is_sign(tokens[other], "'") ||
       tokens[other].kind == tokens[script].kind)
     return std::nullopt;
   const Argument limit = script_argument_at(tokens, other + 1);
@@ -134,7 +132,7 @@ SyntaxId Parser::term(Cursor& cursor) {
     cursor.skip_spacing();
     if (!factors.empty()) {
       const TokenView skipped = cursor.tokens.subspan(before, cursor.at - before);
-      const bool spaced = std::any_of(skipped.begin(), skipped.end(), is_spacing);
+      const bool spaced = std::ranges::any_of(skipped, is_spacing);
       if (const auto unit = unit_behind(cursor, factors.back().id, spaced)) {
         factors.push_back({*unit, joint, joint_span});
         joint = Joint::juxtaposed;
@@ -195,7 +193,7 @@ void Parser::divide_by_all_behind(TokenView tokens, std::vector<SyntaxChild>& fa
       const auto inside = [&](const Token& token) {
         return token.span.begin >= span.begin && token.span.end <= span.end;
       };
-      const auto first = std::find_if(tokens.begin(), tokens.end(), inside);
+      const auto first = std::ranges::find_if(tokens, inside);
       return text_of(TokenView(first, std::find_if_not(first, tokens.end(), inside)));
     };
     const std::string above = written(tree_[factors[k - 1].id].span);
@@ -259,7 +257,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
         return stacked_powers(token.span);
       // `{}-A`: an empty group holds the place of an operand; before an operand it means nothing.
       const std::size_t behind = skip_blank(cursor.tokens, group.next);
-      if (trim(group.content).empty() && behind < cursor.tokens.size() && is_script(cursor.tokens[behind])) {
+      if (trim(group.content).empty() && is_script_at(cursor.tokens, behind)) {
         cursor.at = script_argument_at(cursor.tokens, behind + 1).next;
         return opaque(token.span, "a script before its symbol is not read");
       }
@@ -269,7 +267,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
       break;
   }
   if (is_asking_mark(cursor.tokens, cursor.at)) return asked(cursor);
-  if (is_sign(token, "(") || is_sign(token, "[")) return bracketed(cursor);
+  if (is_sign_of(token, "([")) return bracketed(cursor);
   if (is_sign(token, "|")) return bars(cursor);
   if (is_sign(token, ".") && cursor.at + 1 < cursor.tokens.size() &&
       cursor.tokens[cursor.at + 1].kind == TokenKind::digit) {
@@ -277,7 +275,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
   }
   if (const auto interval = reversed_interval(cursor)) return *interval;
   ++cursor.at;
-  if (is_sign(token, ")") || is_sign(token, "]") || token.kind == TokenKind::end_group) {
+  if (is_sign_of(token, ")]") || token.kind == TokenKind::end_group) {
     return opaque(token.span, fmt::format("`{}` closes nothing", token.text), DiagnosticKind::unbalanced);
   }
   if (is_script(token)) {
@@ -370,7 +368,7 @@ SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
 SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
   content = trim(content);
   const auto is_prime = [](const Token& token) { return is_control(token, "prime") || is_sign(token, "'"); };
-  if (!content.empty() && std::all_of(content.begin(), content.end(), is_prime)) {
+  if (!content.empty() && std::ranges::all_of(content, is_prime)) {
     read(content);
     return add_primes(base, static_cast<std::uint8_t>(content.size()), place);
   }

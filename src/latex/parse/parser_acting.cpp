@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/among.h"
 #include "latex/parse/parser.h"
 #include "latex/split/acting.h"
 #include "latex/split/differential.h"
@@ -12,7 +13,7 @@
 namespace rigor {
 namespace {
 
-bool opens_bracket(const Token& token) { return is_sign(token, "(") || is_sign(token, "["); }
+bool opens_bracket(const Token& token) { return is_sign_of(token, "(["); }
 
 }  // namespace
 
@@ -113,12 +114,12 @@ SyntaxId Parser::field_word(Cursor& cursor, const std::string& word, std::size_t
   if (more) {
     const Token& token = cursor.tokens[next];
     const bool script = token.kind == TokenKind::superscript || token.kind == TokenKind::subscript;
-    const bool sign = is_sign(token, "+") || is_sign(token, "-") || token.text == "−";
+    const bool sign = is_sign_of(token, "+-") || token.text == "−";
     const bool measure = measure_ != nullptr && differential_at(cursor.tokens, next);
     more = bracket ? script : !sign && !measure;
   }
   if (more || (!bracket && tree_[argument].kind == SyntaxKind::power)) return unclear_operand(span);
-  const bool of_vector = word == "div" || word == "divergence" || word == "rot" || word == "curl";
+  const bool of_vector = is_one_of(word, {"div", "divergence", "rot", "curl"});
   if (of_vector && tree_[argument].kind == SyntaxKind::symbol && tree_.symbol(argument).face == Face::plain &&
       tree_.symbol(argument).accent != Accent::hat)
     return opaque(span, fmt::format("`{}` of a letter that is not bold is not read", word));

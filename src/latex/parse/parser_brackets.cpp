@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/parse/parser.h"
 #include "latex/split/differential.h"
@@ -30,10 +31,10 @@ bool are_a_pair(const Token& open, const Token& closing) {
 /// `[0, 1)`: two ends with a comma between, each with a bracket of its own kind.
 bool is_interval(const Token& open, const Token& closing, TokenView content) {
   const bool round = is_sign(open, "(") != is_sign(closing, ")");
-  if (!round || (!is_sign(open, "(") && !is_sign(open, "["))) return false;
+  if (!round || !is_sign_of(open, "([")) return false;
   Nesting nesting(false);
-  return 1 == std::count_if(content.begin(), content.end(), [&](const Token& token) {
-           return nesting.enter(token) == 0 && (is_sign(token, ",") || is_sign(token, ";"));
+  return 1 == std::ranges::count_if(content, [&](const Token& token) {
+           return nesting.enter(token) == 0 && is_sign_of(token, ",;");
          });
 }
 
@@ -41,8 +42,8 @@ bool is_interval(const Token& open, const Token& closing, TokenView content) {
 bool is_graded(const Token& open, const Token& closing, TokenView content) {
   Nesting nesting(false);
   return is_sign(open, "[") && is_control(closing, "}") &&
-         std::any_of(content.begin(), content.end(),
-                     [&](const Token& token) { return nesting.enter(token) == 0 && is_sign(token, ","); });
+         std::ranges::any_of(
+             content, [&](const Token& token) { return nesting.enter(token) == 0 && is_sign(token, ","); });
 }
 
 bool is_bar(const Token& token) { return is_sign(token, "|") || is_control(token, "vert"); }
@@ -86,10 +87,7 @@ std::size_t closing_bar(TokenView tokens, std::size_t open) {
   return tokens.size();
 }
 
-bool is_angle(const Token& token) {
-  return is_control(token, "rangle") || is_control(token, "langle") || is_control(token, "ket") ||
-         is_control(token, "bra");
-}
+bool is_angle(const Token& token) { return is_control_of(token, {"rangle", "langle", "ket", "bra"}); }
 
 /// Does an operand begin with this token? A sign does not count.
 bool begins_operand(const Token& token) {
@@ -97,8 +95,8 @@ bool begins_operand(const Token& token) {
     return !letter_of(token).empty() || style_of(token).has_value() || is_fraction(token) ||
            dots_of(token) > 0 || !function_name(token.text).empty() || token.text == "sqrt" ||
            token.text == "nabla";
-  return token.kind == TokenKind::letter || token.kind == TokenKind::digit || is_sign(token, "(") ||
-         is_sign(token, "[") || token.kind == TokenKind::begin_group;
+  return token.kind == TokenKind::letter || token.kind == TokenKind::digit || is_sign_of(token, "([") ||
+         token.kind == TokenKind::begin_group;
 }
 
 /// Does an operand end right before this place, and another one begin right behind it?
@@ -145,7 +143,7 @@ std::vector<TokenView> views_of(const std::vector<Cell>& cells) {
 /// `[t]{|c|rl}`
 bool are_columns(TokenView tokens) {
   static constexpr std::string_view signs = "clrtb|[]{}@ ";
-  return std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
+  return std::ranges::all_of(tokens, [](const Token& token) {
     return token.text.size() == 1 && signs.find(token.text) != std::string_view::npos;
   });
 }
@@ -154,7 +152,7 @@ bool are_columns(TokenView tokens) {
 bool is_acted_on(TokenView tokens, std::size_t open) {
   while (open > 0) {
     const Token& token = tokens[--open];
-    if (is_sign(token, "+") || is_sign(token, "-")) return false;
+    if (is_sign_of(token, "+-")) return false;
     const bool derivative = is_partial(token) || is_control(token, "nabla") ||
                             (token.kind == TokenKind::letter && token.text == "d");
     if (derivative || (token.kind == TokenKind::control && !function_name(token.text).empty())) return true;
@@ -242,7 +240,7 @@ SyntaxId Parser::bars(Cursor& cursor) {
       sized ? closing_bracket(cursor.tokens, cursor.at) : closing_bar(cursor.tokens, cursor.at);
   if (close >= cursor.tokens.size()) {
     const bool divides = stands_between(cursor.tokens, cursor.at);
-    const bool ket = std::any_of(cursor.tokens.begin(), cursor.tokens.end(), is_angle);
+    const bool ket = std::ranges::any_of(cursor.tokens, is_angle);
     cursor.at = cursor.tokens.size();
     if (ket) return opaque(open.span, "a bra or ket is not read");
     if (divides) return opaque(open.span, "a bar between two quantities is not read");
@@ -293,10 +291,9 @@ std::optional<SyntaxId> Parser::reversed_interval(Cursor& cursor) {
   const TokenView tokens = cursor.tokens;
   if (!is_sign(tokens[cursor.at], "]")) return std::nullopt;
   std::size_t end = cursor.at + 1;
-  while (end < tokens.size() && !is_sign(tokens[end], "[") && !is_sign(tokens[end], "]")) ++end;
+  while (end < tokens.size() && !is_sign_of(tokens[end], "[]")) ++end;
   const TokenView content = tokens.subspan(cursor.at + 1, std::min(end, tokens.size()) - cursor.at - 1);
-  const bool two = std::any_of(content.begin(), content.end(),
-                               [](const Token& token) { return is_sign(token, ",") || is_sign(token, ";"); });
+  const bool two = std::ranges::any_of(content, [](const Token& token) { return is_sign_of(token, ",;"); });
   if (end >= tokens.size() || !two) return std::nullopt;
   const Span span = cover(tokens[cursor.at].span, tokens[end].span);
   cursor.at = end + 1;
@@ -324,9 +321,8 @@ SyntaxId Parser::environment(Cursor& cursor) {
     read(columns);
     body = body.subspan(columns.size());
   }
-  const bool brackets = name == "pmatrix" || name == "bmatrix" || name == "matrix" || name == "smallmatrix" ||
-                        name == "array" || name == "Bmatrix" || name == "psmallmatrix" ||
-                        name == "bsmallmatrix";
+  const bool brackets = is_one_of(name, {"pmatrix", "bmatrix", "matrix", "smallmatrix", "array", "Bmatrix",
+                                         "psmallmatrix", "bsmallmatrix"});
   if (brackets) return matrix(body, span, false);
   if (name == "vmatrix") return matrix(body, span, true);
   return opaque(span, fmt::format("the environment `{}` is not read inside an expression", name));
@@ -375,7 +371,7 @@ SyntaxId Parser::matrix(TokenView body, Span span, bool determinant) {
     columns = in_row;
     in_row = 0;
   }
-  const bool dots = std::any_of(body.begin(), body.end(), [](const Token& token) {
+  const bool dots = std::ranges::any_of(body, [](const Token& token) {
     return token.kind == TokenKind::control && token.text.ends_with("dots");
   });
   if (ragged && dots) return opaque(span, "a matrix with dots is not read");

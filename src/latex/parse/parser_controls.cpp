@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/parse/parse_indices.h"
 #include "latex/parse/parser.h"
@@ -23,22 +24,21 @@ namespace {
 enum class BraceLabel : std::uint8_t { name, words, statement };
 
 BraceLabel brace_label(TokenView label) {
-  const bool related = std::any_of(label.begin(), label.end(), [](const Token& token) {
+  const bool related = std::ranges::any_of(label, [](const Token& token) {
     return relation_kind(token).has_value() || is_control(token, "downarrow");
   });
   if (related) return BraceLabel::statement;
-  const bool worded = std::any_of(label.begin(), label.end(), is_words);
+  const bool worded = std::ranges::any_of(label, is_words);
   const bool symbol = !trim(label).empty() && symbol_end(label, skip_narrow(label, 0)) == label.size();
   if (worded && !symbol) {
     const std::string words = spoken(label);
     if (remark_of(words) == Remark::remark) return BraceLabel::name;
-    const bool plain = std::all_of(words.begin(), words.end(), [](char c) {
+    const bool plain = std::ranges::all_of(words, [](char c) {
       return is_letter(c) || is_white(c) || c == '-' || c == ',' || c == '.' || c == '\'';
     });
     return plain ? BraceLabel::words : BraceLabel::statement;
   }
-  const bool named =
-      std::any_of(label.begin(), label.end(), [](const Token& token) { return !letter_of(token).empty(); });
+  const bool named = std::ranges::any_of(label, [](const Token& token) { return !letter_of(token).empty(); });
   return named ? BraceLabel::name : BraceLabel::statement;
 }
 
@@ -58,10 +58,8 @@ SyntaxId Parser::control(Cursor& cursor) {
   if (dots_of(token) > 0) return dotted(cursor);
   if (name == "sum") return big_sum(cursor);
   if (starts_quantity(cursor)) return quantity(cursor);
-  if (name == "abs" || name == "norm" || name == "qty" || name == "quantity" || name == "absolutevalue")
-    return braced_bracket(cursor);
-  if (name == "lvert" || name == "lVert" || name == "|" || name == "Vert" || name == "vert")
-    return bars(cursor);
+  if (is_one_of(name, {"abs", "norm", "qty", "quantity", "absolutevalue"})) return braced_bracket(cursor);
+  if (is_one_of(name, {"lvert", "lVert", "|", "Vert", "vert"})) return bars(cursor);
   if (name == "{" || name == "lbrace") return bracketed(cursor);
   if (name == "begin") return environment(cursor);
   if (!letter_of(token).empty() || name == "nabla") return letter(cursor);
@@ -75,13 +73,12 @@ SyntaxId Parser::control(Cursor& cursor) {
     cursor.at = argument.next;
     return inner(argument.content, token.span);
   }
-  if (name == "underbrace" || name == "overbrace" || name == "underset" || name == "overset" ||
-      name == "stackrel") {
+  if (is_one_of(name, {"underbrace", "overbrace", "underset", "overset", "stackrel"})) {
     return name.ends_with("brace") ? braced(cursor) : annotated(cursor);
   }
   if (is_words(token)) return words(cursor);
   ++cursor.at;
-  if (name == "rvert" || name == "rVert" || name == "}" || name == "rbrace") {
+  if (is_one_of(name, {"rvert", "rVert", "}", "rbrace"})) {
     return opaque(token.span, "this bar or brace closes nothing");
   }
   const std::string_view reason = unread_reason(name);
@@ -201,7 +198,7 @@ SyntaxId Parser::big_sum(Cursor& cursor) {
 SyntaxId Parser::braced_bracket(Cursor& cursor) {
   const Token token = cursor.token();
   std::size_t at = skip_blank(cursor.tokens, cursor.at + 1);
-  if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) {
+  if (is_sign_at(cursor.tokens, at, "*")) {
     read(cursor.tokens.subspan(at, 1));
     at = skip_blank(cursor.tokens, at + 1);
   }

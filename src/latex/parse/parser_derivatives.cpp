@@ -32,8 +32,7 @@ bool goes_on_with_operand(TokenView rest) {
   const std::size_t at = skip_narrow(rest, 0);
   if (at >= rest.size()) return true;
   const Token& token = rest[at];
-  return !is_sign(token, "+") && !is_sign(token, "-") && token.text != "−" &&
-         factor_joint(token) == Joint::none;
+  return !is_sign_of(token, "+-") && token.text != "−" && factor_joint(token) == Joint::none;
 }
 
 /// What stands behind the `d` of the numerator.
@@ -189,7 +188,7 @@ std::optional<WrittenDerivative> Parser::operator_in(TokenView content) {
 
 SyntaxId Parser::bracketed_operator(Cursor& cursor, WrittenDerivative derivative, Span span) {
   const std::size_t script = skip_blank(cursor.tokens, cursor.at);
-  if (script >= cursor.tokens.size() || cursor.tokens[script].kind != TokenKind::subscript)
+  if (!is_kind_at(cursor.tokens, script, TokenKind::subscript))
     return operate(cursor, std::move(derivative), span);
   const Argument argument = script_argument_at(cursor.tokens, script + 1);
   IndexReading reading = read_indices(argument.content);
@@ -212,7 +211,7 @@ std::optional<SyntaxId> Parser::slash_derivative(Cursor& cursor) {
   std::size_t end = symbol_end(tokens, begin);
   if (end == begin) end = bracket_end(tokens, begin);
   const std::size_t slash = skip_blank(tokens, end);
-  if (slash >= tokens.size() || !is_sign(tokens[slash], "/")) return std::nullopt;
+  if (!is_sign_at(tokens, slash, "/")) return std::nullopt;
   const std::size_t below = skip_blank(tokens, slash + 1);
   const auto bottom = differential_at(tokens, below);
   if (!bottom || bottom->partial != top->partial) return std::nullopt;

@@ -19,8 +19,8 @@ bool is_bold(TokenView tokens, std::size_t at) {
 }
 
 bool opens_argument(const Token& token) {
-  return is_sign(token, "(") || is_sign(token, "[") || is_control(token, "{") ||
-         is_control(token, "lbrace") || token.kind == TokenKind::begin_group;
+  return is_sign_of(token, "([") || is_control(token, "{") || is_control(token, "lbrace") ||
+         token.kind == TokenKind::begin_group;
 }
 
 /// One of the plain letters, numbers and fractions that an argument without brackets is made of.
@@ -28,15 +28,13 @@ bool is_plain_factor(TokenView tokens, std::size_t at) {
   const Token& token = tokens[at];
   if (token.kind == TokenKind::digit) return true;
   if (is_sign(token, ".")) return at + 1 < tokens.size() && tokens[at + 1].kind == TokenKind::digit;
-  if (is_control(token, "frac") || is_control(token, "tfrac") || is_control(token, "dfrac") ||
-      is_control(token, "sqrt"))
-    return true;
+  if (is_control_of(token, {"frac", "tfrac", "dfrac", "sqrt"})) return true;
   if (!letter_of(token).empty()) return true;
   const auto style = style_of(token);
   if (style && (style->face != Face::plain || style->upright)) return false;
   if (!style && dots_of(token) == 0) return false;
   const Argument argument = argument_at(tokens, at + 1);
-  return std::none_of(argument.content.begin(), argument.content.end(), [](const Token& inside) {
+  return std::ranges::none_of(argument.content, [](const Token& inside) {
     const auto face = style_of(inside);
     return face && face->face != Face::plain;
   });
@@ -76,7 +74,7 @@ SyntaxId Parser::function(Cursor& cursor, std::string_view name, std::size_t beh
   std::size_t script = skip_blank(cursor.tokens, cursor.at);
   std::optional<Argument> exponent;
   Span place;
-  if (script < cursor.tokens.size() && cursor.tokens[script].kind == TokenKind::superscript) {
+  if (is_kind_at(cursor.tokens, script, TokenKind::superscript)) {
     exponent = script_argument_at(cursor.tokens, script + 1);
     place = span_of(cursor.tokens.subspan(script, exponent->next - script));
     read(cursor.tokens.subspan(script, 1));
@@ -150,7 +148,7 @@ SyntaxId Parser::plain_argument(Cursor& cursor, std::string_view name, std::size
   }
   // `\sin\theta/2` is read both ways.
   const std::size_t slash = skip_narrow(cursor.tokens, cursor.at);
-  if (slash < cursor.tokens.size() && is_sign(cursor.tokens[slash], "/")) {
+  if (is_sign_at(cursor.tokens, slash, "/")) {
     const std::size_t below = skip_narrow(cursor.tokens, slash + 1);
     if (below < cursor.tokens.size() && is_plain_factor(cursor.tokens, below))
       return unclear_argument(span, name);
@@ -191,7 +189,7 @@ bool Parser::bracket_belongs(const Cursor& cursor, const Application& applicatio
   const std::size_t end = bracket_end(tokens, open);
   if (end == open) return false;
   const TokenView content = tokens.subspan(open + 1, end - open - 2);
-  const bool other = std::any_of(content.begin(), content.end(), [](const Token& token) {
+  const bool other = std::ranges::any_of(content, [](const Token& token) {
     const auto style = style_of(token);
     const bool control = token.kind == TokenKind::control;
     return is_sign(token, ",") || (control && !function_name(token.text).empty()) ||

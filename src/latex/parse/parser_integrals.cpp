@@ -86,7 +86,7 @@ bool Parser::read_measure(Cursor& cursor) {
     written = tokens.subspan(begin, end - begin);
   } else {  // \dd{m}
     const Argument group = argument_at(tokens, begin);
-    if (begin >= tokens.size() || tokens[begin].kind != TokenKind::begin_group) return false;
+    if (!is_kind_at(tokens, begin, TokenKind::begin_group)) return false;
     if (symbol_end(group.content, 0) != group.content.size() || group.content.empty()) return false;
     written = group.content;
     end = group.next;

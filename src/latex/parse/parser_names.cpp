@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
-#include "base/among.h"
 #include "latex/parse/parse.h"
 #include "latex/parse/parser.h"
 #include "latex/split/differential.h"
@@ -27,15 +25,15 @@ bool starts_change(TokenView tokens, std::size_t at) {
 }
 
 bool all_plain_letters(TokenView tokens) {
-  return tokens.size() > 1 && std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
+  return tokens.size() > 1 && std::ranges::all_of(tokens, [](const Token& token) {
            return token.kind == TokenKind::letter && token.text.size() == 1;
          });
 }
 
 /// Of packages, and short names that authors give to macros of their own: `\vu = …`, where `\vu` is a vector.
 bool may_be_a_macro_of_the_author(std::string_view name) {
-  static constexpr std::array<std::string_view, 6> names{"vu", "vb", "va", "vv", "bm", "tensor"};
-  return is_one_of(name, names);
+  static const WordSet names("vu vb va vv bm tensor");
+  return names.contains(name);
 }
 
 bool can_be_an_argument(TokenView tokens, std::size_t at) {
@@ -142,7 +140,7 @@ SyntaxId Parser::styled(Cursor& cursor, Style style) {
   const Token token = cursor.token();
   const std::size_t begin = cursor.at;
   std::size_t at = cursor.at + 1;
-  if (at < cursor.tokens.size() && is_sign(cursor.tokens[at], "*")) ++at;  // \vb*{…}: italic bold
+  if (is_sign_at(cursor.tokens, at, "*")) ++at;  // \vb*{…}: italic bold
   read(cursor.tokens.subspan(begin, at - begin));
   at = skip_blank(cursor.tokens, at);
   if (starts_accent(cursor.tokens, at)) {

@@ -39,12 +39,12 @@ SyntaxId Parser::physics_derivative(Cursor& cursor, bool partial) {
   const TokenView tokens = cursor.tokens;
   const std::size_t begin = cursor.at;
   std::size_t at = skip_blank(tokens, begin + 1);
-  if (at < tokens.size() && is_sign(tokens[at], "*")) ++at;
+  if (is_sign_at(tokens, at, "*")) ++at;
   const Argument order = optional_argument_at(tokens, at);
   std::vector<Argument> arguments{argument_at(tokens, order.next)};
   while (arguments.size() < 3) {
     const std::size_t open = skip_blank(tokens, arguments.back().next);
-    if (open >= tokens.size() || tokens[open].kind != TokenKind::begin_group) break;
+    if (!is_kind_at(tokens, open, TokenKind::begin_group)) break;
     if (arguments.size() == 2 && !partial) break;
     arguments.push_back(argument_at(tokens, open));
   }
@@ -76,7 +76,7 @@ SyntaxId Parser::partial(Cursor& cursor) {
   const std::size_t script = skip_blank(cursor.tokens, cursor.at + 1);
   read_sign(cursor);
   ++cursor.at;
-  if (script >= cursor.tokens.size() || cursor.tokens[script].kind != TokenKind::subscript)
+  if (!is_kind_at(cursor.tokens, script, TokenKind::subscript))
     return opaque(token.span, "`\\partial` without an index or a fraction is not read");
   const Argument argument = script_argument_at(cursor.tokens, script + 1);
   cursor.at = argument.next;
@@ -110,8 +110,7 @@ bool Parser::is_constant(SyntaxId id) const {
   const auto is_number = [&](SyntaxId each) { return tree_[each].kind == SyntaxKind::number; };
   if (tree_[id].kind == SyntaxKind::fraction) {
     const auto parts = tree_.children(id);
-    return std::all_of(parts.begin(), parts.end(),
-                       [&](const SyntaxChild& part) { return is_number(part.id); });
+    return std::ranges::all_of(parts, [&](const SyntaxChild& part) { return is_number(part.id); });
   }
   if (tree_[id].kind != SyntaxKind::symbol) return is_number(id);
   const WrittenSymbol& symbol = tree_.symbol(id);
@@ -120,8 +119,8 @@ bool Parser::is_constant(SyntaxId id) const {
 }
 
 std::optional<Obstacle> Parser::read_partial_index(TokenView content, std::vector<WrittenVariable>& by) {
-  const bool nested = std::any_of(content.begin(), content.end(),
-                                  [](const Token& token) { return token.kind == TokenKind::subscript; });
+  const bool nested =
+      std::ranges::any_of(content, [](const Token& token) { return token.kind == TokenKind::subscript; });
   if (nested) {  // \partial_{x_i}
     const auto variable = this->variable(inner(content, span_of(content)));
     if (!variable)
@@ -134,8 +133,8 @@ std::optional<Obstacle> Parser::read_partial_index(TokenView content, std::vecto
   if (reading.obstacle) return reading.obstacle;
   if (reading.indices.empty()) return Obstacle{DiagnosticKind::bad_syntax, "the subscript is empty", {}};
   for (const WrittenIndex& index : reading.indices) {
-    const bool either = index.text == "r" || index.text == "s" || index.text == "\\rho" ||
-                        index.text == "\\sigma" || index.form == IndexForm::word;
+    const bool either =
+        is_one_of(index.text, {"r", "s", "\\rho", "\\sigma"}) || index.form == IndexForm::word;
     if (either)
       return Obstacle{DiagnosticKind::ambiguous_reading,
                       fmt::format("`{}` can be an index here, or what is differentiated by", index.text),
@@ -154,14 +153,15 @@ std::optional<Parser::EvaluationBar> Parser::evaluation_bar(Cursor& cursor) {
   if (!is_sign(tokens[bar], "|") && !is_control(tokens[bar], "vert") && !is_control(tokens[bar], "rvert"))
     return std::nullopt;
   const std::size_t script = skip_blank(tokens, bar + 1);
-  if (script >= tokens.size() || tokens[script].kind != TokenKind::subscript) return std::nullopt;
+  if (!is_kind_at(tokens, script, TokenKind::subscript)) return std::nullopt;
   const Argument argument = script_argument_at(tokens, script + 1);
   cursor.at = argument.next;
   read(tokens.subspan(bar, argument.next - bar));
   IndexReading reading = read_indices(argument.content);
   const bool named = !reading.obstacle && !reading.indices.empty() &&
-                     std::none_of(reading.indices.begin(), reading.indices.end(),
-                                  [](const WrittenIndex& index) { return index.form == IndexForm::digit; });
+                     std::ranges::none_of(reading.indices, [](const WrittenIndex& index) {
+                       return index.form == IndexForm::digit;
+                     });
   return EvaluationBar{named ? std::move(reading.indices) : std::vector<WrittenIndex>{},
                        span_of(tokens.subspan(bar, argument.next - bar))};
 }

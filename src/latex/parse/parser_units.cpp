@@ -33,7 +33,7 @@ std::optional<std::string> digits_of(std::string_view text, bool& negative) {
   auto point = digits.find('.');
   if (point == std::string::npos) point = digits.size();
   digits.erase(std::min(point, digits.size()), point < digits.size() ? 1 : 0);
-  if (digits.empty() || !std::all_of(digits.begin(), digits.end(), is_digit)) return std::nullopt;
+  if (digits.empty() || !std::ranges::all_of(digits, is_digit)) return std::nullopt;
   auto at = static_cast<std::ptrdiff_t>(point) + tens;
   if (at <= 0) {
     digits.insert(0, static_cast<std::size_t>(1 - at), '0');
@@ -52,9 +52,7 @@ bool Parser::starts_quantity(const Cursor& cursor) {
   const std::string_view name = cursor.token().text;
   if (name == "SI" || name == "si" || name == "num") return true;
   if (name != "qty" && name != "unit") return false;
-  const auto is_group = [&](std::size_t at) {
-    return at < cursor.tokens.size() && cursor.tokens[at].kind == TokenKind::begin_group;
-  };
+  const auto is_group = [&](std::size_t at) { return is_kind_at(cursor.tokens, at, TokenKind::begin_group); };
   const std::size_t first = skip_blank(cursor.tokens, cursor.at + 1);
   if (!is_group(first)) return false;
   if (name == "unit") return true;
@@ -72,7 +70,7 @@ SyntaxId Parser::quantity(Cursor& cursor) {
   const bool has_unit = token.text != "num";
   std::size_t at = skip_blank(cursor.tokens, cursor.at + 1);
   const auto skip_options = [&] {
-    if (at >= cursor.tokens.size() || !is_sign(cursor.tokens[at], "[")) return;
+    if (!is_sign_at(cursor.tokens, at, "[")) return;
     while (at < cursor.tokens.size() && !is_sign(cursor.tokens[at], "]")) ++at;
     at = skip_blank(cursor.tokens, std::min(at + 1, cursor.tokens.size()));
   };
@@ -140,9 +138,8 @@ std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, boo
   const std::string text = text_of(word.content);
   const bool apart = spaced || is_words(cursor.token()) || has_unit(before);
   const std::size_t behind = skip_blank(cursor.tokens, word.next);
-  const bool goes_on = behind < cursor.tokens.size() &&
-                       (cursor.tokens[behind].kind == TokenKind::subscript ||
-                        is_sign(cursor.tokens[behind], "(") || is_sign(cursor.tokens[behind], "'"));
+  const bool goes_on = behind < cursor.tokens.size() && (cursor.tokens[behind].kind == TokenKind::subscript ||
+                                                         is_sign_of(cursor.tokens[behind], "('"));
   if (goes_on || !is_unit_word(text, apart)) return std::nullopt;
   const Span span =
       cover(cursor.token().span, span_of(cursor.tokens.subspan(cursor.at, word.next - cursor.at)));

@@ -2,10 +2,7 @@
 #include "latex/parse/unseen_braces.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
-#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/token/vocabulary.h"
 
@@ -18,16 +15,14 @@ bool means_nothing(const Token& token) {
 
 /// `a \over b` is seen as what it is, and a switch such as `\rm` is about the look of what it holds.
 bool is_seen(const Token& token) {
-  static constexpr std::array<std::string_view, 17> controls{
-      "over", "atop", "choose", "above", "brack", "brace", "rm",       "bf", "it",
-      "cal",  "sf",   "tt",     "frak",  "scr",   "sc",    "oldstyle", "sl"};
+  static const WordSet controls(
+      "over atop choose above brack brace rm bf it cal sf tt frak scr sc oldstyle sl");
   return is_control_of(token, controls) || relation_kind(token).has_value();
 }
 
 /// What acts on all that follows in its term, or may.
 bool acts(const Token& token) {
-  static constexpr std::array<std::string_view, 12> controls{
-      "nabla", "partial", "sum", "int", "oint", "prod", "iint", "iiint", "lim", "grad", "curl", "dd"};
+  static const WordSet controls("nabla partial sum int oint prod iint iiint lim grad curl dd");
   return is_control_of(token, controls) ||
          (token.kind == TokenKind::control && !function_name(token.text).empty());
 }
@@ -63,7 +58,7 @@ std::size_t behind_control(TokenView tokens, std::size_t at) {
   const int least = is_fraction(control) ? 2 : takes ? 1 : 0;
   for (int taken = 0;; ++taken) {
     const std::size_t open = skip_blank(tokens, next);
-    const bool group = open < tokens.size() && tokens[open].kind == TokenKind::begin_group;
+    const bool group = is_kind_at(tokens, open, TokenKind::begin_group);
     if (open >= tokens.size() || (!group && taken >= least)) return next;
     next = argument_at(tokens, open).next;
   }
@@ -76,14 +71,12 @@ std::size_t behind_operand(TokenView tokens, std::size_t at) {
     while (at < tokens.size() && (tokens[at].kind == TokenKind::digit || is_sign(tokens[at], "."))) ++at;
     return at;
   }
-  const bool opens = is_sign(token, "(") || is_sign(token, "[") || is_control(token, "begin") ||
-                     is_control(token, "{") || is_control(token, "lbrace");
+  const bool opens = is_sign_of(token, "([") || is_control_of(token, {"begin", "{", "lbrace"});
   if (opens) return behind_enclosed(tokens, at);
   if (is_sign(token, "|") || is_control(token, "vert")) {
     const auto rest = tokens.subspan(at + 1);
-    const auto close = std::find_if(rest.begin(), rest.end(), [](const Token& other) {
-      return is_sign(other, "|") || is_control(other, "vert");
-    });
+    const auto close = std::ranges::find_if(
+        rest, [](const Token& other) { return is_sign(other, "|") || is_control(other, "vert"); });
     return std::min(at + 2 + static_cast<std::size_t>(close - rest.begin()), tokens.size());
   }
   return token.kind == TokenKind::control ? behind_control(tokens, at) : at + 1;
@@ -121,8 +114,8 @@ bool is_change(TokenView group) {
   if (group.empty()) return false;
   const Token& first = group.front();
   const bool upright = is_control(first, "mathrm") && text_of(argument_at(group, 1).content) == "d";
-  const bool marks = upright || is_control(first, "Delta") || is_control(first, "delta") ||
-                     is_control(first, "partial") || (first.kind == TokenKind::letter && first.text == "d");
+  const bool marks = upright || is_control_of(first, {"Delta", "delta", "partial"}) ||
+                     (first.kind == TokenKind::letter && first.text == "d");
   if (!marks) return false;
   const std::size_t next = upright ? argument_at(group, 1).next : 1;
   const Contents rest = contents_of(group.subspan(next));
@@ -158,8 +151,7 @@ bool ends_term(const Token* token) {
 }  // namespace
 
 bool groups_unseen(TokenView tokens, std::size_t at) {
-  if (at >= tokens.size() || tokens[at].kind != TokenKind::begin_group || tokens[at].span.empty())
-    return false;
+  if (!is_kind_at(tokens, at, TokenKind::begin_group) || tokens[at].span.empty()) return false;
   const Argument group = argument_at(tokens, at);
   const Contents inside = contents_of(group.content);
   if (inside.seen || inside.operands == 0) return false;
@@ -188,8 +180,7 @@ bool stacks_powers(TokenView tokens, std::size_t at) {
 }
 
 bool holds_unseen_sum(TokenView tokens, std::size_t at) {
-  if (at >= tokens.size() || tokens[at].kind != TokenKind::begin_group || tokens[at].span.empty())
-    return false;
+  if (!is_kind_at(tokens, at, TokenKind::begin_group) || tokens[at].span.empty()) return false;
   const Contents inside = contents_of(argument_at(tokens, at).content);
   return inside.sum && !inside.seen;
 }

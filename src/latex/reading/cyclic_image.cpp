@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/reading/cyclic_image.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <set>
@@ -23,7 +21,7 @@ constexpr Cycle dotless{"\\imath", "\\jmath", "k"};
 
 /// Replaces a member of the cycle by the next one.
 void turn(std::string& text, const Cycle& cycle) {
-  const auto at = std::find(cycle.begin(), cycle.end(), text);
+  const auto at = std::ranges::find(cycle, text);
   if (at != cycle.end()) text = at + 1 == cycle.end() ? cycle.front() : *(at + 1);
 }
 
@@ -32,13 +30,13 @@ void turn(std::vector<WrittenIndex>& indices) {
 }
 
 bool has_axis(const std::vector<WrittenIndex>& indices, const Cycle& cycle) {
-  return std::any_of(indices.begin(), indices.end(),
-                     [&](const WrittenIndex& index) { return is_one_of(index.text, cycle); });
+  return std::ranges::any_of(indices,
+                             [&](const WrittenIndex& index) { return is_one_of(index.text, cycle); });
 }
 
 /// A subscript that can be an axis: `i` and `1`, not `\alpha` and `\text{cm}`.
 bool has_index(const std::vector<WrittenIndex>& indices) {
-  return std::any_of(indices.begin(), indices.end(), [](const WrittenIndex& index) {
+  return std::ranges::any_of(indices, [](const WrittenIndex& index) {
     return index.form == IndexForm::letter || index.form == IndexForm::digit;
   });
 }

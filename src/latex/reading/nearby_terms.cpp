@@ -11,8 +11,7 @@
 namespace rigor {
 
 bool takes_what_follows(const Token& token) {
-  return is_control(token, "frac") || is_control(token, "nabla") || is_control(token, "partial") ||
-         is_control(token, "int") || is_control(token, "cos") || is_control(token, "sin");
+  return is_control_of(token, {"frac", "nabla", "partial", "int", "cos", "sin"});
 }
 
 std::size_t end_of_letter(TokenView tokens) {
@@ -33,8 +32,8 @@ std::vector<TokenView> letters_of(const std::vector<TokenView>& chain) {
       for (const Piece& piece : level.pieces) {
         if (!level.may_be_sum || piece.kind != PieceKind::factor) continue;
         const TokenView letter = piece.tokens.first(end_of_letter(piece.tokens));
-        const bool known = std::any_of(letters.begin(), letters.end(),
-                                       [&](TokenView other) { return text_of(other) == text_of(letter); });
+        const bool known =
+            std::ranges::any_of(letters, [&](TokenView other) { return text_of(other) == text_of(letter); });
         if (!letter.empty() && !known && letters.size() < most) letters.push_back(letter);
       }
     }
@@ -59,14 +58,14 @@ std::vector<Tokens> prefixes_of(const std::vector<TokenView>& chain) {
   for (const TokenView side : chain) {
     for (const SideTerm& term : terms_of_side(side)) {
       std::size_t begin = 0;
-      while (begin < term.tokens.size() && term.tokens[begin].kind == TokenKind::digit) ++begin;
+      while (is_kind_at(term.tokens, begin, TokenKind::digit)) ++begin;
       std::size_t end = begin;
-      while (end < term.tokens.size() && term.tokens[end].kind == TokenKind::letter) ++end;
-      const bool before_vector = end < term.tokens.size() && term.tokens[end].kind == TokenKind::control;
+      while (is_kind_at(term.tokens, end, TokenKind::letter)) ++end;
+      const bool before_vector = is_kind_at(term.tokens, end, TokenKind::control);
       Tokens prefix(term.tokens.begin() + static_cast<std::ptrdiff_t>(begin),
                     term.tokens.begin() + static_cast<std::ptrdiff_t>(end));
-      const bool known = std::any_of(prefixes.begin(), prefixes.end(),
-                                     [&](const Tokens& other) { return text_of(other) == text_of(prefix); });
+      const bool known = std::ranges::any_of(
+          prefixes, [&](const Tokens& other) { return text_of(other) == text_of(prefix); });
       if (before_vector && !known && prefixes.size() < most) prefixes.push_back(std::move(prefix));
     }
   }
@@ -145,7 +144,7 @@ std::vector<Tokens> pool_of(const std::vector<TokenView>& chain) {
     }
   }
   const std::vector<TokenView> letters = letters_of(chain);
-  const auto face = std::find_if(letters.begin(), letters.end(), has_face);
+  const auto face = std::ranges::find_if(letters, has_face);
   for (const TokenView letter : letters) {
     if (face != letters.end() && face->size() == 4 && !has_face(letter))
       add(joined({face->first(2), letter, face->subspan(3)}));

@@ -118,8 +118,7 @@ class Rewriter {
   void bars_for_brackets(const Piece& piece) {
     std::size_t opening = 0;
     while (opening < piece.tokens.size() && is_bracket_size(piece.tokens[opening])) ++opening;
-    if (opening >= piece.tokens.size() || !is_sign(piece.tokens[opening], "(") || piece.inside.empty())
-      return;
+    if (!is_sign_at(piece.tokens, opening, "(") || piece.inside.empty()) return;
     const std::size_t inside = place(piece.inside) - place(piece.tokens);
     std::size_t closing = inside + piece.inside.size();
     while (closing < piece.tokens.size() && !is_sign(piece.tokens[closing], ")")) ++closing;
@@ -173,7 +172,7 @@ class Rewriter {
     dotted.insert(dotted.end(), base.begin(), base.end());
     dotted.push_back(made(TokenKind::end_group, "}", tokens));
     add(Slip::rate, base, std::move(dotted), tokens);
-    if (letter < tokens.size() && is_sign(tokens[letter], "'")) {
+    if (is_sign_at(tokens, letter, "'")) {
       remove(Slip::prime, tokens.subspan(letter, 1), tokens);
     } else {
       insert_behind(Slip::prime, base, {made(TokenKind::other, "'", tokens)}, tokens);
@@ -185,7 +184,7 @@ class Rewriter {
     for (const TokenView side : chain) {
       for (const TokenView subscript : subscripts_of(side)) {
         for (const Token* token : indices_in(subscript)) {
-          const bool known = std::any_of(occurring.begin(), occurring.end(), [&](const Token& other) {
+          const bool known = std::ranges::any_of(occurring, [&](const Token& other) {
             return other.kind == token->kind && other.text == token->text;
           });
           if (!known) occurring.push_back(*token);
@@ -215,10 +214,10 @@ class Rewriter {
   static void complete(std::vector<Token>& occurring, TokenKind kind,
                        const std::array<std::string_view, 3>& axes) {
     const auto is_there = [&](std::string_view axis) {
-      return std::any_of(occurring.begin(), occurring.end(),
-                         [&](const Token& token) { return token.kind == kind && token.text == axis; });
+      return std::ranges::any_of(
+          occurring, [&](const Token& token) { return token.kind == kind && token.text == axis; });
     };
-    if (std::none_of(axes.begin(), axes.end(), is_there)) return;
+    if (std::ranges::none_of(axes, is_there)) return;
     for (const std::string_view axis : axes) {
       if (!is_there(axis)) occurring.push_back({kind, axis, {}});
     }

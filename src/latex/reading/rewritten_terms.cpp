@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/among.h"
 #include "latex/reading/rewritings.h"
 
 namespace rigor {
@@ -29,9 +28,7 @@ void add_group(Tokens& into, long value, Span at) {
   into.push_back({TokenKind::end_group, "}", at});
 }
 
-bool is_fraction_control(const Token& token) {
-  return is_control(token, "frac") || is_control(token, "tfrac") || is_control(token, "dfrac");
-}
+bool is_fraction_control(const Token& token) { return is_control_of(token, {"frac", "tfrac", "dfrac"}); }
 
 std::optional<long> number_in(TokenView tokens) {
   const TokenView digits = trim(tokens);
@@ -62,17 +59,17 @@ Leading leading_of(TokenView term) {
     leading = {{*numerator, *denominator}, lower.next};
   } else {
     std::size_t digits = 0;
-    while (digits < term.size() && term[digits].kind == TokenKind::digit) ++digits;
+    while (is_kind_at(term, digits, TokenKind::digit)) ++digits;
     const auto number = number_in(term.first(digits));
     if (!number || *number == 0) return leading;
-    if (digits < term.size() && (is_sign(term[digits], ".") || is_sign(term[digits], "!"))) return leading;
+    if (digits < term.size() && is_sign_of(term[digits], ".!")) return leading;
     leading = {{*number, 1}, digits};
   }
   if (leading.tokens < term.size() && term[leading.tokens].kind == TokenKind::superscript) return {};
   std::size_t behind = skip_blank(term, leading.tokens);
   if (behind < term.size() && (is_control(term[behind], "cdot") || is_control(term[behind], ",")))
     behind = skip_blank(term, behind + 1);
-  const bool divides = behind < term.size() && is_sign(term[behind], "/");
+  const bool divides = is_sign_at(term, behind, "/");
   leading.tokens = divides ? leading.tokens : behind;
   return leading;
 }
@@ -120,12 +117,11 @@ bool is_index_token(const Token& token) {
 enum class Role : std::uint8_t { none, letter, index };
 
 std::vector<Role> roles_of(TokenView term) {
-  static constexpr std::array<std::string_view, 12> greek{
-      "alpha", "beta", "gamma", "theta", "phi", "psi", "omega", "Omega", "lambda", "tau", "sigma", "rho"};
+  static const WordSet greek("alpha beta gamma theta phi psi omega Omega lambda tau sigma rho");
   std::vector<Role> roles(term.size(), Role::none);
   for (std::size_t k = 0; k < term.size(); ++k) {
     const bool letter = term[k].kind == TokenKind::letter ||
-                        (term[k].kind == TokenKind::control && is_one_of(term[k].text, greek));
+                        (term[k].kind == TokenKind::control && greek.contains(term[k].text));
     if (letter) roles[k] = Role::letter;
   }
   for (std::size_t k = 0; k < term.size(); ++k) {
@@ -137,8 +133,8 @@ std::vector<Role> roles_of(TokenView term) {
     if (term[k].kind != TokenKind::subscript && term[k].kind != TokenKind::superscript) continue;
     const Argument script = argument_at(term, k + 1);
     const bool lower = term[k].kind == TokenKind::subscript;
-    const bool word = std::any_of(script.content.begin(), script.content.end(),
-                                  [](const Token& token) { return is_control(token, "text"); });
+    const bool word =
+        std::ranges::any_of(script.content, [](const Token& token) { return is_control(token, "text"); });
     for (std::size_t i = k + 1; i < script.next; ++i)
       roles[i] = lower && !word && is_index_token(term[i]) ? Role::index : Role::none;
   }
@@ -178,7 +174,7 @@ std::vector<Token> names_in(TokenView tokens, Role role) {
   for (std::size_t k = 0; k < tokens.size() && names.size() < 5; ++k) {
     if (roles[k] != role || tokens[k].kind == TokenKind::digit) continue;
     const bool known =
-        std::any_of(names.begin(), names.end(), [&](const Token& name) { return is_same(name, tokens[k]); });
+        std::ranges::any_of(names, [&](const Token& name) { return is_same(name, tokens[k]); });
     if (!known) names.push_back(tokens[k]);
   }
   return names;
@@ -188,8 +184,7 @@ void add_replacements(std::vector<Exchange>& exchanges, const std::vector<Token>
                       const std::vector<Token>& others) {
   for (const Token& name : names) {
     for (const Token& other : others) {
-      const bool own =
-          std::any_of(names.begin(), names.end(), [&](const Token& each) { return is_same(each, other); });
+      const bool own = std::ranges::any_of(names, [&](const Token& each) { return is_same(each, other); });
       if (!own) exchanges.push_back({{name, other}});
     }
   }
@@ -215,8 +210,7 @@ Tokens without_layout(TokenView tokens) {
   Tokens result;
   for (const Token& token : trim(tokens)) {
     const bool layout = token.kind == TokenKind::align || token.kind == TokenKind::paragraph ||
-                        is_control(token, "\\") || is_control(token, "nonumber") ||
-                        is_control(token, "notag");
+                        is_control_of(token, {"\\", "nonumber", "notag"});
     if (!layout) result.push_back(token);
   }
   return result;

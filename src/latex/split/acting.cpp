@@ -51,7 +51,7 @@ std::size_t behind_material(TokenView tokens, std::size_t at) {
     end = word->next;
   }
   const std::size_t script = skip_blank(tokens, end);
-  if (end != at && script < tokens.size() && tokens[script].kind == TokenKind::superscript)
+  if (end != at && is_kind_at(tokens, script, TokenKind::superscript))
     end = script_argument_at(tokens, script + 1).next;
   return end;
 }
@@ -76,8 +76,7 @@ std::optional<TokenView> mathematics_in(TokenView words) {
   words = trim(words);
   if (words.size() < 3 || !is_sign(words.front(), "$") || !is_sign(words.back(), "$")) return std::nullopt;
   words = words.subspan(1, words.size() - 2);
-  if (std::any_of(words.begin(), words.end(), [](const Token& token) { return is_sign(token, "$"); }))
-    return std::nullopt;
+  if (std::ranges::any_of(words, [](const Token& token) { return is_sign(token, "$"); })) return std::nullopt;
   return words;
 }
 
@@ -91,10 +90,9 @@ bool writes_mathematics(TokenView tokens, std::size_t at) {
 
 std::size_t landau_end(TokenView tokens, std::size_t at) {
   if (at >= tokens.size()) return at;
-  if (is_control(tokens[at], "order") || is_control(tokens[at], "bigO") || is_control(tokens[at], "BigO")) {
+  if (is_control_of(tokens[at], {"order", "bigO", "BigO"})) {
     const std::size_t open = skip_narrow(tokens, at + 1);
-    if (open < tokens.size() && tokens[open].kind == TokenKind::begin_group)
-      return argument_at(tokens, open).next;
+    if (is_kind_at(tokens, open, TokenKind::begin_group)) return argument_at(tokens, open).next;
     return bracket_end(tokens, open) == open ? at : bracket_end(tokens, open);
   }
   const auto is_symbol = [](const Token& token) { return is_letter(token, "O") || is_letter(token, "o"); };
@@ -112,19 +110,18 @@ std::size_t landau_end(TokenView tokens, std::size_t at) {
   }
   if (next == at) return at;
   const std::size_t open = skip_narrow(tokens, next);
-  if (open >= tokens.size() || !is_sign(tokens[open], "(")) return at;
+  if (!is_sign_at(tokens, open, "(")) return at;
   const std::size_t end = bracket_end(tokens, open);
   return end == open ? at : end;
 }
 
 std::optional<TokenView> landau_argument(TokenView tokens, std::size_t at, std::size_t end) {
   const TokenView written = tokens.subspan(at, end - at);
-  const bool small =
-      std::any_of(written.begin(), written.end(), [](const Token& each) { return is_letter(each, "o"); });
+  const bool small = std::ranges::any_of(written, [](const Token& each) { return is_letter(each, "o"); });
   if (small || written.empty()) return std::nullopt;
   if (written.back().kind == TokenKind::end_group) {  // \order{x}
     const std::size_t open = skip_narrow(written, 1);
-    if (open >= written.size() || written[open].kind != TokenKind::begin_group) return std::nullopt;
+    if (!is_kind_at(written, open, TokenKind::begin_group)) return std::nullopt;
     return argument_at(written, open).content;
   }
   for (std::size_t open = 0; open + 1 < written.size(); ++open) {
@@ -140,7 +137,7 @@ bool is_material(TokenView above, TokenView below) {
   const std::size_t operand = skip_narrow(above, top);
   if (operand < above.size()) {
     const Token& token = above[operand];
-    const bool sign = is_sign(token, "+") || is_sign(token, "-") || factor_joint(token) != Joint::none;
+    const bool sign = is_sign_of(token, "+-") || factor_joint(token) != Joint::none;
     if (sign || token.kind == TokenKind::subscript || is_sign(token, "'")) return false;
   }
   const std::size_t variable = skip_narrow(below, bottom);
@@ -169,7 +166,7 @@ std::size_t material_end(TokenView tokens, std::size_t at) {
   std::size_t end = symbol_end(tokens, begin);
   if (end == begin) end = bracket_end(tokens, begin);
   const std::size_t slash = skip_narrow(tokens, end);
-  if (slash >= tokens.size() || !is_sign(tokens[slash], "/")) return at;
+  if (!is_sign_at(tokens, slash, "/")) return at;
   const std::size_t below = skip_narrow(tokens, slash + 1);
   const std::size_t bottom = behind_material(tokens, below);
   if (bottom == below) return at;

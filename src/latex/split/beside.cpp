@@ -28,8 +28,7 @@ std::string bare_letter(TokenView symbol) {
   Nesting nesting(false);
   std::size_t end = 0;
   while (end < symbol.size()) {
-    const bool script = symbol[end].kind == TokenKind::subscript ||
-                        symbol[end].kind == TokenKind::superscript || is_sign(symbol[end], "'");
+    const bool script = is_script(symbol[end]);
     if (nesting.enter(symbol[end]) == 0 && script) break;
     ++end;
   }
@@ -77,7 +76,7 @@ bool lists_symbols(TokenView tokens) {
     }
     const bool symbol = !letter_of(token).empty() || token.kind == TokenKind::digit || style_of(token) ||
                         token.kind == TokenKind::subscript || is_sign(token, "'");
-    if (!symbol && !is_layout(token) && !is_sign(token, ",") && !is_sign(token, ".")) return false;
+    if (!symbol && !is_layout(token) && !is_sign_of(token, ",.")) return false;
   }
   return true;
 }
@@ -96,7 +95,7 @@ std::size_t remark_end(TokenView tokens, const Argument& words) {
 }
 
 std::size_t bracketed_remark_end(TokenView tokens, std::size_t at) {
-  if (!is_sign(tokens[at], "(") && !is_sign(tokens[at], "[")) return at;
+  if (!is_sign_of(tokens[at], "([")) return at;
   const std::size_t inside = first_significant(tokens, at + 1);
   if (inside >= tokens.size() || !is_words(tokens[inside])) return at;
   const std::size_t end = bracket_end(tokens, at);

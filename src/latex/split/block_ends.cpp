@@ -19,9 +19,7 @@ std::size_t first_significant(TokenView tokens, std::size_t at) {
 
 bool is_stacked_relation(TokenView tokens, std::size_t at) {
   if (at >= tokens.size()) return false;
-  if (!is_control(tokens[at], "overset") && !is_control(tokens[at], "stackrel") &&
-      !is_control(tokens[at], "underset"))
-    return false;
+  if (!is_control_of(tokens[at], {"overset", "stackrel", "underset"})) return false;
   const Argument above = argument_at(tokens, at + 1);
   const TokenView below = trim(argument_at(tokens, above.next).content);
   return below.size() == 1 && relation_kind(below.front()).has_value() &&
@@ -44,9 +42,7 @@ bool relates_index_letters(TokenView block) {
   bool index_letter = false;
   bool index_letters_only = true;
   for (const Token& token : block) {
-    if (is_blank(token) || is_spacing(token) || is_sign(token, "(") || is_sign(token, ")") ||
-        is_sign(token, ","))
-      continue;
+    if (is_blank(token) || is_spacing(token) || is_sign_of(token, "(),")) continue;
     if (const auto kind = relation_kind(token)) {
       relation = true;
       only_equal = only_equal && kind == RelationKind::equal;
@@ -68,8 +64,7 @@ bool ends_open(TokenView tokens) {
   if (tokens.empty()) return false;
   if (is_script_argument(tokens, tokens.size() - 1)) return false;
   const Token& last = tokens.back();
-  return relation_kind(last).has_value() || is_sign(last, "+") || is_sign(last, "-") ||
-         factor_joint(last) != Joint::none;
+  return relation_kind(last).has_value() || is_sign_of(last, "+-") || factor_joint(last) != Joint::none;
 }
 
 }  // namespace rigor

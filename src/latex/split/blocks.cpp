@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/split/acting.h"
 #include "latex/split/beside.h"
 #include "latex/split/chain.h"
 #include "latex/split/conditions.h"
-#include "latex/token/cover_tokens.h"
 #include "latex/token/remarks.h"
 #include "latex/unit/units.h"
 
@@ -31,8 +31,7 @@ bool is_tag(TokenView block) {
   bool digit = false;
   for (const Token& token : block.subspan(1, block.size() - 2)) {
     digit = digit || token.kind == TokenKind::digit;
-    const bool fits = token.kind == TokenKind::digit || is_sign(token, ".") || is_sign(token, "'") ||
-                      is_sign(token, "-") || is_sign(token, "*") ||
+    const bool fits = token.kind == TokenKind::digit || is_sign_of(token, ".'-*") ||
                       (token.kind == TokenKind::letter && token.text.size() == 1);
     if (!fits) return false;
   }
@@ -52,16 +51,14 @@ bool is_index_range(TokenView block) {
     if (i % 2 == 0 ? !is_small_letter(text[i]) : text[i] != ',') return false;
   }
   const std::string range = text.substr(equal + 1);
-  return range == "1,2,3" || range == "1,2,3." || range == "1\\ldots3" || range == "1,\\ldots,3" ||
-         range == "1,\\dots,3" || range == "x,y,z" || range == "x,y,z.";
+  return range == "1,2,3" ||
+         is_one_of(range, {"1,2,3.", "1\\ldots3", "1,\\ldots,3", "1,\\dots,3", "x,y,z", "x,y,z."});
 }
 
 bool is_ornament(TokenView block) {
-  return std::all_of(block.begin(), block.end(), [](const Token& token) {
-    return is_blank(token) || is_spacing(token) || is_sign(token, ".") || is_sign(token, ",") ||
-           is_sign(token, ";") || is_sign(token, ":") || is_control(token, "checkmark") ||
-           is_control(token, "blacksquare") || is_control(token, "qed") || is_control(token, "Box") ||
-           is_control(token, "square") || is_control(token, "therefore") || is_control(token, "because");
+  return std::ranges::all_of(block, [](const Token& token) {
+    return is_blank(token) || is_spacing(token) || is_sign_of(token, ".,;:") ||
+           is_control_of(token, {"checkmark", "blacksquare", "qed", "Box", "square", "therefore", "because"});
   });
 }
 
@@ -255,14 +252,13 @@ class StatementSplitter {
       const bool opens = before.empty() && behind < tokens_.size() && !is_operator(tokens_[behind]);
       return !(opens && (joins || (kind == Remark::remark && said.ends_with(":"))));
     }
-    const bool apart = before.empty() || is_wide_space(before.back()) || is_sign(before.back(), ",") ||
-                       is_sign(before.back(), ";") || is_sign(before.back(), ".") || stands_apart(said);
+    const bool apart = before.empty() || is_wide_space(before.back()) || is_sign_of(before.back(), ",;.") ||
+                       stands_apart(said);
     return kind == Remark::remark && !apart;
   }
 
   static bool is_operator(const Token& token) {
-    return is_sign(token, "+") || is_sign(token, "-") || factor_joint(token) != Joint::none ||
-           relation_kind(token).has_value();
+    return is_sign_of(token, "+-") || factor_joint(token) != Joint::none || relation_kind(token).has_value();
   }
 
   /// `\text{for } x > 0` behind an equation: the place behind it; `at` if it is not read to its end.
@@ -351,9 +347,7 @@ class StatementSplitter {
         at = argument.next;
         continue;
       }
-      only_words =
-          only_words && (is_sign(tokens[at], "(") || is_sign(tokens[at], ")") || is_sign(tokens[at], "[") ||
-                         is_sign(tokens[at], "]") || is_ornament(tokens.subspan(at, 1)));
+      only_words = only_words && (is_sign_of(tokens[at], "()[]") || is_ornament(tokens.subspan(at, 1)));
       ++at;
     }
     if (only_words && remark_of(words) != Remark::unread && knows(symbols_in_words(words), tokens_))
@@ -365,15 +359,11 @@ class StatementSplitter {
 
   /// Of `i, j = 1, 2, 3`: do the letters stand in the statement elsewhere, too?
   bool ranges_over_known(TokenView range) const {
-    const auto equal =
-        std::find_if(range.begin(), range.end(), [](const Token& token) { return is_sign(token, "="); });
+    const auto equal = std::ranges::find_if(range, [](const Token& token) { return is_sign(token, "="); });
     std::size_t known = 0;
     for (const std::string& letter : symbols_in({range.begin(), equal})) {
       const auto same = [&](const Token& token) { return token.text == letter; };
-      known += std::count_if(tokens_.begin(), tokens_.end(), same) >
-                       std::count_if(range.begin(), range.end(), same)
-                   ? 1
-                   : 0;
+      known += std::ranges::count_if(tokens_, same) > std::ranges::count_if(range, same) ? 1 : 0;
     }
     return known == symbols_in({range.begin(), equal}).size();
   }
@@ -385,7 +375,7 @@ class StatementSplitter {
     std::size_t begin = 0;
     for (std::size_t at = 0; at < tokens.size(); ++at) {
       if (nesting.enter(tokens[at]) != 0) continue;
-      if (!is_sign(tokens[at], ",") && !is_sign(tokens[at], ";")) continue;
+      if (!is_sign_of(tokens[at], ",;")) continue;
       const TokenView rest = tokens.subspan(at + 1);
       const TokenView piece = trim(tokens.subspan(begin, at - begin));
       if (!piece.empty() && has_relation(piece) && rest.size() <= 24 && is_index_range(rest) &&
@@ -399,7 +389,7 @@ class StatementSplitter {
     }
     pieces.push_back(trim(tokens.subspan(begin)));
     std::erase_if(pieces, [](TokenView piece) { return is_ornament(piece); });
-    const bool separate = std::all_of(pieces.begin(), pieces.end(), has_relation);
+    const bool separate = std::ranges::all_of(pieces, has_relation);
     if (!separate) pieces = {tokens};
     uses_.mark(tokens, TokenUse::layout);  // commas between; what stands between them follows
     for (const TokenView piece : pieces) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "base/among.h"
 #include "latex/split/blocks.h"
 #include "latex/token/cover_tokens.h"
 #include "latex/token/remarks.h"
@@ -12,9 +13,7 @@ namespace {
 
 TokenView without_punctuation(TokenView tokens) {
   tokens = without_empty_end(tokens);
-  while (!tokens.empty() &&
-         (is_spacing(tokens.back()) || is_sign(tokens.back(), ".") || is_sign(tokens.back(), ",") ||
-          is_sign(tokens.back(), ";") || is_sign(tokens.back(), ":"))) {
+  while (!tokens.empty() && (is_spacing(tokens.back()) || is_sign_of(tokens.back(), ".,;:"))) {
     tokens = trim(tokens.first(tokens.size() - 1));
   }
   return tokens.subspan(first_significant(tokens, 0));
@@ -39,8 +38,7 @@ Mark mark_of(TokenView mark) {
       (is_words(mark[0]) || is_control(mark[0], "mathrm") || is_control(mark[0], "rm"))) {
     const Argument words = argument_at(mark, 1);
     const std::string said = text_of(is_control(mark[0], "rm") ? mark.subspan(1) : words.content);
-    if (said == "def" || said == "def." || said == "Def" || said == "Def." || said == "definition")
-      return Mark::defines;
+    if (is_one_of(said, {"def", "def.", "Def", "Def.", "definition"})) return Mark::defines;
     const bool all = words.next == mark.size() && !is_control(mark[0], "rm");
     return all && remark_of(said) == Remark::remark ? Mark::reference : Mark::unread;
   }

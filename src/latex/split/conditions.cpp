@@ -91,33 +91,20 @@ bool is_space(const Token& token) {
 
 /// How many of the first items are the words of a phrase that brings a condition in; 0 for none.
 std::size_t condition_words(SentenceItems items, bool& orders_only) {
-  using Phrase = std::array<std::string_view, 3>;
-  static constexpr std::array<Phrase, 16> phrases{{{"if"},
-                                                   {"for"},
-                                                   {"for", "all"},
-                                                   {"for", "any"},
-                                                   {"for", "every"},
-                                                   {"for", "each"},
-                                                   {"when"},
-                                                   {"whenever"},
-                                                   {"assuming"},
-                                                   {"assuming", "that"},
-                                                   {"provided"},
-                                                   {"provided", "that"},
-                                                   {"as", "long", "as"},
-                                                   {"valid", "for"},
-                                                   {"where"},
-                                                   {"with"}}};
+  static constexpr std::array<std::string_view, 16> phrases{
+      "if",         "for",       "for all",  "for any",       "for every", "for each",
+      "when",       "whenever",  "assuming", "assuming that", "provided",  "provided that",
+      "as long as", "valid for", "where",    "with"};
   std::size_t most = 0;
-  for (const Phrase& phrase : phrases) {
-    std::size_t count = 0;
-    while (count < phrase.size() && !phrase[count].empty() && count < items.size() &&
-           items[count].word == phrase[count])
-      ++count;
-    const bool whole = count == phrase.size() || phrase[count].empty();
-    if (!whole || count <= most) continue;
-    most = count;
-    orders_only = phrase[0] == "where" || phrase[0] == "with";
+  for (const std::string_view phrase : phrases) {
+    const std::vector<std::string_view> words = words_in(phrase);
+    const bool stands =
+        words.size() <= items.size() &&
+        std::equal(words.begin(), words.end(), items.begin(),
+                   [](std::string_view word, const SentenceItem& item) { return item.word == word; });
+    if (!stands || words.size() <= most) continue;
+    most = words.size();
+    orders_only = phrase == "where" || phrase == "with";
   }
   return most;
 }
@@ -177,8 +164,7 @@ std::optional<std::vector<Tokens>> pieces_of(SentenceItems items, bool orders_on
   std::vector<Tokens> pieces(1);
   Nesting nesting(false);
   for (const SentenceItem& item : items) {
-    const bool joins = item.word.empty() && nesting.enter(item.token) == 0 &&
-                       (is_sign(item.token, ",") || is_sign(item.token, ";"));
+    const bool joins = item.word.empty() && nesting.enter(item.token) == 0 && (is_sign_of(item.token, ",;"));
     if (joins || item.word == "and") {
       pieces.emplace_back();
     } else if (!item.word.empty()) {
@@ -199,15 +185,13 @@ std::optional<std::vector<Tokens>> pieces_of(SentenceItems items, bool orders_on
       continue;
     }
     if (!is_condition(piece)) return std::nullopt;
-    const bool equates = std::any_of(piece.begin(), piece.end(), [](const Token& token) {
-      return relation_kind(token) == RelationKind::equal;
-    });
+    const bool equates = std::ranges::any_of(
+        piece, [](const Token& token) { return relation_kind(token) == RelationKind::equal; });
     const bool unequal =
-        std::any_of(piece.begin(), piece.end(), [](const Token& token) { return is_control(token, "not"); });
+        std::ranges::any_of(piece, [](const Token& token) { return is_control(token, "not"); });
     if (orders_only && equates && !unequal) return std::nullopt;
-    const auto relation = std::find_if(piece.begin(), piece.end(), [](const Token& token) {
-      return relation_kind(token) || is_control(token, "not");
-    });
+    const auto relation = std::ranges::find_if(
+        piece, [](const Token& token) { return relation_kind(token) || is_control(token, "not"); });
     for (Tokens& letter : letters) {
       letter.insert(letter.end(), relation, piece.end());
       conditions.push_back(std::move(letter));
@@ -253,14 +237,12 @@ std::optional<std::vector<Tokens>> conditions_behind_words(TokenView tokens) {
 }
 
 std::optional<std::vector<Tokens>> conditions_in_tag(TokenView tokens) {
-  if (std::none_of(tokens.begin(), tokens.end(), [](const Token& token) { return is_sign(token, "$"); }))
+  if (std::ranges::none_of(tokens, [](const Token& token) { return is_sign(token, "$"); }))
     return std::nullopt;
   const std::vector<SentenceItem> items = items_of(tokens, true);
   SentenceItems rest(items);
   const auto is_number = [](const SentenceItem& item) {
-    return item.word.empty() ? is_sign(item.token, ",") || is_sign(item.token, ".") ||
-                                   is_sign(item.token, ":") || is_sign(item.token, ";")
-                             : is_digit(item.word[0]);
+    return item.word.empty() ? is_sign_of(item.token, ",.:;") : is_digit(item.word[0]);
   };
   while (!rest.empty() && is_number(rest.front())) rest = rest.subspan(1);
   bool orders_only = true;  // a mere equation in a tag may be a name

@@ -74,14 +74,14 @@ std::size_t symbol_end(TokenView tokens, std::size_t at) {
   if (!is_accent(tokens[end])) return letter_of(tokens[end]).empty() ? at : scripts_end(tokens, end + 1);
   while (end < tokens.size() && is_accent(tokens[end])) {
     end = skip_blank(tokens, end + 1);
-    if (end < tokens.size() && is_sign(tokens[end], "*")) end = skip_blank(tokens, end + 1);
+    if (is_sign_at(tokens, end, "*")) end = skip_blank(tokens, end + 1);
   }
   return scripts_end(tokens, argument_at(tokens, end).next);
 }
 
 std::size_t bracket_end(TokenView tokens, std::size_t at) {
   const std::size_t open = skip_blank(tokens, at);
-  if (open >= tokens.size() || (!is_sign(tokens[open], "(") && !is_sign(tokens[open], "["))) return at;
+  if (open >= tokens.size() || (!is_sign_of(tokens[open], "(["))) return at;
   Nesting nesting(false);
   for (std::size_t end = open; end < tokens.size(); ++end) {
     const int depth = nesting.enter(tokens[end]);

@@ -2,25 +2,20 @@
 #include "latex/split/pieces.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
-#include "base/among.h"
 #include "base/ascii.h"
 
 namespace rigor {
 namespace {
 
 bool is_layout_sign(const Token& token) {
-  static constexpr std::array<std::string_view, 10> controls{"\\", ",",    ";",     ":",     "!",
-                                                             " ",  "quad", "qquad", "notag", "nonumber"};
-  return is_blank(token) || token.kind == TokenKind::align || is_control_of(token, controls);
+  static const WordSet controls("\\ , ; : ! quad qquad notag nonumber");
+  return is_blank(token) || token.kind == TokenKind::align || is_control(token, " ") ||
+         is_control_of(token, controls);
 }
 
 bool is_size(const Token& token) {
-  static constexpr std::array<std::string_view, 14> controls{"left",  "right", "big",   "Big",  "bigg",
-                                                             "Bigg",  "bigl",  "bigr",  "Bigl", "Bigr",
-                                                             "biggl", "biggr", "Biggl", "Biggr"};
+  static const WordSet controls("left right big Big bigg Bigg bigl bigr Bigl Bigr biggl biggr Biggl Biggr");
   return is_control_of(token, controls);
 }
 
@@ -29,8 +24,8 @@ bool is_length_bar(const Token& token) {
 }
 
 int change_of_depth(const Token& token) {
-  if (token.kind == TokenKind::begin_group || is_sign(token, "(") || is_sign(token, "[")) return 1;
-  if (token.kind == TokenKind::end_group || is_sign(token, ")") || is_sign(token, "]")) return -1;
+  if (token.kind == TokenKind::begin_group || is_sign_of(token, "([")) return 1;
+  if (token.kind == TokenKind::end_group || is_sign_of(token, ")]")) return -1;
   return 0;
 }
 
@@ -42,8 +37,7 @@ struct Inner {
 
 /// Controls whose arguments are sums as often as not.
 bool takes_sum(const Token& control) {
-  static constexpr std::array<std::string_view, 9> controls{"frac", "tfrac", "dfrac",      "sqrt", "abs",
-                                                            "norm", "qty",   "underbrace", "boxed"};
+  static const WordSet controls("frac tfrac dfrac sqrt abs norm qty underbrace boxed");
   return is_control_of(control, controls);
 }
 
@@ -94,9 +88,8 @@ class Cutter {
     const Token& token = tokens_[at_];
     if (is_length_bar(token))
       return enclosed(factor, PieceKind::bars, [](const Token& other) { return is_length_bar(other); });
-    if (is_sign(token, "(") || is_sign(token, "[")) {
-      return enclosed(factor, PieceKind::factor,
-                      [](const Token& other) { return is_sign(other, ")") || is_sign(other, "]"); });
+    if (is_sign_of(token, "([")) {
+      return enclosed(factor, PieceKind::factor, [](const Token& other) { return is_sign_of(other, ")]"); });
     }
     if (token.kind == TokenKind::digit) return number();
     if (token.kind == TokenKind::begin_group) return arguments(factor, true);
@@ -104,10 +97,10 @@ class Cutter {
     if (token.kind == TokenKind::control && factor.kind != PieceKind::big_sum) {
       const bool bars = token.text == "abs" || token.text == "norm";
       const bool fraction = token.text == "frac" || token.text == "tfrac" || token.text == "dfrac";
-      if (bars && at_ < tokens_.size() && is_sign(tokens_[at_], "*")) ++at_;
+      if (bars && is_sign_at(tokens_, at_, "*")) ++at_;
       arguments(factor, takes_sum(token));
       if (bars && factor.inside.data() != nullptr) factor.kind = PieceKind::bars;
-      while (fraction && at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
+      while (fraction && is_kind_at(tokens_, at_, TokenKind::digit)) ++at_;
     }
   }
 
@@ -128,11 +121,11 @@ class Cutter {
   }
 
   void number() {
-    while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::digit) ++at_;
+    while (is_kind_at(tokens_, at_, TokenKind::digit)) ++at_;
   }
 
   void arguments(Piece& factor, bool may_be_sum) {
-    while (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::begin_group) {
+    while (is_kind_at(tokens_, at_, TokenKind::begin_group)) {
       const Argument argument = argument_at(tokens_, at_);
       factor.inside = argument.content;
       inner_->push_back({argument.content, may_be_sum});
@@ -141,9 +134,7 @@ class Cutter {
   }
 
   void scripts() {
-    while (at_ < tokens_.size() &&
-           (tokens_[at_].kind == TokenKind::superscript || tokens_[at_].kind == TokenKind::subscript ||
-            is_sign(tokens_[at_], "'"))) {
+    while (at_ < tokens_.size() && (is_script(tokens_[at_]))) {
       at_ = is_sign(tokens_[at_], "'") ? at_ + 1 : argument_at(tokens_, at_ + 1).next;
     }
   }

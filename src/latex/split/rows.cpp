@@ -13,34 +13,24 @@
 namespace rigor {
 namespace {
 
-/// Controls that vanish together with their arguments, and how many they take.
-int vanishing_arguments(const Token& token) {
-  if (token.kind != TokenKind::control) return 0;
-  for (const char* one : {"phantom", "vphantom", "vspace", "color", "footnote", "hypertarget", "index",
-                          "setcounter", "footnotemark"}) {
-    if (token.text == one) return 1;
-  }
-  if (token.text == "textcolor") return 1;  // the colour; what is coloured stays
-  return 0;
+/// Controls that vanish together with one argument; of `\textcolor`, what is coloured stays.
+bool vanishes_with_argument(const Token& token) {
+  return is_control_of(token, {"phantom", "vphantom", "vspace", "color", "footnote", "hypertarget", "index",
+                               "setcounter", "footnotemark", "textcolor"});
 }
 
 /// `\hskip 2pt`, `\kern-3mu`: the length stands without braces.
 bool takes_bare_length(const Token& token) {
-  if (token.kind != TokenKind::control) return false;
-  for (const char* one : {"hskip", "vskip", "mskip", "kern", "mkern", "hglue"}) {
-    if (token.text == one) return true;
-  }
-  return false;
+  return is_control_of(token, {"hskip", "vskip", "mskip", "kern", "mkern", "hglue"});
 }
 
 /// The place behind `2pt`, `-.5em`, `\smallskipamount`; `at` where no length stands.
 std::size_t behind_length(TokenView tokens, std::size_t at) {
   std::size_t end = skip_blank(tokens, at);
-  if (end < tokens.size() && tokens[end].kind == TokenKind::control) {
+  if (is_kind_at(tokens, end, TokenKind::control)) {
     return is_length(tokens.subspan(end, 1)) ? end + 1 : at;
   }
-  while (end < tokens.size() && (tokens[end].kind == TokenKind::digit || is_sign(tokens[end], ".") ||
-                                 is_sign(tokens[end], "-") || is_sign(tokens[end], "+")))
+  while (end < tokens.size() && (tokens[end].kind == TokenKind::digit || is_sign_of(tokens[end], ".-+")))
     ++end;
   end = skip_blank(tokens, end);
   if (end + 2 > tokens.size() || !is_length(tokens.subspan(at, end + 2 - at))) return at;
@@ -87,14 +77,13 @@ class RowReader {
 
   /// Nested in braces or in an environment that is one piece of an expression (a matrix, cases).
   bool inside() const {
-    return braces_ > 0 ||
-           std::any_of(open_.begin(), open_.end(), [](const Open& open) { return !open.transparent; });
+    return braces_ > 0 || std::ranges::any_of(open_, [](const Open& open) { return !open.transparent; });
   }
 
   void finish_row() {
     lefts_.clear();
-    const bool empty = std::all_of(row_.cells.begin(), row_.cells.end(),
-                                   [](const Tokens& tokens) { return trim(tokens).empty(); });
+    const bool empty =
+        std::ranges::all_of(row_.cells, [](const Tokens& tokens) { return trim(tokens).empty(); });
     if (empty && !rows_.empty() && rows_.back().tag.empty()) rows_.back().tag = row_.tag;
     if (empty && !rows_.empty() && rows_.back().label.empty()) rows_.back().label = row_.label;
     const bool after_text = empty && row_.after_text;
@@ -105,14 +94,9 @@ class RowReader {
 
   void step() {
     const Token& token = tokens_[at_];
-    if (const int count = vanishing_arguments(token); count > 0) {
-      std::size_t next = skip_star(at_ + 1);
-      for (int i = 0; i < count; ++i) next = argument_at(tokens_, next).next;
-      return leave(next, TokenUse::aside);
-    }
-    if (takes_bare_length(token)) {
-      return leave(behind_length(tokens_, at_ + 1), TokenUse::aside);
-    }
+    if (vanishes_with_argument(token))
+      return leave(argument_at(tokens_, skip_star(at_ + 1)).next, TokenUse::aside);
+    if (takes_bare_length(token)) return leave(behind_length(tokens_, at_ + 1), TokenUse::aside);
     if (token.kind == TokenKind::control && control(token)) return;
     if (token.kind == TokenKind::align && !inside()) {
       row_.cells.emplace_back();
@@ -161,9 +145,7 @@ class RowReader {
     return false;
   }
 
-  std::size_t skip_star(std::size_t at) const {
-    return at < tokens_.size() && is_sign(tokens_[at], "*") ? at + 1 : at;
-  }
+  std::size_t skip_star(std::size_t at) const { return is_sign_at(tokens_, at, "*") ? at + 1 : at; }
 
   bool tag_or_label(bool tag) {
     const Argument argument = argument_at(tokens_, skip_star(at_ + 1));
@@ -192,7 +174,7 @@ class RowReader {
     const bool double_bar = is_control(bracket, "|") || is_control(bracket, "Vert");
     const bool brace = is_control(bracket, "{") || is_control(bracket, "lbrace");
     const std::size_t behind = skip_blank(tokens_, at + 1);
-    if (opens && brace && behind < tokens_.size() && is_control(tokens_[behind], "begin")) {
+    if (opens && brace && is_control_at(tokens_, behind, "begin")) {
       leave(behind);  // the brace of a system of equations, which `\\right.` ends
       return true;
     }
@@ -202,7 +184,7 @@ class RowReader {
     }
     if (token.text == "left") lefts_.push_back({row_.cells.size(), cell().size(), is_sign(bracket, ".")});
     if (token.text == "right" && !lefts_.empty()) {
-      const bool script = behind < tokens_.size() && tokens_[behind].kind == TokenKind::subscript;
+      const bool script = is_kind_at(tokens_, behind, TokenKind::subscript);
       if (plain_bar && script) hold_together(lefts_.back(), bracket);
       lefts_.pop_back();
     }
@@ -289,13 +271,11 @@ class RowReader {
       const Argument argument = argument_at(tokens_, i + 1);
       if (text_of(argument.content) != name) continue;
       std::size_t behind = skip_blank(tokens_, argument.next);
-      while (behind < tokens_.size() &&
-             (is_sign(tokens_[behind], ".") || is_sign(tokens_[behind], ",") || is_blank(tokens_[behind]))) {
+      while (behind < tokens_.size() && (is_sign_of(tokens_[behind], ".,") || is_blank(tokens_[behind]))) {
         ++behind;
       }
       return behind >= tokens_.size() || is_control(tokens_[behind], "\\") ||
-             is_wide_space(tokens_[behind]) || is_control(tokens_[behind], "tag") ||
-             is_control(tokens_[behind], "label") || is_control(tokens_[behind], "end");
+             is_wide_space(tokens_[behind]) || is_control_of(tokens_[behind], {"tag", "label", "end"});
     }
     return false;
   }

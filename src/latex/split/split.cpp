@@ -43,16 +43,15 @@ bool starts_with_relation(TokenView tokens) {
 bool starts_with_operator(TokenView tokens) {
   const std::size_t at = first_sign(tokens);
   if (at >= tokens.size()) return false;
-  return is_sign(tokens[at], "+") || is_sign(tokens[at], "-") ||
-         (tokens[at].kind == TokenKind::letter && tokens[at].text == "−") ||
+  return is_sign_of(tokens[at], "+-") || (tokens[at].kind == TokenKind::letter && tokens[at].text == "−") ||
          factor_joint(tokens[at]) != Joint::none;
 }
 
 int count_open_brackets(TokenView tokens) {
   int depth = 0;
   for (const Token& token : tokens) {
-    if (is_sign(token, "(") || is_sign(token, "[")) ++depth;
-    if (is_sign(token, ")") || is_sign(token, "]")) --depth;
+    if (is_sign_of(token, "([")) ++depth;
+    if (is_sign_of(token, ")]")) --depth;
   }
   return depth;
 }
@@ -82,10 +81,9 @@ bool continues(const Statement& above, TokenView row, bool first_cell_empty, boo
 
 std::size_t cells_per_equation(std::string_view environment, const std::vector<Row>& rows) {
   if (environment.starts_with("eqnarray") || environment == "IEEEeqnarray") return 3;
-  const bool pairs =
-      std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.cells.size() > 2; });
+  const bool pairs = std::ranges::any_of(rows, [](const Row& row) { return row.cells.size() > 2; });
   const bool middle_relation =
-      pairs && std::all_of(rows.begin(), rows.end(), [](const Row& row) {
+      pairs && std::ranges::all_of(rows, [](const Row& row) {
         return row.cells.size() == 3 && starts_with_relation(row.cells[1]) && trim(row.cells[1]).size() == 1;
       });
   if (middle_relation) return 3;  // `a &=& b` written in align
@@ -108,7 +106,7 @@ class RowJoiner {
         add(row, begin, column);
     }
     close_all();
-    std::stable_sort(done_.begin(), done_.end(), [](const Statement& a, const Statement& b) {
+    std::ranges::stable_sort(done_, [](const Statement& a, const Statement& b) {
       return span_of(a.tokens).begin < span_of(b.tokens).begin;
     });
     return std::move(done_);

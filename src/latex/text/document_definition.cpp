@@ -2,11 +2,10 @@
 #include "latex/text/document_definition.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "base/ascii.h"
 #include "base/utf8.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
@@ -47,7 +46,7 @@ class ArgumentWalk {
     if (!argument()) return false;
     const std::string_view types = last_group_;
     const bool plain = types.find_first_not_of("m \n") == std::string_view::npos;
-    extent_.bodies.parameters = plain ? static_cast<int>(std::count(types.begin(), types.end(), 'm')) : -1;
+    extent_.bodies.parameters = plain ? static_cast<int>(std::ranges::count(types, 'm')) : -1;
     return true;
   }
 
@@ -159,20 +158,14 @@ DefinitionExtent definition_extent(NotesText& text, DefinitionForm form, std::si
 }
 
 std::optional<EnvironmentForm> environment_form(std::string_view control) {
-  static constexpr auto forms = std::to_array<std::pair<std::string_view, EnvironmentForm>>({
-      {"newenvironment", EnvironmentForm::bodies},
-      {"renewenvironment", EnvironmentForm::bodies},
-      {"provideenvironment", EnvironmentForm::bodies},
-      {"NewDocumentEnvironment", EnvironmentForm::arguments},
-      {"RenewDocumentEnvironment", EnvironmentForm::arguments},
-      {"DeclareDocumentEnvironment", EnvironmentForm::arguments},
-      {"ProvideDocumentEnvironment", EnvironmentForm::arguments},
-      {"NewEnviron", EnvironmentForm::one_body},
-      {"RenewEnviron", EnvironmentForm::one_body},
-  });
-  const auto form =
-      std::find_if(forms.begin(), forms.end(), [&](const auto& each) { return each.first == control; });
-  return form == forms.end() ? std::nullopt : std::optional(form->second);
+  using enum EnvironmentForm;
+  static const WordMap<EnvironmentForm> forms{
+      {"newenvironment renewenvironment provideenvironment", bodies},
+      {"NewDocumentEnvironment RenewDocumentEnvironment DeclareDocumentEnvironment "
+       "ProvideDocumentEnvironment",
+       arguments},
+      {"NewEnviron RenewEnviron", one_body}};
+  return forms.find(control);
 }
 
 DefinitionExtent environment_definition_extent(NotesText& text, EnvironmentForm form, std::size_t at) {

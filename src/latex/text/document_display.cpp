@@ -123,9 +123,8 @@ class DisplaySearch {
   [[nodiscard]] bool begins_block(std::size_t line) const {
     static constexpr auto marks =
         std::to_array<std::string_view>({"```", "~~~", ":::", "---", "===", "***", "<!--"});
-    return atx_level(text_, line) > 0 || std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
-             return text_.has(mark, line);
-           });
+    return atx_level(text_, line) > 0 ||
+           std::ranges::any_of(marks, [&](std::string_view mark) { return text_.has(mark, line); });
   }
 
   /// At a blank line: mathematics goes on behind it, and is closed.
@@ -252,7 +251,7 @@ DisplayEnd find_display_end(const NotesText& text, const EnvironmentAliases& ali
 int heading_rank(std::string_view control) {
   static constexpr auto headings = std::to_array<std::string_view>(
       {"part", "chapter", "section", "subsection", "subsubsection", "paragraph", "subparagraph"});
-  const auto heading = std::find(headings.begin(), headings.end(), control);
+  const auto heading = std::ranges::find(headings, control);
   return heading == headings.end() ? -1 : static_cast<int>(heading - headings.begin());
 }
 

@@ -89,8 +89,8 @@ bool NotesText::goes_on_cyclically(std::size_t at) const {
     if (is_white(c) && !words.empty() && words.back() != ' ') words += ' ';
     if (c == '\n' && is_blank_line(at + 1)) break;
   }
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [&](std::string_view beginning) { return words.starts_with(beginning); });
+  return std::ranges::any_of(beginnings,
+                             [&](std::string_view beginning) { return words.starts_with(beginning); });
 }
 
 std::optional<std::size_t> NotesText::group_end(std::size_t open, bool in_paragraph) {

@@ -41,8 +41,7 @@ class WordSearch {
   [[nodiscard]] bool is_mark_of_prose() const {
     if (depth_ > 0) return false;
     static constexpr auto marks = std::to_array<std::string_view>({"](", "![", "<!--", "**", "__", "`"});
-    if (std::any_of(marks.begin(), marks.end(), [this](std::string_view mark) { return has(mark); }))
-      return true;
+    if (std::ranges::any_of(marks, [this](std::string_view mark) { return has(mark); })) return true;
     return has("$");
   }
 

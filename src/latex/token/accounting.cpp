@@ -32,9 +32,8 @@ TokenUse TokenUses::of(const Token& token) const {
 }
 
 const Token* TokenUses::left_over(TokenView tokens) const {
-  const auto found = std::find_if(tokens.begin(), tokens.end(), [this](const Token& token) {
-    return of(token) == TokenUse::none && !is_layout(token);
-  });
+  const auto found = std::ranges::find_if(
+      tokens, [this](const Token& token) { return of(token) == TokenUse::none && !is_layout(token); });
   return found == tokens.end() ? nullptr : &*found;
 }
 

@@ -2,36 +2,19 @@
 #include "latex/token/environments.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "base/among.h"
 #include "base/ascii.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
 
 constexpr std::size_t longest_beginning = 200;  // of an environment, with its `\begin`
 
-constexpr auto displays = std::to_array<std::string_view>(
-    {"IEEEeqnarray", "align", "alignat", "darray", "displaymath", "dmath", "empheq", "eqnarray", "equation",
-     "flalign", "gather", "multline", "subeqnarray", "xalignat", "xxalignat"});
-constexpr auto unread_displays = std::to_array<std::string_view>(
-    {"DispWithArrows", "argmaxi", "argmini", "maxi", "mini", "numcases", "subnumcases"});
-constexpr auto with_argument =
-    std::to_array<std::string_view>({"IEEEeqnarray", "alignat", "empheq", "xalignat", "xxalignat"});
-constexpr auto with_options = std::to_array<std::string_view>({"IEEEeqnarray", "dmath", "empheq"});
-constexpr auto verbatims = std::to_array<std::string_view>(
-    {"BVerbatim", "LVerbatim", "SaveVerbatim", "Verbatim", "VerbatimOut", "alltt", "comment", "filecontents",
-     "lstlisting", "luacode", "minted", "pycode", "tcblisting", "verbatim", "verbatimtex"});
-/// What fills a display, and the display that lays out the same.
-constexpr auto fillings = std::to_array<std::pair<std::string_view, std::string_view>>(
-    {{"aligned", "align"}, {"gathered", "gather"}, {"split", "align"}});
-
-template <std::size_t N>
-bool contains(const std::array<std::string_view, N>& names, std::string_view name) {
+bool contains(const WordSet& names, std::string_view name) {
   if (name.ends_with('*')) name.remove_suffix(1);
-  return is_one_of(name, names);
+  return names.contains(name);
 }
 
 /// Without white space at both ends, and without comments at the beginning.
@@ -70,9 +53,8 @@ class DelimiterText {
 
 /// `name` fills a display: the environment that lays out the same.
 std::string_view filled(std::string_view name) {
-  const auto found =
-      std::find_if(fillings.begin(), fillings.end(), [&](const auto& each) { return each.first == name; });
-  return found == fillings.end() ? std::string_view() : found->second;
+  static const WordTable fillings("aligned align  gathered gather  split align");
+  return fillings.find(name);
 }
 
 template <class Names, class Value>
@@ -102,11 +84,30 @@ std::optional<OwnDisplay> opening_in(const OwnBodies& bodies) {
 
 }  // namespace
 
-bool is_display_environment(std::string_view name) { return contains(displays, name); }
-bool takes_argument(std::string_view name) { return contains(with_argument, name); }
-bool takes_options(std::string_view name) { return contains(with_options, name); }
-bool is_verbatim_environment(std::string_view name) { return contains(verbatims, name); }
-bool is_unread_display(std::string_view name) { return contains(unread_displays, name); }
+bool is_display_environment(std::string_view name) {
+  static const WordSet names(
+      "IEEEeqnarray align alignat darray displaymath dmath empheq eqnarray equation flalign gather "
+      "multline subeqnarray xalignat xxalignat");
+  return contains(names, name);
+}
+bool takes_argument(std::string_view name) {
+  static const WordSet names("IEEEeqnarray alignat empheq xalignat xxalignat");
+  return contains(names, name);
+}
+bool takes_options(std::string_view name) {
+  static const WordSet names("IEEEeqnarray dmath empheq");
+  return contains(names, name);
+}
+bool is_verbatim_environment(std::string_view name) {
+  static const WordSet names(
+      "BVerbatim LVerbatim SaveVerbatim Verbatim VerbatimOut alltt comment filecontents lstlisting "
+      "luacode minted pycode tcblisting verbatim verbatimtex");
+  return contains(names, name);
+}
+bool is_unread_display(std::string_view name) {
+  static const WordSet names("DispWithArrows argmaxi argmini maxi mini numcases subnumcases");
+  return contains(names, name);
+}
 
 bool opens_display(std::string_view text) {
   for (std::size_t at = 0; at + 1 < text.size(); ++at) {

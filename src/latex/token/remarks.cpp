@@ -2,86 +2,73 @@
 #include "latex/token/remarks.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
-#include "base/among.h"
 #include "base/ascii.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
-
-using List = std::unordered_set<std::string_view>;
 
 /// A letter of any language.
 bool is_of_word(char c) { return is_letter(c) || static_cast<unsigned char>(c) >= 0x80; }
 
 /// Words that restrict nothing: they name an equation, its parts, or where it comes from.
-const List& harmless() {
-  static const List words{
+const WordSet& harmless() {
+  static const WordSet words(
       // what an equation is called
-      "identity", "identities", "theorem", "lemma", "corollary", "proposition", "axiom", "rule", "rules",
-      "law", "laws", "definition", "def", "property", "principle", "formula", "relation", "equation",
-      "equations", "eq", "eqs", "eqn", "eqns", "proof", "check", "qed", "result", "distributive",
-      "distributivity", "associative", "associativity", "commutative", "commutativity", "linearity",
-      "bilinearity", "antisymmetry", "binomial", "quadratic", "triangle", "parallelogram", "product",
-      "products", "quotient", "chain", "sum", "difference", "addition", "double", "half", "angle", "cosine",
-      "cosines", "sine", "sines", "triple", "scalar", "vector", "tensor", "dot", "cross", "inner", "first",
-      "second", "third",
+      "identity identities theorem lemma corollary proposition axiom rule rules law laws definition def "
+      "property principle formula relation equation equations eq eqs eqn eqns proof check qed result "
+      "distributive distributivity associative associativity commutative commutativity linearity "
+      "bilinearity antisymmetry binomial quadratic triangle parallelogram product products quotient chain "
+      "sum difference addition double half angle cosine cosines sine sines triple scalar vector tensor "
+      "dot cross inner first second third "
       // where it comes from
-      "by", "using", "use", "from", "see", "via", "cf", "recall", "note", "ref", "reference", "above",
-      "expand", "expanding", "expanded", "contract", "contracting", "rename", "renaming", "relabel",
-      "relabelling", "rearrange", "rearranging", "collect", "collecting", "simplify", "simplifying",
-      "integrating", "parts", "the", "a", "an", "of", "this", "that", "is", "are", "its", "we", "have", "get",
-      "find", "obtain",
+      "by using use from see via cf recall note ref reference above expand expanding expanded contract "
+      "contracting rename renaming relabel relabelling rearrange rearranging collect collecting simplify "
+      "simplifying integrating parts the a an of this that is are its we have get find obtain "
       // what its parts are called
-      "kinetic", "potential", "energy", "total", "mass", "torque", "momentum", "angular", "orbital", "spin",
-      "inertia", "moment", "force", "forces", "work", "power", "charge", "current", "field", "flux",
-      "velocity", "acceleration", "centrifugal", "centripetal", "gravity", "rotational", "translational",
-      "rotation", "translation", "intrinsic", "part", "parts", "term", "terms", "twice", "half", "once",
-      "vectors", "values", "indices", "numbers"};
+      "kinetic potential energy total mass torque momentum angular orbital spin inertia moment force "
+      "forces work power charge current field flux velocity acceleration centrifugal centripetal gravity "
+      "rotational translational rotation translation intrinsic part parts term terms twice half once "
+      "vectors values indices numbers");
   return words;
 }
 
 /// Of people whose names equations bear; with a capital.
-const List& names() {
-  static const List people{
-      "Ampere",     "Ampère",    "Archimedes", "Bernoulli", "Bessel",    "Bianchi",     "Binet",
-      "Biot",       "Bohr",      "Born",       "Carnot",    "Cauchy",    "Chasles",     "Civita",
-      "Clausius",   "Coriolis",  "Coulomb",    "Dirac",     "Doppler",   "Einstein",    "Euler",
-      "Faraday",    "Fourier",   "Galilei",    "Galileo",   "Gauss",     "Gibbs",       "Green",
-      "Hamilton",   "Helmholtz", "Hooke",      "Huygens",   "Jacobi",    "Kepler",      "Kirchhoff",
-      "Koenig",     "König",     "Kronecker",  "Lagrange",  "Laplace",   "Legendre",    "Leibniz",
-      "Levi",       "Lorentz",   "Maclaurin",  "Maxwell",   "Minkowski", "Moivre",      "Navier",
-      "Newton",     "Noether",   "Ohm",        "Parseval",  "Pauli",     "Poisson",     "Poynting",
-      "Pythagoras", "Rayleigh",  "Rodrigues",  "Savart",    "Schwarz",   "Schrödinger", "Steiner",
-      "Stokes",     "Taylor",    "Torricelli", "Vieta"};
+const WordSet& names() {
+  static const WordSet people(R"(
+      Ampere Ampère Archimedes Bernoulli Bessel Bianchi Binet Biot Bohr Born Carnot Cauchy Chasles Civita
+      Clausius Coriolis Coulomb Dirac Doppler Einstein Euler Faraday Fourier Galilei Galileo Gauss Gibbs
+      Green Hamilton Helmholtz Hooke Huygens Jacobi Kepler Kirchhoff Koenig König Kronecker Lagrange Laplace
+      Legendre Leibniz Levi Lorentz Maclaurin Maxwell Minkowski Moivre Navier Newton Noether Ohm Parseval
+      Pauli Poisson Poynting Pythagoras Rayleigh Rodrigues Savart Schwarz Schrödinger Steiner Stokes Taylor
+      Torricelli Vieta)");
   return people;
 }
 
 /// Words between equations, of which none says more than that another one follows.
-const List& connectives() {
-  static const List words{"and",     "or",        "so",           "thus",       "hence",  "therefore",
-                          "ie",      "also",      "while",        "but",        "giving", "gives",
-                          "which",   "similarly", "it",           "likewise",   "now",    "again",
-                          "finally", "follows",   "consequently", "accordingly"};
+const WordSet& connectives() {
+  static const WordSet words(R"(
+      and or so thus hence therefore ie also while but giving gives which similarly it likewise now again
+      finally follows consequently accordingly)");
   return words;
 }
 
 /// What `for all` may take for granted.
-const List& quantified() {
-  static const List words{"vectors", "vector",  "scalars", "scalar", "values", "value", "indices",   "index",
-                          "numbers", "tensors", "times",   "points", "of",     "and",   "particles", "the"};
+const WordSet& quantified() {
+  static const WordSet words(R"(
+      vectors vector scalars scalar values value indices index numbers tensors times points of and particles
+      the)");
   return words;
 }
 
-const List& greek() {
-  static const List letters{"alpha", "beta", "gamma", "delta",  "epsilon", "varepsilon", "zeta",  "eta",
-                            "theta", "iota", "kappa", "lambda", "mu",      "nu",         "xi",    "rho",
-                            "sigma", "tau",  "phi",   "varphi", "chi",     "psi",        "omega", "pi"};
+const WordSet& greek() {
+  static const WordSet letters(R"(
+      alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau phi
+      varphi chi psi omega pi)");
   return letters;
 }
 
@@ -99,9 +86,9 @@ std::string_view control_at(std::string_view text, std::size_t at) {
 
 /// The place behind `\eqref{eq:1}`, `\mathbf`, `\,`; `at` itself for the control of a letter.
 std::size_t behind_silent_control(std::string_view text, std::size_t at) {
-  static const List references{"eqref", "ref", "cite", "cref", "autoref"};
-  static const List styles{"mathbf", "boldsymbol", "bm", "vec", "hat",  "mathrm", "text", "textbf", "textit",
-                           "emph",   "rm",         "it", "bf",  "quad", "qquad",  "mbox", "mathsf"};
+  static const WordSet references("eqref ref cite cref autoref");
+  static const WordSet styles(R"(
+      mathbf boldsymbol bm vec hat mathrm text textbf textit emph rm it bf quad qquad mbox mathsf)");
   const std::string_view name = control_at(text, at);
   const std::size_t behind = at + 1 + name.size();
   if (name.empty()) return std::min(at + 2, text.size());
@@ -144,7 +131,7 @@ Spoken spoken_in(std::string_view text) {
 }
 
 bool is_number(const std::string& word) {
-  return std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 bool is_symbol(const std::string& word) {
@@ -153,42 +140,40 @@ bool is_symbol(const std::string& word) {
 
 /// "no sum", "no summation over repeated indices", "(not summed on j)".
 bool says_no_sum(const std::vector<std::string>& words) {
-  static constexpr std::array<std::string_view, 4> negations{"no", "not", "without", "never"};
-  static constexpr std::array<std::string_view, 5> sums{"sum", "sums", "summed", "summation", "summing"};
-  static constexpr std::array<std::string_view, 14> rest{"over",  "on",      "in",       "for",       "the",
-                                                         "index", "indices", "repeated", "and",       "or",
-                                                         "here",  "implied", "intended", "convention"};
+  static const WordSet negations("no not without never");
+  static const WordSet sums("sum sums summed summation summing");
+  static const WordSet rest(R"(
+      over on in for the index indices repeated and or here implied intended convention)");
   std::size_t at = 0;
   if (words.size() > 1 && (words[0] == "with" || words[0] == "but" || words[0] == "and")) ++at;
-  if (at + 1 >= words.size() || !is_one_of(words[at], negations)) return false;
+  if (at + 1 >= words.size() || !negations.contains(words[at])) return false;
   const bool implied = words[at + 1] == "implied" || words[at + 1] == "einstein";
   at += implied ? 2 : 1;
-  if (at >= words.size() || !is_one_of(words[at], sums)) return false;
+  if (at >= words.size() || !sums.contains(words[at])) return false;
   return std::all_of(words.begin() + static_cast<std::ptrdiff_t>(at) + 1, words.end(),
-                     [](const std::string& word) { return is_symbol(word) || is_one_of(word, rest); });
+                     [](const std::string& word) { return is_symbol(word) || rest.contains(word); });
 }
 
 /// "and cyclic permutations of 1, 2, 3", "plus cyclic", "etc."; other letters than those of the axes are
 /// another statement.
 bool says_cyclic(const std::vector<std::string>& words) {
-  static constexpr std::array<std::string_view, 5> cyclic{"cyclic", "cyclical", "cyclically", "cyc", "cycl"};
-  static constexpr std::array<std::string_view, 20> rest{
-      "permutations", "permutation", "permuted", "perm",       "perms",      "of",      "the",
-      "indices",      "axes",        "labels",   "subscripts", "components", "thereof", "for",
-      "other",        "others",      "1",        "2",          "3",          "rest"};
+  static const WordSet cyclic("cyclic cyclical cyclically cyc cycl");
+  static const WordSet rest(R"(
+      permutations permutation permuted perm perms of the indices axes labels subscripts components thereof
+      for other others 1 2 3 rest)");
   if (words.size() == 1) return words[0] == "etc";
   if (words.size() < 2 || (words[0] != "and" && words[0] != "plus")) return false;
   if (words.size() == 2 && words[1] == "etc") return true;
-  return is_one_of(words[1], cyclic) &&
+  return cyclic.contains(words[1]) &&
          std::all_of(words.begin() + 2, words.end(), [](const std::string& word) {
-           return is_one_of(word, rest) || word == "x" || word == "y" || word == "z";
+           return rest.contains(word) || word == "x" || word == "y" || word == "z";
          });
 }
 
 /// "for all vectors", "for every $i$".
 bool says_for_all(const std::vector<std::string>& words) {
-  static constexpr std::array<std::string_view, 4> all{"all", "any", "every", "each"};
-  if (words.size() < 3 || words[0] != "for" || !is_one_of(words[1], all)) return false;
+  static const WordSet all("all any every each");
+  if (words.size() < 3 || words[0] != "for" || !all.contains(words[1])) return false;
   return std::all_of(words.begin() + 2, words.end(),
                      [](const std::string& word) { return is_symbol(word) || quantified().contains(word); });
 }
@@ -221,7 +206,7 @@ bool stands_apart(const std::string& words) {
   const auto first = words.find_first_not_of(" ~");
   if (first == std::string::npos || openings.find(words[first]) != std::string_view::npos) return true;
   const Spoken spoken = spoken_in(words);
-  static const List sources{"by", "using", "from", "see", "via", "cf", "for"};
+  static const WordSet sources("by using from see via cf for");
   return !spoken.words.empty() && sources.contains(lowered(spoken.words[0]));
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/among.h"
-#include "base/ascii.h"
 
 namespace rigor {
 
@@ -23,7 +22,7 @@ bool is_script(const Token& token) {
   return token.kind == TokenKind::subscript || token.kind == TokenKind::superscript || is_sign(token, "'");
 }
 bool is_sum_sign(const Token& token) {
-  return is_sign(token, "+") || is_sign(token, "-") || is_letter(token, "−") || is_control(token, "pm") ||
+  return is_sign_of(token, "+-") || is_letter(token, "−") || is_control(token, "pm") ||
          is_control(token, "mp");
 }
 bool is_blank(const Token& token) {
@@ -57,12 +56,12 @@ Argument argument_at(TokenView tokens, std::size_t at) {
 Argument script_argument_at(TokenView tokens, std::size_t at) {
   Argument script = argument_at(tokens, at);
   at = skip_blank(tokens, at);
-  if (at >= tokens.size() || tokens[at].kind != TokenKind::control) return script;
+  if (!is_kind_at(tokens, at, TokenKind::control)) return script;
   const std::string_view name = tokens[at].text;
-  const bool two = name == "frac" || name == "tfrac" || name == "dfrac" || name == "textcolor";
-  const bool one = name == "sqrt" || name.starts_with("math") || name.starts_with("text") || name == "mbox" ||
-                   name == "bm" || name == "boldsymbol" || name == "vec" || name == "hat" ||
-                   name == "operatorname" || name == "bar" || name == "tilde" || name == "vb";
+  const bool two = is_one_of(name, {"frac", "tfrac", "dfrac", "textcolor"});
+  const bool one =
+      name == "sqrt" || name.starts_with("math") || name.starts_with("text") ||
+      is_one_of(name, {"mbox", "bm", "boldsymbol", "vec", "hat", "operatorname", "bar", "tilde", "vb"});
   for (int k = 0; k < (two ? 2 : one ? 1 : 0); ++k) script.next = argument_at(tokens, script.next).next;
   script.content = tokens.subspan(at, two || one ? script.next - at : 1);
   return script;
@@ -70,7 +69,7 @@ Argument script_argument_at(TokenView tokens, std::size_t at) {
 
 Argument optional_argument_at(TokenView tokens, std::size_t at) {
   const std::size_t open = skip_blank(tokens, at);
-  if (open >= tokens.size() || !is_sign(tokens[open], "[")) return {{}, at};
+  if (!is_sign_at(tokens, open, "[")) return {{}, at};
   Nesting nesting(true);
   for (std::size_t i = open + 1; i < tokens.size(); ++i) {
     if (nesting.enter(tokens[i]) == 0 && is_sign(tokens[i], "]"))
@@ -80,13 +79,11 @@ Argument optional_argument_at(TokenView tokens, std::size_t at) {
 }
 
 std::size_t skip_empty_group(TokenView tokens, std::size_t at) {
-  if (at >= tokens.size() || tokens[at].kind != TokenKind::begin_group) return at;
+  if (!is_kind_at(tokens, at, TokenKind::begin_group)) return at;
   const std::size_t close = skip_blank(tokens, at + 1);
-  if (close >= tokens.size() || tokens[close].kind != TokenKind::end_group) return at;
+  if (!is_kind_at(tokens, close, TokenKind::end_group)) return at;
   const std::size_t behind = skip_blank(tokens, close + 1);
-  const bool script = behind < tokens.size() &&
-                      (tokens[behind].kind == TokenKind::subscript ||
-                       tokens[behind].kind == TokenKind::superscript || is_sign(tokens[behind], "'"));
+  const bool script = behind < tokens.size() && is_script(tokens[behind]);
   return script ? at : close + 1;
 }
 
@@ -122,10 +119,8 @@ int Nesting::enter(const Token& token) {
       if (token.text == "begin") return open();
       if (token.text == "end") return close();
       if (braces_only_) return depth_;
-      if (token.text == "{" || token.text == "lbrace" || token.text == "lvert" || token.text == "lVert")
-        return open();
-      if (token.text == "}" || token.text == "rbrace" || token.text == "rvert" || token.text == "rVert")
-        return close();
+      if (is_one_of(token.text, {"{", "lbrace", "lvert", "lVert"})) return open();
+      if (is_one_of(token.text, {"}", "rbrace", "rvert", "rVert"})) return close();
       return depth_;
     case TokenKind::other:
       if (braces_only_) return depth_;

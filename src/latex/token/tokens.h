@@ -11,6 +11,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "latex/token/token.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 
@@ -23,10 +24,29 @@ using TokenView = std::span<const Token>;
 [[nodiscard]] bool is_blank(const Token& token);     // space or paragraph
 [[nodiscard]] bool is_script(const Token& token);    // `_`, `^` or a prime
 [[nodiscard]] bool is_sum_sign(const Token& token);  // `+`, `-`, `\pm`, `\mp`
+/// What stands at the place; false behind the end.
+[[nodiscard]] inline bool is_kind_at(TokenView tokens, std::size_t at, TokenKind kind) {
+  return at < tokens.size() && tokens[at].kind == kind;
+}
+[[nodiscard]] inline bool is_sign_at(TokenView tokens, std::size_t at, std::string_view text) {
+  return at < tokens.size() && is_sign(tokens[at], text);
+}
+[[nodiscard]] inline bool is_control_at(TokenView tokens, std::size_t at, std::string_view name) {
+  return at < tokens.size() && is_control(tokens[at], name);
+}
+[[nodiscard]] inline bool is_script_at(TokenView tokens, std::size_t at) {
+  return at < tokens.size() && is_script(tokens[at]);
+}
+/// One of the signs of one character.
+[[nodiscard]] inline bool is_sign_of(const Token& token, std::string_view signs) {
+  return token.kind == TokenKind::other && signs.find(token.text) != std::string_view::npos;
+}
 /// A control of the list.
-template <class List>
-[[nodiscard]] bool is_control_of(const Token& token, const List& names) {
+[[nodiscard]] inline bool is_control_of(const Token& token, std::initializer_list<std::string_view> names) {
   return token.kind == TokenKind::control && is_one_of(token.text, names);
+}
+[[nodiscard]] inline bool is_control_of(const Token& token, const WordSet& names) {
+  return token.kind == TokenKind::control && names.contains(token.text);
 }
 
 /// The first place at or after `at` that is not blank; the size at the end.

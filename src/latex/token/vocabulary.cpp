@@ -4,121 +4,69 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
-#include <unordered_set>
+
+#include "latex/token/tokens.h"
+#include "latex/token/words.h"
 
 namespace rigor {
 namespace {
 
-using Words = std::unordered_set<std::string_view>;
-
-bool is_control(const Token& token, const Words& words) {
-  return token.kind == TokenKind::control && words.contains(token.text);
-}
-
-const std::unordered_map<std::string_view, RelationKind>& relations() {
-  static const std::unordered_map<std::string_view, RelationKind> table = [] {
-    std::unordered_map<std::string_view, RelationKind> relation{
-        {"equiv", RelationKind::identical}, {"coloneqq", RelationKind::defines},
-        {"coloneq", RelationKind::defines}, {"triangleq", RelationKind::defines},
-        {"eqdef", RelationKind::defines},   {"eqcolon", RelationKind::other},
-        {"doteq", RelationKind::other},     {"lt", RelationKind::less},
-        {"gt", RelationKind::greater},      {"ll", RelationKind::much_less},
-        {"gg", RelationKind::much_greater}};
-    for (const char* word : {"le", "leq", "leqslant"}) relation.emplace(word, RelationKind::less_or_equal);
-    for (const char* word : {"ge", "geq", "geqslant"}) relation.emplace(word, RelationKind::greater_or_equal);
-    for (const char* word : {"ne", "neq"}) relation.emplace(word, RelationKind::unequal);
-    for (const char* word : {"approx", "simeq", "cong", "approxeq"})
-      relation.emplace(word, RelationKind::nearly);
-    for (const char* word : {"sim",        "propto",     "in",     "notin",          "ni",
-                             "subset",     "subseteq",   "supset", "perp",           "parallel",
-                             "to",         "rightarrow", "mapsto", "longrightarrow", "leftrightarrow",
-                             "lesssim",    "gtrsim",     "prec",   "succ",           "asymp",
-                             "longmapsto", "leftarrow",  "gets"}) {
-      relation.emplace(word, RelationKind::other);
-    }
-    for (const char* word : {"Rightarrow", "implies", "Longrightarrow", "iff", "Leftrightarrow",
-                             "Longleftrightarrow", "impliedby", "Leftarrow", "Longleftarrow"}) {
-      relation.emplace(word, RelationKind::implies);
-    }
-    return relation;
-  }();
-  return table;
-}
-
-const std::unordered_map<std::string_view, RelationKind>& relations_by_name() {
+const WordMap<RelationKind>& relations() {
   using enum RelationKind;
-  static const std::unordered_map<std::string_view, RelationKind> table{{"≡", identical},
-                                                                        {"≤", less_or_equal},
-                                                                        {"⩽", less_or_equal},
-                                                                        {"≦", less_or_equal},
-                                                                        {"≥", greater_or_equal},
-                                                                        {"⩾", greater_or_equal},
-                                                                        {"≧", greater_or_equal},
-                                                                        {"≠", unequal},
-                                                                        {"≈", nearly},
-                                                                        {"≃", nearly},
-                                                                        {"≅", nearly},
-                                                                        {"≊", nearly},
-                                                                        {"≪", much_less},
-                                                                        {"≫", much_greater},
-                                                                        {"⇒", implies},
-                                                                        {"⇔", implies},
-                                                                        {"∝", other},
-                                                                        {"∼", other},
-                                                                        {"∈", other},
-                                                                        {"→", other},
-                                                                        {"⟂", other}};
+  static const WordMap<RelationKind> table{
+      {"equiv", identical},
+      {"coloneqq coloneq triangleq eqdef", defines},
+      {"lt", less},
+      {"gt", greater},
+      {"ll", much_less},
+      {"gg", much_greater},
+      {"le leq leqslant", less_or_equal},
+      {"ge geq geqslant", greater_or_equal},
+      {"ne neq", unequal},
+      {"approx simeq cong approxeq", nearly},
+      {"eqcolon doteq sim propto in notin ni subset subseteq supset perp parallel to rightarrow mapsto "
+       "longrightarrow leftrightarrow lesssim gtrsim prec succ asymp longmapsto leftarrow gets",
+       other},
+      {"Rightarrow implies Longrightarrow iff Leftrightarrow Longleftrightarrow impliedby Leftarrow "
+       "Longleftarrow",
+       implies}};
   return table;
 }
 
-const std::unordered_map<std::string_view, Style>& styles() {
-  static const std::unordered_map<std::string_view, Style> table = [] {
-    std::unordered_map<std::string_view, Style> style;
-    for (const char* word :
-         {"mathbf", "boldsymbol", "bm", "pmb", "vec", "overrightarrow", "vb", "va", "vectorbold",
-          "vectorarrow", "mathbfit", "symbf", "symbfit", "bold", "bf", "vv", "underline"}) {
-      style.emplace(word, Style{.face = Face::vector});
-    }
-    for (const char* word : {"hat", "widehat"}) style.emplace(word, Style{.accent = Accent::hat});
-    for (const char* word : {"vu", "vectorunit"})
-      style.emplace(word, Style{.face = Face::vector, .accent = Accent::hat});
-    for (const char* word : {"overleftrightarrow", "tensor", "mathsf", "mathbfsf"}) {
-      style.emplace(word, Style{.face = Face::tensor});
-    }
-    for (const char* word : {"bar", "overline"}) style.emplace(word, Style{.accent = Accent::bar});
-    for (const char* word : {"tilde", "widetilde"}) style.emplace(word, Style{.accent = Accent::tilde});
-    for (const char* word : {"mathrm", "operatorname", "mathup", "rm"})
-      style.emplace(word, Style{.upright = true});
-    for (const char* word : {"mathit", "mathnormal"}) style.emplace(word, Style{});
-    for (const char* word : {"mathcal", "mathscr", "mathfrak", "mathbb"})
-      style.emplace(word, Style{.alphabet = word});
-    return style;
-  }();
+const WordMap<RelationKind>& relations_by_name() {
+  using enum RelationKind;
+  static const WordMap<RelationKind> table{
+      {"≡", identical},    {"≤ ⩽ ≦", less_or_equal}, {"≥ ⩾ ≧", greater_or_equal},
+      {"≠", unequal},      {"≈ ≃ ≅ ≊", nearly},      {"≪", much_less},
+      {"≫", much_greater}, {"⇒ ⇔", implies},         {"∝ ∼ ∈ → ⟂", other}};
   return table;
 }
 
-struct GreekLetter {
-  std::string_view name;
-  std::string_view sign;
-};
+const WordMap<Style>& styles() {
+  static const WordMap<Style> table{
+      {"mathbf boldsymbol bm pmb vec overrightarrow vb va vectorbold vectorarrow mathbfit symbf symbfit bold "
+       "bf vv underline",
+       {.face = Face::vector}},
+      {"hat widehat", {.accent = Accent::hat}},
+      {"vu vectorunit", {.face = Face::vector, .accent = Accent::hat}},
+      {"overleftrightarrow tensor mathsf mathbfsf", {.face = Face::tensor}},
+      {"bar overline", {.accent = Accent::bar}},
+      {"tilde widetilde", {.accent = Accent::tilde}},
+      {"mathrm operatorname mathup rm", {.upright = true}},
+      {"mathit mathnormal", {}},
+      {"mathcal", {.alphabet = "mathcal"}},
+      {"mathscr", {.alphabet = "mathscr"}},
+      {"mathfrak", {.alphabet = "mathfrak"}},
+      {"mathbb", {.alphabet = "mathbb"}}};
+  return table;
+}
 
-constexpr std::array greek_letters{
-    GreekLetter{"alpha", "α"},   GreekLetter{"beta", "β"},    GreekLetter{"gamma", "γ"},
-    GreekLetter{"delta", "δ"},   GreekLetter{"epsilon", "ε"}, GreekLetter{"zeta", "ζ"},
-    GreekLetter{"eta", "η"},     GreekLetter{"theta", "θ"},   GreekLetter{"iota", "ι"},
-    GreekLetter{"kappa", "κ"},   GreekLetter{"lambda", "λ"},  GreekLetter{"mu", "μ"},
-    GreekLetter{"nu", "ν"},      GreekLetter{"xi", "ξ"},      GreekLetter{"pi", "π"},
-    GreekLetter{"rho", "ρ"},     GreekLetter{"sigma", "σ"},   GreekLetter{"tau", "τ"},
-    GreekLetter{"upsilon", "υ"}, GreekLetter{"phi", "φ"},     GreekLetter{"chi", "χ"},
-    GreekLetter{"psi", "ψ"},     GreekLetter{"omega", "ω"},   GreekLetter{"Gamma", "Γ"},
-    GreekLetter{"Delta", "Δ"},   GreekLetter{"Theta", "Θ"},   GreekLetter{"Lambda", "Λ"},
-    GreekLetter{"Xi", "Ξ"},      GreekLetter{"Pi", "Π"},      GreekLetter{"Sigma", "Σ"},
-    GreekLetter{"Upsilon", "Υ"}, GreekLetter{"Phi", "Φ"},     GreekLetter{"Psi", "Ψ"},
-    GreekLetter{"Omega", "Ω"},   GreekLetter{"epsilon", "ϵ"}, GreekLetter{"varphi", "ϕ"},
-    GreekLetter{"vartheta", "ϑ"}};
-
-constexpr std::string_view field_derivative = "this derivative is not read";
-constexpr std::string_view transcendental = "functions such as this one are not decided yet";
+/// From the names of the letters to the signs for them; ϵ, ϕ and ϑ are second signs for a name.
+constexpr std::string_view greek_letters = R"(
+    alpha α  beta β  gamma γ  delta δ  epsilon ε  zeta ζ  eta η  theta θ  iota ι  kappa κ  lambda λ  mu μ
+    nu ν  xi ξ  pi π  rho ρ  sigma σ  tau τ  upsilon υ  phi φ  chi χ  psi ψ  omega ω  Gamma Γ  Delta Δ
+    Theta Θ  Lambda Λ  Xi Ξ  Pi Π  Sigma Σ  Upsilon Υ  Phi Φ  Psi Ψ  Omega Ω  epsilon ϵ  varphi ϕ
+    vartheta ϑ)";
 
 }  // namespace
 
@@ -129,54 +77,15 @@ std::optional<RelationKind> relation_kind(const Token& token) {
     if (token.text == ">") return RelationKind::greater;
     return std::nullopt;
   }
-  if (token.kind == TokenKind::letter) {
-    const auto found = relations_by_name().find(token.text);
-    return found == relations_by_name().end() ? std::nullopt : std::optional(found->second);
-  }
-  if (token.kind != TokenKind::control) return std::nullopt;
-  const auto found = relations().find(token.text);
-  return found == relations().end() ? std::nullopt : std::optional(found->second);
+  if (token.kind == TokenKind::letter) return relations_by_name().find(token.text);
+  return token.kind == TokenKind::control ? relations().find(token.text) : std::nullopt;
 }
 
 bool is_spacing(const Token& token) {
-  static const Words words{",",
-                           ":",
-                           ";",
-                           "!",
-                           " ",
-                           ">",
-                           "/",
-                           "thinspace",
-                           "medspace",
-                           "thickspace",
-                           "negthinspace",
-                           "enspace",
-                           "displaystyle",
-                           "textstyle",
-                           "scriptstyle",
-                           "nonumber",
-                           "notag",
-                           "limits",
-                           "nolimits",
-                           "mathstrut",
-                           "strut",
-                           "hfill",
-                           "allowbreak",
-                           "nobreak",
-                           "relax",
-                           "mathopen",
-                           "mathclose",
-                           "null",
-                           "noindent",
-                           "displaybreak",
-                           "centering",
-                           "small",
-                           "footnotesize",
-                           "normalsize",
-                           "large",
-                           "protect",
-                           "qedhere",
-                           "-"};
+  static const WordSet words(
+      ", : ; ! > / thinspace medspace thickspace negthinspace enspace displaystyle textstyle scriptstyle "
+      "nonumber notag limits nolimits mathstrut strut hfill allowbreak nobreak relax mathopen mathclose "
+      "null noindent displaybreak centering small footnotesize normalsize large protect qedhere -");
   if (token.kind == TokenKind::space || token.kind == TokenKind::paragraph) return true;
   if (token.kind == TokenKind::other && token.text == "~") return true;
   if (token.kind == TokenKind::control && !token.text.empty()) {
@@ -184,61 +93,57 @@ bool is_spacing(const Token& token) {
     if (token.text.size() == 1 && (first == ' ' || first == '\n' || first == '\t' || first == '\r'))
       return true;
   }
-  return is_control(token, words);
+  return is_control_of(token, words);
 }
 
 bool is_bracket_size(const Token& token) {
-  static const Words words{"left", "right", "middle", "big",   "Big",   "bigg",  "Bigg", "bigl", "bigr",
-                           "Bigl", "Bigr",  "biggl",  "biggr", "Biggl", "Biggr", "bigm", "Bigm"};
-  return is_control(token, words);
+  static const WordSet words(
+      "left right middle big Big bigg Bigg bigl bigr Bigl Bigr biggl biggr Biggl Biggr bigm Bigm");
+  return is_control_of(token, words);
 }
 
 bool is_wide_space(const Token& token) {
-  static const Words words{"quad", "qquad", "hspace", "hphantom"};
-  return is_control(token, words);
+  static const WordSet words("quad qquad hspace hphantom");
+  return is_control_of(token, words);
 }
 
 bool is_words(const Token& token) {
-  static const Words words{"text",       "mbox",           "textrm", "textit", "textbf",
-                           "textnormal", "hbox",           "textsf", "emph",   "fbox",
-                           "intertext",  "shortintertext", "qq",     "texttt", "textsc"};
-  return is_control(token, words);
+  static const WordSet words(
+      "text mbox textrm textit textbf textnormal hbox textsf emph fbox intertext shortintertext qq texttt "
+      "textsc");
+  return is_control_of(token, words);
 }
 
 bool is_transparent(const Token& token) {
-  static const Words words{"boxed",   "ensuremath", "mathord", "mathinner", "Aboxed",
-                           "mathrel", "mathbin",    "mathop",  "smash"};
-  return is_control(token, words);
+  static const WordSet words("boxed ensuremath mathord mathinner Aboxed mathrel mathbin mathop smash");
+  return is_control_of(token, words);
 }
 
 bool is_transparent_environment(std::string_view name) {
-  static const Words words{"aligned",  "split",        "gathered",  "alignedat", "align",     "align*",
-                           "gather",   "gather*",      "equation",  "equation*", "multline",  "multline*",
-                           "eqnarray", "eqnarray*",    "alignat",   "alignat*",  "multlined", "flalign",
-                           "flalign*", "subequations", "lgathered", "rgathered"};
+  static const WordSet words(
+      "aligned split gathered alignedat align align* gather gather* equation equation* multline multline* "
+      "eqnarray eqnarray* alignat alignat* multlined flalign flalign* subequations lgathered rgathered");
   return words.contains(name);
 }
 
 std::string letter_of(const Token& token) {
+  static const WordTable signs(greek_letters);
+  static const std::unordered_map<std::string_view, std::string_view> names = [] {
+    std::unordered_map<std::string_view, std::string_view> names_of_signs;
+    for (const auto& [name, sign] : word_pairs(greek_letters)) names_of_signs.emplace(sign, name);
+    return names_of_signs;
+  }();
+  static const WordSet other_letters("imath jmath ell hbar varphi vartheta varrho varsigma varkappa");
   if (token.kind == TokenKind::control) {
     if (token.text == "varepsilon") return "\\epsilon";
     if (token.text == "square" || token.text == "Box") return std::string(hole_letter);
-    if (token.text == "imath" || token.text == "jmath" || token.text == "ell" || token.text == "hbar" ||
-        token.text == "varphi" || token.text == "vartheta" || token.text == "varrho" ||
-        token.text == "varsigma" || token.text == "varkappa") {
-      return "\\" + std::string(token.text);
-    }
-    for (const GreekLetter& letter : greek_letters) {
-      if (token.text == letter.name) return "\\" + std::string(token.text);
-    }
-    return {};
+    const bool is_letter = other_letters.contains(token.text) || !signs.find(token.text).empty();
+    return is_letter ? "\\" + std::string(token.text) : std::string();
   }
   if (token.kind != TokenKind::letter) return {};
   if (token.text.size() == 1) return std::string(token.text);
-  for (const GreekLetter& letter : greek_letters) {
-    if (token.text == letter.sign) return "\\" + std::string(letter.name);
-  }
-  return {};
+  const auto name = names.find(token.text);
+  return name == names.end() ? std::string() : "\\" + std::string(name->second);
 }
 
 bool is_greek(std::string_view letter) {
@@ -248,7 +153,7 @@ bool is_greek(std::string_view letter) {
 
 bool is_asking_mark(std::span<const Token> tokens, std::size_t at) {
   const auto is_mark = [&](std::size_t k) {
-    return k < tokens.size() && tokens[k].kind == TokenKind::other && tokens[k].text == "?";
+    return is_kind_at(tokens, k, TokenKind::other) && tokens[k].text == "?";
   };
   const auto is_empty = [&](std::size_t k) {
     return tokens[k].kind == TokenKind::space || tokens[k].kind == TokenKind::align || is_spacing(tokens[k]);
@@ -269,16 +174,14 @@ bool is_asking_mark(std::span<const Token> tokens, std::size_t at) {
 }
 
 std::optional<Style> style_of(const Token& token) {
-  if (token.kind != TokenKind::control) return std::nullopt;
-  const auto found = styles().find(token.text);
-  return found == styles().end() ? std::nullopt : std::optional(found->second);
+  return token.kind == TokenKind::control ? styles().find(token.text) : std::nullopt;
 }
 
 Joint factor_joint(const Token& token) {
-  static const Words dots{"cdot", "cdotp", "vdot", "dotproduct", "bullet"};
-  static const Words crosses{"times", "cross", "crossproduct", "cp"};
-  if (is_control(token, dots)) return Joint::dot;
-  if (is_control(token, crosses)) return Joint::cross;
+  static const WordSet dots("cdot cdotp vdot dotproduct bullet");
+  static const WordSet crosses("times cross crossproduct cp");
+  if (is_control_of(token, dots)) return Joint::dot;
+  if (is_control_of(token, crosses)) return Joint::cross;
   if (token.kind == TokenKind::letter && (token.text == "·" || token.text == "⋅")) return Joint::dot;
   if (token.kind == TokenKind::letter && token.text == "×") return Joint::cross;
   if (token.kind == TokenKind::other && token.text == "/") return Joint::slash;
@@ -286,8 +189,8 @@ Joint factor_joint(const Token& token) {
 }
 
 bool is_fraction(const Token& token) {
-  static const Words words{"frac", "tfrac", "dfrac", "cfrac", "nicefrac", "sfrac"};
-  return is_control(token, words);
+  static const WordSet words("frac tfrac dfrac cfrac nicefrac sfrac");
+  return is_control_of(token, words);
 }
 
 std::uint8_t dots_of(const Token& token) {
@@ -300,70 +203,49 @@ std::uint8_t dots_of(const Token& token) {
 }
 
 bool is_usual_angle(std::string_view letter) {
-  static const Words angles{"\\theta", "\\vartheta", "\\phi", "\\varphi",   "\\psi",   "\\alpha", "\\beta",
-                            "\\gamma", "\\chi",      "\\eta", "\\vartheta", "\\Theta", "\\Phi"};
+  static const WordSet angles(
+      "\\theta \\vartheta \\phi \\varphi \\psi \\alpha \\beta \\gamma \\chi \\eta \\Theta \\Phi");
   return angles.contains(letter);
 }
 
 std::string_view function_name(std::string_view word) {
-  static const Words functions{"sin",  "cos",  "tan", "cot", "sec", "csc", "sinh",
-                               "cosh", "tanh", "exp", "ln",  "log", "det", "tr"};
-  if (word == "Tr" || word == "trace" || word == "Trace") return "tr";
-  if (word == "determinant") return "det";
-  const auto found = functions.find(word);
-  return found == functions.end() ? std::string_view{} : *found;
+  static const WordTable functions(R"(sin sin  cos cos  tan tan  cot cot  sec sec  csc csc  sinh sinh
+      cosh cosh  tanh tanh  exp exp  ln ln  log log  det det  determinant det
+      tr tr  Tr tr  trace tr  Trace tr)");
+  return functions.find(word);
 }
 
 std::optional<FieldOperator> field_operator(std::string_view word) {
-  static const std::unordered_map<std::string_view, FieldOperator> table{
-      {"grad", FieldOperator::gradient},  {"gradient", FieldOperator::gradient},
-      {"div", FieldOperator::divergence}, {"divergence", FieldOperator::divergence},
-      {"curl", FieldOperator::curl},      {"laplacian", FieldOperator::laplacian}};
-  const auto found = table.find(word);
-  return found == table.end() ? std::nullopt : std::optional(found->second);
+  static const WordMap<FieldOperator> table{{"grad gradient", FieldOperator::gradient},
+                                            {"div divergence", FieldOperator::divergence},
+                                            {"curl", FieldOperator::curl},
+                                            {"laplacian", FieldOperator::laplacian}};
+  return table.find(word);
 }
 
 std::string_view unread_reason(std::string_view control) {
-  static const std::unordered_map<std::string_view, std::string_view> table = [] {
-    std::unordered_map<std::string_view, std::string_view> reason;
-    for (const char* word : {"fdv", "functionalderivative"}) reason.emplace(word, field_derivative);
-    for (const char* word : {"arcsin", "arccos", "arctan", "max", "min", "arg", "sgn", "coth", "lg"})
-      reason.emplace(word, transcendental);
-    for (const char* word : {"iint", "oint", "oiint"})
-      reason.emplace(word, "only integrals over a body (`dm`, `dV`, `d^3r`) are read");
-    for (const char* word : {"dd", "differential"})
-      reason.emplace(word, "a differential by itself is not read");
-    for (const char* word : {"prod", "bigcup", "bigcap", "bigoplus"})
-      reason.emplace(word, "this operator is not read");
-    for (const char* word : {"lim", "sup", "inf", "limsup"})
-      reason.emplace(word, "limits are not decided yet");
-    for (const char* word : {"pm", "mp"})
-      reason.emplace(word, "`\\pm` and `\\mp` stand for two statements, which are not read yet");
-    for (const char* word : {"dots", "ldots", "cdots", "dotsb", "dotsc", "vdots", "ddots"}) {
-      reason.emplace(word, "an ellipsis does not say what is left out");
-    }
-    for (const char* word : {"wedge", "otimes", "oplus", "circ", "star", "ast"}) {
-      reason.emplace(word, "this product is not read; write `\\times` or `\\cdot`");
-    }
-    for (const char* word : {"cancel", "bcancel", "xcancel", "cancelto"})
-      reason.emplace(word, "a cancelled term is not read");
-    for (const char* word : {"langle", "rangle", "bra", "ket", "braket", "expval"})
-      reason.emplace(word, "brackets of states or averages are not read");
-    for (const char* word : {"infty"}) reason.emplace(word, "infinity is not a number");
-    return reason;
-  }();
-  const auto found = table.find(control);
-  return found == table.end() ? std::string_view{} : found->second;
+  static const WordMap<std::string_view> reasons{
+      {"fdv functionalderivative", "this derivative is not read"},
+      {"arcsin arccos arctan max min arg sgn coth lg", "functions such as this one are not decided yet"},
+      {"iint oint oiint", "only integrals over a body (`dm`, `dV`, `d^3r`) are read"},
+      {"dd differential", "a differential by itself is not read"},
+      {"prod bigcup bigcap bigoplus", "this operator is not read"},
+      {"lim sup inf limsup", "limits are not decided yet"},
+      {"pm mp", "`\\pm` and `\\mp` stand for two statements, which are not read yet"},
+      {"dots ldots cdots dotsb dotsc vdots ddots", "an ellipsis does not say what is left out"},
+      {"wedge otimes oplus circ star ast", "this product is not read; write `\\times` or `\\cdot`"},
+      {"cancel bcancel xcancel cancelto", "a cancelled term is not read"},
+      {"langle rangle bra ket braket expval", "brackets of states or averages are not read"},
+      {"infty", "infinity is not a number"}};
+  return reasons.find(control).value_or("");
 }
 
 bool is_subscript_word(std::string_view letters) {
-  static const Words words{"rot", "trans", "tot",  "cm",   "com",     "out",   "ext", "int",  "kin",
-                           "pot", "max",   "min",  "eff",  "spin",    "orb",   "lab", "rel",  "net",
-                           "avg", "rms",   "body", "sys",  "orbital", "total", "ref", "grav", "elec",
-                           "mag", "new",   "old",  "crit", "init",    "final", "stat"};
+  static const WordSet words(
+      "rot trans tot cm com out ext int kin pot max min eff spin orb lab rel net avg rms body sys orbital "
+      "total ref grav elec mag new old crit init final stat");
   if (letters.size() < 2) return false;
-  const bool capitals =
-      std::all_of(letters.begin(), letters.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+  const bool capitals = std::ranges::all_of(letters, [](char c) { return c >= 'A' && c <= 'Z'; });
   return capitals || words.contains(letters);
 }
 

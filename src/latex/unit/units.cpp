@@ -15,7 +15,7 @@ namespace {
 
 std::optional<WrittenUnit> dimension_by_letter(std::string_view letter) {
   static constexpr std::array<std::string_view, 3> letters{"M", "L", "T"};
-  const auto found = std::find(letters.begin(), letters.end(), letter);
+  const auto found = std::ranges::find(letters, letter);
   if (found == letters.end()) return std::nullopt;
   WrittenUnit unit;
   unit.exponents[static_cast<std::size_t>(found - letters.begin())] = 1;
@@ -54,7 +54,7 @@ class UnitReader {
   void skip() {
     static constexpr std::array<std::string_view, 10> between{" ", "\t",  "\n",  ".",   "~",
                                                               "*", "\\,", "\\;", "\\ ", "·"};
-    while (std::any_of(between.begin(), between.end(), [&](std::string_view part) { return take(part); }) ||
+    while (std::ranges::any_of(between, [&](std::string_view part) { return take(part); }) ||
            take_control("cdot")) {
     }
   }

@@ -16,8 +16,6 @@
 namespace rigor {
 namespace {
 
-using Number = baseline::DoubleDouble<double>;
-
 Result<void> check_mass(double mass) {
   if (!std::isfinite(mass) || mass <= 0)
     return refuse(fmt::format("the body has the mass {} kg, which must be finite and positive", mass));
@@ -49,8 +47,8 @@ Result<KnownInertia> joined_inertia(const std::vector<PlacedBody>& parts, const 
     mass_error = std::max(mass_error, part.mass_error);
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
-        const Number sum =
-            Number{whole.inertia[i][j], whole.low[i][j]} + Number{part.inertia[i][j], part.low[i][j]};
+        const HighLow sum =
+            HighLow{whole.inertia[i][j], whole.low[i][j]} + HighLow{part.inertia[i][j], part.low[i][j]};
         if (!std::isfinite(sum.high)) return refuse("the inertia tensor overflows");
         whole.inertia[i][j] = sum.high;
         whole.low[i][j] = sum.low;
@@ -65,15 +63,13 @@ Result<KnownInertia> joined_inertia(const std::vector<PlacedBody>& parts, const 
 
 /// M (tr(S) 1 − S).
 KnownInertia inertia_of(const SecondMoments& second, double mass, double mass_error) {
-  const auto at = [&](std::size_t i, std::size_t j) {
-    return Number{second.moments[i][j].high, second.moments[i][j].low};
-  };
+  const SharpTensor& s = second.moments;
   KnownInertia known{.mass = mass, .is_sharp = true, .mass_error = mass_error};
   double greatest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const Number sum = i == j ? at((i + 1) % 3, (i + 1) % 3) + at((i + 2) % 3, (i + 2) % 3) : -at(i, j);
-      const Number moment = sum * mass;
+      const HighLow sum = i == j ? s[(i + 1) % 3][(i + 1) % 3] + s[(i + 2) % 3][(i + 2) % 3] : -s[i][j];
+      const HighLow moment = sum * mass;
       known.inertia[i][j] = moment.high;
       known.low[i][j] = moment.low;
       greatest = std::max(greatest, std::abs(moment.high));
@@ -180,14 +176,12 @@ Result<Body> body_with_inertia(std::string name, double mass, const InertiaTenso
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const std::size_t k = (i + 2) % 3;
-    const Number twice = baseline::exact_difference(inertia[j][j], inertia[i][i]) + inertia[k][k];
-    const Number square = twice / Number{2 * mass, 0};
-    second.moments[i][i] = {square.high, square.low};
-    second.error = std::max(second.error, 0x1p-101 * std::abs(square.high));
+    const HighLow twice = baseline::exact_difference(inertia[j][j], inertia[i][i]) + inertia[k][k];
+    second.moments[i][i] = twice / HighLow{2 * mass, 0};
+    second.error = std::max(second.error, 0x1p-101 * std::abs(second.moments[i][i].high));
     for (const std::size_t l : {j, k}) {
-      const Number product = Number{-inertia[i][l], 0} / Number{mass, 0};
-      second.moments[i][l] = {product.high, product.low};
-      second.error = std::max(second.error, 0x1p-101 * std::abs(product.high));
+      second.moments[i][l] = HighLow{-inertia[i][l], 0} / HighLow{mass, 0};
+      second.error = std::max(second.error, 0x1p-101 * std::abs(second.moments[i][l].high));
     }
   }
   Result<Body> body = equimomental_body(std::move(name), mass, second);

@@ -5,16 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/splitmix.h"
+#include "numeric/kernels/point_sample.h"
 #include "numeric/lane/double_double.h"
 #include "numeric/program/uniform.h"
 
 namespace rigor {
 namespace {
-
-constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
 
 /// Of a centre of mass from sharp sums, beside the extent of its body.
 constexpr double centre_rounding = 0x1p-90;
@@ -30,21 +30,8 @@ Result<void> check_count(const Body& body) {
 
 Result<void> check_body(const Body& body) {
   if (const auto checked = check_count(body); !checked) return checked;
-  double total = 0;
-  for (std::size_t k = 0; k < body.size(); ++k) {
-    const double mass = body.masses[k];
-    if (!std::isfinite(mass) || mass < 0)
-      return refuse(
-          fmt::format("particle {} has the mass {} kg, which must be finite and not negative", k + 1, mass));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double x = body.positions[axis][k];
-      if (!std::isfinite(x))
-        return refuse(
-            fmt::format("particle {} has {} = {} m, which must be finite", k + 1, axis_names[axis], x));
-    }
-    total += mass;
-  }
-  if (total == 0) return refuse("the body has no mass");
+  if (const auto checked = check_points(points_of(body)); !checked) return checked;
+  const double total = std::accumulate(body.masses.begin(), body.masses.end(), 0.0);
   if (!std::isfinite(total)) return refuse("the sum of the masses overflows");
   return {};
 }
@@ -101,8 +88,7 @@ std::optional<KnownInertia> known_inertia(const SharpMassSums& sums, double unit
   double greatest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const HighLow& entry = sums.inertia[i][j];
-      const auto moment = baseline::DoubleDouble<double>{entry.high, entry.low} * unit * unit;
+      const HighLow moment = sums.inertia[i][j] * unit * unit;
       known.inertia[i][j] = moment.high;
       known.low[i][j] = moment.low;
       greatest = std::max(greatest, std::abs(moment.high));

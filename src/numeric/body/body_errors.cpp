@@ -9,8 +9,6 @@
 namespace rigor {
 namespace {
 
-using Number = baseline::DoubleDouble<double>;
-
 constexpr double upwards = 1 + 0x1p-20;
 
 /// |E_ij|, entry by entry: residual, error as given, and the rounding of the residual.
@@ -18,13 +16,13 @@ InertiaTensor residual_of(const Body& body, const SecondMoments& second) {
   InertiaTensor residual{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      Number sum{};
+      HighLow sum{};
       for (std::size_t k = 0; k < 6; k += 2)
         sum = sum + baseline::exact_product(body.positions[i][k], body.positions[j][k]);
-      const Number exact{second.moments[i][j].high, second.moments[i][j].low};
       const double size = std::sqrt(std::abs(second.moments[i][i].high * second.moments[j][j].high));
       residual[i][j] =
-          (std::abs((sum / Number{3, 0} - exact).high) + second.error + 0x1p-98 * size) * upwards;
+          (std::abs((sum / HighLow{3, 0} - second.moments[i][j]).high) + second.error + 0x1p-98 * size) *
+          upwards;
     }
   }
   return residual;

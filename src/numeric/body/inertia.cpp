@@ -14,24 +14,15 @@ double total_mass(const Body& body) {
 }
 
 Result<Position> centre_of_mass(const Body& body) {
-  if (const auto checked = check_count(body); !checked) return tl::unexpected(checked.error());
-  const auto centre = sharp_centre_of_mass(points_of(body));
-  if (!centre) return tl::unexpected(centre.error());
-  return Position{(*centre)[0].high, (*centre)[1].high, (*centre)[2].high};
+  return check_count(body)
+      .and_then([&] { return sharp_centre_of_mass(points_of(body)); })
+      .map([](const SharpPosition& c) {
+        return Position{c[0].high, c[1].high, c[2].high};
+      });
 }
 
 Result<InertiaTensor> inertia_tensor(const Body& body) {
-  if (const auto checked = check_count(body); !checked) return tl::unexpected(checked.error());
-  const auto sums = mass_sums(points_of(body));
-  if (!sums) return tl::unexpected(sums.error());
-  return sums->inertia;
-}
-
-Result<SharpTensor> sharp_inertia_tensor(const Body& body) {
-  if (const auto checked = check_count(body); !checked) return tl::unexpected(checked.error());
-  const auto sums = sharp_mass_sums(points_of(body));
-  if (!sums) return tl::unexpected(sums.error());
-  return sums->inertia;
+  return check_count(body).and_then([&] { return mass_sums(points_of(body)); }).map(&MassSums::inertia);
 }
 
 }  // namespace rigor

@@ -17,8 +17,4 @@ namespace rigor {
 /// entry but for underflow, 2 u as measured. Fails where a body is invalid or a sum overflows.
 [[nodiscard]] Result<InertiaTensor> inertia_tensor(const Body& body);
 
-/// The same as high + low, for differences of moments. Cost: 3 ns a particle. Error: 2^-100 relative to the
-/// greatest entry as measured.
-[[nodiscard]] Result<SharpTensor> sharp_inertia_tensor(const Body& body);
-
 }  // namespace rigor

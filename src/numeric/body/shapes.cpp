@@ -126,13 +126,12 @@ Result<KnownInertia> inertia_of(const Shape& shape) {
   if (const auto checked = check_shape(shape); !checked) return tl::unexpected(checked.error());
   const ShapeInfo& kind = info(shape.kind);
   KnownInertia known{.mass = shape.mass, .is_sharp = true};
-  using Number = baseline::DoubleDouble<double>;
   const auto second_moment = [&](std::size_t k) {
-    const Number square = baseline::exact_product(shape.extents[k], shape.extents[k]);
-    return square * kind.over[k] / Number{kind.under[k], 0};
+    const HighLow square = baseline::exact_product(shape.extents[k], shape.extents[k]);
+    return square * kind.over[k] / HighLow{kind.under[k], 0};
   };
   for (std::size_t i = 0; i < 3; ++i) {
-    const Number moment = (second_moment((i + 1) % 3) + second_moment((i + 2) % 3)) * shape.mass;
+    const HighLow moment = (second_moment((i + 1) % 3) + second_moment((i + 2) % 3)) * shape.mass;
     if (!std::isfinite(moment.high))
       return refuse(fmt::format("the {}'s moments of inertia overflow", kind.name));
     known.inertia[i][i] = moment.high;

@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
 
 #include "base/check.h"
 #include "numeric/family/family_letters.h"
-#include "source/suggest.h"
 
 namespace rigor {
 namespace {
@@ -82,25 +79,6 @@ std::string name_of(const InputFamily& family) {
 std::string_view description_of(FamilyKind kind) { return info(kind).description; }
 
 std::span<const InputFamily> input_families() { return families; }
-
-Result<InputFamily> read_family(std::string_view text) {
-  std::vector<std::string> names;
-  for (const FamilyInfo& kind : family_infos) {
-    names.emplace_back(kind.name);
-    if (!kind.has_size && text == kind.name) return InputFamily{kind.kind, 0};
-    if (!kind.has_size || !text.starts_with(kind.name)) continue;
-    std::string_view size = text.substr(kind.name.size());
-    while (size.starts_with(' ')) size.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(size.data(), size.data() + size.size(), value);
-    if (error == std::errc() && end == size.data() + size.size() && std::isfinite(value) && value > 0)
-      return InputFamily{kind.kind, value};
-    return refuse(fmt::format("`{0}` needs a positive size, as in `{0} 1e-8`", kind.name));
-  }
-  const auto near = suggest(text.substr(0, text.find_last_of(' ')), names);
-  return refuse(fmt::format("there is no family `{}` of inputs", text) +
-                (near ? fmt::format("; did you mean `{}`?", *near) : ""));
-}
 
 std::vector<SymbolId> symbols_read(std::span<const Program* const> programs) {
   std::vector<SymbolId> symbols;

@@ -30,7 +30,6 @@ enum class FamilyKind : std::uint8_t {
 struct InputFamily {
   FamilyKind kind = FamilyKind::random;
   double size = 0;
-  friend bool operator==(const InputFamily&, const InputFamily&) = default;
 };
 
 /// `random`, `angle 1e-08`, `lengths 1e+160`, `thin axis`.
@@ -39,8 +38,6 @@ struct InputFamily {
 [[nodiscard]] std::string_view description_of(FamilyKind kind);
 /// All that reports show, `random` first.
 [[nodiscard]] std::span<const InputFamily> input_families();
-/// Reads a name; the size is any positive finite number. The reason has a suggestion.
-[[nodiscard]] Result<InputFamily> read_family(std::string_view text);
 
 /// What programs read, each once, in the order of the table.
 [[nodiscard]] std::vector<SymbolId> symbols_read(std::span<const Program* const> programs);

@@ -189,11 +189,9 @@ class Drawer {
 
 Result<Position> least_axis(const Body* body) {
   if (body == nullptr) return refuse("the family `thin axis` needs a body");
-  const auto inertia = inertia_tensor(*body);
-  if (!inertia) return tl::unexpected(inertia.error());
-  const auto axes = principal_axes(*inertia);
-  if (!axes) return tl::unexpected(axes.error());
-  return axes->axes[0];
+  return inertia_tensor(*body)
+      .and_then([](const InertiaTensor& inertia) { return principal_axes(inertia); })
+      .map([](const PrincipalAxes& principal) { return principal.axes[0]; });
 }
 
 }  // namespace

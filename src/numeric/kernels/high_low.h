@@ -3,13 +3,12 @@
 
 #include <array>
 
+#include "numeric/lane/double_double.h"
+
 namespace rigor {
 
 /// A number to about 106 bits: high + low, |low| ≤ ½ unit in the last place of high.
-struct HighLow {
-  double high = 0;
-  double low = 0;
-};
+using HighLow = baseline::DoubleDouble<double>;
 
 using SharpPosition = std::array<HighLow, 3>;
 using SharpTensor = std::array<SharpPosition, 3>;

@@ -17,8 +17,6 @@
 namespace rigor {
 namespace {
 
-using Number = baseline::DoubleDouble<double>;
-
 constexpr double u = 0x1p-53;
 
 /// Bounds k of the header: errors of second, first and zeroth moments before the move, and the last rounding.
@@ -31,16 +29,16 @@ constexpr MomentRoundings sharp_roundings{{0x1p-95, 0x1p-95, 0x1p-95}, u};
 
 /// Sums about a centre, and what follows from them; in scaled units.
 struct PointMoments {
-  Number mass;
-  std::array<Number, 3> centre;
-  std::array<std::array<Number, 3>, 3> inertia;
+  HighLow mass;
+  SharpPosition centre;
+  SharpTensor inertia;
   double greatest = 0;        // entry
   double error = 0;           // relative to it
   double underflow = 0;       // the part of it that is due to underflow
   double moved_fraction = 0;  // greatest ε_i
 };
 
-Number number(const PointSums& sums, std::size_t q) { return {sums.high[q], sums.low[q]}; }
+HighLow number(const PointSums& sums, std::size_t q) { return {sums.high[q], sums.low[q]}; }
 
 /// The place of d_i d_j among the sums.
 std::size_t second_moment(std::size_t i, std::size_t j) {
@@ -90,19 +88,19 @@ PointMoments moved_to_centre(const PointSums& sums, const SharpPosition& s,
                              const MomentRoundings& roundings) {
   PointMoments result;
   result.mass = number(sums, PointSums::mass);
-  std::array<Number, 3> shift;
+  SharpPosition shift;
   std::array<double, 3> extent{};
   std::array<double, 3> moved{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Number first = number(sums, PointSums::first + i);
+    const HighLow first = number(sums, PointSums::first + i);
     shift[i] = first / result.mass;
-    result.centre[i] = Number{s[i].high, s[i].low} + shift[i];
+    result.centre[i] = s[i] + shift[i];
     extent[i] = std::sqrt(sums.high[PointSums::square + i]);
     const double part = std::sqrt(result.mass.high) * std::abs(shift[i].high);
     moved[i] = extent[i] > 0 ? std::min(1.0, part / extent[i]) : 0;
     result.moved_fraction = std::max(result.moved_fraction, moved[i] * moved[i]);
   }
-  std::array<std::array<Number, 3>, 3> second;
+  SharpTensor second;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
       second[i][j] = number(sums, second_moment(i, j)) - number(sums, PointSums::first + i) * shift[j];
@@ -119,12 +117,6 @@ PointMoments moved_to_centre(const PointSums& sums, const SharpPosition& s,
   }
   const double error = greatest_error(extent, moved, roundings.of_order);
   result.error = error == 0 ? 0 : error / result.greatest * (1 + 0x1p-40) + roundings.last;
-  return result;
-}
-
-SharpPosition sharp(const std::array<Number, 3>& position) {
-  SharpPosition result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = {position[i].high, position[i].low};
   return result;
 }
 
@@ -158,7 +150,7 @@ class MomentFinder {
       if (!moments) return tl::unexpected(moments.error());
       if (moments->moved_fraction <= most_moved) return FoundMoments{*moments, scale_, true};
       if (pass == most_sharp_passes) return refuse("the masses differ too much for a centre of mass");
-      centre_ = sharp(moments->centre);
+      centre_ = moments->centre;
     }
   }
 
@@ -209,8 +201,8 @@ class MomentFinder {
   bool coincident_ = false;
 };
 
-HighLow scaled(const Number& x, int exponent) {
-  if (exponent == 0) return {x.high, x.low};  // as a rule, and `ldexp` takes its time
+HighLow scaled(const HighLow& x, int exponent) {
+  if (exponent == 0) return x;  // as a rule, and `ldexp` takes its time
   return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)};
 }
 
@@ -268,15 +260,11 @@ Result<MassSums> mass_sums(const PointColumns& points, const SumOptions& options
 }
 
 Result<SharpMassSums> sharp_mass_sums(const PointColumns& points, const SumOptions& options) {
-  const auto found = MomentFinder(points, options).find(true);
-  if (!found) return tl::unexpected(found.error());
-  return unscaled(*found);
+  return MomentFinder(points, options).find(true).and_then(unscaled);
 }
 
 Result<SharpPosition> sharp_centre_of_mass(const PointColumns& points, const SumOptions& options) {
-  const auto found = MomentFinder(points, options).find(true);
-  if (!found) return tl::unexpected(found.error());
-  return unscaled_centre(*found);
+  return MomentFinder(points, options).find(true).map(unscaled_centre);
 }
 
 }  // namespace rigor

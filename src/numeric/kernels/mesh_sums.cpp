@@ -18,8 +18,6 @@
 namespace rigor {
 namespace {
 
-using baseline::DoubleDouble;
-using Sharp = DoubleDouble<double>;
 using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 
 /// x ↦ (x − origin) / 2^exponent, exactly and into [−1, 1].
@@ -88,21 +86,21 @@ PackedMesh pack(std::span<const Position> vertices, const std::array<Axis, 3>& a
                       try_exact, packed->numbers);
 }
 
-HighLow scaled_sharp(Sharp x, int exponent) {
+HighLow scaled_sharp(HighLow x, int exponent) {
   return {std::ldexp(x.high, exponent), std::ldexp(x.low, exponent)};
 }
 
-Sharp sharp(const double (&total)[2]) { return {total[0], total[1]}; }
+HighLow sharp(const double (&total)[2]) { return {total[0], total[1]}; }
 
 /// What the sums say in the scaled axes.
 struct Scaled {
-  std::array<Sharp, 3> centre;
-  std::array<std::array<Sharp, 3>, 3> second;  // lower triangle
+  SharpPosition centre;
+  SharpTensor second;  // lower triangle
 };
 
 Scaled scaled_moments(const MeshTotals& totals) {
   Scaled moments;
-  const Sharp volumes = sharp(totals.volume);
+  const HighLow volumes = sharp(totals.volume);
   for (std::size_t i = 0; i < 3; ++i) {
     moments.centre[i] = sharp(totals.first[i]) / (volumes * 4.);
     for (std::size_t j = 0; j <= i; ++j)
@@ -161,14 +159,14 @@ Result<MeshMoments> in_metres(const MeshTotals& totals, const Scaled& from, cons
   MeshMoments moments;
   moments.flat = totals.flat;
   moments.errors = errors;
-  const Sharp volume = sharp(totals.volume) / Sharp{6, 0};
+  const HighLow volume = sharp(totals.volume) / HighLow{6, 0};
   moments.volume = scaled_sharp(volume, axes[0].exponent + axes[1].exponent + axes[2].exponent);
   if (!std::isfinite(moments.volume.high)) return refuse("the volume overflows");
   if (std::abs(moments.volume.high) < std::numeric_limits<double>::min())
     return refuse("the volume underflows");
   for (std::size_t i = 0; i < 3; ++i) {
     const HighLow centre = scaled_sharp(from.centre[i], axes[i].exponent);
-    const Sharp sum = Sharp{centre.high, centre.low} + axes[i].origin;
+    const HighLow sum = HighLow{centre.high, centre.low} + axes[i].origin;
     moments.centre[i] = {sum.high, sum.low};
     moments.errors.centre[i] =
         std::ldexp(errors.centre[i], axes[i].exponent) + 0x1p-104 * std::abs(sum.high) + last_place;

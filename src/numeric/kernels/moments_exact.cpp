@@ -277,23 +277,17 @@ double quotient(const Rounded& x, double a, double b) {
   return std::ldexp(ratio, x.exponent - power_of_a - power_of_b);
 }
 
-double difference(const HighLow& a, const HighLow& b) {
-  const baseline::DoubleDouble<double> x = {a.high, a.low};
-  const baseline::DoubleDouble<double> y = {b.high, b.low};
-  return (x - y).high;
-}
-
 PrincipalAxes sorted_diagonal(const SharpTensor& a) {
   std::array<std::size_t, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return difference(a[i][i], a[j][j]) < 0; });
+                   [&](std::size_t i, std::size_t j) { return (a[i][i] - a[j][j]).high < 0; });
   PrincipalAxes result;
   for (std::size_t k = 0; k < 3; ++k) {
     result.principal.moments[k] = a[order[k]][order[k]];
     result.axes[k][order[k]] = 1;
   }
   for (std::size_t k = 0; k < 2; ++k)
-    result.principal.gaps[k] = difference(result.principal.moments[k + 1], result.principal.moments[k]);
+    result.principal.gaps[k] = (result.principal.moments[k + 1] - result.principal.moments[k]).high;
   orient(result.axes);
   return result;
 }

@@ -7,12 +7,10 @@
 #include <thread>
 #include <vector>
 
-#include "numeric/lane/double_double.h"
+#include "numeric/kernels/high_low.h"
 
 namespace rigor {
 namespace {
-
-using Number = baseline::DoubleDouble<double>;
 
 /// A thread takes some 10 us to start, a chunk 5 us to sum.
 constexpr std::size_t least_chunks_a_thread = 8;
@@ -73,7 +71,7 @@ PointSums combined(const std::vector<PointSums>& chunks) {
   PointSums all = chunks[0];
   for (std::size_t k = 1; k < chunks.size(); ++k) {
     for (int q = 0; q < PointSums::count; ++q) {
-      const Number sum = Number{all.high[q], all.low[q]} + Number{chunks[k].high[q], chunks[k].low[q]};
+      const HighLow sum = HighLow{all.high[q], all.low[q]} + HighLow{chunks[k].high[q], chunks[k].low[q]};
       all.high[q] = sum.high;
       all.low[q] = sum.low;
     }

@@ -2,7 +2,10 @@
 // Vectors and symmetric tensors by their components, as bodies and kernels hand them on.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 namespace rigor {
 
@@ -10,5 +13,9 @@ namespace rigor {
 using Position = std::array<double, 3>;
 /// I_ij = Σ m (r² δ_ij − x_i x_j), row by row; products of inertia carry the minus.
 using InertiaTensor = std::array<Position, 3>;
+
+[[nodiscard]] inline bool are_finite(std::span<const double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double each) { return std::isfinite(each); });
+}
 
 }  // namespace rigor

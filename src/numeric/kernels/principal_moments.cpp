@@ -39,16 +39,23 @@ void put_axes(const MomentsColumns& c, std::size_t at, const std::array<Position
   }
 }
 
+void put_moments(const MomentsColumns& c, std::size_t at, const PrincipalMoments& principal) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    c.moments[k][at] = principal.moments[k].high;
+    if (c.moments_low[k] != nullptr) c.moments_low[k][at] = principal.moments[k].low;
+  }
+  for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = principal.gaps[k];
+}
+
 /// NaN everywhere where there is no_number.
 void put(const MomentsColumns& c, std::size_t at, const std::optional<PrincipalAxes>& solved) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    c.moments[k][at] = solved ? solved->principal.moments[k].high : no_number;
-    if (c.moments_low[k] != nullptr)
-      c.moments_low[k][at] = solved ? solved->principal.moments[k].low : no_number;
-  }
   constexpr Position nowhere = {no_number, no_number, no_number};
-  put_axes(c, at, solved ? solved->axes : std::array<Position, 3>{nowhere, nowhere, nowhere});
-  for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = solved ? solved->principal.gaps[k] : no_number;
+  constexpr HighLow unknown = {no_number, no_number};
+  constexpr PrincipalAxes nothing{{{unknown, unknown, unknown}, {no_number, no_number}},
+                                  {nowhere, nowhere, nowhere}};
+  const PrincipalAxes& found = solved ? *solved : nothing;
+  put_moments(c, at, found.principal);
+  put_axes(c, at, found.axes);
   c.state[at] = solved ? MomentsState::mended : MomentsState::none;
 }
 
@@ -75,11 +82,7 @@ bool mend(const MomentsColumns& c, std::size_t at, const SharpTensor& tensor) {
     // Axes of moments that are as close as that are lost, too.
     if (const auto turned = solved_in_many_digits(tensor)) put_axes(c, at, turned->axes);
   }
-  for (std::size_t k = 0; k < 3; ++k) {
-    c.moments[k][at] = principal.moments[k].high;
-    if (c.moments_low[k] != nullptr) c.moments_low[k][at] = principal.moments[k].low;
-  }
-  for (std::size_t k = 0; k < 2; ++k) c.gaps[k][at] = principal.gaps[k];
+  put_moments(c, at, principal);
   c.state[at] = MomentsState::mended;
   return true;
 }
@@ -210,10 +213,6 @@ void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& k
     const auto larger = solved_larger(tensor);
     put(columns, at, larger ? larger : solved_in_many_digits(tensor));
   }
-}
-
-void solve_principal_moments(const MomentsColumns& columns) {
-  solve_principal_moments(columns, lane_kernels());
 }
 
 }  // namespace rigor

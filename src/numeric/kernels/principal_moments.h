@@ -55,7 +55,6 @@ struct PrincipalAxes {
 /// Many tensors. `state` says what became of each: `good`, `mended`, or `none`, with NaN for all results.
 /// Cost: 36 ns a tensor in lanes of 8, 40 ns with axes (57 and 62 in lanes of 4, 150 in lanes of 2), a single
 /// one 0.2 us. The bits depend neither on the instruction set nor on the place of a tensor.
-void solve_principal_moments(const MomentsColumns& columns);
-void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& kernels);
+void solve_principal_moments(const MomentsColumns& columns, const LaneKernels& kernels = lane_kernels());
 
 }  // namespace rigor

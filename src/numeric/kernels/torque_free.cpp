@@ -10,13 +10,9 @@
 namespace rigor {
 namespace {
 
-bool is_finite(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
-}
-
 const char* fault_of(const Position& moments, const Position& spin) {
-  if (!is_finite(moments)) return "a moment is not finite";
-  if (!is_finite(spin)) return "the spin is not finite";
+  if (!are_finite(moments)) return "a moment is not finite";
+  if (!are_finite(spin)) return "the spin is not finite";
   const auto [least, greatest] = std::minmax_element(moments.begin(), moments.end());
   if (*least < 0) return "a moment is negative";
   if (*least == 0) return "a moment is zero: nothing determines the spin about its axis";
@@ -47,7 +43,7 @@ Result<TorqueFree> TorqueFree::make(const Position& moments, const Position& spi
   if (const char* fault = fault_of(moments, spin)) return refuse(fault);
   Result<TorqueFree> motion(tl::in_place);
   lane_kernels().set_free_spin(moments.data(), spin.data(), motion->spin_);
-  if (!is_finite(motion->spin_.amplitude))
+  if (!are_finite(motion->spin_.amplitude))
     motion = refuse("the spin grows beyond all doubles");
   else if (is_lost_at_middle_axis(motion->spin_))
     motion = refuse("the spin is too near to the middle axis");

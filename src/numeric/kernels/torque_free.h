@@ -46,9 +46,6 @@ class TorqueFree {
   /// The same bits for each of many times; as many spins as times.
   void spins(std::span<const double> times, std::span<Position> into) const;
 
-  /// The spin rests in the body: L along a principal axis, a sphere, or L = 0.
-  [[nodiscard]] bool is_steady() const { return spin_.kind == FreeSpinKind::steady; }
-
   [[nodiscard]] const FreeSpin& constants() const { return spin_; }
 
  private:

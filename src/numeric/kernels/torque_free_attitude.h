@@ -26,9 +26,6 @@ namespace rigor {
 /// (w, x, y, z) of length 1, w ≥ 0.
 using AttitudeQuaternion = std::array<double, 4>;
 
-/// Its matrix, row by row: the columns are the body's axes in space.
-[[nodiscard]] std::array<Position, 3> matrix_of(const AttitudeQuaternion& attitude);
-
 class TorqueFreeAttitude {
  public:
   /// As `TorqueFree::make`.

@@ -1,38 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/measure/bounds.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "numeric/run/run_bounded.h"
-#include "numeric/run/run_engine.h"
-#include "numeric/run/run_samples.h"
+#include "numeric/run/run_bounded_decimal.h"
+#include "numeric/run/run_samples_parts.h"
 
 namespace rigor {
+namespace {
+
+using Enclosed = BoundedDecimal<100>;
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// |value − exact|, rounded upwards. What is larger than the decimal's exponents or not bounded is infinite.
+double distance(double value, const Enclosed& exact) {
+  if (exact.undefined || !exact.bound.is_finite() || !std::isfinite(value)) return unbounded;
+  const Magnitude all = Enclosed::size_of(Enclosed::T(exact.value - value)) + exact.bound;
+  return all.rounded_up();
+}
+
+bool has_low_parts(const Program& program, const Samples& samples) {
+  return std::any_of(program.inputs().begin(), program.inputs().end(), [&](const ProgramInput& input) {
+    return samples.find(input.symbol, input.component)->low != 0;
+  });
+}
+
+}  // namespace
 
 BoundedResults evaluate_with_bounds(const Program& program, const Samples& samples, double uncertainty,
                                     std::span<const std::uint32_t> at) {
-  const std::vector<std::uint8_t> varies = varying_inputs(program, samples, at);
-  Engine<Bounded> engine(program.code(), make_plan(program.code(), Lanes::none, varies), samples.particles());
-  std::vector<std::vector<Bounded>> columns(program.inputs().size());
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const Column& column = *samples.find(program.inputs()[i].symbol, program.inputs()[i].component);
-    for (std::size_t n = 0; n < column.values.size(); ++n) {
-      const double value = column.values[n];
-      const double error = uncertainty * std::abs(value) + std::abs(column.low) + column.error(n);
-      columns[i].push_back(error == 0.0 ? Bounded(value) : Bounded(value, error + Bounded::least));
-    }
-    engine.bind(i, {columns[i].data(), column.sample_stride, column.particle_stride});
-  }
-  for (std::size_t i = 0; i < program.free_particles().size(); ++i) engine.set_free_particle(i, at[i]);
-  std::vector<Bounded> results(program.outputs() * samples.samples());
-  if (!results.empty()) {
-    engine.run_once();
-    engine.run(samples.samples(), results.data(), samples.samples());
-  }
+  const auto input = [uncertainty](const Column& column, std::size_t n) {
+    const double value = column.values[n];
+    const double error = uncertainty * std::abs(value) + std::abs(column.low) + column.error(n);
+    return error == 0.0 ? Bounded(value) : Bounded(value, error + Bounded::least);
+  };
+  SampleEngine<Bounded> engine(program, samples, Lanes::none, at, input);
   BoundedResults separate;
-  for (const Bounded& result : results) {
+  for (const Bounded& result : engine.run()) {
     separate.values.push_back(result.value);
     separate.bounds.push_back(result.bound);
   }
   return separate;
+}
+
+std::vector<double> error_bounds(const Program& program, const Samples& samples,
+                                 std::span<const double> values) {
+  const BoundedResults plain = evaluate_with_bounds(program, samples);
+  std::vector<double> bounds;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double apart = std::abs(values[k] - plain.values[k]);
+    const double bound = (plain.bounds[k] + apart) * (1 + 0x1p-50);
+    bounds.push_back(std::isfinite(bound) ? bound : unbounded);
+  }
+  // Sums over many particles would take minutes, and what is read in two parts is not what they lack.
+  if (program.sums_over_particles() || !has_low_parts(program, samples)) return bounds;
+  const auto enclosed = run_on_samples<Enclosed>(program, samples, Lanes::none, {});
+  for (std::size_t k = 0; k < values.size(); ++k)
+    bounds[k] = std::min(bounds[k], distance(values[k], enclosed[k]));
+  return bounds;
 }
 
 }  // namespace rigor

@@ -19,6 +19,16 @@ constexpr int bits_of_condition = 20;  // of a condition number
 constexpr std::size_t cost_of_400 = 8;
 constexpr std::size_t cost_of_1400 = 64;
 
+/// |y| where that is larger than |x|, with a bound that holds for either.
+template <class Number>
+void enlarge(Number& x, const Number& y) {
+  const bool undefined = x.undefined || y.undefined;
+  const Magnitude bound = std::max(x.bound, y.bound);
+  if (x.value < abs(y.value)) x.value = abs(y.value);
+  x.bound = bound;
+  x.undefined = undefined;
+}
+
 /// All values of a program at one sample, for all particles of the loops that they are in, and how a result
 /// depends on each.
 template <class Number>
@@ -39,7 +49,31 @@ class Tape {
   }
 
   /// Nothing where so many digits do not tell.
-  [[nodiscard]] std::optional<double> condition(std::size_t sample);
+  [[nodiscard]] std::optional<double> condition(std::size_t sample) {
+    run(sample);
+    Number size;
+    std::vector<Number> largest(gradient_count_);  // over the results
+    for (const ValueId output : code_.outputs) {
+      const Number& result = value_[first_[output]];
+      if (result.undefined) return std::numeric_limits<double>::quiet_NaN();
+      enlarge(size, result);
+      differentiate(output);
+      for (std::size_t i = 0; i < gradient_count_; ++i) enlarge(largest[i], gradient_[i]);
+    }
+    Number total;
+    for (std::size_t i = 0; i < code_.inputs.size(); ++i) {
+      const Column& column = *samples_.find(code_.inputs[i].symbol, code_.inputs[i].component);
+      const std::size_t count = column.particle_stride == 0 ? 1 : samples_.particles();
+      for (std::size_t particle = 0; particle < count; ++particle) {
+        const double x = column.values[sample * column.sample_stride + particle * column.particle_stride];
+        total = total + Number(std::abs(x)) * largest[gradient_first_[i] + particle];
+      }
+    }
+    if (total.undefined || size.is_exact_zero()) return std::numeric_limits<double>::infinity();
+    const Number condition = total / size;
+    if (!condition.is_exact_zero() && !condition.is_known_to(bits_of_condition)) return std::nullopt;
+    return static_cast<double>(condition.value);
+  }
 
  private:
   using Tuple = std::array<std::size_t, deepest_level + 1>;
@@ -47,15 +81,169 @@ class Tape {
   [[nodiscard]] std::size_t tuples(unsigned levels) const { return tuples_of(levels, samples_.particles()); }
   /// Calls visit(particles, k) for all particles of the levels.
   template <class Visit>
-  void for_each(unsigned levels, const Visit& visit) const;
-  [[nodiscard]] std::size_t element(ValueId id, const Tuple& particles) const;
-  [[nodiscard]] std::size_t particle_of(const Value& input, const Tuple& particles) const;
-  [[nodiscard]] Number input(const Value& value, const Tuple& particles, std::size_t sample) const;
+  void for_each(unsigned levels, const Visit& visit) const {
+    const std::size_t count = tuples(levels);
+    for (std::size_t k = 0; k < count; ++k) {
+      Tuple particles{};
+      std::size_t rest = k;
+      for (std::size_t level = 1; level <= deepest_level; ++level) {
+        if ((levels >> level & 1u) == 0) continue;
+        particles[level] = rest % samples_.particles();
+        rest /= samples_.particles();
+      }
+      visit(particles);
+    }
+  }
 
-  void run(std::size_t sample);
-  [[nodiscard]] Number compute(const Value& value, const Tuple& particles, std::size_t sample) const;
-  void differentiate(ValueId output);
-  void pass_on(ValueId id, const Tuple& particles);
+  [[nodiscard]] std::size_t element(ValueId id, const Tuple& particles) const {
+    std::size_t at = 0;
+    std::size_t scale = 1;
+    for (std::size_t level = 1; level <= deepest_level; ++level) {
+      if ((code_.values[id].levels >> level & 1u) == 0) continue;
+      at += scale * particles[level];
+      scale *= samples_.particles();
+    }
+    return first_[id] + at;
+  }
+
+  [[nodiscard]] std::size_t particle_of(const Value& input, const Tuple& particles) const {
+    if (input.b == InputParticle::none) return 0;
+    return input.b >= InputParticle::first_free ? at_[input.b - InputParticle::first_free]
+                                                : particles[input.b];
+  }
+
+  [[nodiscard]] Number input(const Value& value, const Tuple& particles, std::size_t sample) const {
+    const ProgramInput& named = code_.inputs[value.a];
+    const Column& column = *samples_.find(named.symbol, named.component);
+    return Number(column.values[sample * column.sample_stride +
+                                particle_of(value, particles) * column.particle_stride]);
+  }
+
+  void run(std::size_t sample) {
+    value_.assign(elements_, Number());
+    for (ValueId id = 0; id < code_.values.size(); ++id) {
+      const Value& value = code_.values[id];
+      if (value.op == Instruction::sum) {
+        const unsigned levels = code_.values[value.a].levels | 1u << value.level;
+        for_each(levels, [&](const Tuple& particles) {
+          Number& sum = value_[element(id, particles)];
+          sum = sum + value_[element(value.a, particles)];
+        });
+      } else {
+        for_each(value.levels, [&](const Tuple& particles) {
+          value_[element(id, particles)] = compute(value, particles, sample);
+        });
+      }
+    }
+  }
+
+  [[nodiscard]] Number compute(const Value& value, const Tuple& particles, std::size_t sample) const {
+    const auto a = [&]() -> const Number& { return value_[element(value.a, particles)]; };
+    const auto b = [&]() -> const Number& { return value_[element(value.b, particles)]; };
+    using Traits = NumberTraits<Number>;
+    switch (value.op) {
+      case Instruction::constant:
+        return number_of<Number>(code_.constants[value.a]);
+      case Instruction::input:
+        return input(value, particles, sample);
+      case Instruction::add:
+        return a() + b();
+      case Instruction::subtract:
+        return a() - b();
+      case Instruction::multiply:
+        return a() * b();
+      case Instruction::divide:
+        return a() / b();
+      case Instruction::negate:
+        return -a();
+      case Instruction::root:
+        return Traits::root(a());
+      case Instruction::absolute:
+        return Traits::absolute(a());
+      case Instruction::sin:
+        return Traits::sine(a());
+      case Instruction::cos:
+        return Traits::cosine(a());
+      case Instruction::exp:
+        return Traits::exponential(a());
+      case Instruction::sum:
+        break;
+    }
+    return {};
+  }
+
+  void differentiate(ValueId output) {
+    adjoint_.assign(elements_, Number());
+    gradient_.assign(gradient_count_, Number());
+    adjoint_[first_[output]] = Number(1.0);
+    for (ValueId id = output + 1; id-- > 0;) {
+      const Value& value = code_.values[id];
+      const unsigned levels =
+          value.op == Instruction::sum ? code_.values[value.a].levels | 1u << value.level : value.levels;
+      for_each(levels, [&](const Tuple& particles) { pass_on(id, particles); });
+    }
+  }
+
+  /// Adds to its operands' adjoints what comes through one value.
+  void pass_on(ValueId id, const Tuple& particles) {
+    const Value& value = code_.values[id];
+    const Number& here = adjoint_[element(id, particles)];
+    if (here.is_exact_zero()) return;
+    if (value.op == Instruction::input) {
+      const ProgramInput& named = code_.inputs[value.a];
+      const bool each = samples_.find(named.symbol, named.component)->particle_stride != 0;
+      Number& gradient = gradient_[gradient_first_[value.a] + (each ? particle_of(value, particles) : 0)];
+      gradient = gradient + here;
+      return;
+    }
+    if (!has_operands(value.op)) return;
+    const std::size_t at_a = element(value.a, particles);
+    const std::size_t at_b = has_second_operand(value.op) ? element(value.b, particles) : at_a;
+    const Number& result = value_[element(id, particles)];
+    const Number& a = value_[at_a];
+    const Number& b = value_[at_b];
+    Number to_a = here;
+    switch (value.op) {
+      case Instruction::add:
+        adjoint_[at_b] = adjoint_[at_b] + here;
+        break;
+      case Instruction::subtract:
+        adjoint_[at_b] = adjoint_[at_b] - here;
+        break;
+      case Instruction::multiply:
+        adjoint_[at_b] = adjoint_[at_b] + here * a;
+        to_a = here * b;
+        break;
+      case Instruction::divide:
+        adjoint_[at_b] = adjoint_[at_b] - here * result / b;
+        to_a = here / b;
+        break;
+      case Instruction::negate:
+        to_a = -here;
+        break;
+      case Instruction::root:
+        to_a = here / (result + result);
+        break;
+      case Instruction::absolute:
+        if (a.value < 0) to_a = -here;
+        if (!a.has_known_sign()) to_a.bound = Magnitude::infinite();
+        break;
+      case Instruction::sin:
+        to_a = here * NumberTraits<Number>::cosine(a);
+        break;
+      case Instruction::cos:
+        to_a = here * -NumberTraits<Number>::sine(a);
+        break;
+      case Instruction::exp:
+        to_a = here * result;
+        break;
+      case Instruction::sum:
+      case Instruction::constant:
+      case Instruction::input:
+        break;
+    }
+    adjoint_[at_a] = adjoint_[at_a] + to_a;
+  }
 
   const Program& program_;
   const Code& code_;
@@ -69,215 +257,6 @@ class Tape {
   std::size_t elements_ = 0;
   std::size_t gradient_count_ = 0;
 };
-
-template <class Number>
-template <class Visit>
-void Tape<Number>::for_each(unsigned levels, const Visit& visit) const {
-  const std::size_t count = tuples(levels);
-  for (std::size_t k = 0; k < count; ++k) {
-    Tuple particles{};
-    std::size_t rest = k;
-    for (std::size_t level = 1; level <= deepest_level; ++level) {
-      if ((levels >> level & 1u) == 0) continue;
-      particles[level] = rest % samples_.particles();
-      rest /= samples_.particles();
-    }
-    visit(particles);
-  }
-}
-
-template <class Number>
-std::size_t Tape<Number>::element(ValueId id, const Tuple& particles) const {
-  std::size_t at = 0;
-  std::size_t scale = 1;
-  for (std::size_t level = 1; level <= deepest_level; ++level) {
-    if ((code_.values[id].levels >> level & 1u) == 0) continue;
-    at += scale * particles[level];
-    scale *= samples_.particles();
-  }
-  return first_[id] + at;
-}
-
-template <class Number>
-std::size_t Tape<Number>::particle_of(const Value& input, const Tuple& particles) const {
-  if (input.b == InputParticle::none) return 0;
-  return input.b >= InputParticle::first_free ? at_[input.b - InputParticle::first_free] : particles[input.b];
-}
-
-template <class Number>
-Number Tape<Number>::input(const Value& value, const Tuple& particles, std::size_t sample) const {
-  const ProgramInput& named = code_.inputs[value.a];
-  const Column& column = *samples_.find(named.symbol, named.component);
-  return Number(
-      column.values[sample * column.sample_stride + particle_of(value, particles) * column.particle_stride]);
-}
-
-template <class Number>
-Number Tape<Number>::compute(const Value& value, const Tuple& particles, std::size_t sample) const {
-  const auto a = [&]() -> const Number& { return value_[element(value.a, particles)]; };
-  const auto b = [&]() -> const Number& { return value_[element(value.b, particles)]; };
-  using Traits = NumberTraits<Number>;
-  switch (value.op) {
-    case Instruction::constant:
-      return number_of<Number>(code_.constants[value.a]);
-    case Instruction::input:
-      return input(value, particles, sample);
-    case Instruction::add:
-      return a() + b();
-    case Instruction::subtract:
-      return a() - b();
-    case Instruction::multiply:
-      return a() * b();
-    case Instruction::divide:
-      return a() / b();
-    case Instruction::negate:
-      return -a();
-    case Instruction::root:
-      return Traits::root(a());
-    case Instruction::absolute:
-      return Traits::absolute(a());
-    case Instruction::sin:
-      return Traits::sine(a());
-    case Instruction::cos:
-      return Traits::cosine(a());
-    case Instruction::exp:
-      return Traits::exponential(a());
-    case Instruction::sum:
-      break;
-  }
-  return {};
-}
-
-template <class Number>
-void Tape<Number>::run(std::size_t sample) {
-  value_.assign(elements_, Number());
-  for (ValueId id = 0; id < code_.values.size(); ++id) {
-    const Value& value = code_.values[id];
-    if (value.op == Instruction::sum) {
-      const unsigned levels = code_.values[value.a].levels | 1u << value.level;
-      for_each(levels, [&](const Tuple& particles) {
-        Number& sum = value_[element(id, particles)];
-        sum = sum + value_[element(value.a, particles)];
-      });
-    } else {
-      for_each(value.levels, [&](const Tuple& particles) {
-        value_[element(id, particles)] = compute(value, particles, sample);
-      });
-    }
-  }
-}
-
-/// Adds to its operands' adjoints what comes through one value.
-template <class Number>
-void Tape<Number>::pass_on(ValueId id, const Tuple& particles) {
-  const Value& value = code_.values[id];
-  const Number& here = adjoint_[element(id, particles)];
-  if (here.is_exact_zero()) return;
-  if (value.op == Instruction::input) {
-    const ProgramInput& named = code_.inputs[value.a];
-    const bool each = samples_.find(named.symbol, named.component)->particle_stride != 0;
-    Number& gradient = gradient_[gradient_first_[value.a] + (each ? particle_of(value, particles) : 0)];
-    gradient = gradient + here;
-    return;
-  }
-  if (!has_operands(value.op)) return;
-  const std::size_t at_a = element(value.a, particles);
-  const std::size_t at_b = has_second_operand(value.op) ? element(value.b, particles) : at_a;
-  const Number& result = value_[element(id, particles)];
-  const Number& a = value_[at_a];
-  const Number& b = value_[at_b];
-  Number to_a = here;
-  switch (value.op) {
-    case Instruction::add:
-      adjoint_[at_b] = adjoint_[at_b] + here;
-      break;
-    case Instruction::subtract:
-      adjoint_[at_b] = adjoint_[at_b] - here;
-      break;
-    case Instruction::multiply:
-      adjoint_[at_b] = adjoint_[at_b] + here * a;
-      to_a = here * b;
-      break;
-    case Instruction::divide:
-      adjoint_[at_b] = adjoint_[at_b] - here * result / b;
-      to_a = here / b;
-      break;
-    case Instruction::negate:
-      to_a = -here;
-      break;
-    case Instruction::root:
-      to_a = here / (result + result);
-      break;
-    case Instruction::absolute:
-      if (a.value < 0) to_a = -here;
-      if (!a.has_known_sign()) to_a.bound = Magnitude::infinite();
-      break;
-    case Instruction::sin:
-      to_a = here * NumberTraits<Number>::cosine(a);
-      break;
-    case Instruction::cos:
-      to_a = here * -NumberTraits<Number>::sine(a);
-      break;
-    case Instruction::exp:
-      to_a = here * result;
-      break;
-    case Instruction::sum:
-    case Instruction::constant:
-    case Instruction::input:
-      break;
-  }
-  adjoint_[at_a] = adjoint_[at_a] + to_a;
-}
-
-template <class Number>
-void Tape<Number>::differentiate(ValueId output) {
-  adjoint_.assign(elements_, Number());
-  gradient_.assign(gradient_count_, Number());
-  adjoint_[first_[output]] = Number(1.0);
-  for (ValueId id = output + 1; id-- > 0;) {
-    const Value& value = code_.values[id];
-    const unsigned levels =
-        value.op == Instruction::sum ? code_.values[value.a].levels | 1u << value.level : value.levels;
-    for_each(levels, [&](const Tuple& particles) { pass_on(id, particles); });
-  }
-}
-
-/// |y| where that is larger than |x|, with a bound that holds for either.
-template <class Number>
-void enlarge(Number& x, const Number& y) {
-  const bool undefined = x.undefined || y.undefined;
-  const Magnitude bound = std::max(x.bound, y.bound);
-  if (x.value < abs(y.value)) x.value = abs(y.value);
-  x.bound = bound;
-  x.undefined = undefined;
-}
-
-template <class Number>
-std::optional<double> Tape<Number>::condition(std::size_t sample) {
-  run(sample);
-  Number size;
-  std::vector<Number> largest(gradient_count_);  // over the results
-  for (const ValueId output : code_.outputs) {
-    const Number& result = value_[first_[output]];
-    if (result.undefined) return std::numeric_limits<double>::quiet_NaN();
-    enlarge(size, result);
-    differentiate(output);
-    for (std::size_t i = 0; i < gradient_count_; ++i) enlarge(largest[i], gradient_[i]);
-  }
-  Number total;
-  for (std::size_t i = 0; i < code_.inputs.size(); ++i) {
-    const Column& column = *samples_.find(code_.inputs[i].symbol, code_.inputs[i].component);
-    const std::size_t count = column.particle_stride == 0 ? 1 : samples_.particles();
-    for (std::size_t particle = 0; particle < count; ++particle) {
-      const double x = column.values[sample * column.sample_stride + particle * column.particle_stride];
-      total = total + Number(std::abs(x)) * largest[gradient_first_[i] + particle];
-    }
-  }
-  if (total.undefined || size.is_exact_zero()) return std::numeric_limits<double>::infinity();
-  const Number condition = total / size;
-  if (!condition.is_exact_zero() && !condition.is_known_to(bits_of_condition)) return std::nullopt;
-  return static_cast<double>(condition.value);
-}
 
 /// Where 100 digits do not tell: with more, as long as the budget lasts, unless the result is 0.
 class FurtherDigits {

@@ -1,41 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/measure/evaluate.h"
 
+#include <array>
+
 #include "numeric/run/run_double_double.h"
 #include "numeric/run/run_samples.h"
 
 namespace rigor {
 namespace {
 
+/// Beside `to_double` of QD.
+template <class T>
+double to_double(const T& value) {
+  return static_cast<double>(value);
+}
+
 template <class T>
 std::vector<double> rounded(const std::vector<T>& values) {
   std::vector<double> result;
   result.reserve(values.size());
-  for (const T& value : values) result.push_back(static_cast<double>(value));
-  return result;
-}
-
-std::vector<double> rounded(const std::vector<dd_real>& values) {
-  std::vector<double> result;
-  result.reserve(values.size());
-  for (const dd_real& value : values) result.push_back(to_double(value));
+  for (const T& value : values) result.push_back(to_double(value));
   return result;
 }
 
 }  // namespace
 
 std::string_view name_of(Arithmetic arithmetic) {
-  switch (arithmetic) {
-    case Arithmetic::single:
-      return "float";
-    case Arithmetic::plain:
-      return "double";
-    case Arithmetic::extended:
-      return "long double";
-    case Arithmetic::double_double:
-      return "double-double";
-  }
-  return "";
+  constexpr std::array<std::string_view, arithmetic_count> names{"float", "double", "long double",
+                                                                 "double-double"};
+  return names[static_cast<std::size_t>(arithmetic)];
 }
 
 std::vector<double> evaluate(const Program& program, const Samples& samples, Arithmetic arithmetic,

@@ -8,7 +8,7 @@
 
 #include "base/check.h"
 #include "numeric/measure/condition.h"
-#include "numeric/measure/reference_digits.h"
+#include "numeric/measure/reference.h"
 #include "numeric/run/run_double_double.h"
 #include "numeric/run/run_samples.h"
 
@@ -24,19 +24,9 @@ struct Precision {
   int least = 0;
 };
 
-[[nodiscard]] constexpr Precision precision_of(Arithmetic arithmetic) {
-  switch (arithmetic) {
-    case Arithmetic::single:
-      return {24, -149};
-    case Arithmetic::plain:
-      return {53, -1074};
-    case Arithmetic::extended:
-      return {64, -16445};
-    case Arithmetic::double_double:
-      return {106, -1074};
-  }
-  return {};
-}
+/// By arithmetic.
+constexpr std::array<Precision, arithmetic_count> precisions{
+    {{24, -149}, {53, -1074}, {64, -16445}, {106, -1074}}};
 
 [[nodiscard]] ReferenceNumber exactly(const dd_real& x) {
   return ReferenceNumber(x.x[0]) + ReferenceNumber(x.x[1]);
@@ -68,7 +58,7 @@ template <class T>
 class Comparison {
  public:
   Comparison(Arithmetic arithmetic, std::size_t outputs, const ReferenceDigits& exact)
-      : precision_(precision_of(arithmetic)),
+      : precision_(precisions[static_cast<std::size_t>(arithmetic)]),
         outputs_(outputs),
         samples_(outputs == 0 ? 0 : exact.values.size() / outputs),
         exact_(exact) {

@@ -20,18 +20,12 @@ constexpr int most_runs = 10'000;
 template <class T>
 [[nodiscard]] double least_time(const Program& program, const Samples& samples, double milliseconds,
                                 std::span<const std::uint32_t> at) {
-  const std::vector<std::uint8_t> varies = varying_inputs(program, samples, at);
-  Engine<T> engine(program.code(), make_plan(program.code(), choose_lanes(program, samples), varies),
-                   samples.particles());
-  const BoundColumns<T> columns(engine, program, samples);
-  for (std::size_t i = 0; i < program.free_particles().size(); ++i) engine.set_free_particle(i, at[i]);
-  std::vector<T> results(program.outputs() * samples.samples(), T(0));
+  SampleEngine<T> engine(program, samples, choose_lanes(program, samples), at);
   const auto end = Clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
   double least = 0.0;
   for (int run = 0; run < most_runs; ++run) {
     const auto before = Clock::now();
-    engine.run_once();
-    engine.run(samples.samples(), results.data(), samples.samples());
+    engine.run();
     const auto after = Clock::now();
     const double time = std::chrono::duration<double, std::nano>(after - before).count();
     least = run == 0 ? time : std::min(least, time);

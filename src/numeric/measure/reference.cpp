@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "numeric/measure/measure.h"
-#include "numeric/measure/reference_digits.h"
 #include "numeric/measure/reference_exact.h"
 #include "numeric/run/run_bounded_decimal.h"
 #include "numeric/run/run_samples_parts.h"
@@ -101,13 +100,6 @@ ReferenceDigits reference_digits(const Program& program, const Samples& samples,
   settlement.run<400>(operations_with_400);
   settlement.run<1400>(operations_with_1400);
   return settlement.digits();
-}
-
-Reference reference(const Program& program, const Samples& samples, std::span<const std::uint32_t> at) {
-  const ReferenceDigits digits = reference_digits(program, samples, at);
-  Reference result{{}, digits.known};
-  for (const ReferenceNumber& value : digits.values) result.values.push_back(static_cast<double>(value));
-  return result;
 }
 
 }  // namespace rigor

@@ -11,6 +11,7 @@
 
 #include "numeric/program/program.h"
 #include "numeric/program/samples.h"
+#include "numeric/run/run_decimal.h"
 
 namespace rigor {
 
@@ -21,13 +22,14 @@ enum class Known : std::uint8_t {
   unknown,    // none of these is proved; so is what is beyond 1e±300,000,000
 };
 
-struct Reference {
-  std::vector<double> values;  // output · samples + sample; the nearest doubles, infinite beyond their range,
-                               // 0 where not known
-  std::vector<Known> known;  // the same places
+using ReferenceNumber = Decimal<100>;
+
+struct ReferenceDigits {
+  std::vector<ReferenceNumber> values;  // output · samples + sample; 0 where they are not known
+  std::vector<Known> known;             // the same places
 };
 
-[[nodiscard]] Reference reference(const Program& program, const Samples& samples,
-                                  std::span<const std::uint32_t> at = {});
+[[nodiscard]] ReferenceDigits reference_digits(const Program& program, const Samples& samples,
+                                               std::span<const std::uint32_t> at = {});
 
 }  // namespace rigor

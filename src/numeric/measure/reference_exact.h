@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "numeric/measure/reference_digits.h"
+#include "numeric/measure/reference.h"
 
 namespace rigor {
 

@@ -76,9 +76,9 @@ Result<Body> about_centre(std::string name, const PointColumns& points, double u
   return body;
 }
 
-/// Calls `use` with the points of a file.
-template <class Use>
-auto with_points(const std::string& path, const Use& use) -> decltype(use(PointColumns{})) {
+}  // namespace
+
+Result<Body> read_cloud(std::string name, const std::string& path, double unit) {
   const auto format = format_of(path);
   if (!format) return tl::unexpected(format.error());
   const auto file = cloud_bytes(path);
@@ -86,23 +86,12 @@ auto with_points(const std::string& path, const Use& use) -> decltype(use(PointC
   if (*format == CloudFormat::binary) {
     const auto records = records_of(file->bytes());
     if (!records) return tl::unexpected(records.error());
-    return use(*records);
+    return about_centre(std::move(name), *records, unit);
   }
   const auto columns = parse_cloud(file->bytes());
   if (!columns) return tl::unexpected(columns.error());
   const auto& [x, y, z, m] = *columns;
-  return use(PointColumns{{x.data(), y.data(), z.data()}, m.data(), m.size()});
-}
-
-}  // namespace
-
-Result<MassSums> mass_sums_of_file(const std::string& path, const SumOptions& options) {
-  return with_points(path, [&](const PointColumns& points) { return mass_sums(points, options); });
-}
-
-Result<Body> read_cloud(std::string name, const std::string& path, double unit) {
-  return with_points(path,
-                     [&](const PointColumns& points) { return about_centre(std::move(name), points, unit); });
+  return about_centre(std::move(name), {{x.data(), y.data(), z.data()}, m.data(), m.size()}, unit);
 }
 
 }  // namespace rigor

@@ -15,10 +15,6 @@
 
 namespace rigor {
 
-/// Mass, centre of mass and inertia tensor of the points, as `mass_sums` has them. Cost of a binary file:
-/// that of reading it. At most `most_particles`.
-[[nodiscard]] Result<MassSums> mass_sums_of_file(const std::string& path, const SumOptions& options = {});
-
 /// The points as a body, about their centre of mass; `unit` is the length of 1 in the file, m. Copied once,
 /// when the centre is known, by all cores where there are more than 10^6 points.
 [[nodiscard]] Result<Body> read_cloud(std::string name, const std::string& path, double unit = 1);

@@ -16,8 +16,6 @@
 namespace rigor {
 namespace {
 
-using Number = baseline::DoubleDouble<double>;
-
 /// Without an area: two edges from one corner are parallel, to rounding. Edges are scaled by a power of two.
 bool is_degenerate(const Position& a, const Position& b, const Position& c) {
   double longest = 0;
@@ -68,7 +66,7 @@ Result<MeshMass> in_unit(MeshMass enclosed, double unit) {
   for (std::size_t i = 0; i < 3; ++i) {
     enclosed.centre[i] *= unit;
     for (std::size_t j = 0; j < 3; ++j) {
-      const auto moment = Number{enclosed.second_moments[i][j], enclosed.low[i][j]} * unit * unit;
+      const auto moment = HighLow{enclosed.second_moments[i][j], enclosed.low[i][j]} * unit * unit;
       if (!std::isfinite(moment.high)) return refuse("the second moments overflow");
       enclosed.second_moments[i][j] = moment.high;
       enclosed.low[i][j] = moment.low;

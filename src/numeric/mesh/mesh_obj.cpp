@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/among.h"
+#include "base/ascii.h"
 #include "numeric/mesh/mesh_file.h"
 #include "numeric/mesh/mesh_words.h"
 
@@ -84,8 +85,8 @@ class ObjReader {
 Result<Mesh> read_obj(std::string_view bytes) { return ObjReader(bytes).read(); }
 
 Result<Mesh> read_mesh(std::string_view file_name, std::string_view bytes) {
-  std::string ending(file_name.substr(std::min(file_name.size(), file_name.find_last_of('.'))));
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string ending =
+      lowered(file_name.substr(std::min(file_name.size(), file_name.find_last_of('.'))));
   if (ending == ".stl") return read_stl(bytes);
   if (ending == ".obj") return read_obj(bytes);
   return refuse("the name of a mesh file must end in `.stl` or `.obj`");

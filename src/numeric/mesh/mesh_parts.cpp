@@ -11,11 +11,6 @@
 namespace rigor {
 namespace {
 
-using Sharp = baseline::DoubleDouble<double>;
-
-Sharp sharp(const HighLow& x) { return {x.high, x.low}; }
-HighLow high_low(const Sharp& x) { return {x.high, x.low}; }
-
 /// Sets of vertices, each known by one of them.
 class VertexSets {
  public:
@@ -44,20 +39,20 @@ constexpr double rounding = 0x1p-97;
 /// A part, with its share of the volume and its centre from that of the largest.
 struct Share {
   const MeshMoments* moments;
-  Sharp weight;
+  HighLow weight;
   double weight_error;  // of itself
-  std::array<Sharp, 3> at;
+  SharpPosition at;
   std::array<double, 3> at_error;
 };
 
 /// Σ w_p x_p with a bound of its error.
 struct WeightedSum {
-  Sharp value{};
+  HighLow value{};
   double error = 0;
   double sizes = 0;
   int terms = 0;
 
-  void add(const Share& share, const Sharp& x, double x_error) {
+  void add(const Share& share, const HighLow& x, double x_error) {
     const double weight = std::abs(share.weight.high);
     const double size = weight * std::abs(x.high);
     value = value + share.weight * x;
@@ -72,13 +67,10 @@ std::vector<Share> shares_of(const std::vector<MeshMoments>& parts, const MeshMo
                              const MeshMoments& whole) {
   std::vector<Share> shares;
   for (const MeshMoments& part : parts) {
-    Share share{&part,
-                sharp(part.volume) / sharp(whole.volume),
-                part.errors.volume + whole.errors.volume + rounding,
-                {},
-                {}};
+    Share share{
+        &part, part.volume / whole.volume, part.errors.volume + whole.errors.volume + rounding, {}, {}};
     for (std::size_t i = 0; i < 3 && &part != &largest; ++i) {
-      share.at[i] = sharp(part.centre[i]) - sharp(largest.centre[i]);
+      share.at[i] = part.centre[i] - largest.centre[i];
       share.at_error[i] =
           part.errors.centre[i] + largest.errors.centre[i] + 0x1p-104 * std::abs(share.at[i].high);
     }
@@ -92,10 +84,10 @@ WeightedSum second_moment(const std::vector<Share>& shares, const std::array<Wei
                           std::size_t i, std::size_t j) {
   WeightedSum sum;
   for (const Share& share : shares) {
-    const Sharp& x = share.at[i];
-    const Sharp& y = share.at[j];
+    const HighLow& x = share.at[i];
+    const HighLow& y = share.at[j];
     const double size = std::abs(x.high * y.high);
-    sum.add(share, sharp(share.moments->second_moments[i][j]), share.moments->errors.second_moments[i][j]);
+    sum.add(share, share.moments->second_moments[i][j], share.moments->errors.second_moments[i][j]);
     sum.add(share, x * y,
             std::abs(x.high) * share.at_error[j] + std::abs(y.high) * share.at_error[i] +
                 share.at_error[i] * share.at_error[j] + rounding * size);
@@ -115,7 +107,7 @@ Result<void> set_second_moments(MeshMoments& whole, const std::vector<Share>& sh
     for (std::size_t j = 0; j <= i; ++j) {
       const WeightedSum sum = second_moment(shares, from, i, j);
       if (!std::isfinite(sum.value.high)) return refuse("the second moments overflow");
-      whole.second_moments[i][j] = whole.second_moments[j][i] = high_low(sum.value);
+      whole.second_moments[i][j] = whole.second_moments[j][i] = sum.value;
       whole.errors.second_moments[i][j] = whole.errors.second_moments[j][i] = sum.bound();
     }
     diagonal[i] = whole.second_moments[i][i].high;
@@ -129,12 +121,12 @@ Result<void> set_second_moments(MeshMoments& whole, const std::vector<Share>& sh
 Result<MeshMoments> volume_of(const std::vector<MeshMoments>& parts) {
   MeshMoments whole;
   whole.sharp = true;
-  Sharp volume{};
+  HighLow volume{};
   double volumes = 0;
   double error = 0;
   for (const MeshMoments& part : parts) {
     const double size = std::abs(part.volume.high);
-    volume = volume + sharp(part.volume);
+    volume = volume + part.volume;
     volumes += size;
     error += size * part.errors.volume;
     whole.flat += part.flat;
@@ -142,7 +134,7 @@ Result<MeshMoments> volume_of(const std::vector<MeshMoments>& parts) {
   error += static_cast<double>(parts.size()) * 0x1p-104 * volumes;
   if (!std::isfinite(volumes)) return refuse("the volume overflows");
   if (!(error < 0x1p-10 * std::abs(volume.high))) return refuse("the mesh encloses no volume");
-  whole.volume = high_low(volume);
+  whole.volume = volume;
   whole.errors.volume = error / std::abs(volume.high) * (1 + 0x1p-9);
   return whole;
 }
@@ -194,7 +186,7 @@ Result<MeshMoments> moments_of_parts(const std::vector<Mesh>& parts) {
   std::array<WeightedSum, 3> from;
   for (std::size_t i = 0; i < 3; ++i) {
     for (const Share& share : shares) from[i].add(share, share.at[i], share.at_error[i]);
-    whole->centre[i] = high_low(sharp(largest.centre[i]) + from[i].value);
+    whole->centre[i] = largest.centre[i] + from[i].value;
     whole->errors.centre[i] =
         from[i].bound() + largest.errors.centre[i] + 0x1p-104 * std::abs(whole->centre[i].high);
   }

@@ -9,8 +9,6 @@
 #include "base/check.h"
 
 namespace rigor {
-namespace {}  // namespace
-
 ExpressionCompiler::ExpressionCompiler(const ExprTree& tree, std::span<const Definition> definitions,
                                        Code& code)
     : tree_(&tree),

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/program/program.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <string_view>
 
 #include "numeric/program/code.h"
 #include "numeric/program/compile_walk.h"
-#include "numeric/program/run_plan.h"
 
 namespace rigor {
 namespace {
@@ -53,56 +49,6 @@ void drop_what_is_not_needed(Code& code) {
   for (ValueId& output : code.outputs) output = value_now[output];
 }
 
-[[nodiscard]] std::string_view symbol_of(Instruction op) {
-  switch (op) {
-    case Instruction::add:
-      return "+";
-    case Instruction::subtract:
-    case Instruction::negate:
-      return "-";
-    case Instruction::multiply:
-      return "*";
-    case Instruction::divide:
-      return "/";
-    case Instruction::root:
-      return "root";
-    case Instruction::absolute:
-      return "abs";
-    case Instruction::sin:
-      return "sin";
-    case Instruction::cos:
-      return "cos";
-    case Instruction::exp:
-      return "exp";
-    case Instruction::sum:
-      return "sum";
-    case Instruction::constant:
-    case Instruction::input:
-      break;
-  }
-  return "";
-}
-
-/// `%12` (by `number`), `0.5`, `I[1]{p1}`: component 1 for the particle of level 1; `{f0}` is a free
-/// particle.
-[[nodiscard]] std::string name_of_value(const Code& code, const ExprTree& tree, ValueId id,
-                                        std::uint32_t number) {
-  const Value& value = code.values[id];
-  if (value.op == Instruction::constant) {
-    const Constant& constant = code.constants[value.a];
-    return constant.digits.empty() ? fmt::format("{}", constant.value) : constant.digits;
-  }
-  if (value.op != Instruction::input) return fmt::format("%{}", number);
-  const ProgramInput& input = code.inputs[value.a];
-  std::string name = fmt::format("{}[{}]", tree.symbols[input.symbol].name, input.component);
-  if (value.b >= InputParticle::first_free) {
-    name += fmt::format("{{f{}}}", value.b - InputParticle::first_free);
-  } else if (value.b != InputParticle::none) {
-    name += fmt::format("{{p{}}}", value.b);
-  }
-  return name;
-}
-
 }  // namespace
 
 Result<Program> Program::compile(const ExprTree& tree, std::span<const Definition> definitions,
@@ -135,28 +81,7 @@ ProgramCounts Program::counts() const {
     const bool in_loop = value.op == Instruction::sum || value.levels != 0;
     ++(in_loop ? counts.per_particle : counts.once);
   }
-  const Plan plan = make_plan(*code_, Lanes::samples);
-  counts.registers = plan.wide_registers + plan.narrow_registers;
   return counts;
-}
-
-std::string Program::listing(const ExprTree& tree) const {
-  std::string text;
-  std::vector<std::uint32_t> number(code_->values.size(), 0);
-  std::uint32_t last = 0;
-  const auto name = [&](ValueId id) { return name_of_value(*code_, tree, id, number[id]); };
-  for (ValueId id = 0; id < number.size(); ++id) {
-    const Value& value = code_->values[id];
-    if (!has_operands(value.op)) continue;
-    number[id] = ++last;
-    text += fmt::format("{} = {}", name(id), symbol_of(value.op));
-    if (value.op == Instruction::sum) text += fmt::format(" over p{}", value.level);
-    text += " " + name(value.a);
-    if (has_second_operand(value.op)) text += " " + name(value.b);
-    text += "\n";
-  }
-  for (const ValueId id : code_->outputs) text += fmt::format("result {}\n", name(id));
-  return text;
 }
 
 }  // namespace rigor

@@ -36,7 +36,6 @@ struct ProgramInput {
 struct ProgramCounts {
   std::size_t once = 0;
   std::size_t per_particle = 0;  // in loops over particles, of any depth
-  std::size_t registers = 0;     // that live at the same time
 };
 
 struct Code;  // numeric/program/code.h
@@ -57,8 +56,6 @@ class Program {
   [[nodiscard]] std::span<const ParticleId> free_particles() const;
   [[nodiscard]] ProgramCounts counts() const;
   [[nodiscard]] const Code& code() const { return *code_; }
-  /// One instruction a line, for tests and `--debug`.
-  [[nodiscard]] std::string listing(const ExprTree& tree) const;
 
  private:
   std::shared_ptr<const Code> code_;

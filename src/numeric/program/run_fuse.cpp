@@ -6,35 +6,23 @@
 namespace rigor {
 namespace {
 
-[[nodiscard]] Kernel kernel_of(Instruction op) {
-  switch (op) {
-    case Instruction::add:
-      return Kernel::add;
-    case Instruction::subtract:
-      return Kernel::subtract;
-    case Instruction::multiply:
-      return Kernel::multiply;
-    case Instruction::divide:
-      return Kernel::divide;
-    case Instruction::negate:
-      return Kernel::negate;
-    case Instruction::root:
-      return Kernel::root;
-    case Instruction::absolute:
-      return Kernel::absolute;
-    case Instruction::sin:
-      return Kernel::sin;
-    case Instruction::cos:
-      return Kernel::cos;
-    case Instruction::exp:
-      return Kernel::exp;
-    case Instruction::constant:
-    case Instruction::input:
-    case Instruction::sum:
-      break;
-  }
-  return Kernel::copy;
-}
+/// By instruction; what has no operands of its own is copied.
+constexpr auto kernels_of = std::to_array<Kernel>({
+    Kernel::copy,
+    Kernel::copy,
+    Kernel::add,
+    Kernel::subtract,
+    Kernel::multiply,
+    Kernel::divide,
+    Kernel::negate,
+    Kernel::root,
+    Kernel::absolute,
+    Kernel::sin,
+    Kernel::cos,
+    Kernel::exp,
+    Kernel::copy,
+});
+static_assert(kernels_of.size() == static_cast<std::size_t>(Instruction::sum) + 1);
 
 class Fusion {
  public:
@@ -65,7 +53,7 @@ class Fusion {
   }
 
   [[nodiscard]] FusedStep plain() const {
-    FusedStep step{kernel_of(here_.op), 1, {here_.a}};
+    FusedStep step{kernels_of[static_cast<std::size_t>(here_.op)], 1, {here_.a}};
     if (!has_second_operand(here_.op)) return step;
     step.operands = 2;
     step.in[1] = here_.b;

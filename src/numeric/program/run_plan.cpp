@@ -16,11 +16,45 @@ namespace {
 /// `once` has no sample; `each` may use what `once` left in registers.
 enum class Phase : std::uint8_t { once, each };
 
+/// Where it stands in the list, at whose end it is put if it does not.
+template <class Value>
+[[nodiscard]] std::uint32_t place_in(std::vector<Value>& list, const Value& value) {
+  const auto found = std::find(list.begin(), list.end(), value);
+  const auto at = static_cast<std::uint32_t>(found - list.begin());
+  if (found == list.end()) list.push_back(value);
+  return at;
+}
+
 class Planner {
  public:
-  Planner(const Code& code, Lanes lanes, std::span<const std::uint8_t> varies);
+  Planner(const Code& code, Lanes lanes, std::span<const std::uint8_t> varies) : code_(code) {
+    plan_.lanes = lanes;
+    plan_.outputs = static_cast<std::uint32_t>(code.outputs.size());
+    const std::size_t count = code.values.size();
+    block_.assign(count, 0);
+    visited_.assign(count, 0);
+    taken_in_.assign(count, 0);
+    register_.assign(count, 0);
+    output_of_.assign(count, 0);
+    written_.assign(count, 0);
+    find_masks(varies);
+    count_uses();
+  }
 
-  [[nodiscard]] Plan plan();
+  [[nodiscard]] Plan plan() {
+    begin(Phase::once, plan_.once);
+    emit_block(0, code_.outputs);
+    registers_.end();
+    begin(Phase::each, plan_.each);
+    if (plan_.lanes == Lanes::samples) {
+      for (std::uint32_t i = 0; i < plan_.outputs; ++i) output_of_[code_.outputs[i]] = i + 1;
+    }
+    emit_block(0, code_.outputs);
+    emit_outputs();
+    registers_.end();
+    registers_.settle(plan_);
+    return std::move(plan_);
+  }
 
  private:
   struct OpenLoop {
@@ -37,19 +71,222 @@ class Planner {
     return level > 0 || varies(id) == (phase_ == Phase::each);
   }
 
-  void find_masks(std::span<const std::uint8_t> varies);
-  void count_uses();
-  void begin(Phase phase, std::vector<PlanStep>& steps);
-  void emit_block(int level, std::span<const ValueId> demand, std::span<const ValueId> totals = {});
-  void collect(int level, std::span<const ValueId> demand, std::vector<ValueId>& local);
-  void emit_value(ValueId id, const FusedStep& fused);
-  void emit_loop(int level, std::span<const ValueId> sums);
-  void accumulate(ValueId sum, RegisterId total, bool over_lanes);
-  void emit_outputs();
-  [[nodiscard]] bool adds_product(const FusionScope& scope, ValueId total) const;
-  [[nodiscard]] SlotId place_of(ValueId id);
-  [[nodiscard]] SlotId input_place(ValueId id);
-  void add_operand(PlanStep& step, ValueId id);
+  void find_masks(std::span<const std::uint8_t> varies) {
+    masks_.resize(code_.values.size());
+    wide_.resize(code_.values.size());
+    for (std::size_t i = 0; i < code_.values.size(); ++i) {
+      const Value& value = code_.values[i];
+      unsigned mask = value.levels;
+      if (value.op == Instruction::input) mask |= varies.empty() || varies[value.a] != 0 ? 1u : 0u;
+      if (has_operands(value.op)) mask |= masks_[value.a] & 1u;
+      if (has_second_operand(value.op)) mask |= masks_[value.b] & 1u;
+      masks_[i] = static_cast<std::uint8_t>(mask);
+    }
+  }
+
+  /// How often each value is an operand of what is needed, or a result.
+  void count_uses() {
+    uses_.assign(code_.values.size(), 0);
+    for (const ValueId output : code_.outputs) ++uses_[output];
+    for (std::size_t i = code_.values.size(); i-- > 0;) {
+      const Value& value = code_.values[i];
+      if (uses_[i] == 0 || !has_operands(value.op)) continue;
+      ++uses_[value.a];
+      if (has_second_operand(value.op)) ++uses_[value.b];
+    }
+  }
+
+  void begin(Phase phase, std::vector<PlanStep>& steps) {
+    phase_ = phase;
+    steps_ = &steps;
+    root_inputs_ = phase == Phase::once ? &plan_.once_inputs : &plan_.each_inputs;
+    const bool over_particles = phase == Phase::once || plan_.lanes == Lanes::particles;
+    lane_bit_ = over_particles ? 2u : plan_.lanes == Lanes::samples ? 1u : 0u;
+    if (plan_.lanes == Lanes::none) lane_bit_ = 0;
+    for (std::size_t i = 0; i < masks_.size(); ++i) wide_[i] = (masks_[i] & lane_bit_) != 0 ? 1 : 0;
+    registers_.begin(phase == Phase::once);
+  }
+
+  /// Sums of a height come first, since they wait for what is less high only; those at one level share a
+  /// loop. `totals`: the sums whose loop this block is the body of; else the results of the program are asked
+  /// for.
+  void emit_block(int level, std::span<const ValueId> demand, std::span<const ValueId> totals = {}) {
+    const std::uint32_t block = ++current_block_;
+    std::vector<ValueId> local;
+    collect(level, demand, local);
+    for (const ValueId id : local) taken_in_[id] = 0;
+    const FusionScope scope{&code_, uses_, block_, wide_, block};
+    for (const ValueId total : totals) {
+      if (adds_product(scope, total)) taken_in_[at(total).a] = 1;
+    }
+    std::vector<FusedStep> fused(local.size());
+    for (std::size_t i = local.size(); i-- > 0;) {
+      if (taken_in_[local[i]] == 0 && at(local[i]).op != Instruction::sum)
+        fused[i] = fuse(scope, local[i], taken_in_);
+    }
+    for (std::size_t i = 0; i < local.size();) {
+      const Value& first = at(local[i]);
+      if (first.op != Instruction::sum) {
+        if (taken_in_[local[i]] == 0) emit_value(local[i], fused[i]);
+        ++i;
+        continue;
+      }
+      std::size_t end = i;
+      while (end < local.size() && at(local[end]).op == Instruction::sum &&
+             at(local[end]).height == first.height && at(local[end]).level == first.level)
+        ++end;
+      emit_loop(first.level, std::span(local).subspan(i, end - i));
+      i = end;
+    }
+  }
+
+  /// The values of this block that are needed for others, operands before what uses them.
+  void collect(int level, std::span<const ValueId> demand, std::vector<ValueId>& local) {
+    std::vector<ValueId> open(demand.begin(), demand.end());
+    while (!open.empty()) {
+      const ValueId id = open.back();
+      open.pop_back();
+      const Value& value = at(id);
+      if (visited_[id] == current_block_ || !has_operands(value.op)) continue;
+      visited_[id] = current_block_;
+      if (belongs(id, level)) {
+        block_[id] = current_block_;
+        local.push_back(id);
+      } else if (home_level(masks_[id]) < level ||
+                 (level == 0 && phase_ == Phase::each && !varies(id) && home_level(masks_[id]) == 0)) {
+        continue;  // it is known already
+      }
+      open.push_back(value.a);
+      if (has_second_operand(value.op)) open.push_back(value.b);
+    }
+    const auto key = [this](ValueId id) {
+      const Value& value = at(id);
+      const bool is_sum = value.op == Instruction::sum;
+      return std::tuple(value.height, !is_sum, is_sum ? value.level : std::uint8_t{0}, id);
+    };
+    std::sort(local.begin(), local.end(), [&](ValueId a, ValueId b) { return key(a) < key(b); });
+  }
+
+  void emit_value(ValueId id, const FusedStep& fused) {
+    PlanStep step{.kernel = fused.kernel, .minus = fused.minus};
+    for (std::size_t i = 0; i < fused.operands; ++i) add_operand(step, fused.in[i]);
+    if (wide_[id] != 0) step.wide |= wide_result;
+    if (output_of_[id] != 0 && wide_[id] != 0) {
+      written_[id] = 1;
+      step.out = place(PlaceKind::output, output_of_[id] - 1);
+    } else {
+      register_[id] = registers_.define(wide_[id] != 0, steps_->size());
+      step.out = place(PlaceKind::reg, register_[id]);
+    }
+    append(step);
+  }
+
+  void emit_loop(int level, std::span<const ValueId> sums) {
+    const bool over_lanes = lane_bit_ == 2u && level == 1;
+    std::vector<RegisterId> totals;
+    std::vector<ValueId> bodies;
+    for (const ValueId sum : sums) {
+      const bool wide = over_lanes || wide_[sum] != 0;
+      totals.push_back(registers_.define(wide, steps_->size()));
+      bodies.push_back(at(sum).a);
+      append({.kernel = Kernel::clear,
+              .wide = wide ? wide_result : std::uint16_t{0},
+              .out = place(PlaceKind::reg, totals.back())});
+    }
+    const std::size_t loop = steps_->size();
+    append({.kernel = Kernel::loop, .level = static_cast<std::uint8_t>(level), .over_lanes = over_lanes});
+    registers_.open_loop();
+    loops_.push_back({level, {}});
+    const std::vector<ValueId> own(sums.begin(), sums.end());
+    emit_block(level, bodies, own);
+    for (std::size_t i = 0; i < own.size(); ++i) accumulate(own[i], totals[i], over_lanes);
+    PlanStep& opened = (*steps_)[loop];
+    opened.inputs = static_cast<std::uint32_t>(plan_.loop_inputs.size());
+    opened.input_count = static_cast<std::uint32_t>(loops_.back().inputs.size());
+    plan_.loop_inputs.insert(plan_.loop_inputs.end(), loops_.back().inputs.begin(),
+                             loops_.back().inputs.end());
+    opened.end = static_cast<std::uint32_t>(steps_->size());
+    loops_.pop_back();
+    registers_.close_loop(steps_->size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      register_[own[i]] = totals[i];
+      if (!over_lanes) continue;
+      registers_.use(totals[i], steps_->size());
+      register_[own[i]] = registers_.define(false, steps_->size());
+      append({.kernel = Kernel::fold,
+              .wide = 1,
+              .operands = 1,
+              .out = place(PlaceKind::reg, register_[own[i]]),
+              .in = {place(PlaceKind::reg, totals[i])}});
+    }
+  }
+
+  void accumulate(ValueId sum, RegisterId total, bool over_lanes) {
+    const ValueId body = at(sum).a;
+    PlanStep step{.kernel = Kernel::accumulate, .over_lanes = over_lanes};
+    const bool product = at(body).op == Instruction::multiply && taken_in_[body] != 0 && uses_[body] == 1 &&
+                         block_[body] != 0 && home_level(masks_[body]) == loops_.back().level;
+    if (product) {
+      step.kernel = Kernel::accumulate_product;
+      ValueId a = at(body).a;
+      ValueId b = at(body).b;
+      if (wide_[b] != 0 && wide_[a] == 0) std::swap(a, b);
+      add_operand(step, a);
+      add_operand(step, b);
+    } else {
+      add_operand(step, body);
+    }
+    registers_.use(total, steps_->size());
+    step.out = place(PlaceKind::reg, total);
+    if (over_lanes || wide_[sum] != 0) step.wide |= wide_result;
+    append(step);
+  }
+
+  /// What was not written where it is wanted.
+  void emit_outputs() {
+    for (std::uint32_t i = 0; i < plan_.outputs; ++i) {
+      const ValueId id = code_.outputs[i];
+      if (output_of_[id] == i + 1 && written_[id] != 0) continue;
+      PlanStep step{.kernel = Kernel::copy, .out = place(PlaceKind::output, i)};
+      add_operand(step, id);
+      if (plan_.lanes == Lanes::samples) step.wide |= wide_result;
+      append(step);
+    }
+  }
+
+  /// Is the summand a product that the sum's own step can compute?
+  [[nodiscard]] bool adds_product(const FusionScope& scope, ValueId total) const {
+    return scope.is_private(at(total).a, Instruction::multiply, wide_[at(total).a] != 0);
+  }
+
+  [[nodiscard]] SlotId place_of(ValueId id) {
+    const Value& value = at(id);
+    if (value.op == Instruction::input) return input_place(id);
+    if (value.op == Instruction::constant) {
+      return place(PlaceKind::constant, place_in(plan_.constants, value.a));
+    }
+    if (output_of_[id] != 0 && written_[id] != 0) return place(PlaceKind::output, output_of_[id] - 1);
+    registers_.use(register_[id], steps_->size());
+    return place(PlaceKind::reg, register_[id]);
+  }
+
+  [[nodiscard]] SlotId input_place(ValueId id) {
+    const Value& value = at(id);
+    const PlanInput wanted{value.a, value.b, wide_[id] != 0, lane_bit_ == 2u};
+    std::vector<std::uint32_t>* list = root_inputs_;
+    for (OpenLoop& loop : loops_) {
+      if (wanted.particle == static_cast<std::uint32_t>(loop.level)) list = &loop.inputs;
+    }
+    const std::uint32_t input = place_in(plan_.inputs, wanted);
+    if (!is_one_of(input, *list)) list->push_back(input);
+    return place(PlaceKind::input, input);
+  }
+
+  void add_operand(PlanStep& step, ValueId id) {
+    if (wide_[id] != 0) step.wide = static_cast<std::uint16_t>(step.wide | 1u << step.operands);
+    step.in[step.operands++] = place_of(id);
+  }
+
   void append(const PlanStep& step) { steps_->push_back(step); }
 
   const Code& code_;
@@ -71,255 +308,6 @@ class Planner {
   Phase phase_ = Phase::once;
   unsigned lane_bit_ = 0;
 };
-
-Planner::Planner(const Code& code, Lanes lanes, std::span<const std::uint8_t> varies) : code_(code) {
-  plan_.lanes = lanes;
-  plan_.outputs = static_cast<std::uint32_t>(code.outputs.size());
-  const std::size_t count = code.values.size();
-  block_.assign(count, 0);
-  visited_.assign(count, 0);
-  taken_in_.assign(count, 0);
-  register_.assign(count, 0);
-  output_of_.assign(count, 0);
-  written_.assign(count, 0);
-  find_masks(varies);
-  count_uses();
-}
-
-void Planner::find_masks(std::span<const std::uint8_t> varies) {
-  masks_.resize(code_.values.size());
-  wide_.resize(code_.values.size());
-  for (std::size_t i = 0; i < code_.values.size(); ++i) {
-    const Value& value = code_.values[i];
-    unsigned mask = value.levels;
-    if (value.op == Instruction::input) mask |= varies.empty() || varies[value.a] != 0 ? 1u : 0u;
-    if (has_operands(value.op)) mask |= masks_[value.a] & 1u;
-    if (has_second_operand(value.op)) mask |= masks_[value.b] & 1u;
-    masks_[i] = static_cast<std::uint8_t>(mask);
-  }
-}
-
-/// How often each value is an operand of what is needed, or a result.
-void Planner::count_uses() {
-  uses_.assign(code_.values.size(), 0);
-  for (const ValueId output : code_.outputs) ++uses_[output];
-  for (std::size_t i = code_.values.size(); i-- > 0;) {
-    const Value& value = code_.values[i];
-    if (uses_[i] == 0 || !has_operands(value.op)) continue;
-    ++uses_[value.a];
-    if (has_second_operand(value.op)) ++uses_[value.b];
-  }
-}
-
-void Planner::begin(Phase phase, std::vector<PlanStep>& steps) {
-  phase_ = phase;
-  steps_ = &steps;
-  root_inputs_ = phase == Phase::once ? &plan_.once_inputs : &plan_.each_inputs;
-  const bool over_particles = phase == Phase::once || plan_.lanes == Lanes::particles;
-  lane_bit_ = over_particles ? 2u : plan_.lanes == Lanes::samples ? 1u : 0u;
-  if (plan_.lanes == Lanes::none) lane_bit_ = 0;
-  for (std::size_t i = 0; i < masks_.size(); ++i) wide_[i] = (masks_[i] & lane_bit_) != 0 ? 1 : 0;
-  registers_.begin(phase == Phase::once);
-}
-
-Plan Planner::plan() {
-  begin(Phase::once, plan_.once);
-  emit_block(0, code_.outputs);
-  registers_.end();
-  begin(Phase::each, plan_.each);
-  if (plan_.lanes == Lanes::samples) {
-    for (std::uint32_t i = 0; i < plan_.outputs; ++i) output_of_[code_.outputs[i]] = i + 1;
-  }
-  emit_block(0, code_.outputs);
-  emit_outputs();
-  registers_.end();
-  registers_.settle(plan_);
-  return std::move(plan_);
-}
-
-/// The values of this block that are needed for others, operands before what uses them.
-void Planner::collect(int level, std::span<const ValueId> demand, std::vector<ValueId>& local) {
-  std::vector<ValueId> open(demand.begin(), demand.end());
-  while (!open.empty()) {
-    const ValueId id = open.back();
-    open.pop_back();
-    const Value& value = at(id);
-    if (visited_[id] == current_block_ || !has_operands(value.op)) continue;
-    visited_[id] = current_block_;
-    if (belongs(id, level)) {
-      block_[id] = current_block_;
-      local.push_back(id);
-    } else if (home_level(masks_[id]) < level ||
-               (level == 0 && phase_ == Phase::each && !varies(id) && home_level(masks_[id]) == 0)) {
-      continue;  // it is known already
-    }
-    open.push_back(value.a);
-    if (has_second_operand(value.op)) open.push_back(value.b);
-  }
-  const auto key = [this](ValueId id) {
-    const Value& value = at(id);
-    const bool is_sum = value.op == Instruction::sum;
-    return std::tuple(value.height, !is_sum, is_sum ? value.level : std::uint8_t{0}, id);
-  };
-  std::sort(local.begin(), local.end(), [&](ValueId a, ValueId b) { return key(a) < key(b); });
-}
-
-/// Sums of a height come first, since they wait for what is less high only; those at one level share a loop.
-/// `totals`: the sums whose loop this block is the body of; else the results of the program are asked for.
-void Planner::emit_block(int level, std::span<const ValueId> demand, std::span<const ValueId> totals) {
-  const std::uint32_t block = ++current_block_;
-  std::vector<ValueId> local;
-  collect(level, demand, local);
-  for (const ValueId id : local) taken_in_[id] = 0;
-  const FusionScope scope{&code_, uses_, block_, wide_, block};
-  for (const ValueId total : totals) {
-    if (adds_product(scope, total)) taken_in_[at(total).a] = 1;
-  }
-  std::vector<FusedStep> fused(local.size());
-  for (std::size_t i = local.size(); i-- > 0;) {
-    if (taken_in_[local[i]] == 0 && at(local[i]).op != Instruction::sum)
-      fused[i] = fuse(scope, local[i], taken_in_);
-  }
-  for (std::size_t i = 0; i < local.size();) {
-    const Value& first = at(local[i]);
-    if (first.op != Instruction::sum) {
-      if (taken_in_[local[i]] == 0) emit_value(local[i], fused[i]);
-      ++i;
-      continue;
-    }
-    std::size_t end = i;
-    while (end < local.size() && at(local[end]).op == Instruction::sum &&
-           at(local[end]).height == first.height && at(local[end]).level == first.level)
-      ++end;
-    emit_loop(first.level, std::span(local).subspan(i, end - i));
-    i = end;
-  }
-}
-
-/// Is the summand a product that the sum's own step can compute?
-bool Planner::adds_product(const FusionScope& scope, ValueId total) const {
-  return scope.is_private(at(total).a, Instruction::multiply, wide_[at(total).a] != 0);
-}
-
-SlotId Planner::input_place(ValueId id) {
-  const Value& value = at(id);
-  const PlanInput wanted{value.a, value.b, wide_[id] != 0, lane_bit_ == 2u};
-  std::size_t i = 0;
-  while (i < plan_.inputs.size() && plan_.inputs[i] != wanted) ++i;
-  if (i == plan_.inputs.size()) plan_.inputs.push_back(wanted);
-  std::vector<std::uint32_t>* list = root_inputs_;
-  for (OpenLoop& loop : loops_) {
-    if (wanted.particle == static_cast<std::uint32_t>(loop.level)) list = &loop.inputs;
-  }
-  const auto input = static_cast<std::uint32_t>(i);
-  if (!is_one_of(input, *list)) list->push_back(input);
-  return place(PlaceKind::input, input);
-}
-
-SlotId Planner::place_of(ValueId id) {
-  const Value& value = at(id);
-  if (value.op == Instruction::input) return input_place(id);
-  if (value.op == Instruction::constant) {
-    std::size_t i = 0;
-    while (i < plan_.constants.size() && plan_.constants[i] != value.a) ++i;
-    if (i == plan_.constants.size()) plan_.constants.push_back(value.a);
-    return place(PlaceKind::constant, static_cast<std::uint32_t>(i));
-  }
-  if (output_of_[id] != 0 && written_[id] != 0) return place(PlaceKind::output, output_of_[id] - 1);
-  registers_.use(register_[id], steps_->size());
-  return place(PlaceKind::reg, register_[id]);
-}
-
-void Planner::add_operand(PlanStep& step, ValueId id) {
-  if (wide_[id] != 0) step.wide = static_cast<std::uint16_t>(step.wide | 1u << step.operands);
-  step.in[step.operands++] = place_of(id);
-}
-
-void Planner::emit_value(ValueId id, const FusedStep& fused) {
-  PlanStep step{.kernel = fused.kernel, .minus = fused.minus};
-  for (std::size_t i = 0; i < fused.operands; ++i) add_operand(step, fused.in[i]);
-  if (wide_[id] != 0) step.wide |= wide_result;
-  if (output_of_[id] != 0 && wide_[id] != 0) {
-    written_[id] = 1;
-    step.out = place(PlaceKind::output, output_of_[id] - 1);
-  } else {
-    register_[id] = registers_.define(wide_[id] != 0, steps_->size());
-    step.out = place(PlaceKind::reg, register_[id]);
-  }
-  append(step);
-}
-
-void Planner::emit_loop(int level, std::span<const ValueId> sums) {
-  const bool over_lanes = lane_bit_ == 2u && level == 1;
-  std::vector<RegisterId> totals;
-  std::vector<ValueId> bodies;
-  for (const ValueId sum : sums) {
-    const bool wide = over_lanes || wide_[sum] != 0;
-    totals.push_back(registers_.define(wide, steps_->size()));
-    bodies.push_back(at(sum).a);
-    append({.kernel = Kernel::clear,
-            .wide = wide ? wide_result : std::uint16_t{0},
-            .out = place(PlaceKind::reg, totals.back())});
-  }
-  const std::size_t loop = steps_->size();
-  append({.kernel = Kernel::loop, .level = static_cast<std::uint8_t>(level), .over_lanes = over_lanes});
-  registers_.open_loop();
-  loops_.push_back({level, {}});
-  const std::vector<ValueId> own(sums.begin(), sums.end());
-  emit_block(level, bodies, own);
-  for (std::size_t i = 0; i < own.size(); ++i) accumulate(own[i], totals[i], over_lanes);
-  PlanStep& opened = (*steps_)[loop];
-  opened.inputs = static_cast<std::uint32_t>(plan_.loop_inputs.size());
-  opened.input_count = static_cast<std::uint32_t>(loops_.back().inputs.size());
-  plan_.loop_inputs.insert(plan_.loop_inputs.end(), loops_.back().inputs.begin(), loops_.back().inputs.end());
-  opened.end = static_cast<std::uint32_t>(steps_->size());
-  loops_.pop_back();
-  registers_.close_loop(steps_->size());
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    register_[own[i]] = totals[i];
-    if (!over_lanes) continue;
-    registers_.use(totals[i], steps_->size());
-    register_[own[i]] = registers_.define(false, steps_->size());
-    append({.kernel = Kernel::fold,
-            .wide = 1,
-            .operands = 1,
-            .out = place(PlaceKind::reg, register_[own[i]]),
-            .in = {place(PlaceKind::reg, totals[i])}});
-  }
-}
-
-void Planner::accumulate(ValueId sum, RegisterId total, bool over_lanes) {
-  const ValueId body = at(sum).a;
-  PlanStep step{.kernel = Kernel::accumulate, .over_lanes = over_lanes};
-  const bool product = at(body).op == Instruction::multiply && taken_in_[body] != 0 && uses_[body] == 1 &&
-                       block_[body] != 0 && home_level(masks_[body]) == loops_.back().level;
-  if (product) {
-    step.kernel = Kernel::accumulate_product;
-    ValueId a = at(body).a;
-    ValueId b = at(body).b;
-    if (wide_[b] != 0 && wide_[a] == 0) std::swap(a, b);
-    add_operand(step, a);
-    add_operand(step, b);
-  } else {
-    add_operand(step, body);
-  }
-  registers_.use(total, steps_->size());
-  step.out = place(PlaceKind::reg, total);
-  if (over_lanes || wide_[sum] != 0) step.wide |= wide_result;
-  append(step);
-}
-
-/// What was not written where it is wanted.
-void Planner::emit_outputs() {
-  for (std::uint32_t i = 0; i < plan_.outputs; ++i) {
-    const ValueId id = code_.outputs[i];
-    if (output_of_[id] == i + 1 && written_[id] != 0) continue;
-    PlanStep step{.kernel = Kernel::copy, .out = place(PlaceKind::output, i)};
-    add_operand(step, id);
-    if (plan_.lanes == Lanes::samples) step.wide |= wide_result;
-    append(step);
-  }
-}
 
 }  // namespace
 

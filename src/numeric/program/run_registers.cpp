@@ -45,22 +45,20 @@ void Registers::end() {
     return ranges_[a].last != ranges_[b].last ? ranges_[a].last < ranges_[b].last : a < b;
   });
   std::size_t expired = 0;
+  const auto free_next = [&] {
+    const Range& over = ranges_[by_end[expired++]];
+    if (!over.kept) (over.wide ? wide_ : narrow_).free.push_back(over.chosen);
+  };
   for (std::size_t id = phase_begin_; id < ranges_.size(); ++id) {
     Range& range = ranges_[id];
     // What ends where this begins is an operand of the same step, or ended with a loop: it may be
     // overwritten.
-    for (; expired < by_end.size() && ranges_[by_end[expired]].last <= range.first &&
-           ranges_[by_end[expired]].first < range.first;
-         ++expired) {
-      const Range& over = ranges_[by_end[expired]];
-      if (!over.kept) (over.wide ? wide_ : narrow_).free.push_back(over.chosen);
-    }
+    while (expired < by_end.size() && ranges_[by_end[expired]].last <= range.first &&
+           ranges_[by_end[expired]].first < range.first)
+      free_next();
     range.chosen = (range.wide ? wide_ : narrow_).take();
   }
-  for (; expired < by_end.size(); ++expired) {
-    const Range& over = ranges_[by_end[expired]];
-    if (!over.kept) (over.wide ? wide_ : narrow_).free.push_back(over.chosen);
-  }
+  while (expired < by_end.size()) free_next();
 }
 
 void Registers::settle(Plan& plan) const {

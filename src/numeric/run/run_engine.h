@@ -2,6 +2,7 @@
 // Runs a plan on one kind of number. All memory is taken when it is made: running allocates nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -19,10 +20,51 @@ struct BoundInput {
   std::size_t particle_stride = 0;
 };
 
+/// Can all results be written as packets?
+template <class T>
+[[nodiscard]] bool is_aligned(const T* results, std::size_t stride) {
+  constexpr std::size_t packet = 16;
+  return reinterpret_cast<std::uintptr_t>(results) % packet == 0 && stride * sizeof(T) % packet == 0;
+}
+
 template <class T>
 class Engine {
  public:
-  Engine(const Code& code, Plan plan, std::size_t particles);
+  Engine(const Code& code, Plan plan, std::size_t particles)
+      : plan_(std::move(plan)),
+        particles_(particles),
+        inputs_(code.inputs.size()),
+        free_(code.free_particles.size(), 0),
+        slots_(plan_.slots(), nullptr) {
+    constexpr std::size_t width = lane_count;
+    std::size_t buffers = plan_.lanes == Lanes::samples ? plan_.outputs : 0;
+    for (const PlanInput& input : plan_.inputs) buffers += input.wide ? 1 : 0;
+    const std::size_t narrow = plan_.narrow_registers + plan_.constants.size();
+    numbers_.assign((plan_.wide_registers + buffers) * width + narrow, T(0));
+    T* next = numbers_.data();
+    std::size_t slot = 0;
+    for (std::size_t i = 0; i < plan_.wide_registers; ++i, next += width) slots_[slot++] = next;
+    T* wide_buffer = next;
+    next += buffers * width;
+    for (std::size_t i = 0; i < plan_.narrow_registers; ++i) slots_[slot++] = next++;
+    for (const std::uint32_t constant : plan_.constants) {
+      *next = number_of<T>(code.constants[constant]);
+      slots_[slot++] = next++;
+    }
+    const auto add_buffer = [&](bool wide) {
+      buffers_.push_back(wide ? wide_buffer : nullptr);
+      if (wide) wide_buffer += width;
+    };
+    for (const PlanInput& input : plan_.inputs) add_buffer(input.wide);
+    for (std::size_t i = 0; i < plan_.outputs; ++i) add_buffer(plan_.lanes == Lanes::samples);
+    const auto bind_steps = [](const std::vector<PlanStep>& steps, std::vector<StepFunction<T>>& functions) {
+      for (const PlanStep& step : steps)
+        functions.push_back(step.kernel == Kernel::loop ? nullptr : kernels::function_for<T>(step));
+    };
+    bind_steps(plan_.once, once_);
+    bind_steps(plan_.each, each_);
+  }
+
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -32,23 +74,100 @@ class Engine {
   void set_free_particle(std::size_t variable, std::uint32_t particle) { free_[variable] = particle; }
 
   /// What depends on no sample. To be called before `run`, and again when an input of it has changed.
-  void run_once();
+  void run_once() {
+    sample_ = 0;
+    set_inputs(plan_.once_inputs);
+    execute(plan_.once, once_, 0, plan_.once.size());
+  }
+
   /// results[output · stride + sample] for so many samples.
-  void run(std::size_t samples, T* results, std::size_t stride);
+  void run(std::size_t samples, T* results, std::size_t stride) {
+    const std::size_t width = plan_.lanes == Lanes::samples ? lane_count : 1;
+    for (sample_ = 0; sample_ < samples; sample_ += width)
+      run_batch(std::min(width, samples - sample_), results + sample_, stride);
+  }
 
   /// One sample again and again, for plans whose lanes are not samples: `prepare_point` after binding, then
   /// `run_point` as often as the numbers that inputs are bound to change.
-  void prepare_point();
-  void run_point(T* results);
+  void prepare_point() {
+    sample_ = 0;
+    set_inputs(plan_.each_inputs);
+  }
+
+  void run_point(T* results) {
+    T** const outputs = slots_.data() + plan_.first_output();
+    for (std::size_t i = 0; i < plan_.outputs; ++i) outputs[i] = results + i;
+    execute(plan_.each, each_, 0, plan_.each.size());
+  }
 
  private:
-  void run_batch(std::size_t samples, T* results, std::size_t stride);
+  void run_batch(std::size_t samples, T* results, std::size_t stride) {
+    samples_here_ = static_cast<int>(samples);
+    const bool buffered = plan_.lanes == Lanes::samples &&
+                          (samples < static_cast<std::size_t>(lane_count) || !is_aligned(results, stride));
+    T** const outputs = slots_.data() + plan_.first_output();
+    for (std::size_t i = 0; i < plan_.outputs; ++i)
+      outputs[i] = buffered ? buffers_[plan_.inputs.size() + i] : results + i * stride;
+    set_inputs(plan_.each_inputs);
+    execute(plan_.each, each_, 0, plan_.each.size());
+    if (!buffered) return;
+    for (std::size_t i = 0; i < plan_.outputs; ++i) std::copy_n(outputs[i], samples, results + i * stride);
+  }
+
   void execute(const std::vector<PlanStep>& steps, const std::vector<StepFunction<T>>& functions,
-               std::size_t begin, std::size_t end);
+               std::size_t begin, std::size_t end) {
+    T* const* const slots = slots_.data();
+    for (std::size_t at = begin; at < end; ++at) {
+      const PlanStep& step = steps[at];
+      if (step.kernel == Kernel::loop) {
+        loop(steps, functions, at);
+        at = step.end - 1;
+      } else {
+        functions[at](slots, step, particles_here_);
+      }
+    }
+  }
+
   void loop(const std::vector<PlanStep>& steps, const std::vector<StepFunction<T>>& functions,
-            std::size_t at);
-  void set_inputs(std::span<const std::uint32_t> which);
-  void set_input(std::uint32_t which);
+            std::size_t at) {
+    const PlanStep& step = steps[at];
+    const auto inputs = std::span(plan_.loop_inputs).subspan(step.inputs, step.input_count);
+    const std::size_t width = step.over_lanes ? lane_count : 1;
+    for (std::size_t particle = 0; particle < particles_; particle += width) {
+      particle_[step.level] = particle;
+      if (step.over_lanes) particles_here_ = static_cast<int>(std::min(width, particles_ - particle));
+      set_inputs(inputs);
+      execute(steps, functions, at + 1, step.end);
+    }
+  }
+
+  void set_inputs(std::span<const std::uint32_t> which) {
+    for (const std::uint32_t each : which) set_input(each);
+  }
+
+  /// Points the slot of an input at the numbers for this sample and these particles. Lanes that do not lie
+  /// side by side, or not all of them, are gathered; lanes without a sample or particle are 0.
+  void set_input(std::uint32_t which) {
+    const PlanInput& input = plan_.inputs[which];
+    const BoundInput<T>& from = inputs_[input.input];
+    std::size_t particle = 0;
+    if (input.particle >= InputParticle::first_free) {
+      particle = free_[input.particle - InputParticle::first_free];
+    } else if (input.particle != InputParticle::none) {
+      particle = particle_[input.particle];
+    }
+    const T* first = from.data + sample_ * from.sample_stride + particle * from.particle_stride;
+    T*& slot = slots_[plan_.first_input() + which];
+    const std::size_t stride = input.lanes_are_particles ? from.particle_stride : from.sample_stride;
+    const int count = input.lanes_are_particles ? particles_here_ : samples_here_;
+    if (!input.wide || (stride == 1 && count == lane_count)) {
+      slot = const_cast<T*>(first);  // operands are only read
+      return;
+    }
+    slot = buffers_[which];
+    for (int i = 0; i < count; ++i) slot[i] = first[static_cast<std::size_t>(i) * stride];
+    for (int i = count; i < lane_count; ++i) slot[i] = T(0);
+  }
 
   Plan plan_;
   std::size_t particles_;
@@ -67,5 +186,3 @@ class Engine {
 };
 
 }  // namespace rigor
-
-#include "numeric/run/run_engine_parts.h"

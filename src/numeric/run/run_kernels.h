@@ -140,61 +140,42 @@ template <class T, Kernel kernel, unsigned... choices>
 /// Operands are wide in the order in which `run_fuse.h` puts them.
 template <class T>
 [[nodiscard]] StepFunction<T> function_for(const PlanStep& step) {
+// For these choices of what is wide, and for nothing wide.
+#define CASE(kernel, ...) \
+  case Kernel::kernel:    \
+    return choose<T, Kernel::kernel, __VA_ARGS__>(step.wide)
   switch (step.kernel) {
-    case Kernel::clear:
-      return choose<T, Kernel::clear, 0x8000>(step.wide);
-    case Kernel::copy:
-      return choose<T, Kernel::copy, 0x8000, 0x8001>(step.wide);
-    case Kernel::negate:
-      return choose<T, Kernel::negate, 0x8001>(step.wide);
-    case Kernel::absolute:
-      return choose<T, Kernel::absolute, 0x8001>(step.wide);
-    case Kernel::root:
-      return choose<T, Kernel::root, 0x8001>(step.wide);
-    case Kernel::sin:
-      return choose<T, Kernel::sin, 0x8001>(step.wide);
-    case Kernel::cos:
-      return choose<T, Kernel::cos, 0x8001>(step.wide);
-    case Kernel::exp:
-      return choose<T, Kernel::exp, 0x8001>(step.wide);
-    case Kernel::add:
-      return choose<T, Kernel::add, 0x8001, 0x8003>(step.wide);
-    case Kernel::subtract:
-      return choose<T, Kernel::subtract, 0x8001, 0x8002, 0x8003>(step.wide);
-    case Kernel::multiply:
-      return choose<T, Kernel::multiply, 0x8001, 0x8003>(step.wide);
-    case Kernel::divide:
-      return choose<T, Kernel::divide, 0x8001, 0x8002, 0x8003>(step.wide);
-    case Kernel::multiply_add:
-      return choose<T, Kernel::multiply_add, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
-    case Kernel::multiply_subtract:
-      return choose<T, Kernel::multiply_subtract, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
-    case Kernel::subtract_product:
-      return choose<T, Kernel::subtract_product, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
-    case Kernel::product_sum:
-      return choose<T, Kernel::product_sum, 0x8005, 0x8007, 0x800d, 0x800f>(step.wide);
-    case Kernel::product_difference:
-      return choose<T, Kernel::product_difference, 0x8005, 0x8007, 0x800d, 0x800f>(step.wide);
-    case Kernel::product_sum_3:
-      return choose<T, Kernel::product_sum_3, 0x8015, 0x803f>(step.wide);
-    case Kernel::square_sum_3:
-      return choose<T, Kernel::square_sum_3, 0x8007>(step.wide);
-    case Kernel::product_3:
-      return choose<T, Kernel::product_3, 0x8001, 0x8003, 0x8005, 0x8007>(step.wide);
-    case Kernel::triple_sum_3:
-      return choose<T, Kernel::triple_sum_3, 0x816d>(step.wide);
-    case Kernel::add_triple_sum_3:
-      return choose<T, Kernel::add_triple_sum_3, 0x82db>(step.wide);
-    case Kernel::accumulate:
-      return choose<T, Kernel::accumulate, 0x8000, 0x8001>(step.wide);
-    case Kernel::accumulate_product:
-      return choose<T, Kernel::accumulate_product, 0x8001, 0x8003>(step.wide);
+    CASE(clear, 0x8000);
+    CASE(copy, 0x8000, 0x8001);
+    CASE(negate, 0x8001);
+    CASE(absolute, 0x8001);
+    CASE(root, 0x8001);
+    CASE(sin, 0x8001);
+    CASE(cos, 0x8001);
+    CASE(exp, 0x8001);
+    CASE(add, 0x8001, 0x8003);
+    CASE(subtract, 0x8001, 0x8002, 0x8003);
+    CASE(multiply, 0x8001, 0x8003);
+    CASE(divide, 0x8001, 0x8002, 0x8003);
+    CASE(multiply_add, 0x8001, 0x8003, 0x8005, 0x8007);
+    CASE(multiply_subtract, 0x8001, 0x8003, 0x8005, 0x8007);
+    CASE(subtract_product, 0x8001, 0x8003, 0x8005, 0x8007);
+    CASE(product_sum, 0x8005, 0x8007, 0x800d, 0x800f);
+    CASE(product_difference, 0x8005, 0x8007, 0x800d, 0x800f);
+    CASE(product_sum_3, 0x8015, 0x803f);
+    CASE(square_sum_3, 0x8007);
+    CASE(product_3, 0x8001, 0x8003, 0x8005, 0x8007);
+    CASE(triple_sum_3, 0x816d);
+    CASE(add_triple_sum_3, 0x82db);
+    CASE(accumulate, 0x8000, 0x8001);
+    CASE(accumulate_product, 0x8001, 0x8003);
     case Kernel::fold:
       if constexpr (NumberTraits<T>::has_lanes) return &run<T, Kernel::fold, 1>;
       break;
     case Kernel::loop:
       break;
   }
+#undef CASE
   RIGOR_CHECK(false, static_cast<int>(step.kernel));
   return nullptr;
 }

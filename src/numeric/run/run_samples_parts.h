@@ -9,38 +9,58 @@
 
 namespace rigor {
 
-/// With its error, if the number has one.
+/// Number n of a column, with its error if T has one.
 template <class T>
-T input_of(const Column& column, std::size_t n) {
-  const double value = column.values[n];
-  if constexpr (requires { T::with_error(value, value, value); })
-    return T::with_error(value, column.low, column.error(n));
-  else
-    return column.low == 0 ? T(value) : T(value) + T(column.low);
-}
+struct InputOf {
+  T operator()(const Column& column, std::size_t n) const {
+    const double value = column.values[n];
+    if constexpr (requires { T::with_error(value, value, value); })
+      return T::with_error(value, column.low, column.error(n));
+    else
+      return column.low == 0 ? T(value) : T(value) + T(column.low);
+  }
+};
 
-/// The columns of samples as inputs of an engine; those that are not doubles already are rounded here.
+/// An engine with the columns of samples as its inputs; those that are not doubles already are rounded here.
 template <class T>
-class BoundColumns {
+class SampleEngine {
  public:
-  BoundColumns(Engine<T>& engine, const Program& program, const Samples& samples) {
+  template <class Input = InputOf<T>>
+  SampleEngine(const Program& program, const Samples& samples, Lanes lanes, std::span<const std::uint32_t> at,
+               const Input& input = {})
+      : engine_(program.code(), make_plan(program.code(), lanes, varying_inputs(program, samples, at)),
+                samples.particles()),
+        samples_(samples.samples()),
+        results_(program.outputs() * samples_, T(0)) {
     for (std::size_t i = 0; i < program.inputs().size(); ++i) {
-      const ProgramInput& input = program.inputs()[i];
-      const Column& column = *samples.find(input.symbol, input.component);
+      const ProgramInput& named = program.inputs()[i];
+      const Column& column = *samples.find(named.symbol, named.component);
       const T* data = nullptr;
       if constexpr (std::is_same_v<T, double>) {
         data = column.values.data();
       } else {
         std::vector<T>& own = rounded_.emplace_back();
         own.reserve(column.values.size());
-        for (std::size_t n = 0; n < column.values.size(); ++n) own.push_back(input_of<T>(column, n));
+        for (std::size_t n = 0; n < column.values.size(); ++n) own.push_back(input(column, n));
         data = own.data();
       }
-      engine.bind(i, {data, column.sample_stride, column.particle_stride});
+      engine_.bind(i, {data, column.sample_stride, column.particle_stride});
     }
+    for (std::size_t i = 0; i < program.free_particles().size(); ++i) engine_.set_free_particle(i, at[i]);
+  }
+
+  /// results[output · samples + sample]
+  std::vector<T>& run() {
+    if (results_.empty()) return results_;
+    engine_.run_once();
+    engine_.run(samples_, results_.data(), samples_);
+    return results_;
   }
 
  private:
+  Engine<T> engine_;
+  std::size_t samples_;
+  std::vector<T> results_;
   std::vector<std::vector<T>> rounded_;
 };
 
@@ -48,15 +68,7 @@ template <class T>
 std::vector<T> run_on_samples(const Program& program, const Samples& samples, Lanes lanes,
                               std::span<const std::uint32_t> at) {
   if (!NumberTraits<T>::has_lanes) lanes = Lanes::none;
-  const std::vector<std::uint8_t> varies = varying_inputs(program, samples, at);
-  Engine<T> engine(program.code(), make_plan(program.code(), lanes, varies), samples.particles());
-  const BoundColumns<T> columns(engine, program, samples);
-  for (std::size_t i = 0; i < program.free_particles().size(); ++i) engine.set_free_particle(i, at[i]);
-  std::vector<T> results(program.outputs() * samples.samples(), T(0));
-  if (results.empty()) return results;
-  engine.run_once();
-  engine.run(samples.samples(), results.data(), samples.samples());
-  return results;
+  return std::move(SampleEngine<T>(program, samples, lanes, at).run());
 }
 
 }  // namespace rigor

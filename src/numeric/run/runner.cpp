@@ -9,14 +9,10 @@
 namespace rigor {
 
 extern template class Engine<double>;
-extern template class Engine<long double>;
 
-namespace {}  // namespace
-
-template <class T>
-Runner<T>::Runner(const Program& program, const Samples& fixed, std::span<const ProgramInput> varying,
-                  std::span<const std::uint32_t> at)
-    : values_(varying.size(), T(0)) {
+Runner::Runner(const Program& program, const Samples& fixed, std::span<const ProgramInput> varying,
+               std::span<const std::uint32_t> at)
+    : values_(varying.size(), 0.0) {
   const auto inputs = program.inputs();
   std::vector<std::uint8_t> varies;
   for (const ProgramInput& input : inputs) {
@@ -26,8 +22,8 @@ Runner<T>::Runner(const Program& program, const Samples& fixed, std::span<const 
     varies.push_back(std::any_of(varying.begin(), varying.end(), same) ? 1 : 0);
   }
   const Lanes lanes = fixed.particles() >= many_particles ? Lanes::particles : Lanes::one;
-  engine_ = std::make_unique<Engine<T>>(program.code(), make_plan(program.code(), lanes, varies),
-                                        fixed.particles());
+  engine_ = std::make_unique<Engine<double>>(program.code(), make_plan(program.code(), lanes, varies),
+                                             fixed.particles());
   fixed_.resize(inputs.size());
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (varies[i] != 0) continue;
@@ -52,20 +48,13 @@ Runner<T>::Runner(const Program& program, const Samples& fixed, std::span<const 
   engine_->prepare_point();
 }
 
-template <class T>
-Runner<T>::Runner(Runner&&) noexcept = default;
-template <class T>
-Runner<T>& Runner<T>::operator=(Runner&&) noexcept = default;
-template <class T>
-Runner<T>::~Runner() = default;
+Runner::Runner(Runner&&) noexcept = default;
+Runner& Runner::operator=(Runner&&) noexcept = default;
+Runner::~Runner() = default;
 
-template <class T>
-void Runner<T>::operator()(const T* values, T* results) {
+void Runner::operator()(const double* values, double* results) {
   std::copy_n(values, values_.size(), values_.data());
   engine_->run_point(results);
 }
-
-template class Runner<double>;
-template class Runner<long double>;
 
 }  // namespace rigor

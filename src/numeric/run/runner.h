@@ -16,8 +16,6 @@ namespace rigor {
 template <class T>
 class Engine;
 
-/// T: double or long double.
-template <class T = double>
 class Runner {
  public:
   /// `varying`: the components whose values each call gives, in this order; those that the program does not
@@ -29,15 +27,12 @@ class Runner {
   ~Runner();
 
   /// Reads a value for each of `varying`, writes the program's results.
-  void operator()(const T* values, T* results);
+  void operator()(const double* values, double* results);
 
  private:
-  std::unique_ptr<Engine<T>> engine_;
-  std::vector<std::vector<T>> fixed_;
-  std::vector<T> values_;
+  std::unique_ptr<Engine<double>> engine_;
+  std::vector<std::vector<double>> fixed_;
+  std::vector<double> values_;
 };
-
-extern template class Runner<double>;
-extern template class Runner<long double>;
 
 }  // namespace rigor

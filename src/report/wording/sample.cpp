@@ -14,17 +14,26 @@
 namespace rigor {
 namespace {
 
+/// How many components each of `rank` equal axes has; 0 where they do not fill that.
+std::size_t components_an_axis(std::size_t count, int rank) {
+  for (std::size_t each = 1; each <= count; ++each) {
+    std::size_t filled = 1;
+    for (int level = 0; level < rank && filled <= count; ++level) filled *= each;
+    if (filled >= count) return filled == count ? each : 0;
+  }
+  return 0;
+}
+
 /// `(a, b, c)` around `rank` levels of brackets; components that do not fill them are listed in one level.
 std::string print_components(std::span<const std::string> components, int rank) {
-  std::size_t filled = 1;
-  for (int level = 0; level < rank && filled <= components.size(); ++level) filled *= 3;
   if (rank <= 0 && components.size() == 1) return components.front();
-  if (rank <= 1 || filled != components.size()) return fmt::format("({})", fmt::join(components, ", "));
-  const std::size_t part = filled / 3;
-  std::string rows;
-  for (std::size_t row = 0; row < 3; ++row)
-    rows += (row == 0 ? "" : ", ") + print_components(components.subspan(row * part, part), rank - 1);
-  return fmt::format("({})", rows);
+  const std::size_t rows = rank <= 1 ? 0 : components_an_axis(components.size(), rank);
+  if (rows == 0) return fmt::format("({})", fmt::join(components, ", "));
+  const std::size_t part = components.size() / rows;
+  std::string text;
+  for (std::size_t row = 0; row < rows; ++row)
+    text += (row == 0 ? "" : ", ") + print_components(components.subspan(row * part, part), rank - 1);
+  return fmt::format("({})", text);
 }
 
 /// `I_i` and `I_{ij}` where a sample has both; else the name alone.

@@ -26,11 +26,14 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 7> kinds{"shape",   "particles", "mesh", "cloud",
                                                 "moments", "inertia",   "parts"};
 
-Dimension inertia_dimension() { return mass_dimension() + length_dimension() + length_dimension(); }
-
 std::optional<Position> position_of(std::optional<std::vector<double>> values) {
   if (!values) return std::nullopt;
   return Position{(*values)[0], (*values)[1], (*values)[2]};
+}
+
+/// Puts the file's name before a reason.
+auto naming(const std::string& file) {
+  return [&file](const Error& error) { return Error{fmt::format("`{}`: {}", file, error.reason)}; };
 }
 
 /// Reads one table; parts recurse, no deeper than `parse_toml` lets tables nest.
@@ -163,29 +166,18 @@ class BodyReader {
                                     : read_positive(reader_, "mass", mass_dimension());
     if (!file || !unit || !amount) return std::nullopt;
     const Span span = reader_.find("mesh")->span;
-    auto mesh = value_or_report(mesh_in(*file), DiagnosticKind::bad_mesh, span, diagnostics_);
-    if (!mesh) return std::nullopt;
-    const auto in_file =
-        value_or_report(mesh_mass(*mesh, MeshSharpness::always).map_error([&](const Error& error) {
-          return named(*file, error);
-        }),
-                        DiagnosticKind::bad_mesh, span, diagnostics_);
-    if (!in_file) return std::nullopt;
-    const auto enclosed =
-        *unit == 1
-            ? in_file
-            : value_or_report(
-                  in_unit(*in_file, *unit).map_error([&](const Error& error) { return named(*file, error); }),
-                  DiagnosticKind::bad_mesh, span, diagnostics_);
+    const auto in_metres = [&](const MeshMass& found) {
+      return *unit == 1 ? Result<MeshMass>(found) : in_unit(found, *unit);
+    };
+    const auto measured = mesh_in(*file).and_then([&](const Mesh& mesh) {
+      return mesh_mass(mesh, MeshSharpness::always).and_then(in_metres).map_error(naming(*file));
+    });
+    const auto enclosed = value_or_report(measured, DiagnosticKind::bad_mesh, span, diagnostics_);
     if (!enclosed) return std::nullopt;
     const double mass = has_density ? *amount * enclosed->volume : *amount;
     const double mass_error = has_density ? enclosed->volume_error + 0x1p-53 : 0;
     return value_or_report(mesh_body(name_, *enclosed, mass, mass_error), DiagnosticKind::bad_body, span,
                            diagnostics_);
-  }
-
-  static Error named(const std::string& file, const Error& error) {
-    return {fmt::format("`{}`: {}", file, error.reason)};
   }
 
   [[nodiscard]] Result<std::string> path_in_folder(const std::string& file) const {
@@ -198,9 +190,9 @@ class BodyReader {
   [[nodiscard]] Result<Mesh> mesh_in(const std::string& file) const {
     const auto path = path_in_folder(file);
     if (!path) return tl::unexpected(path.error());
-    const auto bytes = read_file(*path);
-    if (!bytes) return tl::unexpected(named(file, bytes.error()));
-    return read_mesh(file, *bytes).map_error([&](const Error& error) { return named(file, error); });
+    return read_file(*path)
+        .and_then([&](const std::string& bytes) { return read_mesh(file, bytes); })
+        .map_error(naming(file));
   }
 
   std::optional<Body> read_cloud_file() {
@@ -210,9 +202,8 @@ class BodyReader {
     const Span span = reader_.find("cloud")->span;
     const auto path = value_or_report(path_in_folder(*file), DiagnosticKind::bad_cloud, span, diagnostics_);
     if (!path) return std::nullopt;
-    return value_or_report(
-        read_cloud(name_, *path, *unit).map_error([&](const Error& error) { return named(*file, error); }),
-        DiagnosticKind::bad_cloud, span, diagnostics_);
+    return value_or_report(read_cloud(name_, *path, *unit).map_error(naming(*file)),
+                           DiagnosticKind::bad_cloud, span, diagnostics_);
   }
 
   std::optional<Body> read_inertia(std::string_view kind) {

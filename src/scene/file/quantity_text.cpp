@@ -129,5 +129,6 @@ Dimension length_dimension() { return dimension_of(0, 1, 0); }
 Dimension time_dimension() { return dimension_of(0, 0, 1); }
 Dimension rate_dimension() { return dimension_of(0, 0, -1); }
 Dimension density_dimension() { return dimension_of(1, -3, 0); }
+Dimension inertia_dimension() { return dimension_of(1, 2, 0); }
 
 }  // namespace rigor

@@ -27,5 +27,6 @@ struct QuantityText {
 [[nodiscard]] Dimension time_dimension();
 [[nodiscard]] Dimension rate_dimension();     // 1/T: of an angular velocity
 [[nodiscard]] Dimension density_dimension();  // M/L³
+[[nodiscard]] Dimension inertia_dimension();  // M L²
 
 }  // namespace rigor

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/utf8.h"
@@ -116,21 +117,9 @@ std::string message_of(std::string_view description) {
 }  // namespace
 
 std::string_view name_of(TomlKind kind) {
-  switch (kind) {
-    case TomlKind::string:
-      return "a string";
-    case TomlKind::number:
-      return "a number";
-    case TomlKind::boolean:
-      return "true or false";
-    case TomlKind::date:
-      return "a date";
-    case TomlKind::array:
-      return "an array";
-    case TomlKind::table:
-      return "a table";
-  }
-  return "a value";
+  constexpr auto names = std::to_array<std::string_view>(
+      {"a string", "a number", "true or false", "a date", "an array", "a table"});
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::optional<TomlValue> parse_toml(const SourceMap& sources, FileId file, Diagnostics& diagnostics) {

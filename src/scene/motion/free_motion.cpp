@@ -18,10 +18,6 @@ constexpr double most_difference = 16 * 0x1p-53;
 constexpr double slowest = 1e-140;  // so that squares of the spin keep all their digits
 constexpr double fastest = 1e100;   // of which those of a needle's may be 2^100 times as large
 
-bool is_finite(std::span<const double> values) {
-  return std::all_of(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
-}
-
 /// Of the law with that of a free body with the moments.
 class Comparison {
  public:
@@ -92,7 +88,7 @@ bool add_orientations(Motion& motion, const Position& moments, const MotionReque
   if (!attitude) return false;
   for (const double time : motion.times) {
     motion.orientations.push_back(composed(*request.orientation, attitude->at(time)));
-    if (!is_finite(motion.orientations.back())) return false;
+    if (!are_finite(motion.orientations.back())) return false;
   }
   return true;
 }
@@ -115,7 +111,7 @@ std::optional<Motion> free_motion(const SpinRates& rates, const Position& moment
     const double time = request.duration * (static_cast<double>(row) / last);
     motion.times.push_back(time);
     motion.spins.push_back(row == 0 ? request.spin : spin->spin(time));
-    if (!is_finite(motion.spins.back()) || !comparison.agrees(motion.spins.back())) return std::nullopt;
+    if (!are_finite(motion.spins.back()) || !comparison.agrees(motion.spins.back())) return std::nullopt;
   }
   if (request.orientation && !add_orientations(motion, moments, request)) return std::nullopt;
   return motion;

@@ -9,6 +9,8 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 
+#include "numeric/kernels/position.h"
+
 namespace rigor {
 namespace {
 
@@ -25,10 +27,6 @@ using Stepper = odeint::controlled_runge_kutta<
     odeint::runge_kutta_fehlberg78<State, double, State, double, Algebra, Operations>>;
 
 double size_of(const Vector3& vector) { return std::hypot(vector[0], vector[1], vector[2]); }
-
-bool is_finite(const State& state) {
-  return std::all_of(state.begin(), state.end(), [](double each) { return std::isfinite(each); });
-}
 
 std::string fault_of(const MotionRequest& request) {
   if (!std::isfinite(size_of(request.spin))) return "the spin is not finite";
@@ -111,7 +109,7 @@ class Integration {
     reached_ = success && cut;
     // A step that was cut short at a row says nothing against the longer one before it.
     step_ = success && cut && std::abs(next) < std::abs(step_) ? step_ : next;
-    if (!is_finite(state_) || !std::isfinite(next)) return stop("the spin or its rates are not finite");
+    if (!are_finite(state_) || !std::isfinite(next)) return stop("the spin or its rates are not finite");
     if (success) {
       ++motion_.steps;
       time_ = time;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/among.h"
+#include "numeric/kernels/position.h"
 #include "numeric/run/runner.h"
 
 namespace rigor {
@@ -43,10 +44,7 @@ constexpr double rounding = 1e-13;
 /// Terms of the size of the spin's square, of which the equations' are made, may have cancelled.
 constexpr double cancelled = 1e-4;
 
-bool is_finite_row(const LawRow& row) {
-  return std::isfinite(row.coefficients[0]) && std::isfinite(row.coefficients[1]) &&
-         std::isfinite(row.coefficients[2]) && std::isfinite(row.rest);
-}
+bool is_finite_row(const LawRow& row) { return are_finite(row.coefficients) && std::isfinite(row.rest); }
 
 /// Full pivoting: the best equation for the best rate first.
 Elimination eliminate(std::vector<LawRow> rows) {
@@ -122,10 +120,7 @@ class SpinLaw::System {
     const bool has_rate =
         std::any_of(program->inputs().begin(), program->inputs().end(),
                     [&](const ProgramInput& input) { return is_one_of(input.symbol, rates_); });
-    if (!has_rate || !program->free_particles().empty()) {
-      ++passed_over_;
-      return;
-    }
+    if (!has_rate || !program->free_particles().empty()) return;
     Samples samples(1, particles_);
     if (const auto missing = values.fill(*program, samples, left_out_)) {
       remember(fmt::format("`{}` has no value", tree_.symbols[missing->symbol].name));
@@ -135,7 +130,7 @@ class SpinLaw::System {
     for (const ProgramInput& input : program->inputs()) {
       if (is_one_of(input.symbol, left_out_)) varying.push_back(input);
     }
-    Part part{Runner<double>(*program, samples, varying), {}, {}, std::vector<double>(program->outputs())};
+    Part part{Runner(*program, samples, varying), {}, {}, std::vector<double>(program->outputs())};
     for (const ProgramInput& input : varying) {
       const bool is_rate = is_one_of(input.symbol, rates_);
       part.varying.push_back({is_rate, input.component});
@@ -145,7 +140,6 @@ class SpinLaw::System {
   }
 
   [[nodiscard]] std::size_t used() const { return parts_.size(); }
-  [[nodiscard]] std::size_t passed_over() const { return passed_over_; }
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
 
   /// Where the rates are determined, they have been put back into the equations.
@@ -161,10 +155,8 @@ class SpinLaw::System {
   [[nodiscard]] bool is_finite_at(const Vector3& spin) {
     const double h = probe_size(spin);
     const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}}};
-    return std::all_of(parts_.begin(), parts_.end(), [&](Part& part) {
-      const std::vector<double>& values = residuals(part, spin, batch);
-      return std::all_of(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
-    });
+    return std::all_of(parts_.begin(), parts_.end(),
+                       [&](Part& part) { return are_finite(residuals(part, spin, batch)); });
   }
 
   /// With rates a, b of about the size h: is f(a + b) + f(0) = f(a) + f(b)? A law that is not affine is
@@ -203,14 +195,13 @@ class SpinLaw::System {
     std::uint32_t component;
   };
   struct Part {
-    Runner<double> run;
+    Runner run;
     std::vector<Varying> varying;
     std::vector<double> values;
     std::vector<double> results;
   };
 
   void remember(const std::string& reason) {
-    ++passed_over_;
     if (obstacle_.empty()) obstacle_ = reason;
   }
 
@@ -302,8 +293,7 @@ class SpinLaw::System {
   std::vector<Part> parts_;
   std::vector<double> residuals_;
   std::vector<double> sizes_;  // of the two sides, in the order of the residuals
-  std::size_t passed_over_ = 0;
-  std::string obstacle_;  // the first one
+  std::string obstacle_;       // the first one
 };
 
 Result<SpinLaw> SpinLaw::make(const ExprTree& tree, std::span<const LawEquation> equations,
@@ -353,6 +343,5 @@ std::string SpinLaw::fault_at(const Vector3& spin) const {
 }
 
 std::size_t SpinLaw::equations_used() const { return system_->used(); }
-std::size_t SpinLaw::equations_passed_over() const { return system_->passed_over(); }
 
 }  // namespace rigor

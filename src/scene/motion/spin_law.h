@@ -45,7 +45,6 @@ class SpinLaw {
   [[nodiscard]] std::string fault_at(const Vector3& spin) const;
 
   [[nodiscard]] std::size_t equations_used() const;
-  [[nodiscard]] std::size_t equations_passed_over() const;
 
  private:
   class System;

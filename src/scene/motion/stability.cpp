@@ -18,8 +18,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// each step of which integrates from the row before. Nothing: not within `until`.
 std::optional<double> time_of(const SpinRates& rates, const Vector3& start, std::size_t component,
                               double level, double until) {
-  const MotionRequest request{
-      .spin = start, .duration = until, .rows = 401, .tolerance = tolerance, .orientation = {}};
+  const MotionRequest request{.spin = start, .duration = until, .rows = 401, .tolerance = tolerance};
   const Motion motion = integrate(rates, request);
   if (!motion.stopped.empty()) return std::nullopt;
   for (std::size_t row = 1; row + 1 < motion.spins.size(); ++row) {
@@ -28,9 +27,8 @@ std::optional<double> time_of(const SpinRates& rates, const Vector3& start, std:
     if (before == 0 ? after == 0 : (before < 0) == (after < 0)) continue;
     double at = (motion.times[row + 1] - motion.times[row]) * before / (before - after);
     for (int iteration = 0; iteration < 8; ++iteration) {
-      const Motion there = integrate(
-          rates,
-          {.spin = motion.spins[row], .duration = at, .rows = 2, .tolerance = tolerance, .orientation = {}});
+      const Motion there =
+          integrate(rates, {.spin = motion.spins[row], .duration = at, .rows = 2, .tolerance = tolerance});
       if (!there.stopped.empty()) return std::nullopt;
       const double step = (there.spins.back()[component] - level) / rates(there.spins.back())[component];
       if (!std::isfinite(step)) return std::nullopt;
@@ -66,8 +64,8 @@ double growth(const SpinRates& rates, std::size_t axis, const Vector3& start, do
 double drift(const SpinRates& rates, std::size_t axis, Vector3 start) {
   start[(axis + 2) % 3] = start[(axis + 1) % 3];
   const double spin = std::abs(start[axis]);
-  const Motion motion = integrate(
-      rates, {.spin = start, .duration = 2 / spin, .rows = 3, .tolerance = tolerance, .orientation = {}});
+  const Motion motion =
+      integrate(rates, {.spin = start, .duration = 2 / spin, .rows = 3, .tolerance = tolerance});
   if (!motion.stopped.empty()) return none;
   double worst = 0;
   for (const std::size_t across : {(axis + 1) % 3, (axis + 2) % 3}) {
@@ -76,17 +74,6 @@ double drift(const SpinRates& rates, std::size_t axis, Vector3 start) {
     if (!(std::abs(squared) <= std::abs(worst))) worst = squared;
   }
   return worst;
-}
-
-/// The rate at which the part of the spin across axis 3, which is along axis 1 at first, turns towards axis
-/// 2; over 1/ω.
-double slow_turn(const SpinRates& rates, const Vector3& start) {
-  const double spin = std::abs(start[2]);
-  const Motion motion = integrate(
-      rates, {.spin = start, .duration = 1 / spin, .rows = 2, .tolerance = tolerance, .orientation = {}});
-  if (!motion.stopped.empty()) return none;
-  const double sign = start[0] < 0 ? -1 : 1;
-  return std::atan2(sign * motion.spins[1][1], sign * motion.spins[1][0]) * spin;
 }
 
 /// d log(error) / d log(push), between the ends of what is not rounding.
@@ -105,15 +92,8 @@ double order_of(const std::vector<StabilityPoint>& points) {
 }  // namespace
 
 std::string_view name_of(SpinFate fate) {
-  switch (fate) {
-    case SpinFate::oscillates:
-      return "oscillates";
-    case SpinFate::grows:
-      return "grows";
-    case SpinFate::neither:
-      return "neither";
-  }
-  return "neither";
+  if (fate == SpinFate::neither) return "neither";
+  return fate == SpinFate::grows ? "grows" : "oscillates";
 }
 
 StabilityMeasurement measure_stability(const SpinRates& rates, const SpinFunction& squared, std::size_t axis,
@@ -143,24 +123,6 @@ StabilityMeasurement measure_stability(const SpinRates& rates, const SpinFunctio
         {push, measured, std::abs(measured - (degenerate ? 0 : result.predicted)) / scale});
   }
   result.order = order_of(result.points);
-  return result;
-}
-
-PrecessionMeasurement measure_precession(const SpinRates& rates, const SpinFunction& predicted, double spin,
-                                         double push) {
-  const Vector3 start{push * spin, 0, spin};
-  PrecessionMeasurement result{.predicted = predicted(start), .measured = 0, .problem = {}};
-  const double first = rates(start)[1];
-  if (!std::isfinite(result.predicted) || !std::isfinite(first)) {
-    result.problem = "the formula or the rates are not finite for this body";
-  } else if (std::abs(result.predicted) > negligible_growth * std::abs(spin)) {
-    const auto time = time_of(rates, start, 1, 0, 3 * std::numbers::pi / std::abs(result.predicted));
-    if (!time) result.problem = "the spin does not go round as fast as the formula says";
-    result.measured = time ? std::copysign(std::numbers::pi / *time, first / start[0]) : none;
-  } else {
-    result.measured = slow_turn(rates, start);
-    if (!std::isfinite(result.measured)) result.problem = "the spin cannot be followed";
-  }
   return result;
 }
 

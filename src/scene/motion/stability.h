@@ -46,15 +46,4 @@ struct StabilityMeasurement {
                                                      std::size_t axis, double spin,
                                                      std::span<const double> pushes);
 
-struct PrecessionMeasurement {
-  double predicted = 0;  // Ω, in rad/s
-  double measured = 0;   // signed: positive from axis 1 to axis 2
-  std::string problem;
-};
-
-/// The rate at which the part of the spin across axis 3 goes round in the body, from half a turn; where the
-/// formula gives 0 (below 1e-9 ω), from the angle after 1/ω.
-[[nodiscard]] PrecessionMeasurement measure_precession(const SpinRates& rates, const SpinFunction& predicted,
-                                                       double spin, double push);
-
 }  // namespace rigor

@@ -57,8 +57,7 @@ SceneBody::SceneBody(const Body& body, SceneLedger& ledger) : body_(body), ledge
 const Result<InertiaTensor>& SceneBody::tensor() {
   if (!tensor_) {
     tensor_ = ledger_.compute(tensor_node, "of the body's particles", [&]() -> Result<InertiaTensor> {
-      if (const auto checked = check_count(body_); !checked) return tl::unexpected(checked.error());
-      const auto sums = mass_sums(points_of(body_));
+      const auto sums = check_count(body_).and_then([&] { return mass_sums(points_of(body_)); });
       if (!sums) return tl::unexpected(sums.error());
       tensor_rounding_ = sums->error == 0 ? 0 : sums->error * greatest_of(sums->inertia);
       return sums->inertia;
@@ -99,8 +98,7 @@ const Result<SharpTensor>& SceneBody::sharp_tensor() {
       sharp_tensor_ = *said;
     } else {
       const auto sum = [&]() -> Result<SharpTensor> {
-        if (const auto checked = check_count(body_); !checked) return tl::unexpected(checked.error());
-        const auto sums = sharp_mass_sums(points_of(body_));
+        const auto sums = check_count(body_).and_then([&] { return sharp_mass_sums(points_of(body_)); });
         if (!sums) return tl::unexpected(sums.error());
         sharp_tensor_rounding_ = sums->error == 0 ? 0 : sums->error * greatest_of(sums->inertia);
         return sums->inertia;

@@ -9,6 +9,7 @@
 #include "base/among.h"
 #include "numeric/measure/bounds.h"
 #include "numeric/measure/evaluate.h"
+#include "scene/file/quantity_text.h"
 #include "scene/quantity/quantity_dimension.h"
 #include "scene/quantity/scene_evaluation.h"
 
@@ -26,10 +27,6 @@ constexpr double most_change = 1e-4;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Rows = std::vector<std::vector<double>>;
-
-bool all_finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double each) { return std::isfinite(each); });
-}
 
 /// The greatest change of any component, over the greatest size; of rows that are finite. The sizes are
 /// halved so that no difference overflows.
@@ -91,7 +88,7 @@ void SceneEvaluation::evaluate_one(Asked& asked) {
   quantity.value = ledger_.compute(name, over_time ? "asked for over the time" : "asked for", [&] {
     return evaluate(*asked.program, samples, arithmetic_for(*asked.program));
   });
-  if (!all_finite(quantity.value)) {
+  if (!are_finite(quantity.value)) {
     report(DiagnosticKind::bad_scene, asked.ask->name.span, fmt::format("`{}` is not finite", name));
   }
   if (scene_.errors) {
@@ -162,7 +159,7 @@ void SceneEvaluation::follow_motion(const Asked& asked, SceneQuantity& quantity)
 
 /// A vector that is not constant along the body's axes may rest in space.
 void SceneEvaluation::note_drift(const SceneText& name, const SceneQuantity& quantity, const Rows& rows) {
-  const auto bad = std::find_if_not(rows.begin(), rows.end(), all_finite);
+  const auto bad = std::find_if_not(rows.begin(), rows.end(), are_finite);
   if (bad != rows.end()) {
     result_.drifts.push_back({quantity.source, std::numeric_limits<double>::quiet_NaN(), false, false});
     if (bad == rows.begin()) return;  // it has been said
@@ -194,8 +191,7 @@ void SceneEvaluation::evaluate_own_part(Asked& asked) {
     if (!moments) return fail(asked, moments.error().reason);
     for (const HighLow& moment : *moments) quantity.value.push_back(moment.high);
     if (scene_.errors) quantity.error = own_errors(body_.moment_errors(), *moments);
-    const Dimension length = Dimension::of(BaseQuantity::length);
-    quantity.dimension = Dimension::of(BaseQuantity::mass) + length + length;
+    quantity.dimension = inertia_dimension();
   } else {
     const auto& axes = body_.axes();
     if (!axes) return fail(asked, axes.error().reason);

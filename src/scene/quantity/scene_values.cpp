@@ -24,8 +24,6 @@ std::vector<double> turning_errors_of(const std::vector<double>& components, con
   return std::vector<double>(components.size(), error);
 }
 
-Dimension moment_dimension() { return mass_dimension() + length_dimension() + length_dimension(); }
-
 }  // namespace
 
 std::optional<MissingValue> SceneValues::settle_axes(const std::set<SceneRole>& read) {
@@ -204,7 +202,7 @@ std::optional<Dimension> SceneValues::dimension_of(SymbolId symbol) const {
     case SceneRole::spin_rate:
       return rate_dimension() + rate_dimension();
     case SceneRole::moment:
-      return moment_dimension();
+      return inertia_dimension();
     case SceneRole::tensor:
       return std::nullopt;  // by its definition, if the notes have one
     case SceneRole::value:

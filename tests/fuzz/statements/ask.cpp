@@ -7,7 +7,7 @@
 #include <exception>
 #include <optional>
 
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 
 namespace fuzz {
 namespace {

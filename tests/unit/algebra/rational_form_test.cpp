@@ -4,6 +4,7 @@
 #include <string>
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "expr/print/print_latex.h"
 

@@ -9,6 +9,7 @@
 
 #include "app/command/run.h"
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "report/wording/explained.h"
 

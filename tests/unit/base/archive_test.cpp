@@ -68,11 +68,14 @@ TEST_CASE("bytes behind the end, lengths beyond it and values out of bounds are 
   wrong_flag[0] = 2;
   CHECK_FALSE(is_read(wrong_flag));
   std::string wrong_phase = bytes;
-  wrong_phase[24] = 2;
+  wrong_phase[19] = 2;
   CHECK_FALSE(is_read(wrong_phase));
   std::string long_text = bytes;
-  long_text[38] = '\x7f';
+  long_text[20] = '\x7f';
   CHECK_FALSE(is_read(long_text));
+  std::string long_number = bytes;
+  long_number[10] = '\x02';  // beyond 64 bits
+  CHECK_FALSE(is_read(long_number));
 }
 
 }  // namespace

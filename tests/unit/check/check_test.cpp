@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 
 namespace rigor {
 

@@ -64,10 +64,10 @@ TEST_CASE("letters that are free once or summed in pairs name no axis") {
 
 TEST_CASE("principal values belong to axes") {
   Turning page;
-  const SymbolId values = page.names.resolve(page.tree, {"I", 1, false}, "I", {});
+  const SymbolId values = resolve(page.names.symbols, page.tree, {"I", 1, false}, "I", {});
   const Named principal{&page.tree, values, no_particle};
   CHECK(page.keeps_its_form(at(principal, page.i), {page.i}));
-  page.names.sightings.diagonal.insert("I");
+  page.names.symbols.sightings.write().diagonal.insert("I");
   CHECK_FALSE(page.keeps_its_form(at(principal, page.i), {page.i}));
   CHECK_FALSE(page.keeps_its_form(at(page.derivative(principal, By::time), page.i), {page.i}));
 }

@@ -2,7 +2,7 @@
 #include "check/verdict/decide_by_record.h"
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 
 namespace rigor {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "source/read_file.h"
 #include "source/write_file.h"
 

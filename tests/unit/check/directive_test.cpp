@@ -51,6 +51,7 @@ TEST_CASE("a directive begins with its word") {
   CHECK(kind_of("variable q") == DirectiveKind::variable);
   CHECK(kind_of("rotation R") == DirectiveKind::rotation);
   CHECK(kind_of("basis \\mathbf{e}_{i'}") == DirectiveKind::basis);
+  CHECK(kind_of("space plane 2") == DirectiveKind::space);
   CHECK(kind_of("small \\delta_2") == DirectiveKind::small);
   CHECK(kind_of("where a = b") == DirectiveKind::where);
   CHECK(kind_of("let a = b") == DirectiveKind::let);

@@ -15,8 +15,8 @@ struct Divided {
 
   Divided() {
     const ExprId square = node({.op = Op::power, .exponent = 2}, {of(k)});
-    names.define(
-        {.definition = {.symbol = u, .body = node({.op = Op::divide}, {of(a), square})}, .origin = {}});
+    define(names.scope,
+           {.definition = {.symbol = u, .body = node({.op = Op::divide}, {of(a), square})}, .origin = {}});
   }
   SymbolId symbol(const char* name) { return tree.symbols.add({.name = name}); }
   ExprId of(SymbolId symbol) { return tree.add({.op = Op::symbol, .symbol = symbol}); }

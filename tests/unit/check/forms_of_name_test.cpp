@@ -2,6 +2,7 @@
 #include "expr/statement/forms_of_name.h"
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 
 namespace rigor {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/form/forms.h"
+#include "check/entry/read_forms.h"
 
 #include <algorithm>
 

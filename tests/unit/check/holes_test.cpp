@@ -2,6 +2,7 @@
 #include <string>
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 
 using namespace rigor;

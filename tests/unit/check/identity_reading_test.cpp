@@ -18,10 +18,11 @@ struct Equations : Page {
   Named m = scalar("m");
   Named t = tensor("T");
   Named x = scalar("x");
+  NameScope scope;
 
   std::string law(const Term& left, const Term& right, std::vector<IndexId> indices = {}) {
     std::string names;
-    for (const SymbolId symbol : law_symbols(claim(left, right, std::move(indices))))
+    for (const SymbolId symbol : law_symbols(claim(left, right, std::move(indices)), scope))
       names += tree.symbols[symbol].name;
     return names;
   }
@@ -98,13 +99,13 @@ TEST_CASE("an equation in one scalar is to be solved, unless it holds at zero") 
 TEST_CASE("a defined symbol alone on the left side makes no condition of its definition") {
   Equations on;
   on.define(on.m, pow(on.x, 2));
-  CHECK_FALSE(law_symbols(on.claim(on.m, pow(on.x, 2) + on.number("1"))).empty());
-  CHECK(law_symbols(on.claim(on.m, pow(on.x, 2) + on.number("1")), true).empty());
+  CHECK_FALSE(law_symbols(on.claim(on.m, pow(on.x, 2) + on.number("1")), on.scope).empty());
+  CHECK(law_symbols(on.claim(on.m, pow(on.x, 2) + on.number("1")), on.scope, true).empty());
 }
 
 TEST_CASE("only what is said to be meant for all values is") {
   Equations on;
-  for (const Named& named : {on.a, on.b, on.m}) on.tree.symbols[named.symbol].for_all = true;
+  for (const Named& named : {on.a, on.b, on.m}) mean_for_all(on.scope, named.symbol);
   CHECK(on.law(on.m * on.a, on.b) == "");
   CHECK(on.law(dot(on.a, on.b), on.zero()) == "");
   CHECK(on.law(on.m * on.a, on.c) == "c");

@@ -6,6 +6,8 @@
 #include "catch.h"
 #include "check/checked.h"
 #include "check/directive/directive.h"
+#include "elaborate/notation/elaborate.h"
+#include "elaborate/reading/equation.h"
 #include "latex/dump_syntax.h"
 
 namespace {
@@ -20,7 +22,7 @@ struct Court {
   std::vector<std::unique_ptr<Stretch>> stretches;
 
   struct Elaborated {
-    std::unique_ptr<Elaborator> reading;
+    std::unique_ptr<Reading> reading;
     Equation equation;
     WrittenChain written;
   };
@@ -29,15 +31,15 @@ struct Court {
     stretches.push_back(std::make_unique<Stretch>(statement));
     Stretch& stretch = *stretches.back();
     const ParsedChain chain = parse_chains(stretch.tokens, "", syntax, stretch.diagnostics).at(0);
-    for (const SyntaxId side : chain.sides) sight_sums(syntax, side, names.sightings);
+    for (const SyntaxId side : chain.sides) sight_sums(syntax, side, names.symbols.sightings.write());
     for (const SyntaxId side : chain.sides) sight_faces(syntax, side, names);
     sight_indices(syntax, chain.sides, names);
     Elaborated result;
-    result.reading = std::make_unique<Elaborator>(
-        syntax, tree, names, read_letters(syntax, chain.sides, names), stretch.diagnostics);
-    const Typed left = result.reading->expression(chain.sides.at(0)).value();
-    const Typed right = result.reading->expression(chain.sides.at(1)).value();
-    result.equation = result.reading->equation(left, right, {{}, stretch.diagnostics}).value();
+    result.reading.reset(
+        new Reading{syntax, tree, names, read_letters(syntax, chain.sides, names), stretch.diagnostics});
+    const Typed left = rigor::elaborate(*result.reading, chain.sides.at(0)).value();
+    const Typed right = rigor::elaborate(*result.reading, chain.sides.at(1)).value();
+    result.equation = equate(*result.reading, left, right, {{}, stretch.diagnostics}).value();
     result.written = chain.written;
     return result;
   }
@@ -53,7 +55,7 @@ struct Court {
   }
 
   void given(const std::string& statement, std::size_t directive) {
-    names.assume({elaborate(statement).equation, {"given " + statement, "", directive}, 0});
+    assume(names.scope, {elaborate(statement).equation, {"given " + statement, "", directive}, 0});
   }
 };
 
@@ -119,7 +121,8 @@ TEST_CASE("a law is not refuted") {
 TEST_CASE("a symbol that looks like a known one is suggested") {
   Court court;
   const Court::Elaborated known = court.elaborate("\\mathbf{F} = 0");
-  for (const SymbolId symbol : symbols_in(court.tree, known.equation.left)) court.names.mark_seen(symbol);
+  for (const SymbolId symbol : symbols_in(court.tree, known.equation.left))
+    mark_seen(court.names.scope, symbol);
   const Judgement judgement = court.judge("m\\mathbf{a} = \\mathbf{F}'");
   REQUIRE(judgement.diagnostics.at(0).help.size() == 3);
   CHECK(judgement.diagnostics[0].help[0] == "is `\\mathbf{F}` meant for `\\mathbf{F}'`?");
@@ -160,7 +163,7 @@ TEST_CASE("words that may restrict an equation stop its refutation, not its proo
 TEST_CASE("nothing is proved from an assumption that no sample satisfies") {
   Court court;
   court.given("\\mathbf{A}\\cdot\\mathbf{A} = -1", 0);
-  court.names.doubt_last_assumption();
+  doubt_last_assumption(court.names.scope);
   CHECK(court.judge("\\mathbf{A}\\cdot\\mathbf{A} = -1").verdict == Verdict::undecided);
 }
 
@@ -184,14 +187,15 @@ TEST_CASE("a proof says which assumptions and conventions it used") {
   REQUIRE(judgement.uses.size() == 3);
   CHECK(judgement.uses[0] == "given \\mathbf{A}\\cdot\\mathbf{B} = 0");
   CHECK(judgement.uses[1] == "convention: `A` is the length of `\\mathbf{A}`");
-  CHECK(court.names.is_used(3));
+  CHECK(judgement.used == std::set<std::size_t>{3});
 }
 
 TEST_CASE("a proof that needs no assumption uses none") {
   Court court;
   court.given("\\mathbf{A}\\cdot\\mathbf{B} = 0", 3);
-  CHECK(court.judge("\\mathbf{A}\\times\\mathbf{B} = -\\mathbf{B}\\times\\mathbf{A}").uses.empty());
-  CHECK_FALSE(court.names.is_used(3));
+  const Judgement judgement = court.judge("\\mathbf{A}\\times\\mathbf{B} = -\\mathbf{B}\\times\\mathbf{A}");
+  CHECK(judgement.uses.empty());
+  CHECK(judgement.used.empty());
 }
 
 TEST_CASE("a sample that refutes satisfies the assumptions") {
@@ -200,7 +204,7 @@ TEST_CASE("a sample that refutes satisfies the assumptions") {
   const Judgement judgement = court.judge("|\\mathbf{A}\\times\\mathbf{B}|^2 = 2A^2B^2");
   REQUIRE(judgement.counterexample.has_value());
   CHECK(judgement.counterexample->left != "0");
-  CHECK(court.names.is_used(0));
+  CHECK(judgement.used == std::set<std::size_t>{0});
 }
 
 TEST_CASE("assumptions have a sample, or none") {

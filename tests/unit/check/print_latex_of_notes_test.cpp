@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "expr/print/print_latex.h"
 #include "expr/tree/same_expression.h"

@@ -3,9 +3,10 @@
 #include "check/event/sidecar_places.h"
 
 #include "catch.h"
+#include "check/entry/check.h"
 #include "check/question/decision_cache.h"
-#include "check/walk/check.h"
-#include "check/walk/session.h"
+#include "check/review/review.h"
+#include "check/walk/walk.h"
 
 using namespace rigor;
 
@@ -21,7 +22,7 @@ std::pair<std::uint32_t, std::string> place_of(const std::string& sidecar) {
   const Notes notes = read_notes(sources, notes_file, &beside, report.diagnostics);
   DecisionCache cache;
   const CheckOptions options{.cache = &cache};
-  Session(sources, notes, report, options).run();
+  review(walk_through(sources, notes, report, options), notes, sources, report);
   for (const Step& step : report.steps) {
     if (step.diagnostics.empty()) continue;
     const std::vector<Label>& labels = step.diagnostics[0].labels;

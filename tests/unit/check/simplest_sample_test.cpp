@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "report/wording/sample.h"
 
 namespace rigor {

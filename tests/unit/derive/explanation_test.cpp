@@ -3,6 +3,7 @@
 
 #include "algebra/decide/decide.h"
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "expr/print/print_latex.h"
 

@@ -2,6 +2,7 @@
 // Every chain of the notes in derivations/, explained and checked again.
 #include "algebra/decide/decide.h"
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "derive/chain/explanation.h"
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "derive/answer/coefficient.h"
 #include "derive/answer/isolate.h"

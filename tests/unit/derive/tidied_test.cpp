@@ -2,6 +2,7 @@
 #include "derive/notation/tidied.h"
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "expr/print/print_latex.h"
 

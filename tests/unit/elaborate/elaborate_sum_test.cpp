@@ -44,7 +44,7 @@ TEST_CASE("a letter that only the letter it stands on makes an index can be a la
   CHECK(meaning("A_i + B_j") == "9 ambiguous-reading: ?");
   CHECK(meaning("A_i + B") == "3 ambiguous-reading: ?");
   Statements vectors;
-  vectors.names.evidence.vectors = {"A", "B"};
+  vectors.names.symbols.evidence.write().vectors = {"A", "B"};
   CHECK(vectors.meaning("A_i + B_j") == "9 free-index-mismatch: ?");
   Statements tensor;
   tensor.declare({"S", 2, false});

@@ -90,8 +90,10 @@ TEST_CASE("a letter without indices, with one and with two are three symbols") {
   statements.beside("I_{ij}");
   CHECK(statements.meaning("I") == "I");
   statements.meaning("I_i");
-  CHECK(statements.names.find({"I", 0, false}) != statements.names.find({"I", 1, false}));
-  CHECK(statements.names.find({"I", 1, false}) != statements.names.find({"I", 2, false}));
+  CHECK(find_symbol(statements.names.symbols, {"I", 0, false}) !=
+        find_symbol(statements.names.symbols, {"I", 1, false}));
+  CHECK(find_symbol(statements.names.symbols, {"I", 1, false}) !=
+        find_symbol(statements.names.symbols, {"I", 2, false}));
 }
 
 TEST_CASE("digits on a bold letter are labels of a vector of its own") {
@@ -129,7 +131,8 @@ TEST_CASE("a symbol with a particle and one without are two symbols") {
   statements.beside("\\sum_\\alpha m_\\alpha");
   CHECK(statements.meaning("m + M") == "(add m M)");
   statements.meaning("m_\\alpha");
-  CHECK(statements.names.find({"m", 0, false}) != statements.names.find({"m", 0, true}));
+  CHECK(find_symbol(statements.names.symbols, {"m", 0, false}) !=
+        find_symbol(statements.names.symbols, {"m", 0, true}));
 }
 
 TEST_CASE("a quantity of two particles is not decided") {
@@ -182,7 +185,7 @@ TEST_CASE("hats over x, y, z and a bold e are the basis") {
 TEST_CASE("a hat makes a unit vector") {
   Statements statements;
   CHECK(statements.meaning("\\hat{n}\\cdot\\hat{\\mathbf{n}}") == "(dot \\hat{n} \\hat{n})");
-  CHECK(statements.tree.symbols[*statements.names.find({"\\hat{n}", 1, false})].unit);
+  CHECK(statements.tree.symbols[*find_symbol(statements.names.symbols, {"\\hat{n}", 1, false})].unit);
   CHECK(statements.meaning("\\hat{n}_i") == "\\hat{n}[i]");
 }
 
@@ -200,4 +203,15 @@ TEST_CASE("a repeated index on one symbol is summed") {
   CHECK(meaning("I_{ii}") == "(index-sum i I[i,i])");
   CHECK(meaning("\\delta_{ii}") == "(index-sum i delta[i,i])");
   CHECK(meaning("\\epsilon_{iij}") == "(index-sum i epsilon[i,i,j])");
+}
+
+TEST_CASE("a reading returns the directives behind what it looked up") {
+  Statements file;
+  file.declare({"A", 1, false}).declare({"m", 0, false}).particles("n");  // 0, 1 and 2
+  CHECK(file.meaning("\\mathbf{A}") != "?");
+  CHECK(file.used == Directives{0});
+  file.meaning("m x_n");
+  CHECK(file.used == Directives{1, 2});
+  file.meaning("x + y");
+  CHECK(file.used.empty());
 }

@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "elaborate/notation/elaborator.h"
+#include "elaborate/notation/elaborate.h"
+#include "elaborate/reading/equation.h"
 #include "latex/dump_syntax.h"
 
 namespace rigor {
@@ -21,15 +22,16 @@ class Statements {
   Names names;
   std::vector<std::string> conventions;  // of the last statement that was read
   std::optional<Obstacle> guess;
+  Directives used;  // as the directives that the last statement looked up are numbered
 
   /// Words of `vector \mathbf A`: a symbol is declared by its key.
   Statements& declare(const NameKey& key, Symbol symbol = {}) {
     if (symbol.name.empty()) symbol.name = key.base;
-    names.declare(tree, key, std::move(symbol), next_directive_++);
+    rigor::declare(names, tree, key, std::move(symbol), next_directive_++);
     return *this;
   }
   Statements& particles(const std::string& letter) {
-    names.declare_particles(letter, next_directive_++);
+    declare_particles(names, letter, next_directive_++);
     return *this;
   }
 
@@ -43,8 +45,8 @@ class Statements {
   std::optional<ExprId> read(const std::string& expression, std::string& complaint) {
     const std::vector<SyntaxId> sides = sides_of(expression);
     Diagnostics diagnostics;
-    Elaborator elaborator(syntax_, tree, names, read_letters(syntax_, sides, names), diagnostics);
-    const auto typed = elaborator.expression(sides.at(0));
+    Reading reading{syntax_, tree, names, read_letters(syntax_, sides, names), diagnostics};
+    const auto typed = elaborate(reading, sides.at(0));
     for (const Diagnostic& diagnostic : diagnostics) complaint += diagnostic.message + "; ";
     return typed ? std::optional(typed->id) : std::nullopt;
   }
@@ -54,16 +56,18 @@ class Statements {
   std::string meaning(const std::string& statement) {
     const std::vector<SyntaxId> sides = sides_of(statement);
     Diagnostics diagnostics;
-    Elaborator elaborator(syntax_, tree, names, read_letters(syntax_, sides, names), diagnostics);
+    Reading reading{syntax_, tree, names, read_letters(syntax_, sides, names), diagnostics};
     std::vector<std::optional<Typed>> typed;
     for (const SyntaxId side : sides) {
-      typed.push_back(elaborator.expression(side));
-      if (typed.size() == 1 && typed[0]) elaborator.expect_slots(typed[0]->free);
+      Around around;
+      if (!typed.empty() && typed[0]) around.slots = typed[0]->free;
+      typed.push_back(elaborate(reading, side, around));
     }
     const bool equation = typed.size() == 2 && typed[0] && typed[1];
-    if (equation) elaborator.equation(*typed[0], *typed[1], {relation_, diagnostics});
-    conventions = elaborator.conventions();
-    guess = elaborator.guess();
+    if (equation) static_cast<void>(equate(reading, *typed[0], *typed[1], {relation_, diagnostics}));
+    conventions = reading.found.conventions;
+    guess = guess_of(reading);
+    used = reading.found.used;
     stretches_.back()->diagnostics = std::move(diagnostics);
     std::string text = stretches_.back()->complaints();
     if (!text.empty()) text += ": ";
@@ -91,7 +95,7 @@ class Statements {
       if (!end) relation_ = tokens[at].span;
       begin = at + 1;
     }
-    for (const SyntaxId side : sides) sight_sums(syntax_, side, names.sightings);
+    for (const SyntaxId side : sides) sight_sums(syntax_, side, names.symbols.sightings.write());
     for (const SyntaxId side : sides) sight_faces(syntax_, side, names);
     sight_indices(syntax_, sides, names);
     return sides;

@@ -16,7 +16,7 @@ struct Side {
   Names names;
 
   explicit Side(const std::string& text) : stretch(text), root(parse_side(stretch.tokens, {}, tree)) {
-    sight_sums(tree, root, names.sightings);
+    sight_sums(tree, root, names.symbols.sightings.write());
     sight_faces(tree, root, names);
     sight_indices(tree, {root}, names);
   }
@@ -27,7 +27,7 @@ struct Side {
 /// The base, the axes and the particles of one written symbol: `r_{\text{cm}} [i] [\alpha]`.
 std::string apart(const std::string& text, const std::string& summed = "") {
   Side side(text);
-  if (!summed.empty()) side.names.sightings.summed_greek.insert(summed);
+  if (!summed.empty()) side.names.symbols.sightings.write().summed_greek.insert(summed);
   const WrittenName name = take_apart(side.tree.symbol(side.root), side.letters(), side.names);
   return name.base + " " + dump_indices(name.axes) + " " + dump_indices(name.particles);
 }
@@ -142,7 +142,7 @@ TEST_CASE("x, y and z are the axes") {
 
 TEST_CASE("a file remembers what was bold, indexed, summed over and crossed") {
   const Side side("\\sum_\\alpha\\mathbf{r}_\\alpha\\times\\mathbf{v}_1 + I_{ij} + \\boldsymbol{\\omega}_i");
-  const Sightings& sightings = side.names.sightings;
+  const Sightings& sightings = *side.names.symbols.sightings;
   CHECK(sightings.summed_greek == std::set<std::string>{"\\alpha"});
   CHECK(sightings.bold == std::set<std::pair<std::string, bool>>{{"r", true}, {"v_{1}", false}});
   CHECK(sightings.bold_indexed == std::set<std::string>{"\\omega"});

@@ -13,10 +13,10 @@ std::string ranks_of(const std::string& text, const Evidence& evidence = {}) {
   Stretch stretch(text);
   SyntaxTree syntax;
   Names names;
-  names.evidence = evidence;
+  names.symbols.evidence = Shared(evidence);
   const Tokens side = stretch.side();
   const SyntaxId root = parse_side(side, span_of(side), syntax);
-  see_kinds(syntax, root, names.evidence);
+  see_kinds(syntax, root, names.symbols.evidence.write());
   std::vector<OpenPart> open;
   const RankSet ranks = possible_ranks(syntax, root, read_letters(syntax, {root}, names), names, open);
   std::string digits;

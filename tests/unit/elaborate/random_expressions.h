@@ -42,7 +42,7 @@ class RandomExpressions {
     return page.tree.add(node, all, at);
   }
   ExprId symbol(const NameKey& key, int rank, std::initializer_list<Slot> slots = {}) {
-    ExprNode node{.op = Op::symbol, .symbol = *page.names.find(key)};
+    ExprNode node{.op = Op::symbol, .symbol = *find_symbol(page.names.symbols, key)};
     if (key.per_particle) node.particle = particles_.back();
     return add(Op::symbol, rank, {}, slots, node);
   }

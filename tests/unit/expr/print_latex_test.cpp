@@ -57,8 +57,8 @@ TEST_CASE("a bound letter that stands for something else in scope is renamed") {
   Statements page = vectors();
   const IndexId free = page.tree.add_index("i");
   const IndexId bound = page.tree.add_index("i");
-  const SymbolId a = *page.names.find({"A", 1, false});
-  const SymbolId b = *page.names.find({"B", 1, false});
+  const SymbolId a = *find_symbol(page.names.symbols, {"A", 1, false});
+  const SymbolId b = *find_symbol(page.names.symbols, {"B", 1, false});
   const auto at = [&](SymbolId symbol, IndexId index) {
     const Slot slot{0, index};
     return page.tree.add({.op = Op::symbol, .symbol = symbol}, {}, std::span(&slot, 1));
@@ -72,7 +72,7 @@ TEST_CASE("a bound letter that stands for something else in scope is renamed") {
 
 TEST_CASE("the notation of the notes is kept") {
   Statements page = vectors();
-  const SymbolId a = *page.names.find({"A", 1, false});
+  const SymbolId a = *find_symbol(page.names.symbols, {"A", 1, false});
   Notation notation;
   notation.epsilon = "\\epsilon";
   notation.number_fraction = "\\tfrac";

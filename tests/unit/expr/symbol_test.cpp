@@ -17,6 +17,13 @@ TEST_CASE("a symbol is found by the id that it was given", "[expr]") {
   CHECK(symbols[a].declared);
 }
 
+TEST_CASE("a symbol stays where it is while others are added", "[expr]") {
+  SymbolTable symbols;
+  const Symbol& first = symbols[symbols.add({.name = "A"})];
+  for (int k = 0; k < 1000; ++k) symbols.add({.name = "B"});
+  CHECK(&first == &symbols[SymbolId{0}]);
+}
+
 TEST_CASE("only a tensor of rank 2 is symmetric, only a vector has length 1", "[expr]") {
   SymbolTable symbols;
   CHECK_THROWS_AS(symbols.add({.name = "A", .rank = 1, .symmetric = true}), InternalError);
@@ -77,4 +84,12 @@ TEST_CASE("orders do not wrap", "[expr]") {
   CHECK_FALSE(symbols.find({.base = a, .time = 301}));
   for (int k = 300; k < largest_derivation; ++k) high = symbols.derivative(high, By::time);
   CHECK_THROWS_AS(symbols.derivative(high, By::time), InternalError);
+}
+
+TEST_CASE("a symmetric tensor of the plane has three numbers of its own", "[expr]") {
+  const Symbol symbol{.name = "S", .rank = 2, .symmetric = true, .axes = AxisSpaces::of({2, 1}, 2)};
+  CHECK(component_count(symbol) == 4);
+  CHECK(canonical_component(symbol, 1) == 1);
+  CHECK(canonical_component(symbol, 2) == 1);
+  CHECK(canonical_component(symbol, 3) == 3);
 }

@@ -87,3 +87,41 @@ TEST_CASE("a literal zero is known as such", "[expr]") {
   CHECK_FALSE(page.tree.is_zero_literal(page.number("10").id));
   CHECK_FALSE(page.tree.is_zero_literal(static_cast<Term>(page.scalar("s")).id));
 }
+
+TEST_CASE("the axes of a value follow from what it is made of", "[expr]") {
+  constexpr Space plane{2, 1};
+  ExprTree tree;
+  const SymbolId a = tree.symbols.add({.name = "a", .rank = 1, .axes = AxisSpaces::of(plane, 1)});
+  const SymbolId b = tree.symbols.add({.name = "b", .rank = 1});
+  const ExprId flat = tree.add({.op = Op::symbol, .rank = 1, .symbol = a});
+  const ExprId common = tree.add({.op = Op::symbol, .rank = 1, .symbol = b});
+  CHECK(component_count(tree[flat]) == 2);
+  CHECK(component_count(tree[common]) == 3);
+  const ExprId factors[] = {flat, common};
+  const ExprId dyad = tree.add({.op = Op::multiply, .rank = 2}, factors);
+  CHECK(component_count(tree[dyad]) == 6);
+  CHECK(tree[dyad].axes[0] == plane);
+  CHECK(tree[dyad].axes[1] == common_space);
+  const ExprId contracted[] = {dyad, common};
+  CHECK(tree[tree.add({.op = Op::dot, .rank = 1}, contracted)].axes[0] == plane);
+  CHECK(is_of_common_space(tree, common));
+  CHECK_FALSE(is_of_common_space(tree, dyad));
+}
+
+TEST_CASE("values of different spaces are neither added nor multiplied into each other", "[expr]") {
+  constexpr Space plane{2, 1};
+  ExprTree tree;
+  const SymbolId a = tree.symbols.add({.name = "a", .rank = 1, .axes = AxisSpaces::of(plane, 1)});
+  const SymbolId b = tree.symbols.add({.name = "b", .rank = 1});
+  const ExprId flat = tree.add({.op = Op::symbol, .rank = 1, .symbol = a});
+  const ExprId common = tree.add({.op = Op::symbol, .rank = 1, .symbol = b});
+  const ExprId both[] = {flat, common};
+  CHECK_THROWS_AS(tree.add({.op = Op::add, .rank = 1}, both), InternalError);
+  CHECK_THROWS_AS(tree.add({.op = Op::dot}, both), InternalError);
+  const ExprId twice[] = {flat, flat};
+  CHECK_THROWS_AS(tree.add({.op = Op::cross, .rank = 1}, twice), InternalError);
+  const Slot third{3, {}};
+  CHECK_THROWS_AS(tree.add({.op = Op::symbol, .symbol = a}, {}, std::span(&third, 1)), InternalError);
+  const Slot of_common{0, tree.add_index("i")};
+  CHECK_THROWS_AS(tree.add({.op = Op::symbol, .symbol = a}, {}, std::span(&of_common, 1)), InternalError);
+}

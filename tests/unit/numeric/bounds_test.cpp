@@ -5,9 +5,9 @@
 #include <random>
 
 #include "catch.h"
-#include "numeric/measure/reference.h"
 #include "numeric/on_sample.h"
 #include "numeric/random_forms.h"
+#include "numeric/rounded_reference.h"
 
 using namespace rigor;
 using namespace rigor::build;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "numeric/body/body_letters.h"
 #include "report/wording/advice.h"

@@ -10,10 +10,10 @@
 
 #include "catch.h"
 #include "numeric/measure/bounds.h"
-#include "numeric/measure/reference.h"
 #include "numeric/on_sample.h"
 #include "numeric/program/code.h"
 #include "numeric/random_forms.h"
+#include "numeric/rounded_reference.h"
 #include "numeric/run/run_samples.h"
 
 using namespace rigor;

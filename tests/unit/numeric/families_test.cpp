@@ -242,20 +242,12 @@ TEST_CASE("a family applies where there is something that it is about") {
   CHECK(applies_to(FamilyKind::thin_axis, {letters.a}, &rod));
 }
 
-TEST_CASE("families are read by their names, which are all different, and each has a line") {
+TEST_CASE("the names of families are all different, and each has a line") {
   std::set<std::string> names;
   for (const InputFamily& family : input_families()) {
     CHECK(names.insert(name_of(family)).second);
-    CHECK(read_family(name_of(family)) == family);
     CHECK_FALSE(description_of(family.kind).empty());
   }
-  CHECK(read_family("angle 0.5") == InputFamily{FamilyKind::angle, 0.5});
-  CHECK(read_family("angel 1e-8").error().reason ==
-        "there is no family `angel 1e-8` of inputs; did you mean `angle`?");
-  CHECK(read_family("gap").error().reason == "`gap` needs a positive size, as in `gap 1e-8`");
-  CHECK(read_family("gap -1").error().reason == "`gap` needs a positive size, as in `gap 1e-8`");
-  CHECK(read_family("angle nan").error().reason == "`angle` needs a positive size, as in `angle 1e-8`");
-  CHECK(read_family("").error().reason == "there is no family `` of inputs");
 }
 
 }  // namespace

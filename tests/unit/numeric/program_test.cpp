@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/program/program.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "catch.h"
 #include "numeric/on_sample.h"
+#include "numeric/program/code.h"
 
 using namespace rigor;
 using namespace rigor::build;
@@ -155,8 +159,76 @@ namespace {
   return program ? std::string() : program.error().reason;
 }
 
+[[nodiscard]] std::string_view symbol_of(Instruction op) {
+  switch (op) {
+    case Instruction::add:
+      return "+";
+    case Instruction::subtract:
+    case Instruction::negate:
+      return "-";
+    case Instruction::multiply:
+      return "*";
+    case Instruction::divide:
+      return "/";
+    case Instruction::root:
+      return "root";
+    case Instruction::absolute:
+      return "abs";
+    case Instruction::sin:
+      return "sin";
+    case Instruction::cos:
+      return "cos";
+    case Instruction::exp:
+      return "exp";
+    case Instruction::sum:
+      return "sum";
+    case Instruction::constant:
+    case Instruction::input:
+      break;
+  }
+  return "";
+}
+
+/// `%12` (by `number`), `0.5`, `I[1]{p1}`: component 1 for the particle of level 1; `{f0}` is a free
+/// particle.
+[[nodiscard]] std::string name_of_value(const Code& code, const ExprTree& tree, ValueId id,
+                                        std::uint32_t number) {
+  const Value& value = code.values[id];
+  if (value.op == Instruction::constant) {
+    const Constant& constant = code.constants[value.a];
+    return constant.digits.empty() ? fmt::format("{}", constant.value) : constant.digits;
+  }
+  if (value.op != Instruction::input) return fmt::format("%{}", number);
+  const ProgramInput& input = code.inputs[value.a];
+  std::string name = fmt::format("{}[{}]", tree.symbols[input.symbol].name, input.component);
+  if (value.b >= InputParticle::first_free) {
+    name += fmt::format("{{f{}}}", value.b - InputParticle::first_free);
+  } else if (value.b != InputParticle::none) {
+    name += fmt::format("{{p{}}}", value.b);
+  }
+  return name;
+}
+
+/// One instruction a line.
 [[nodiscard]] std::string listing(const Page& page, const Term& term) {
-  return compiled(page, term).listing(page.tree);
+  const Program program = compiled(page, term);
+  const Code& code = program.code();
+  std::string text;
+  std::vector<std::uint32_t> number(code.values.size(), 0);
+  std::uint32_t last = 0;
+  const auto name = [&](ValueId id) { return name_of_value(code, page.tree, id, number[id]); };
+  for (ValueId id = 0; id < number.size(); ++id) {
+    const Value& value = code.values[id];
+    if (!has_operands(value.op)) continue;
+    number[id] = ++last;
+    text += fmt::format("{} = {}", name(id), symbol_of(value.op));
+    if (value.op == Instruction::sum) text += fmt::format(" over p{}", value.level);
+    text += " " + name(value.a);
+    if (has_second_operand(value.op)) text += " " + name(value.b);
+    text += "\n";
+  }
+  for (const ValueId id : code.outputs) text += fmt::format("result {}\n", name(id));
+  return text;
 }
 
 }  // namespace
@@ -236,7 +308,8 @@ TEST_CASE("a program for a form takes few registers", "[numeric]") {
   Page page;
   const Named a = page.vector("A");
   const Named b = page.vector("B");
-  CHECK(compiled(page, squared(cross(a, b))).counts().registers == 3);
+  const Plan plan = make_plan(compiled(page, squared(cross(a, b))).code(), Lanes::samples);
+  CHECK(plan.wide_registers + plan.narrow_registers == 3);
 }
 
 TEST_CASE("a program asks only for the inputs that its results depend on", "[numeric]") {

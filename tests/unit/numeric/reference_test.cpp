@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "numeric/on_sample.h"
+#include "numeric/rounded_reference.h"
 
 using namespace rigor;
 using namespace rigor::build;

@@ -3,7 +3,7 @@
 
 #include "base/md5.h"
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 
 namespace rigor {
 namespace {

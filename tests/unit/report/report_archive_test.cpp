@@ -2,7 +2,7 @@
 #include "report/data/report_archive.h"
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 #include "hostile_report.h"
 #include "report/data/json.h"
 #include "report/text/terminal.h"

@@ -2,7 +2,7 @@
 #include "report/page/shown_notes.h"
 
 #include "catch.h"
-#include "check/walk/check.h"
+#include "check/entry/check.h"
 
 namespace rigor {
 

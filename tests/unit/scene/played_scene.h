@@ -7,6 +7,7 @@
 #include <string>
 
 #include "catch.h"
+#include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "numeric/body/body.h"
 #include "scene/file/body_file.h"

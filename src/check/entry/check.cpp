@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/entry/check.h"
+#include "check/entry/read_forms.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "check/event/notes.h"
+#include "check/form/forms.h"
+#include "check/form/written_forms_of_notes.h"
+#include "check/question/decision_cache.h"
+#include "check/review/review.h"
+#include "check/walk/walk.h"
+#include "source/read_file.h"
+
+namespace rigor {
+namespace {
+
+FileReport unreadable(SourceMap& sources, const std::string& path, const std::string& reason) {
+  FileReport report;
+  report.path = path;
+  report.file = sources.add(path, "");
+  report.unreadable = true;
+  report.diagnostics.push_back({DiagnosticKind::unreadable_file, {report.file, 0, 0}, reason});
+  return report;
+}
+
+struct Sidecar {
+  std::string path;
+  std::string refused = {};  // why it is not read
+};
+
+/// Nobody named a sidecar that is found beside the notes. A link could show any file's lines in diagnostics.
+std::string refusal(const std::filesystem::path& sidecar) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder =
+      fs::canonical(sidecar.has_parent_path() ? sidecar.parent_path() : fs::path("."), error);
+  const fs::path real = fs::weakly_canonical(sidecar, error);
+  const fs::path relative = real.lexically_relative(folder);
+  const char* const named = "a sidecar beside the notes";
+  if (error || relative.empty() || *relative.begin() == "..")
+    return fmt::format("{} must lie in their folder, and this link leads out of it", named);
+  if (!fs::is_regular_file(real, error)) return fmt::format("{} must be a regular file", named);
+  return {};
+}
+
+/// The named sidecar, or the one beside the notes if there is one.
+std::optional<Sidecar> find_sidecar(const std::string& notes, const CheckOptions& options) {
+  if (options.sidecar) return Sidecar{*options.sidecar};
+  if (notes.empty()) return std::nullopt;
+  std::filesystem::path beside(notes);
+  beside.replace_extension(".rigor");
+  std::error_code error;
+  const bool there =
+      beside.string() != notes && std::filesystem::exists(std::filesystem::symlink_status(beside, error));
+  return there ? std::optional(Sidecar{beside.string(), refusal(beside)}) : std::nullopt;
+}
+
+/// Reads and decides the notes, and then looks at the ledger; with a request, also for what that asks for.
+FormsReading decide_notes(SourceMap& sources, const Notes& notes, FileReport& report, CheckOptions options,
+                          const FormRequest* request) {
+  DecisionCache counting;
+  if (options.cache == nullptr) options.cache = &counting;
+  WalkRequest wanted{.explains = request != nullptr};
+  ExprTree apart;
+  Names beginning;
+  if (request != nullptr) beginning = names_at_beginning(sources, notes, apart);
+  if (request != nullptr && request->only)
+    wanted.only = chains_of_request(*request, notes, beginning, report.diagnostics);
+  Ledger ledger = walk_through(sources, notes, report, options, std::move(wanted));
+  suggest_repairs(ledger, notes, options, report);
+  FormsReading reading;
+  if (request != nullptr)
+    reading = written_forms_of_notes(ledger, *request, notes, beginning, sources, report);
+  if (request == nullptr || !request->only) review(ledger, notes, sources, report);
+  reading.forms.tree = std::move(ledger.tree);
+  return reading;
+}
+
+FormsReading read_text(SourceMap& sources, const std::string& path, std::string text,
+                       const CheckOptions& options, const FormRequest* request) {
+  FileReport report;
+  report.path = path;
+  std::optional<FileId> sidecar;
+  if (const auto beside = find_sidecar(path, options)) {
+    if (!beside->refused.empty()) return {.report = unreadable(sources, beside->path, beside->refused)};
+    auto content = read_file(beside->path);
+    if (!content) return {.report = unreadable(sources, beside->path, content.error().reason)};
+    report.sidecar = beside->path;
+    Diagnostics mended = mend_text(*content, 0);
+    sidecar = sources.add(beside->path, std::move(*content));
+    for (Diagnostic& diagnostic : mended) diagnostic.span.file = *sidecar;
+    report.diagnostics = std::move(mended);
+  }
+  Diagnostics mended = mend_text(text, 0);
+  report.file = sources.add(path, std::move(text));
+  for (Diagnostic& diagnostic : mended) diagnostic.span.file = report.file;
+  report.diagnostics.insert(report.diagnostics.end(), mended.begin(), mended.end());
+  std::vector<FileId> asked;
+  if (request != nullptr) {
+    for (const std::string& expression : request->asked)
+      asked.push_back(sources.add("what is asked", expression));
+  }
+  std::optional<AddedStatement> added;
+  if (request != nullptr && request->statement)
+    added = AddedStatement{sources.add("statement", *request->statement), request->at};
+  const Notes notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics,
+                                 asked, added ? &*added : nullptr);
+  for (const Event& event : notes.events) {
+    if (const auto* display = std::get_if<ParsedDisplay>(&event)) report.displays.push_back(display->span);
+  }
+  FormsReading reading = decide_notes(sources, notes, report, options, request);
+  if (report.steps.empty() && report.diagnostics.empty() && (request == nullptr || !request->only)) {
+    report.diagnostics.push_back(
+        {DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});
+  }
+  reading.report = std::move(report);
+  reading.asked = std::move(asked);
+  if (added) reading.statement = added->text;
+  return reading;
+}
+
+}  // namespace
+
+FileReport check_text(SourceMap& sources, const std::string& path, std::string text,
+                      const CheckOptions& options) {
+  return read_text(sources, path, std::move(text), options, nullptr).report;
+}
+
+FormsReading read_forms_of_text(SourceMap& sources, const std::string& path, std::string text,
+                                const FormRequest& request) {
+  CheckOptions options{.sidecar = request.sidecar};
+  options.repairs = Repairs::none;
+  return read_text(sources, path, std::move(text), options, &request);
+}
+
+FormsReading read_forms(SourceMap& sources, const std::string& path, const FormRequest& request) {
+  auto text = read_file(path);
+  if (!text) return {.report = unreadable(sources, path, text.error().reason)};
+  return read_forms_of_text(sources, path, std::move(*text), request);
+}
+
+FileReport check_file(SourceMap& sources, const std::string& path, const CheckOptions& options) {
+  auto text = read_file(path);
+  if (!text) return unreadable(sources, path, text.error().reason);
+  return check_text(sources, path, std::move(*text), options);
+}
+
+}  // namespace rigor

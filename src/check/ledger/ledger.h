@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The notes as they were read and decided, in their order. Lints, dimensions, repairs and forms read it when
+// the walk is over: each entry keeps the scope that it stands in, so that nothing later in the notes changes
+// what they find.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "check/event/notes.h"
+#include "elaborate/name/names.h"
+#include "elaborate/reading/typed.h"
+#include "expr/statement/written_forms.h"
+#include "expr/tree/tree.h"
+
+namespace rigor {
+
+/// How a statement comes into the notes: as a claim of theirs, or by a directive.
+enum class Role : std::uint8_t { display, claim, given, let };
+
+[[nodiscard]] inline bool is_claimed(Role role) { return role == Role::display || role == Role::claim; }
+
+/// One chain, and the steps that were made of it.
+struct Statement {
+  const ParsedChain* chain = nullptr;  // as it is read: of the notes, or of the ledger
+  std::size_t event = 0;               // of the notes
+  Role role = Role::display;
+  bool first_order = false;  // `=` means ≈
+  bool for_now = false;      // said by a `where`: for the next statement only
+  bool guessed = false;      // how its letters are read is only a guess
+  std::vector<std::optional<Typed>> sides = {};
+  std::size_t first_step = 0;  // in the report
+  std::size_t step_count = 0;
+  std::vector<WrittenStep> asked = {};  // of each relation, if it is wanted: what the exact side was asked
+
+  /// Has it one reading?
+  [[nodiscard]] bool is_settled() const { return chain->others.empty(); }
+};
+
+/// `units`, of one symbol.
+struct UnitLine {
+  ExprId symbol{};
+  Dimension dimension;
+  Span span;
+  std::size_t directive = 0;
+};
+
+/// `frame … rotates with …`
+struct FrameLine {
+  ExprId angular_velocity{};
+};
+
+struct SectionBegins {};
+
+/// What was said for one statement holds no longer.
+struct StatementEnds {};
+
+struct LedgerEntry {
+  std::shared_ptr<const Names> scope;  // behind it
+  std::variant<Statement, UnitLine, FrameLine, SectionBegins, StatementEnds> what;
+};
+
+struct Ledger {
+  ExprTree tree;
+  std::vector<LedgerEntry> entries;
+  std::vector<std::shared_ptr<const Names>> behind_events;  // the scope behind each event
+  std::shared_ptr<const Names> end;                         // and where the notes end
+  std::deque<ParsedChain> chains;           // those that are not of the notes: with fewer readings
+  Directives used;                          // by what was read and decided
+  std::map<SymbolId, bool> mirrored;        // declared polar (true) or axial
+  std::vector<const Directive*> unmatched;  // no statement came before the end of their section
+  std::size_t passed_over = 0;              // chains that are not needed
+};
+
+}  // namespace rigor

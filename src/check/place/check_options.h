@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a check is asked for, and what it may use.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "algebra/engine/budget.h"
+#include "check/step/recorded.h"
+
+namespace rigor {
+
+class DecisionCache;
+
+/// Of which wrong steps the nearest true statements and missing conditions are looked for.
+enum class Repairs : std::uint8_t { none, of_unexpected, of_all };
+
+struct CheckOptions {
+  std::optional<std::string> sidecar = {};  // without it, `NAME.rigor` beside the notes, if there is one
+  std::function<void(std::size_t done, std::size_t all)> progress = {};  // called after each display
+  Repairs repairs = Repairs::of_unexpected;
+  RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
+  DecisionCache* cache = nullptr;     // decisions of earlier runs; none: they are only counted
+  std::uint64_t effort = default_effort;  // for each step, and again for what helps where it is wrong
+};
+
+}  // namespace rigor

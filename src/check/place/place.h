@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A place of the notes at which a row is decided: what holds there, and what stands around it. Deciding
+// brings nothing into scope: names are a copy, so that what is read besides the row is known to this decision
+// only, and what a decision makes use of is part of its answer.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/doubt/borrowed.h"
+#include "check/event/notes.h"
+#include "check/ledger/ledger.h"
+#include "check/place/check_options.h"
+#include "check/verdict/chain_reading.h"
+#include "check/verdict/judge.h"
+
+namespace rigor {
+
+using Side = ChainReading::Side;
+
+/// What rows and directives leave for the rows below them.
+struct SaidAbove {
+  std::vector<UseDirective> uses = {};
+  std::vector<Fact> laws = {};                                 // and definitions behind their first use
+  std::vector<std::pair<std::size_t, Span>> unread_rows = {};  // where, and what: relations such as `\perp`
+};
+
+struct RowPlace {
+  const SourceMap& sources;
+  const Notes& notes;
+  const CheckOptions& options;
+  const SaidAbove& above;
+  ExprTree& tree;  // grows by what is read and asked
+  Names names;
+  std::string section;      // its title
+  std::size_t event = 0;    // of the notes
+  bool heeds_words = true;  // what stands around a row bears on its verdict: not where its author expects one
+
+  struct Found {
+    Directives used = {};  // by what was read and decided
+    std::vector<Fact> laws = {};
+  } found = {};
+};
+
+/// One relation of a chain, as it was read.
+struct StepReading {
+  const ParsedChain& parsed;
+  std::size_t which = 0;  // of its relations
+  ChainReading& reading;
+  Role role = Role::display;
+  bool first_order = false;          // `=` means ≈
+  bool unsettled = false;            // a place of it can be read in two ways
+  RecordedStep* recorded = nullptr;  // of an earlier report
+  WrittenStep* asked = nullptr;      // where what the exact side was asked is kept, if that is wanted
+
+  [[nodiscard]] const WrittenRelation& relation() const { return parsed.written.relations[which]; }
+  [[nodiscard]] const Side& left() const { return reading.sides[which]; }
+  [[nodiscard]] const Side& right() const { return reading.sides[which + 1]; }
+};
+
+/// The chain as it is read here; what that looks up is used.
+[[nodiscard]] std::unique_ptr<ChainReading> read_here(RowPlace& place, const ParsedChain& parsed);
+/// Under what holds here; what that makes use of is used.
+[[nodiscard]] Judgement judge_here(RowPlace& place, const Claim& claim);
+inline void add_used(RowPlace& place, const Directives& used) {
+  place.found.used.insert(used.begin(), used.end());
+}
+
+[[nodiscard]] inline const ProseBeside& beside(const RowPlace& place) {
+  return place.notes.prose.beside[place.event];
+}
+/// On one line, blanks folded.
+[[nodiscard]] std::string written_at(const SourceMap& sources, Span span);
+[[nodiscard]] inline std::string written_at(const RowPlace& place, Span span) {
+  return written_at(place.sources, span);
+}
+/// Its tag, or its line.
+[[nodiscard]] std::string name_of_place(const SourceMap& sources, const ParsedChain& parsed);
+
+}  // namespace rigor

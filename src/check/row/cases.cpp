@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a definition is said for: a case, another place, or until its letter gets another meaning.
+#include "check/row/cases.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/among.h"
+#include "base/ascii.h"
+#include "check/doubt/special_definitions.h"
+#include "check/place/place.h"
+#include "check/prose/denial.h"
+#include "check/prose/restrictions.h"
+#include "check/row/surroundings.h"
+#include "check/word/prose_words.h"
+
+namespace rigor {
+
+namespace {
+
+/// A directive says what is meant here: `given I_{ij} = I_i\delta_{ij}`.
+bool is_assumed_about(const RowPlace& place, SymbolId symbol) {
+  return std::any_of(place.names.scope.assumptions->begin(), place.names.scope.assumptions->end(),
+                     [&](const NamedAssumption& each) {
+                       if (!each.origin.directive) return false;
+                       const std::vector<SymbolId> letters = symbols_in(place.tree, each.equation.left);
+                       return std::any_of(letters.begin(), letters.end(), [&](SymbolId letter) {
+                         return base_of(place.tree.symbols, letter) == symbol;
+                       });
+                     });
+}
+
+/// "In the medium $k = 2\pi n/\lambda$" below `k = 2\pi/\lambda`: the definitions of which a line of the
+/// section has another one since.
+std::vector<SymbolId> said_anew(RowPlace& place) {
+  const ProseBeside& beside = place.notes.prose.beside[place.event];
+  std::vector<SymbolId> anew;
+  for (const SaidInLine& said : place.notes.prose.said) {
+    const bool above = said.before <= place.event || said.sentence == beside.sentence;
+    if (!above || said.cue == Cue::apart || !place.notes.prose.sections.reaches(said.place, beside.place))
+      continue;
+    for (const ParsedChain& chain : said.chains) {
+      if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal ||
+          place.notes.syntax[chain.sides[0]].kind != SyntaxKind::symbol)
+        continue;
+      const auto reading = read_here(place, chain);
+      const auto& left = reading->sides[0].typed;
+      const auto& right = reading->sides[1].typed;
+      if (!left || !right || place.tree[left->id].op != Op::symbol ||
+          symbols_in(place.tree, right->id).empty())
+        continue;
+      const NamedDefinition* named = definition_of(place.names.scope, place.tree[left->id].symbol);
+      if (named == nullptr || named->origin.directive || said.before <= named->origin.event) continue;
+      if (is_assumed_about(place, named->definition.symbol)) continue;
+      Diagnostics ignored;
+      const auto claim = reading->claim(chain, 0, false, ignored);
+      if (claim && judge_here(place, *claim).verdict != Verdict::proved)
+        anew.push_back(named->definition.symbol);
+    }
+  }
+  return anew;
+}
+
+}  // namespace
+
+bool is_conditional(const RowPlace& place) {
+  const ProseBeside& beside = place.notes.prose.beside[place.event];
+  return word_that_demands(beside.lead) || word_of_a_special_case(beside.lead + " " + beside.tail);
+}
+
+bool is_of_a_case(const RowPlace& place) {
+  static constexpr std::array<std::string_view, 6> cases{"statics",      "electrostatics", "magnetostatics",
+                                                         "hydrostatics", "equilibrium",    "vacuum"};
+  const std::string heading = lowered(place.section);
+  const std::vector<std::string_view> words = words_of(heading);
+  return restriction_in_heading(heading) || word_of_a_special_heading(heading) ||
+         std::any_of(words.begin(), words.end(),
+                     [](std::string_view word) { return is_one_of(word, cases); });
+}
+
+void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {
+  if (judgement.uses.empty()) return;
+  Standpoint at = standpoint(place, parsed);
+  at.denied = denial_of(place.notes.prose, place.event);
+  at.said_anew = said_anew(place);
+  judgement = heed_cases(place.tree, place.names, claim, std::move(judgement), at, place.options.cache);
+  add_used(place, judgement.used);
+}
+
+}  // namespace rigor

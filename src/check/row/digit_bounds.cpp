@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `\sqrt{19} = 4.3`: refuted by bounds of a number that no sample gives exactly.
+#include "check/row/digit_bounds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/doubt/digits.h"
+#include "check/place/place.h"
+#include "check/question/decision_cache.h"
+#include "check/row/cases.h"
+#include "check/row/surroundings.h"
+#include "check/step/recorded.h"
+#include "check/word/prose_words.h"
+
+namespace rigor {
+namespace {
+
+constexpr const char* circle_as_letter = "`\\pi` was taken as any number";
+
+/// Where the number lies instead; nothing where the step is not refuted so.
+std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const Claim& claim,
+                                       DecisionCache* cache) {
+  if (claim.nearly || claim.doubt != nullptr || claim.equation.relation != Relation::equal)
+    return std::nullopt;
+  if (const auto guess = guess_of(*claim.reading); guess && guess->message != circle_as_letter)
+    return std::nullopt;
+  const auto is_own = [&](ExprId side) {
+    const std::vector<SymbolId> symbols = symbols_in(tree, side);
+    return std::all_of(symbols.begin(), symbols.end(),
+                       [&](SymbolId symbol) { return is_circle_number(tree, names, symbol); });
+  };
+  if (!is_own(claim.equation.left) || !is_own(claim.equation.right)) return std::nullopt;
+  const auto compared = agreement_of_digits(tree, names, claim, cache);
+  if (!compared || compared->agreement != Agreement::differs || compared->bound.empty()) return std::nullopt;
+  const auto digits = [&](ExprId side) -> std::optional<std::string> {
+    if (tree[side].op != Op::number) return std::nullopt;
+    return tree.digits(side);
+  };
+  Counterexample example;
+  example.left = digits(claim.equation.left).value_or(compared->bound);
+  example.right = digits(claim.equation.right).value_or(compared->bound);
+  return example;
+}
+
+}  // namespace
+
+void refute_by_digits(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {
+  const bool open = judgement.verdict == Verdict::undecided || judgement.verdict == Verdict::not_understood;
+  if (!open || is_conditional(place) || is_alternative(place, parsed)) return;
+  auto example = bound_of(place.tree, place.names, claim, place.options.cache);
+  if (!example) return;
+  judgement.verdict = Verdict::refuted;
+  judgement.route = "by bounds";
+  judgement.diagnostics = {{DiagnosticKind::refuted,
+                            claim.relation,
+                            fmt::format("the sides differ in the digits shown: left is {}, right is {}",
+                                        example->left, example->right),
+                            {{claim.left, ""}, {claim.right, ""}}}};
+  judgement.counterexample = std::move(example);
+}
+
+bool replay_by_digits(RowPlace& place, const Claim& claim, Step& step) {
+  const Counterexample& recorded = claim.recorded->example;
+  const auto is_bound = [](const std::string& text) {
+    return text.starts_with("less than ") || text.starts_with("more than ");
+  };
+  if (!recorded.values.empty() || (!is_bound(recorded.left) && !is_bound(recorded.right))) return false;
+  const auto example = bound_of(place.tree, place.names, claim, place.options.cache);
+  claim.recorded->replayed = true;
+  if (!example || example->left != recorded.left || example->right != recorded.right) {
+    claim.recorded->fault = "the bounds of the sides are other ones";
+    return true;
+  }
+  step.verdict = Verdict::refuted;
+  step.counterexample = example;
+  return true;
+}
+
+}  // namespace rigor

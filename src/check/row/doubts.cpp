@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What else a refuted step may mean: a condition that its words say, an equation for its letters, another
+// constant of integration, terms that an average drops.
+#include "check/row/doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/doubt/equation_of_letters.h"
+#include "check/place/place.h"
+#include "check/prose/open_words.h"
+#include "check/repair/free_constant.h"
+#include "check/repair/missing_condition.h"
+
+namespace rigor {
+namespace {
+
+bool has_slip(const std::vector<Repair>& repairs) {
+  return std::any_of(repairs.begin(), repairs.end(),
+                     [](const Repair& repair) { return !repair.adds_a_term; });
+}
+
+/// An integral sign up to here, or a word of what is integrated or solved.
+bool speaks_of_integration(const RowPlace& place) {
+  const ProseBeside& beside = place.notes.prose.beside[place.event];
+  for (std::size_t k = 0; k <= place.event; ++k) {
+    if (!place.notes.prose.sections.reaches(place.notes.prose.beside[k].place, beside.place)) continue;
+    const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[k]);
+    if (display == nullptr) continue;
+    for (const ParsedChain& chain : display->chains) {
+      if (place.sources.text(chain.written.span).find("\\int") != std::string_view::npos) return true;
+    }
+  }
+  const auto says = [](std::string_view text) {
+    return text.find("integrat") != std::string_view::npos ||
+           text.find("antiderivative") != std::string_view::npos ||
+           text.find("primitive") != std::string_view::npos ||
+           text.find("general solution") != std::string_view::npos ||
+           text.find("differential equation") != std::string_view::npos ||
+           text.find("integral") != std::string_view::npos;
+  };
+  if (says(beside.lead) || says(beside.tail)) return true;
+  return std::any_of(place.notes.prose.sentences.begin(), place.notes.prose.sentences.end(),
+                     [&](const ProseSentence& each) {
+                       return each.number < beside.sentence &&
+                              place.notes.prose.sections.reaches(each.place, beside.place) && says(each.text);
+                     });
+}
+
+}  // namespace
+
+std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place, const StepReading& row,
+                                                              const Claim& claim) {
+  using Doubt = std::pair<std::string, std::string>;
+  const WrongStep wrong{.parsed = row.parsed, .which = row.which, .first_order = row.first_order};
+  const std::string_view lead = place.notes.prose.beside[place.event].lead;
+  std::optional<std::vector<Repair>> known;
+  const auto repairs = [&]() -> const std::vector<Repair>& {
+    if (!known) known = nearest_true_statements(place.tree, place.names, wrong, place.options.cache);
+    return *known;
+  };
+  const auto word = open_word(place.notes.prose, place.event);
+  const std::vector<std::string> conditions =
+      missing_conditions(place.tree, place.names, wrong, place.options.cache);
+  const auto weights = std::find_if(conditions.begin(), conditions.end(), is_sum_of_weights);
+  if (!conditions.empty() && (word || weights != conditions.end()) && !has_slip(repairs())) {
+    if (word)
+      return Doubt(
+          fmt::format("it does not hold for all values; it holds if `{}`, and `{}` beside it may say so",
+                      conditions.front(), *word),
+          "`rigor: given …` says so, `rigor: claim …` states it without");
+    return Doubt(fmt::format("it does not hold for all values; it holds if `{}`", *weights),
+                 "`rigor: given …` says so, `rigor: claim …` states it without");
+  }
+  if (const auto dropped = word_of_dropped_terms(place.notes.prose, place.event);
+      dropped && !has_slip(repairs()))
+    return Doubt(fmt::format("it does not hold for all values, and `{}` beside it may say which terms vanish",
+                             *dropped),
+                 "`rigor: claim …` states it for itself");
+  if (speaks_of_integration(place)) {
+    if (const auto letter = absorbing_constant(place.tree, place.names, wrong, place.options.cache))
+      return Doubt(
+          fmt::format("it holds with another constant `{}` on the right, and constants of integration "
+                      "absorb numbers and factors",
+                      *letter),
+          "another letter for the second constant says so, `rigor: claim …` states it as it stands");
+  }
+  if (row.which == 0 && row.parsed.written.relations.size() == 1 &&
+      may_be_an_equation_of_letters(place.tree, claim.equation) && !announces_an_identity(lead) &&
+      (names_an_equation_of_letters(lead) ||
+       (!reads_as_identity(place.tree, claim.equation) && repairs().empty())))
+    return Doubt(
+        "it does not hold for all values, no slip of the pen explains it, and it may say which values are "
+        "meant",
+        "`rigor: claim …` states it for all, and so does `hence` or `identity` in its sentence");
+  return std::nullopt;
+}
+
+}  // namespace rigor

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A chain with places that can be read in two ways. A reading that is malformed is none; if several are left,
+// a step is proved where all of them prove it, and refuted where all of them refute it.
+#include "check/row/readings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/doubt/row_doubts.h"
+#include "check/place/place.h"
+#include "check/row/readings.h"
+#include "check/row/row.h"
+
+namespace rigor {
+namespace {
+
+/// Bars, a slash, or where the argument of a function ends.
+char notation_of(const Choice& choice) {
+  if (choice.first.starts_with("\\frac{")) return '/';
+  return choice.first.starts_with("(") ? '|' : 'f';
+}
+
+/// Who writes one notation twice in a row means it in one way.
+bool is_one_notation(const std::vector<Choice>& choices) {
+  return std::all_of(choices.begin(), choices.end(), [&](const Choice& choice) {
+    return notation_of(choice) == notation_of(choices.front());
+  });
+}
+
+/// Is it certain that the chain is malformed in this reading?
+bool is_nonsense(RowPlace& place, const ParsedChain& parsed, const std::vector<SyntaxId>& sides) {
+  ParsedChain chain = parsed;
+  chain.sides = sides;
+  const auto reading = read_here(place, chain);
+  for (std::size_t which = 0; which < chain.written.relations.size(); ++which) {
+    Diagnostics found = reading->sides[which].diagnostics;
+    const Diagnostics& right = reading->sides[which + 1].diagnostics;
+    found.insert(found.end(), right.begin(), right.end());
+    if (reading->sides[which].typed && reading->sides[which + 1].typed)
+      static_cast<void>(reading->claim(chain, which, false, found));
+    doubt_errors(place.notes.syntax, place.names, chain, which, found);
+    const bool wrong = std::any_of(found.begin(), found.end(),
+                                   [](const Diagnostic& each) { return is_malformation(each.kind); });
+    if (wrong) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Diagnostic two_readings(const ParsedChain& parsed) {
+  const Choice& choice = parsed.choices.front();
+  return {DiagnosticKind::ambiguous_reading,
+          choice.span,
+          fmt::format("this can be `{}` or `{}`", choice.first, choice.second),
+          {},
+          {"put brackets where the argument ends"}};
+}
+
+ParsedChain sensible_readings(RowPlace& place, const ParsedChain& parsed) {
+  std::vector<std::vector<SyntaxId>> sensible;
+  if (!is_nonsense(place, parsed, parsed.sides)) sensible.push_back(parsed.sides);
+  for (const std::vector<SyntaxId>& other : parsed.others) {
+    if (!is_nonsense(place, parsed, other)) sensible.push_back(other);
+  }
+  ParsedChain chain = parsed;
+  chain.others.clear();
+  if (!sensible.empty()) {
+    chain.sides = sensible.front();
+    chain.others.assign(sensible.begin() + 1, sensible.end());
+  }
+  if (chain.others.empty()) chain.choices.clear();
+  return chain;
+}
+
+void decide_in_all_readings(RowPlace& place, const StepReading& row, const Claim& claim, Step& step) {
+  const ParsedChain& parsed = row.parsed;
+  const std::size_t which = row.which;
+  Judgement first = judge_here(place, claim);
+  constexpr std::size_t most_places = 2;  // of which all readings were tried
+  const bool uniform = is_one_notation(parsed.choices);
+  const bool all_tried = parsed.choices.size() <= most_places;
+  bool agree = first.verdict == Verdict::refuted ? all_tried : all_tried || uniform;
+  // a recorded sample belongs to the first reading; the others were looked at when it was found
+  for (const std::vector<SyntaxId>& sides : parsed.others) {
+    if (claim.recorded != nullptr || !agree) break;
+    const bool mixed = &sides != parsed.others.data();
+    if (mixed && uniform && first.verdict == Verdict::proved) break;
+    ParsedChain chain = parsed;
+    chain.sides = sides;
+    const auto reading = read_here(place, chain);
+    Diagnostics mismatches;
+    const bool typed = reading->sides[which].typed && reading->sides[which + 1].typed;
+    const auto other = typed ? reading->claim(chain, which, claim.nearly, mismatches) : std::nullopt;
+    agree = other && judge_here(place, *other).verdict == first.verdict;
+  }
+  if (agree) {
+    accept(std::move(first), step);
+    return;
+  }
+  step.verdict = Verdict::not_understood;
+  step.diagnostics.push_back(two_readings(parsed));
+  step.diagnostics.back().message += "; the readings do not have one verdict";
+}
+
+}  // namespace rigor

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `e^x = 1 + x + O(x^2)`: the sides are compared as power series, coefficient by coefficient below the order.
+// O(x^n) is a set of functions, and `=` says that the left side is in the set on the right: so the step is
+// not symmetric, and a left side with a lower order is in no smaller set.
+#include "check/row/remainders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/among.h"
+#include "check/doubt/row_doubts.h"
+#include "check/place/place.h"
+#include "check/question/decision_cache.h"
+#include "check/question/question.h"
+#include "check/row/row.h"
+#include "check/row/surroundings.h"
+#include "check/scope/definition.h"
+#include "expr/calculus/differentiate.h"
+#include "expr/calculus/power_series.h"
+
+namespace rigor {
+namespace {
+
+/// Between the coefficients of one power.
+struct SeriesEquation {
+  int order = 0;
+  Equation equation;
+};
+
+constexpr int most_poles = 4;  // x^4 may divide
+
+/// As a polynomial in the symbol; more than any order where it is none.
+int degree(const ExprTree& tree, ExprId id, SymbolId symbol) {
+  constexpr int none = 1000;
+  const std::vector<SymbolId> inside = symbols_in(tree, id);
+  if (!is_one_of(symbol, inside)) return 0;
+  const ExprNode& node = tree[id];
+  int found = 0;
+  switch (node.op) {
+    case Op::symbol:
+      return 1;
+    case Op::add:
+    case Op::negate:
+    case Op::tuple:
+      for (const ExprId child : tree.children(id)) found = std::max(found, degree(tree, child, symbol));
+      return found;
+    case Op::multiply:
+    case Op::dot:
+    case Op::cross:
+      for (const ExprId child : tree.children(id)) found += degree(tree, child, symbol);
+      return std::min(found, none);
+    case Op::divide:
+      return degree(tree, tree.children(id)[1], symbol) > 0 ? none
+                                                            : degree(tree, tree.children(id)[0], symbol);
+    case Op::power:
+      return node.exponent < 0 ? none
+                               : std::min(none, node.exponent * degree(tree, tree.children(id)[0], symbol));
+    default:
+      return none;
+  }
+}
+
+/// Is the letter counted with, or can it be said to be large here?
+bool may_be_large(const RowPlace& place, const std::string& letter) {
+  const ProseBeside& beside = place.notes.prose.beside[place.event];
+  const std::string words = beside.lead + " " + beside.tail;
+  const auto says = [&](const char* word) { return words.find(word) != std::string::npos; };
+  if (letter == "n" || letter == "N" || says("infinity") || says("large") || says("asymptotic")) return true;
+  const auto grows = [&](Span span) {
+    const std::string_view text = place.sources.text(span);
+    return text.find("\\infty") != std::string_view::npos || text.find("\\gg") != std::string_view::npos;
+  };
+  const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[place.event]);
+  if (display != nullptr && grows(display->span)) return true;
+  return std::any_of(place.notes.prose.sentences.begin(), place.notes.prose.sentences.end(),
+                     [&](const auto& sentence) {
+                       return sentence.place == beside.place &&
+                              std::any_of(sentence.maths.begin(), sentence.maths.end(), grows);
+                     });
+}
+
+/// What holds of the letter alone, so that all other symbols can be held while it goes to 0.
+std::optional<Equation> with_letter_open(RowPlace& place, Equation equation, SymbolId letter) {
+  constexpr int most_rounds = 20;
+  if (definition_of(place.names.scope, letter) != nullptr) return std::nullopt;
+  const auto speaks = [&](ExprId id) {
+    std::set<SymbolId> seen;
+    std::vector<ExprId> pending{id};
+    while (!pending.empty()) {
+      const ExprId at = pending.back();
+      pending.pop_back();
+      for (const SymbolId symbol : symbols_in(place.tree, at)) {
+        if (!seen.insert(symbol).second) continue;
+        if (symbol == letter || base_of(place.tree.symbols, symbol) == letter) return true;
+        if (const NamedDefinition* named =
+                definition_of(place.names.scope, base_of(place.tree.symbols, symbol)))
+          pending.push_back(named->definition.body);
+      }
+    }
+    return false;
+  };
+  for (const NamedAssumption& assumption : *place.names.scope.assumptions) {
+    const Equation& said = assumption.equation;
+    if (said.relation != Relation::equal || (!speaks(said.left) && !speaks(said.right))) continue;
+    if (assumption.origin.directive) place.found.used.insert(*assumption.origin.directive);
+    return std::nullopt;
+  }
+  bool open = true;
+  const auto by = [&](ExprId id) -> std::optional<ExprId> {
+    const ExprNode node = place.tree[id];
+    if (node.symbol == letter) return std::nullopt;
+    const NamedDefinition* named = definition_of(place.names.scope, node.symbol);
+    const bool derived = place.tree.symbols[node.symbol].derivation.has_value();
+    if (named == nullptr && (!derived || !speaks(id))) return std::nullopt;
+    if (named != nullptr && !speaks(named->definition.body)) return std::nullopt;
+    const bool plain = named != nullptr && named->definition.indices.empty() &&
+                       named->definition.particle == no_particle && !named->definition.by_square;
+    open = open && plain;
+    if (!plain) return std::nullopt;
+    const std::vector<Slot> slots(place.tree.slots(id).begin(), place.tree.slots(id).end());
+    return component_of(place.tree, named->definition.body, slots);
+  };
+  for (int round = 0; round < most_rounds && open; ++round) {
+    const Equation before = equation;
+    equation.left = replaced(place.tree, equation.left, by);
+    equation.right = replaced(place.tree, equation.right, by);
+    if (equation.left == before.left && equation.right == before.right)
+      return open ? std::optional(equation) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// The equations between the coefficients of powers below `power`; nothing where a side has no expansion.
+std::optional<std::vector<SeriesEquation>> coefficients(RowPlace& place, const Equation& equation,
+                                                        SymbolId letter, int power) {
+  const auto is_zero = [&](ExprId term) -> std::optional<bool> {
+    const Equation zero{.left = term, .right = place.tree.add_number(place.tree[term].span, "0")};
+    const Prepared prepared = prepare(place.tree, place.names, zero);
+    if (prepared.too_large) return std::nullopt;
+    const Decision decision = decide(place.options.cache, prepared.question, {.simplest_sample = false});
+    if (decision.outcome == Outcome::undecided) return std::nullopt;
+    return decision.outcome == Outcome::proved;
+  };
+  PowerSeriesExpansion expansion(place.tree, letter, power + most_poles, is_zero);
+  const auto left = expansion.of(equation.left);
+  const auto right = expansion.of(equation.right);
+  if (!left || !right || std::min(left->end(), right->end()) < power) return std::nullopt;
+  std::vector<SeriesEquation> all;
+  const auto at = [&](const PowerSeries& series, ExprId like, int order) {
+    const int index = order - series.first;
+    if (index >= 0) {
+      if (const auto& term = series.terms[static_cast<std::size_t>(index)]) return *term;
+    }
+    return zero_of_rank(place.tree, place.tree[like].span, place.tree[like].rank, place.tree[like].axes);
+  };
+  for (int order = std::min(left->first, right->first); order < power; ++order) {
+    Equation each = equation;
+    each.left = at(*left, equation.left, order);
+    each.right = at(*right, equation.right, order);
+    all.push_back({order, each});
+  }
+  return all;
+}
+
+}  // namespace
+
+bool is_up_to_order(const StepReading& row) {
+  const ParsedChain& parsed = row.parsed;
+  return is_claimed(row.role) && !parsed.written.condition && row.which + 1 < parsed.remainders.size() &&
+         parsed.remainders[row.which + 1] && parsed.others.empty() &&
+         row.relation().kind == RelationKind::equal;
+}
+
+void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
+  const ParsedChain& parsed = row.parsed;
+  const std::size_t which = row.which;
+  const auto& left_end = parsed.remainders[which];
+  const auto& right_end = parsed.remainders[which + 1];
+  const WrittenRelation relation = row.relation();
+  const auto open = [&](std::string message, std::vector<std::string> help = {}) {
+    step.diagnostics.push_back(
+        {DiagnosticKind::unsupported, relation.span, std::move(message), {}, std::move(help)});
+  };
+  ParsedChain pair = parsed;
+  pair.written.sides = {parsed.written.sides[which], parsed.written.sides[which + 1]};
+  pair.written.relations = {relation};
+  pair.sides = {left_end ? left_end->rest : parsed.sides[which], right_end->rest};
+  pair.remainders.clear();
+  const auto reading = read_here(place, pair);
+  const auto letter = reading->read(right_end->letter);
+  const auto other = left_end ? reading->read(left_end->letter) : letter;
+  add_used(place, reading->used());
+  const StepReading without_orders{
+      .parsed = pair, .reading = *reading, .role = row.role, .first_order = row.first_order};
+  const Side& left = reading->sides[0];
+  const Side& right = reading->sides[1];
+  if (!letter || !other || !left.typed || !right.typed) {
+    for (const Side* side : {&left, &right})
+      step.diagnostics.insert(step.diagnostics.end(), side->diagnostics.begin(), side->diagnostics.end());
+    if (step.diagnostics.empty()) return open("the letter in `O(…)` is not read");
+    return;
+  }
+  const ExprNode node = place.tree[letter->id];
+  const bool plain = node.op == Op::symbol && node.rank == 0 && node.slot_count == 0 &&
+                     node.particle == no_particle && !place.tree.symbols[node.symbol].derivation;
+  if (!plain) return open("`O(…)` is read of a power of one letter");
+  if (place.tree[other->id].op != Op::symbol || place.tree[other->id].symbol != node.symbol ||
+      (left_end && left_end->power < right_end->power))
+    return open("the left side is not known to the order of the right side");
+  const std::string& name = place.tree.symbols[node.symbol].name;
+  const bool small = std::any_of(place.names.scope.small->begin(), place.names.scope.small->end(),
+                                 [&](const SmallQuantity& each) {
+                                   if (place.tree[each.quantity].symbol != node.symbol) return false;
+                                   place.found.used.insert(each.directive);
+                                   return true;
+                                 });
+  const auto ends_below = [&](const std::optional<Remainder>& end, const Side& side) {
+    return end && !end->alone && degree(place.tree, side.typed->id, node.symbol) < end->power;
+  };
+  const bool about_zero =
+      small || ((ends_below(left_end, left) || ends_below(right_end, right)) && !may_be_large(place, name));
+  if (!about_zero)
+    return open(fmt::format("nothing says whether `{}` is small here or large", name),
+                {fmt::format("`rigor: small {}` says that it is small", name)});
+  if (which == 0 && would_define(place.tree, place.names.scope, *left.typed, *right.typed))
+    return open(fmt::format("this may say what `{}` is, as far as the order goes",
+                            written_at(place, parsed.written.sides[0].span)));
+  Diagnostics mismatches;
+  auto claim = reading->claim(pair, 0, false, mismatches);
+  step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
+  if (!claim) {
+    doubt_errors(place.notes.syntax, place.names, pair, 0, step.diagnostics);
+    return;
+  }
+  const auto held = with_letter_open(place, claim->equation, node.symbol);
+  if (!held) return open(fmt::format("what else is said of `{}` keeps it from going to 0 alone", name));
+  const auto equations = coefficients(place, *held, node.symbol, right_end->power);
+  if (!equations) return open(fmt::format("a side has no known expansion in powers of `{}`", name));
+  // What is no identity as it stands, but a law, is none up to an order either.
+  std::optional<Judgement> whole;
+  if (row.recorded == nullptr) whole = judge_here(place, *claim);
+  if (whole && whole->verdict == Verdict::proved) {
+    accept(*std::move(whole), step);
+    return;
+  }
+  std::vector<SymbolId> letters = symbols_in(place.tree, held->left);
+  for (const SymbolId symbol : symbols_in(place.tree, held->right)) letters.push_back(symbol);
+  const bool no_other =
+      std::all_of(letters.begin(), letters.end(), [&](SymbolId symbol) { return symbol == node.symbol; });
+  const bool identity =
+      !whole || whole->verdict == Verdict::refuted || (whole->verdict == Verdict::undecided && no_other);
+  Judgement result;
+  result.verdict = Verdict::proved;
+  std::optional<Judgement> first_open;
+  for (const SeriesEquation& each : *equations) {
+    Claim part = *claim;
+    part.equation = each.equation;
+    part.recorded = row.recorded;
+    Judgement judgement = judge_here(place, part);
+    if (judgement.verdict == Verdict::refuted && identity)
+      heed_surroundings(place, without_orders, part, judgement);
+    if (judgement.verdict == Verdict::proved) {
+      for (std::string& use : judgement.uses) {
+        if (!is_one_of(use, result.uses)) result.uses.push_back(std::move(use));
+      }
+      result.question = std::move(judgement.question);
+      continue;
+    }
+    const std::string power = each.order == 1  ? name
+                              : each.order < 0 ? fmt::format("{}^{{{}}}", name, each.order)
+                                               : fmt::format("{}^{}", name, each.order);
+    const std::string what = each.order == 0 ? fmt::format("the parts without `{}`", name)
+                                             : fmt::format("the coefficients of `{}`", power);
+    if (judgement.verdict == Verdict::refuted && identity) {
+      for (Diagnostic& diagnostic : judgement.diagnostics) {
+        const std::string sides = "the sides differ";
+        if (diagnostic.kind == DiagnosticKind::refuted && diagnostic.message.starts_with(sides))
+          diagnostic.message.replace(0, sides.size(), what + " differ");
+      }
+      accept(std::move(judgement), step);
+      return;
+    }
+    if (!first_open) first_open = std::move(judgement);
+  }
+  if (!first_open) {
+    result.route = fmt::format("power series, up to `{}^{}`", name, right_end->power);
+    accept(std::move(result), step);
+    return;
+  }
+  accept(identity ? *std::move(first_open) : *std::move(whole), step);
+}
+
+}  // namespace rigor

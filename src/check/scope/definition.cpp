@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/scope/definition.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "base/among.h"
+
+namespace rigor {
+namespace {
+
+/// `(\Omega_1)^2 = …` says what a number is by its square; of the two, it is the one that is not negative.
+std::optional<Definition> as_square(ExprTree& tree, const NameScope& scope, const Typed& left,
+                                    const Typed& right) {
+  Typed base = left;
+  base.id = tree.children(left.id)[0];
+  const bool plain = tree[base.id].op == Op::symbol && tree.slots(base.id).empty() &&
+                     tree[base.id].particle == no_particle && right.free.empty() && right.particles.empty();
+  if (!plain || right.rank != 0 || is_circular(tree, scope, base, right)) return std::nullopt;
+  Definition definition;
+  definition.symbol = tree[base.id].symbol;
+  definition.body = tree.add({.op = Op::root, .span = tree[right.id].span}, std::span(&right.id, 1));
+  definition.by_square = true;
+  return definition;
+}
+
+}  // namespace
+
+int derivative_order(const SymbolTable& symbols, SymbolId symbol) {
+  const auto& derivation = symbols[symbol].derivation;
+  return derivation ? derivation->time + derivation->space : 0;
+}
+
+std::optional<Definition> as_definition(ExprTree& tree, const NameScope& scope, const Typed& left,
+                                        const Typed& right) {
+  const ExprNode node = tree[left.id];
+  if (node.op == Op::power && node.exponent == 2) return as_square(tree, scope, left, right);
+  const bool alike = left.rank == right.rank && node.axes == tree[right.id].axes;
+  if (node.op != Op::symbol || !alike) return std::nullopt;
+  Definition definition;
+  definition.symbol = node.symbol;
+  definition.particle = node.particle;
+  definition.body = right.id;
+  for (const Slot& slot : tree.slots(left.id)) {
+    const bool repeated = std::any_of(definition.indices.begin(), definition.indices.end(),
+                                      [&](IndexId id) { return id == slot.variable; });
+    if (slot.axis != 0 || repeated) return std::nullopt;
+    definition.indices.push_back(slot.variable);
+  }
+  const bool letters_fit = std::all_of(right.free.begin(), right.free.end(), [&](const FreeIndex& free) {
+    return is_one_of(free.id, definition.indices);
+  });
+  const bool particles_fit =
+      std::all_of(right.particles.begin(), right.particles.end(),
+                  [&](const FreeParticle& free) { return free.id == definition.particle; });
+  const bool all_bound = left.free.size() == definition.indices.size() &&
+                         left.particles.size() == (node.particle == no_particle ? 0u : 1u);
+  if (!letters_fit || !particles_fit || !all_bound) return std::nullopt;
+  if (!is_literal_zero(tree, right) && right.free.size() != definition.indices.size()) return std::nullopt;
+  return is_circular(tree, scope, left, right) ? std::nullopt : std::optional(definition);
+}
+
+bool is_circular(const ExprTree& tree, const NameScope& scope, const Typed& left, const Typed& right) {
+  if (tree[left.id].op != Op::symbol) return false;
+  std::vector<SymbolId> reached;
+  std::vector<ExprId> pending{right.id};
+  while (!pending.empty()) {
+    const ExprId id = pending.back();
+    pending.pop_back();
+    for (const SymbolId symbol : symbols_in(tree, id)) {
+      if (is_one_of(symbol, reached)) continue;
+      reached.push_back(symbol);
+      if (const NamedDefinition* definition = definition_of(scope, symbol))
+        pending.push_back(definition->definition.body);
+    }
+  }
+  return is_one_of(tree[left.id].symbol, reached);
+}
+
+bool stands_in_brackets(const SyntaxTree& syntax, SyntaxId power) {
+  return syntax[power].kind == SyntaxKind::power && syntax[syntax.child(power, 0)].kind == SyntaxKind::group;
+}
+
+bool is_determined(const SymbolTable& symbols, const NameScope& scope, SymbolId symbol) {
+  const auto& definitions = *scope.definitions;
+  return std::any_of(definitions.begin(), definitions.end(), [&](const NamedDefinition& entry) {
+    const SymbolId known = entry.definition.symbol;
+    return base_of(symbols, known) == base_of(symbols, symbol) &&
+           derivative_order(symbols, known) <= derivative_order(symbols, symbol);
+  });
+}
+
+bool is_rule(ExprTree& tree, const NameScope& scope, const Typed& left, const Typed& right) {
+  const auto definition = as_definition(tree, scope, left, right);
+  if (!definition || tree[left.id].op != Op::symbol) return false;
+  return tree.symbols[definition->symbol].derivation &&
+         !is_determined(tree.symbols, scope, definition->symbol);
+}
+
+bool would_define(ExprTree& tree, const NameScope& scope, const Typed& left, const Typed& right) {
+  const auto definition = as_definition(tree, scope, left, right);
+  if (!definition) return false;
+  const bool rate = tree.symbols[definition->symbol].derivation.has_value();
+  return !rate && definition_of(scope, definition->symbol) == nullptr &&
+         !seen_in_equation(scope, definition->symbol);
+}
+
+}  // namespace rigor

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/walk/chain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "check/doubt/row_doubts.h"
+#include "check/row/readings.h"
+#include "check/row/slips.h"
+#include "check/scope/local_kinds.h"
+#include "check/walk/step.h"
+
+namespace rigor {
+namespace {
+
+/// The chain as it is read here; what that looks up is used.
+std::unique_ptr<ChainReading> read_here(Walk& walk, const ParsedChain& parsed) {
+  auto reading = read_chain(walk.notes.syntax, walk.tree, walk.names, parsed);
+  add_used(walk, reading->used());
+  return reading;
+}
+
+/// Are all sides read, and does each step's pair of sides fit?
+bool fits(const ParsedChain& parsed, ChainReading& reading) {
+  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) {
+    Diagnostics mismatches;
+    if (!reading.sides[k].typed || !reading.sides[k + 1].typed) return false;
+    if (!reading.claim(parsed, k, false, mismatches)) return false;
+  }
+  return true;
+}
+
+/// Each expectation is about one refuted step of the next chain, the first ones; cyclic images are the same
+/// statement again.
+void excuse_refuted(Walk& walk, const ParsedChain& parsed, std::size_t first_step) {
+  if (parsed.image == 0) walk.next.in_force = std::exchange(walk.next.expectations, {});
+  std::size_t excused = 0;
+  for (std::size_t k = first_step; k < walk.report.steps.size() && excused < walk.next.in_force.size(); ++k) {
+    if (walk.report.steps[k].verdict != Verdict::refuted) continue;
+    walk.report.steps[k].expected_refuted = true;
+    ++excused;
+  }
+  if (parsed.image > 0) return;
+  for (; excused < walk.next.in_force.size(); ++excused)
+    report_unmet(walk, *walk.next.in_force[excused], parsed.written.span);
+}
+
+/// An expression without a relation is passed over with a warning, unless it cannot even be read: then it is
+/// a step not understood.
+bool reads_expression(Walk& walk, const ParsedChain& parsed) {
+  Step step;
+  step.span = step.relation_span = parsed.written.span;
+  step.tag = parsed.written.tag;
+  step.label = parsed.written.label;
+  step.section = walk.section;
+  step.source = written_at(walk.sources, parsed.written.span);
+  std::vector<SyntaxId> pending = parsed.sides;
+  while (!pending.empty()) {
+    const SyntaxId id = pending.back();
+    pending.pop_back();
+    const bool named =
+        walk.notes.syntax[id].kind == SyntaxKind::group;  // words at a brace keep nothing from being read
+    const auto children = walk.notes.syntax.children(id);
+    for (const SyntaxChild& child : children.first(named ? 1 : children.size())) pending.push_back(child.id);
+    if (walk.notes.syntax[id].kind != SyntaxKind::opaque) continue;
+    const Obstacle& obstacle = walk.notes.syntax.obstacle(id);
+    step.diagnostics.push_back(
+        {obstacle.kind, walk.notes.syntax[id].span, obstacle.message, {}, obstacle.help});
+  }
+  if (step.diagnostics.empty()) return true;
+  doubt_errors(walk.notes.syntax, walk.names, parsed, 0, step.diagnostics);
+  add_step(walk, std::move(step));
+  return false;
+}
+
+void mark_seen(Walk& walk, const std::vector<Side>& sides) {
+  for (const Side& side : sides) {
+    if (!side.typed) continue;
+    for (const SymbolId symbol : symbols_in(walk.tree, side.typed->id)) {
+      mark_seen(walk.names.scope, symbol);
+      const SymbolId base = base_of(walk.tree.symbols, symbol);
+      mark_seen(walk.names.scope, base);
+      for (const auto& [directive, meant] : walk.for_all) {
+        if (meant == base) walk.used.insert(directive);
+      }
+    }
+  }
+}
+
+void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
+  const std::size_t first_step = walk.report.steps.size();
+  if (parsed.written.relations.empty() && !reads_expression(walk, parsed)) return;
+  if (parsed.written.relations.empty()) {
+    walk.report.diagnostics.push_back({DiagnosticKind::no_relation, parsed.written.span,
+                                       "no relation stands here, so there is nothing to decide"});
+    return;
+  }
+  std::unique_ptr<ChainReading> reading = read_here(walk, parsed);
+  std::optional<LocalKinds> local;  // where only kinds of another section make it wrong
+  if (context.role == Role::display && !fits(parsed, *reading)) {
+    local.emplace(walk.notes, walk.names, walk.event);
+    add_used(walk, local->used());
+    auto own = local->borrowed_letter(walk.notes.syntax, parsed) ? read_here(walk, parsed) : nullptr;
+    if (own && fits(parsed, *own)) {
+      reading = std::move(own);
+    } else {
+      local.reset();
+    }
+  }
+  reading->for_all = context.role == Role::claim || expects_refuted(walk, parsed);
+  for (const std::string& letter : reading->how().unsummed) {
+    reading->sides[0].diagnostics.push_back(
+        {DiagnosticKind::unsummed_index,
+         parsed.written.span,
+         fmt::format(
+             "index `{}` stands twice in a term and is read as not summed, since it is free elsewhere",
+             letter),
+         {},
+         {"say `(\\text{no sum})` beside the equation"}});
+  }
+  if (walk.request.explains) walk.asked.assign(parsed.written.relations.size(), {});
+  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k)
+    take_step(walk, parsed, k, *reading, context);
+  if (walk.options.recorded == nullptr && decides(walk) && !context.first_order) {
+    RowPlace place = place_here(walk);
+    explain_slips(place, parsed, *reading, first_step, std::span(walk.report.steps).subspan(first_step));
+    take_over(walk, std::move(place.found));
+  }
+  const std::vector<Side>& sides = reading->sides;
+  if (parsed.others.empty()) mark_seen(walk, sides);
+  if (is_claimed(context.role)) excuse_refuted(walk, parsed, first_step);
+  const auto guess = guess_of(reading->reading());
+  Statement statement{.chain = &parsed,
+                      .event = walk.event,
+                      .role = context.role,
+                      .first_order = context.first_order,
+                      .for_now = is_for_now(walk, context),
+                      .guessed = guess && guess->kind == DiagnosticKind::ambiguous_reading,
+                      .first_step = first_step,
+                      .step_count = walk.report.steps.size() - first_step,
+                      .asked = std::exchange(walk.asked, {})};
+  for (const Side& side : sides) statement.sides.push_back(side.typed);
+  walk.ledger.entries.push_back({scope_here(walk), std::move(statement)});
+}
+
+}  // namespace
+
+void follow_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
+  if (walk.request.only && !walk.request.only->contains(&parsed)) {
+    ++walk.ledger.passed_over;
+    return;
+  }
+  if (!parsed.others.empty()) {
+    RowPlace place = place_here(walk);
+    walk.ledger.chains.push_back(sensible_readings(place, parsed));
+    take_over(walk, std::move(place.found));
+  }
+  take_chain(walk, parsed.others.empty() ? parsed : walk.ledger.chains.back(), context);
+}
+
+void report_unmet(Walk& walk, const Directive& expectation, Span statement) {
+  if (!decides(walk)) return;
+  walk.report.diagnostics.push_back({DiagnosticKind::unexpected_verdict,
+                                     expectation.span,
+                                     "the next statement was expected to be refuted and is not",
+                                     {{statement, "this statement"}}});
+}
+
+}  // namespace rigor

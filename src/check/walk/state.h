@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the walk through one file's notes knows at a place. This file stores state; what is done with it
+// stands in one file of free functions for each topic.
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/among.h"
+#include "check/event/notes.h"
+#include "check/ledger/ledger.h"
+#include "check/place/place.h"
+
+namespace rigor {
+
+/// What is wanted of the walk.
+struct WalkRequest {
+  bool explains = false;  // what the exact side was asked is kept in the ledger
+  /// Only these chains are read, and nothing is decided but whether a name gets a second meaning. Nothing:
+  /// all chains are decided.
+  std::optional<std::set<const ParsedChain*>> only = {};
+};
+
+/// How a chain is followed.
+struct Context {
+  Role role = Role::display;
+  bool first_order = false;        // `=` means ≈
+  std::optional<Span> place = {};  // where steps are reported, if not where they stand
+  std::size_t directive = 0;
+};
+
+/// Said for the next statement; forgotten when it is over, whatever became of it.
+struct SaidForNext {
+  std::vector<const Directive*> expectations;
+  const Directive* skip = nullptr;
+  const Directive* first_order = nullptr;
+  std::vector<std::size_t> wheres;         // directives
+  std::vector<const Directive*> in_force;  // expectations of the chain at hand
+};
+
+struct Walk {
+  const SourceMap& sources;
+  const Notes& notes;
+  FileReport& report;
+  const CheckOptions& options;
+  WalkRequest request;
+
+  Ledger ledger = {};
+  ExprTree& tree = ledger.tree;
+  Names names = {};
+  Directives used = {};  // by what was read and decided so far
+  std::string section = {};
+  std::size_t event = 0;                                         // that is followed
+  std::vector<std::pair<std::size_t, SymbolId>> constants = {};  // directive, symbol: constant, or a variable
+  std::vector<std::pair<std::size_t, SymbolId>> for_all = {};    // the same
+  Sample sample = {};  // the last one that met the assumptions in force
+  SaidAbove above = {};
+  std::vector<WrittenStep> asked = {};  // of the chain at hand, where that is wanted
+  SaidForNext next = {};
+};
+
+[[nodiscard]] inline bool decides(const Walk& walk) { return !walk.request.only; }
+
+inline void add_used(Walk& walk, const Directives& used) { walk.used.insert(used.begin(), used.end()); }
+
+/// What holds here, for those that look at it later.
+[[nodiscard]] inline std::shared_ptr<const Names> scope_here(const Walk& walk) {
+  return std::make_shared<const Names>(walk.names);
+}
+
+/// Is the chain, or the one that it is a cyclic image of, expected to be refuted?
+[[nodiscard]] inline bool expects_refuted(const Walk& walk, const ParsedChain& parsed) {
+  return !walk.next.expectations.empty() || (parsed.image > 0 && !walk.next.in_force.empty());
+}
+
+/// What a decision found.
+inline void take_over(Walk& walk, RowPlace::Found found) {
+  add_used(walk, found.used);
+  std::move(found.laws.begin(), found.laws.end(), std::back_inserter(walk.above.laws));
+}
+
+/// Where the walk is, for a decision.
+[[nodiscard]] inline RowPlace place_here(Walk& walk) {
+  return {walk.sources, walk.notes, walk.options, walk.above,
+          walk.tree,    walk.names, walk.section, walk.event};
+}
+
+/// Is this said by a `where`?
+[[nodiscard]] inline bool is_for_now(const Walk& walk, const Context& context) {
+  const bool directed = context.role == Role::let || context.role == Role::given;
+  return directed && is_one_of(context.directive, walk.next.wheres);
+}
+
+}  // namespace rigor

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/walk/step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "check/doubt/digits.h"
+#include "check/doubt/row_doubts.h"
+#include "check/question/decision_cache.h"
+#include "check/question/unread.h"
+#include "check/row/readings.h"
+#include "check/row/remainders.h"
+#include "check/row/row.h"
+#include "check/row/surroundings.h"
+#include "check/scope/definition.h"
+#include "check/walk/define.h"
+
+namespace rigor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Why a relation is not decided, if so.
+std::optional<Diagnostic> why_not_decided(const WrittenRelation& relation) {
+  switch (relation.kind) {
+    case RelationKind::other:
+    case RelationKind::implies:
+      return Diagnostic{DiagnosticKind::unsupported, relation.span,
+                        fmt::format("the relation `{}` is not decided yet", relation.text)};
+    case RelationKind::much_less:
+    case RelationKind::much_greater:
+      return Diagnostic{DiagnosticKind::unsupported,
+                        relation.span,
+                        fmt::format("`{}` is no claim that can be decided", relation.text),
+                        {},
+                        {"`rigor: small …` says what is small"}};
+    case RelationKind::demanded:
+      return Diagnostic{DiagnosticKind::unsupported,
+                        relation.span,
+                        "an equation that is demanded is not a claim",
+                        {},
+                        {"`rigor: given` makes it an assumption"}};
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Is nothing in the way but what is asked for?
+bool only_asks(const Diagnostics& diagnostics) {
+  bool asks = false;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const Severity severity = diagnostic.severity();
+    if (diagnostic.kind != DiagnosticKind::hole && severity != Severity::warning) return false;
+    asks = asks || diagnostic.kind == DiagnosticKind::hole;
+  }
+  return asks;
+}
+
+/// The earlier report's step at the same place with the same text, which several steps can have if directives
+/// are anchored there. It learns which step it is.
+RecordedStep* recorded_of(Walk& walk, const Step& step) {
+  if (walk.options.recorded == nullptr) return nullptr;
+  const LineColumn place = walk.sources.line_column(step.span.file, step.span.begin);
+  const auto is_alike = [&](const Step& other) {
+    return other.span.file == step.span.file && other.span.begin == step.span.begin &&
+           other.source == step.source;
+  };
+  const auto earlier =
+      static_cast<std::size_t>(std::count_if(walk.report.steps.begin(), walk.report.steps.end(), is_alike));
+  for (RecordedStep& each : *walk.options.recorded) {
+    if (each.earlier != earlier || each.line != place.line || each.column != place.column) continue;
+    if (each.source != step.source || each.file != walk.sources.path(step.span.file)) continue;
+    each.step = walk.report.steps.size();
+    return &each;
+  }
+  return nullptr;
+}
+
+bool is_unsettled(const ParsedChain& parsed, Span step) {
+  return std::any_of(parsed.choices.begin(), parsed.choices.end(), [&](const Choice& choice) {
+    return choice.span.begin >= step.begin && choice.span.end <= step.end;
+  });
+}
+
+/// May it say what the symbol on its left side is?
+bool may_define(const Walk& walk, const RowPlace& place, const StepReading& row) {
+  const RelationKind relation = row.relation().kind;
+  return row.which == 0 && !is_order(relation) && relation != RelationKind::nearly &&
+         !is_alternative(place, row.parsed) &&
+         !shows_circle_number(walk.tree, walk.names, *row.left().typed, *row.right().typed);
+}
+
+/// Both sides are read.
+void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& context, Step& step) {
+  const Typed& left = *row.left().typed;
+  const Typed& right = *row.right().typed;
+  const bool may_name = may_define(walk, place, row);
+  if (row.unsettled &&
+      (!is_claimed(row.role) || (may_name && would_define(walk.tree, walk.names.scope, left, right)))) {
+    step.diagnostics.push_back(two_readings(row.parsed));
+    return;
+  }
+  if (!row.unsettled && may_name && defines(walk, row.parsed, row.left(), row.right(), context, step)) return;
+  const bool bare_square = walk.tree[left.id].op == Op::power &&
+                           !stands_in_brackets(walk.notes.syntax, row.parsed.sides[0]);  // a law, also anew
+  const bool may_rename = may_name && !bare_square && may_redefine(walk, left, right);
+  Diagnostics mismatches;
+  auto claim = row.reading.claim(row.parsed, row.which, row.first_order, mismatches);
+  step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
+  if (!claim) return;
+  claim->recorded = row.recorded = recorded_of(walk, step);
+  if (row.role == Role::given)
+    return add_assumption(walk, left, right, claim->equation, row.parsed, row.which, context, step);
+  if (row.role == Role::let) {
+    step.diagnostics.push_back({DiagnosticKind::bad_directive,
+                                step.relation_span,
+                                "`let` defines one symbol, alone on the left side and not on the right",
+                                {},
+                                {"`rigor: given` assumes an equation"}});
+    return;
+  }
+  if (!decides(walk) && !may_rename) return;
+  claim->explains = row.asked != nullptr;
+  auto judgement = ask(place, row, *claim, step);
+  if (!judgement) return;
+  // What does not follow may give its name another meaning, by which later rows are read.
+  if (may_name && is_open(*judgement) && takes_apart(walk, row.parsed, left, right, context, step)) return;
+  if (may_rename && redefines(walk, *judgement, row.parsed, left, right, context, step)) return;
+  settle(place, row, *claim, *std::move(judgement), step);
+}
+
+}  // namespace
+
+Step new_step(const Walk& walk, const ParsedChain& parsed, std::size_t which, const Context& context) {
+  const WrittenChain& chain = parsed.written;
+  Step step;
+  step.relation_span = chain.relations[which].span;
+  step.span = cover(cover(chain.sides[which].span, step.relation_span), chain.sides[which + 1].span);
+  step.tag = chain.tag;
+  step.label = chain.label;
+  step.section = walk.section;
+  step.left = written_at(walk.sources, chain.sides[which].span);
+  step.relation = chain.relations[which].text;
+  step.right = written_at(walk.sources, chain.sides[which + 1].span);
+  step.source = fmt::format("{} {} {}", step.left, step.relation, step.right);
+  if (context.place) step.span = *context.place;
+  if (parsed.image > 0) step.source += fmt::format(" (cyclic image {})", parsed.image);
+  return step;
+}
+
+void add_step(Walk& walk, Step step) {
+  const auto same = [](const Diagnostic& a, const Diagnostic& b) {
+    return a.kind == b.kind && a.span == b.span && a.message == b.message;
+  };
+  Diagnostics once;
+  for (Diagnostic& diagnostic : step.diagnostics) {
+    const bool known =
+        std::any_of(once.begin(), once.end(), [&](const Diagnostic& old) { return same(old, diagnostic); });
+    if (!known) once.push_back(std::move(diagnostic));
+  }
+  step.diagnostics = std::move(once);
+  walk.report.steps.push_back(std::move(step));
+}
+
+void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainReading& reading,
+               const Context& context) {
+  const auto start = Clock::now();
+  walk.options.cache->begin(walk.options.effort);
+  Step step = new_step(walk, parsed, which, context);
+  RowPlace place = place_here(walk);
+  place.heeds_words = decides(walk) && walk.options.recorded == nullptr && !expects_refuted(walk, parsed);
+  StepReading row{.parsed = parsed,
+                  .which = which,
+                  .reading = reading,
+                  .role = context.role,
+                  .first_order = context.first_order,
+                  .unsettled = is_unsettled(parsed, step.span),
+                  .asked = walk.request.explains ? &walk.asked[which] : nullptr};
+  const bool up_to_order = decides(walk) && is_up_to_order(row);
+  for (const std::size_t side : {which, which + 1}) {
+    if (up_to_order) break;  // they are not read as wholes
+    const std::vector<Side>& sides = reading.sides;
+    const bool first_mention = which == 0 || side == which + 1;
+    const bool blocked_by_it_alone =
+        !sides[side].typed && sides[which].typed.has_value() != sides[which + 1].typed.has_value();
+    if (!first_mention && !blocked_by_it_alone) continue;
+    step.diagnostics.insert(step.diagnostics.end(), sides[side].diagnostics.begin(),
+                            sides[side].diagnostics.end());
+  }
+  if (up_to_order) {
+    row.recorded = recorded_of(walk, step);
+    decide_up_to_order(place, row, step);
+  } else if (parsed.written.condition) {
+    const Obstacle& condition = *parsed.written.condition;
+    step.diagnostics.push_back(
+        {condition.kind, parsed.written.condition_span, condition.message, {}, condition.help});
+  } else if (const auto reason = why_not_decided(row.relation())) {
+    step.diagnostics.push_back(*reason);
+    if (context.role == Role::display)
+      walk.above.unread_rows.emplace_back(walk.notes.prose.beside[walk.event].place, step.span);
+  } else if (row.left().typed && row.right().typed) {
+    follow_row(walk, place, row, context, step);
+  }
+  take_over(walk, std::move(place.found));
+  doubt_errors(walk.notes.syntax, walk.names, parsed, which, step.diagnostics);
+  if (only_asks(step.diagnostics)) step.verdict = Verdict::undecided;
+  const bool assumes = context.role == Role::given || context.role == Role::let;
+  if (assumes && step.verdict == Verdict::not_understood) {
+    std::string text = step.source;
+    std::set<std::string> letters = letters_of(text);
+    note_unread(walk.names.scope, {std::move(text), std::move(letters), context.directive});
+  }
+  step.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  step.work = walk.options.cache->budget().used();
+  add_step(walk, std::move(step));
+}
+
+}  // namespace rigor

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/name/scope.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rigor {
+namespace {
+
+/// What was said further out stays said.
+void say_of(Shared<SaidOfSymbols>& said, SymbolId symbol, int depth) {
+  if (!said->contains(symbol)) said.write().emplace(symbol, depth);
+}
+
+/// What held before, but for what equations define since the last frame began.
+void restore(NameScope& scope, Held held) {
+  for (const NamedDefinition& later : *scope.definitions) {
+    if (!is_made_in_frame(scope, later)) continue;
+    held.definitions.erase_if(
+        [&](const NamedDefinition& old) { return old.definition.symbol == later.definition.symbol; });
+    held.definitions.write().push_back(later);
+  }
+  replace(scope, std::move(held));
+}
+
+}  // namespace
+
+void define(NameScope& scope, NamedDefinition definition) {
+  definition.depth = definition.origin.directive ? scope.depth : 0;
+  forget_definition(scope, definition.definition.symbol);
+  scope.definitions.write().push_back(std::move(definition));
+}
+
+const NamedDefinition* definition_of(const NameScope& scope, SymbolId symbol) {
+  const auto found =
+      std::find_if(scope.definitions->begin(), scope.definitions->end(),
+                   [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
+  return found == scope.definitions->end() ? nullptr : &*found;
+}
+
+void forget_definition(NameScope& scope, SymbolId symbol) {
+  scope.definitions.erase_if([&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
+}
+
+void assume(NameScope& scope, NamedAssumption assumption) {
+  assumption.depth = scope.depth;
+  scope.assumptions.write().push_back(std::move(assumption));
+}
+
+void doubt_last_assumption(NameScope& scope) { scope.assumptions.write().back().without_sample = true; }
+
+void note_unread(NameScope& scope, UnreadAssumption unread) {
+  unread.depth = scope.depth;
+  scope.unread.write().push_back(std::move(unread));
+}
+
+void replace(NameScope& scope, Held held) {
+  scope.definitions = std::move(held.definitions);
+  scope.assumptions = std::move(held.assumptions);
+}
+
+void declare_constant(NameScope& scope, SymbolId symbol, std::size_t directive) {
+  scope.constants.write().push_back({symbol, directive, scope.depth, scope.frames->size()});
+}
+
+bool is_declared_constant(const NameScope& scope, SymbolId symbol) {
+  return std::any_of(scope.constants->begin(), scope.constants->end(),
+                     [&](const DeclaredConstant& each) { return each.symbol == symbol; });
+}
+
+Directives withdraw_constant(NameScope& scope, SymbolId symbol) {
+  Directives withdrawn;
+  for (const DeclaredConstant& each : *scope.constants) {
+    if (each.symbol == symbol) withdrawn.insert(each.directive);
+  }
+  scope.constants.erase_if([&](const DeclaredConstant& each) { return each.symbol == symbol; });
+  return withdrawn;
+}
+
+void declare_variable(NameScope& scope, SymbolId symbol) { say_of(scope.variables, symbol, scope.depth); }
+
+void declare_small(NameScope& scope, SmallQuantity small) {
+  small.depth = scope.depth;
+  scope.small.write().push_back(std::move(small));
+}
+
+void note_other_order(NameScope& scope, SymbolId small) { say_of(scope.of_other_order, small, scope.depth); }
+
+void mean_for_all(NameScope& scope, SymbolId symbol) { say_of(scope.for_all, symbol, scope.depth); }
+
+void enter_frame(NameScope& scope, Frame frame) {
+  frame.depth = scope.depth;
+  scope.frames.write().push_back(std::move(frame));
+}
+
+void withdraw_frame(NameScope& scope) { scope.frames.write().pop_back(); }
+
+bool is_made_in_frame(const NameScope& scope, const NamedDefinition& definition) {
+  if (scope.frames->empty() || definition.origin.directive) return false;
+  const std::vector<NamedDefinition>& before = *scope.frames->back().before.definitions;
+  return std::none_of(before.begin(), before.end(), [&](const NamedDefinition& old) {
+    return old.definition.symbol == definition.definition.symbol && old.origin.text == definition.origin.text;
+  });
+}
+
+void mark_seen(NameScope& scope, SymbolId symbol) {
+  if (seen_in_equation(scope, symbol)) return;
+  say_of(scope.seen, symbol, scope.depth);
+  if (!scope.seen_anywhere->contains(symbol)) scope.seen_anywhere.write().insert(symbol);
+}
+
+void open_section(NameScope& scope, int level) {
+  const auto closed = [&](const auto& entry) { return entry.depth >= level; };
+  const auto said_inside = [&](const auto& entry) { return entry.second >= level; };
+  while (!scope.frames->empty() && closed(scope.frames->back())) {
+    restore(scope, scope.frames->back().before);
+    scope.frames.write().pop_back();
+  }
+  scope.definitions.erase_if(
+      [&](const NamedDefinition& entry) { return entry.origin.directive && closed(entry); });
+  scope.assumptions.erase_if(closed);
+  scope.unread.erase_if(closed);
+  scope.constants.erase_if(closed);
+  scope.small.erase_if(closed);
+  for (auto* said : {&scope.variables, &scope.for_all, &scope.of_other_order, &scope.seen})
+    said->erase_if(said_inside);
+  scope.depth = level;
+}
+
+}  // namespace rigor

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds at a place of the notes, and from where on. This file stores state; entries carry the depth of
+// the section that said them, and end with it.
+//
+// A definition by an equation outlives its section: it says what a name means, and readers go on using the
+// name. What a directive says (declares, assumes, calls constant or small) holds where its author put it, and
+// ends with the section. Behind a frame the definitions are again those along fixed axes.
+//
+// A scope is kept for each place that is looked at later, and answers then as it did there. All parts are
+// shared: a copy costs one count for each, entering a section copies nothing, and leaving one copies only
+// what something goes from. The first change behind a copy is linear in the part that changes.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/shared.h"
+#include "elaborate/name/name_key.h"
+#include "expr/statement/statement.h"
+
+namespace rigor {
+
+/// A directive or an equation that brought something into scope.
+struct Origin {
+  std::string text;                        // as it is named in a verdict's `uses`: `definition (8)`
+  std::string section;                     // of an equation
+  std::optional<std::size_t> directive{};  // number of the directive, to mark it as used
+  std::string expanded = {};               // of an assumption: `text` without macros of the notes
+  std::size_t place = 0;                   // of an equation: its section, as `Sections` counts them
+  std::size_t event = 0;                   // and its display
+  bool conditional = false;                // it stands behind "if", "suppose", "for small …"
+  bool on_its_line = false;                // its own line says when: `y = x \quad (x < 1)`
+  bool of_a_case = false;                  // its heading is of a special case
+};
+
+struct NamedDefinition {
+  Definition definition;
+  Origin origin;
+  int depth = 0;
+  bool at_instant = false;  // said of components along other axes: it holds now, its derivatives do not
+};
+
+struct NamedAssumption {
+  Equation equation;
+  Origin origin;
+  int depth = 0;
+  bool at_instant = false;            // as above
+  std::optional<SymbolId> rate_of{};  // all it says is how this changes: nothing, where nothing else has it
+  bool without_sample = false;  // nothing was found that satisfies it: what is proved from it proves nothing
+};
+
+/// An assumption that could not be read: what it would say of its letters is not known.
+struct UnreadAssumption {
+  std::string text;
+  std::set<std::string> letters;
+  std::size_t directive = 0;
+  int depth = 0;
+};
+
+/// What was defined and assumed, to be taken back by `replace`.
+struct Held {
+  Shared<std::vector<NamedDefinition>> definitions;
+  Shared<std::vector<NamedAssumption>> assumptions;
+};
+
+/// `frame rot rotates with \boldsymbol{\omega} in in`: components are along the axes of `rotating`; the
+/// rotation carries those axes' components to `fixed` ones.
+struct Frame {
+  std::string rotating;
+  std::string fixed;
+  SymbolId rotation{};
+  ExprId angular_velocity{};
+  std::size_t directive = 0;
+  int depth = 0;
+  Held before = {};  // what held without it, and holds again behind its section
+};
+
+/// A symbol, or one component of it, that is small: this is 0 to zeroth order.
+struct SmallQuantity {
+  ExprId quantity{};
+  std::vector<ParticleId> particles = {};  // free
+  std::size_t directive = 0;
+  int depth = 0;
+};
+
+struct DeclaredConstant {
+  SymbolId symbol{};
+  std::size_t directive = 0;
+  int depth = 0;
+  std::size_t frames = 0;  // in force where it stands
+};
+
+/// What is said of symbols: the depth of the outermost section that says so.
+using SaidOfSymbols = std::map<SymbolId, int>;
+
+struct NameScope {
+  Shared<std::vector<NamedDefinition>> definitions;
+  Shared<std::vector<NamedAssumption>> assumptions;
+  Shared<std::vector<UnreadAssumption>> unread;
+  Shared<std::vector<Frame>> frames;  // the last one is in force
+  Shared<std::vector<DeclaredConstant>> constants;
+  Shared<std::vector<SmallQuantity>> small;
+  Shared<SaidOfSymbols> variables;           // they may change
+  Shared<SaidOfSymbols> for_all;             // statements are meant for all their values
+  Shared<SaidOfSymbols> of_other_order;      // declared small, and of another order by what else is said
+  Shared<SaidOfSymbols> seen;                // in an equation of this section or one around it
+  Shared<std::set<SymbolId>> seen_anywhere;  // in one of any section
+  int depth = 0;                             // of the section at hand
+};
+
+/// A second definition takes the place of the first.
+void define(NameScope& scope, NamedDefinition definition);
+[[nodiscard]] const NamedDefinition* definition_of(const NameScope& scope, SymbolId symbol);
+void forget_definition(NameScope& scope, SymbolId symbol);
+void assume(NameScope& scope, NamedAssumption assumption);
+void doubt_last_assumption(NameScope& scope);
+void note_unread(NameScope& scope, UnreadAssumption unread);
+
+[[nodiscard]] inline Held held(const NameScope& scope) { return {scope.definitions, scope.assumptions}; }
+void replace(NameScope& scope, Held held);
+
+void declare_constant(NameScope& scope, SymbolId symbol, std::size_t directive);
+[[nodiscard]] bool is_declared_constant(const NameScope& scope, SymbolId symbol);
+/// What else is said of it makes it change: then nothing is known of how. The directives that said so are
+/// used: they are in the way.
+[[nodiscard]] Directives withdraw_constant(NameScope& scope, SymbolId symbol);
+void declare_variable(NameScope& scope, SymbolId symbol);
+void declare_small(NameScope& scope, SmallQuantity small);
+void note_other_order(NameScope& scope, SymbolId small);
+[[nodiscard]] inline bool is_of_other_order(const NameScope& scope, SymbolId small) {
+  return scope.of_other_order->contains(small);
+}
+void mean_for_all(NameScope& scope, SymbolId symbol);
+/// Are statements meant for all its values? That says nothing of its derivatives.
+[[nodiscard]] inline bool is_for_all(const NameScope& scope, SymbolId symbol) {
+  return scope.for_all->contains(symbol);
+}
+
+/// From here on components are along turning axes.
+void enter_frame(NameScope& scope, Frame frame);
+/// As if the last frame had not been entered; its definitions stay.
+void withdraw_frame(NameScope& scope);
+/// By an equation, and not before the frame in force.
+[[nodiscard]] bool is_made_in_frame(const NameScope& scope, const NamedDefinition& definition);
+
+/// Was the symbol part of an equation before, in this section or one around it? (A declaration alone is not.)
+[[nodiscard]] inline bool seen_in_equation(const NameScope& scope, SymbolId symbol) {
+  return scope.seen->contains(symbol);
+}
+void mark_seen(NameScope& scope, SymbolId symbol);
+
+/// A heading of this level closes all sections of its level and below.
+void open_section(NameScope& scope, int level);
+
+}  // namespace rigor

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/name/symbols.h"
+
+#include <utility>
+
+namespace rigor {
+
+std::optional<SymbolId> find_symbol(const Symbols& symbols, const NameKey& key) {
+  const auto found = symbols.entries->find(placed(symbols, key));
+  return found == symbols.entries->end() ? std::nullopt : std::optional(found->second.symbol);
+}
+
+SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const std::string& name, Span span) {
+  const NameKey key = placed(symbols, named);
+  if (const auto known = find_symbol(symbols, key)) return *known;
+  Symbol symbol;
+  symbol.name = name;
+  symbol.rank = key.rank;
+  symbol.axes = AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
+  symbol.per_particle = key.per_particle;
+  symbol.first_seen = span;
+  // A declaration whose section is over leaves the same symbol, for which nothing is said any more; one with
+  // properties of its own is another symbol.
+  const auto before = symbols.declared_before->find(key);
+  const bool same = before != symbols.declared_before->end() && !tree.symbols[before->second].symmetric &&
+                    !tree.symbols[before->second].unit && !tree.symbols[before->second].rotation;
+  const SymbolId id = same ? before->second : tree.symbols.add(std::move(symbol));
+  tree.symbols[id].declared = false;
+  symbols.keys.write().emplace(id, key);
+  symbols.entries.write()[key] = {id};
+  return id;
+}
+
+const NameKey* key_of(const Symbols& symbols, SymbolId symbol) {
+  const auto found = symbols.keys->find(symbol);
+  return found == symbols.keys->end() ? nullptr : &found->second;
+}
+
+std::optional<std::size_t> declared_by(const Symbols& symbols, const NameKey& key) {
+  const auto found = symbols.entries->find(placed(symbols, key));
+  if (found == symbols.entries->end() || !found->second.declared) return std::nullopt;
+  return found->second.declared->directive;
+}
+
+std::optional<std::size_t> space_declared_by(const Symbols& symbols) {
+  if (symbols.spaces->empty()) return std::nullopt;
+  return symbols.spaces->back().declared.directive;
+}
+
+NameKey placed(const Symbols& symbols, NameKey key) {
+  if (key.rank > 0 && key.space == 0) key.space = space_of(symbols).id;
+  return key;
+}
+
+bool labels_particles(const Symbols& symbols, const std::string& letter) {
+  return symbols.particle_letters->contains(letter) || symbols.sightings->summed_greek.contains(letter);
+}
+
+std::optional<std::size_t> particles_declared_by(const Symbols& symbols, const std::string& letter) {
+  const auto found = symbols.particle_letters->find(letter);
+  return found == symbols.particle_letters->end() ? std::nullopt : std::optional(found->second.directive);
+}
+
+bool is_principal_value(const Symbols& symbols, const SymbolTable& table, SymbolId symbol) {
+  const NameKey* key = key_of(symbols, base_of(table, symbol));
+  return key != nullptr && key->rank == 1 && symbols.sightings->diagonal.contains(key->base);
+}
+
+bool is_differentiated_by_place(const Symbols& symbols, const NameKey& key) {
+  const auto& fields = symbols.sightings->fields;
+  if (fields.contains({key.base, key.rank > 0})) return true;
+  return key.rank > 0 && is_plain(symbols, key) && fields.contains({key.base, false});
+}
+
+void close_sections(Symbols& symbols, int level) {
+  symbols.entries.erase_if([&](const auto& entry) {
+    const std::optional<Declaration>& declared = entry.second.declared;
+    return declared && declared->depth >= level;
+  });
+  symbols.particle_letters.erase_if([&](const auto& entry) { return entry.second.depth >= level; });
+  symbols.spaces.erase_if([&](const SpaceInForce& each) { return each.declared.depth >= level; });
+}
+
+}  // namespace rigor

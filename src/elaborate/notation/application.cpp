@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/notation/application.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "elaborate/evidence/seen_functions.h"
+#include "elaborate/notation/notations.h"
+#include "elaborate/symbol/named_symbol.h"
+#include "expr/print/usual_letters.h"
+
+namespace rigor {
+namespace {
+
+/// A bracket that holds one bare symbol or number: `(t)`, `(x)`.
+bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
+  if (syntax[id].kind != SyntaxKind::group) return false;
+  const SyntaxKind inside = syntax[syntax.child(id, 0)].kind;
+  return inside == SyntaxKind::symbol || inside == SyntaxKind::number;
+}
+
+/// `\frac{d\phi}{dt}(t + T)`: a derivative, and a bracket that speaks of what it is by.
+bool is_taken_at(const SyntaxTree& syntax, SyntaxId derivative, SyntaxId bracket) {
+  if (syntax[derivative].kind != SyntaxKind::derivative || syntax[bracket].kind != SyntaxKind::group)
+    return false;
+  const std::vector<WrittenVariable>& by = syntax.derivative(derivative).by;
+  return any_below(syntax, syntax.child(bracket, 0), [&](SyntaxId id) {
+    return syntax[id].kind == SyntaxKind::symbol && std::any_of(by.begin(), by.end(), [&](const auto& each) {
+             return each.symbol.letter == syntax.symbol(id).letter;
+           });
+  });
+}
+
+/// `f(x-ct)`, `V(2r)`: a bracket of plain coordinates behind a letter that is no usual coefficient.
+bool looks_like_argument(const Reading& reading, const WrittenSymbol& symbol, SyntaxId bracket) {
+  const SyntaxTree& syntax = reading.syntax;
+  if (syntax[bracket].kind != SyntaxKind::group || is_usual_coefficient(symbol.letter)) return false;
+  if (is_declared_letter(reading.names, symbol)) return false;
+  bool coordinate = false;
+  const bool more = any_below(syntax, syntax.child(bracket, 0), [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::symbol) return false;
+    const WrittenSymbol& inside = syntax.symbol(id);
+    coordinate = coordinate || is_usual_coordinate(inside.letter);
+    return inside.face != Face::plain || is_kronecker(inside) ||
+           std::any_of(inside.lower.begin(), inside.lower.end(),
+                       [](const WrittenIndex& index) { return index.form == IndexForm::letter; });
+  });
+  return coordinate && !more;
+}
+
+/// `\omega(2k)` where the section has `\omega(k) = …`, and neither ω nor k is declared.
+bool applies_elsewhere(const Reading& reading, SyntaxId symbol, SyntaxId bracket) {
+  const SyntaxTree& syntax = reading.syntax;
+  if (syntax[bracket].kind == SyntaxKind::power) bracket = syntax.child(bracket, 0);
+  if (syntax[bracket].kind != SyntaxKind::group) return false;
+  const WrittenSymbol& written = syntax.symbol(symbol);
+  const std::set<std::string>* arguments =
+      arguments_of(syntax, symbol, bracket, *reading.names.symbols.evidence);
+  if (arguments == nullptr || is_declared(reading.names.symbols, {written.letter, 0, false})) return false;
+  return std::any_of(arguments->begin(), arguments->end(), [&](const std::string& letter) {
+    return !is_declared(reading.names.symbols, {letter, 0, false});
+  });
+}
+
+/// A Greek subscript that labels no particle, twice in a term: a label, or an index of space-time that is
+/// summed.
+std::optional<SpelledPart> repeated_greek(const Reading& reading, std::span<const SyntaxChild> factors) {
+  const SyntaxTree& syntax = reading.syntax;
+  std::set<std::string> seen;
+  for (const SyntaxChild& child : factors) {
+    if (syntax[child.id].kind != SyntaxKind::symbol) continue;
+    std::set<std::string> own;
+    for (const WrittenIndex& index : syntax.symbol(child.id).lower) {
+      if (index.form == IndexForm::greek && !labels_particles(reading.names.symbols, index.text))
+        own.insert(index.text);
+    }
+    for (const std::string& letter : own) {
+      if (seen.insert(letter).second) continue;
+      return SpelledPart{
+          syntax[child.id].span,
+          fmt::format("`{}` twice in a term can be a label or an index that is summed", letter),
+          {fmt::format("`rigor: particles {}` makes it a particle's label, which is summed only by `\\sum`",
+                       letter)}};
+    }
+  }
+  return std::nullopt;
+}
+
+/// `f(x)` and `\omega(t)` can be a value of a function or a product; `dx` a differential or a product.
+std::optional<SpelledPart> application(const Reading& reading, std::span<const SyntaxChild> factors) {
+  const SyntaxTree& syntax = reading.syntax;
+  for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+    const SyntaxId id = factors[k].id;
+    const SyntaxId next = factors[k + 1].id;
+    const Span both = cover(syntax[id].span, syntax[next].span);
+    if (factors[k + 1].joint != Joint::juxtaposed) continue;
+    if (syntax[id].kind == SyntaxKind::unit && syntax[next].kind == SyntaxKind::number)
+      return SpelledPart{both,
+                         "a number behind a unit can be added, as in 1 h 30 min, or multiplied",
+                         {"a sign between them says which is meant"}};
+    if (is_taken_at(syntax, id, next))
+      return SpelledPart{both, "this can be a product, or the derivative at what the bracket says", {}};
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, id)) continue;
+    if (holds_one_symbol(syntax, next) || looks_like_argument(reading, symbol, next) ||
+        (syntax[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
+      const SyntaxId argument = syntax.child(next, 0);
+      const bool one_symbol =
+          syntax[argument].kind == SyntaxKind::symbol && syntax[next].kind == SyntaxKind::group;
+      if (one_symbol && is_declared(reading.names.symbols, {syntax.symbol(argument).letter, 0, false}))
+        continue;
+      return SpelledPart{both,
+                         "this can be a product or the value of a function",
+                         {"a function's argument is not written in definitions and claims",
+                          fmt::format("`rigor: scalar {}` makes it a product",
+                                      one_symbol ? syntax.symbol(argument).letter : symbol.letter)}};
+    }
+    if (applies_elsewhere(reading, id, next))
+      return SpelledPart{
+          both,
+          fmt::format("`{}` is written as a function elsewhere: this can be its value or a product",
+                      symbol.letter),
+          {fmt::format("`rigor: scalar {}` makes it a product", symbol.letter)}};
+    const bool bare_d =
+        symbol.letter == "d" && symbol.lower.empty() && symbol.face == Face::plain && symbol.primes == 0;
+    SyntaxId changed = next;
+    if (syntax[changed].kind == SyntaxKind::power) changed = syntax.child(changed, 0);
+    const SyntaxKind of = syntax[changed].kind;
+    const bool greek_d = (symbol.letter == "\\delta" || symbol.letter == "\\Delta") && symbol.lower.empty() &&
+                         symbol.face == Face::plain && symbol.accent == Accent::none && symbol.primes == 0;
+    if (greek_d && of == SyntaxKind::group &&
+        !is_declared(reading.names.symbols, {symbol.letter, 0, false}) &&
+        !is_small_scalar(reading.names, reading.tree, symbol.letter))
+      return SpelledPart{
+          syntax[id].span,
+          fmt::format("`{}` before a bracket can be a change of what is in it, a function, or a factor",
+                      symbol.letter),
+          {fmt::format("`rigor: scalar {}` makes it a factor", symbol.letter)}};
+    if (bare_d && (of == SyntaxKind::symbol || of == SyntaxKind::group) &&
+        !is_declared(reading.names.symbols, {"d", 0, false}))
+      return SpelledPart{
+          syntax[id].span, "`d` can be a differential or a factor", {"`rigor: scalar d` makes it a factor"}};
+  }
+  return std::nullopt;
+}
+
+/// `1\,000` and `2\frac{1}{2}` are one number each to most readers, and products to the letter.
+std::optional<SpelledPart> number_run(const Reading& reading, std::span<const SyntaxChild> factors) {
+  const SyntaxTree& syntax = reading.syntax;
+  const auto is_number_sign = [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::number; };
+  const auto is_numeric_fraction = [&](SyntaxId id) {
+    return syntax[id].kind == SyntaxKind::fraction && is_number_sign(syntax.child(id, 0)) &&
+           is_number_sign(syntax.child(id, 1));
+  };
+  for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+    const SyntaxId next = factors[k + 1].id;
+    if (factors[k + 1].joint != Joint::juxtaposed || !is_number_sign(factors[k].id)) continue;
+    if (!is_number_sign(next) && !is_numeric_fraction(next)) continue;
+    return SpelledPart{cover(syntax[factors[k].id].span, syntax[next].span),
+                       "two numbers side by side can be one number or a product",
+                       {"write `\\cdot` for a product"}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SpelledPart> doubt_of_product(const Reading& reading, std::span<const SyntaxChild> factors) {
+  if (auto spelled = spelled_part(reading.syntax, factors, reading.names)) return spelled;
+  if (auto doubt = application(reading, factors)) return doubt;
+  if (auto doubt = repeated_greek(reading, factors)) return doubt;
+  return number_run(reading, factors);
+}
+
+}  // namespace rigor

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/notation/derivative.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "elaborate/notation/notations.h"
+#include "elaborate/reading/change.h"
+#include "elaborate/reading/summation.h"
+#include "elaborate/symbol/axes.h"
+#include "elaborate/symbol/symbol.h"
+
+namespace rigor {
+namespace {
+
+/// `x` in `\partial x/\partial y`: nobody differentiates one coordinate by another, so x is a function of y.
+bool is_bare_coordinate(const SyntaxTree& syntax, SyntaxId operand) {
+  if (syntax[operand].kind != SyntaxKind::symbol) return false;
+  const WrittenSymbol& symbol = syntax.symbol(operand);
+  return symbol.face == Face::plain && symbol.lower.empty() && axis_of_letter(symbol.letter) != 0;
+}
+
+/// In `\frac{dy}{dx}` y is a function of x as a rule, and no coordinate.
+bool depends_on_other_coordinate(Reading& reading, const Typed& operand, const WrittenSymbol& variable,
+                                 Span span) {
+  for (const SymbolId symbol : symbols_in(reading.tree, operand.id)) {
+    const Dependence dependence = change_of(reading, symbol, By::space);
+    const bool same = variable.lower.empty() && dependence.axis == axis_of_letter(variable.letter);
+    if (dependence.kind != Dependence::Kind::variable || same) continue;
+    ambiguous(reading, span,
+              fmt::format("`{}` can be a coordinate of its own here, or a function of `{}`",
+                          reading.tree.symbols[symbol].name, variable.letter),
+              {"`\\partial` holds the other coordinates; `rigor: let` says what it depends on"});
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+MaybeTyped by_coordinate(Reading& reading, const Typed& operand, const WrittenSymbol& variable, Span span,
+                         const Around& around) {
+  const std::uint8_t axis = variable.lower.empty() ? axis_of_letter(variable.letter) : std::uint8_t{0};
+  const bool indexed = (variable.letter == "x" || variable.letter == "r") && variable.lower.size() == 1;
+  if (!is_undecorated(variable) || (axis == 0 && !indexed))
+    return unsupported(reading, span,
+                       fmt::format("a derivative by this `{}` is not decided", variable.letter),
+                       {"derivatives by the time t and by x, y, z, x_i are"});
+  std::optional<Subscript> along = Subscript{.slots = {{axis, {}}}};
+  if (axis == 0) {
+    if (any_primed(variable.lower))
+      return unsupported(reading, span, "a derivative along a primed axis is not decided");
+    along = subscript(reading, variable.lower, span, around);
+  }
+  if (!along || has_other_places(reading, span)) return std::nullopt;
+  auto letters = contraction_of(reading, {{.free = along->free}, operand});
+  if (!letters) return std::nullopt;
+  Typed typed{.rank = operand.rank, .particles = operand.particles};
+  typed.id = derivative_along(reading, operand.id, along->slots[0]);
+  return summed(reading.tree, std::move(typed), *std::move(letters));
+}
+
+MaybeTyped elaborate_derivative(Reading& reading, SyntaxId id, const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  const Span span = syntax[id].span;
+  const bool partial = syntax.derivative(id).partial;
+  if (!partial && is_declared(reading.names.symbols, {"d", 0, false}))
+    return ambiguous(reading, span, "`d` is declared, and can be a differential here");
+  auto operand = elaborate(reading, syntax.child(id, 0), around);
+  for (const WrittenVariable& variable : syntax.derivative(id).by) {
+    if (!operand) return operand;
+    if (is_time(variable.symbol)) {
+      if (frame_is_open(reading, *operand, span) ||
+          (!partial && is_total_rate_of_field(reading, *operand, span)))
+        return std::nullopt;
+      if (partial) operand = with_places_open(reading, *std::move(operand), span);
+      if (!operand) return operand;
+      operand = rate_of(reading, std::move(*operand), variable.times, partial);
+      continue;
+    }
+    const bool may_depend = !partial || is_bare_coordinate(syntax, syntax.child(id, 0));
+    if (may_depend && depends_on_other_coordinate(reading, *operand, variable.symbol, span))
+      return std::nullopt;
+    for (int k = 0; operand && k < variable.times; ++k)
+      operand = by_coordinate(reading, *operand, variable.symbol, span, around);
+  }
+  return operand;
+}
+
+MaybeTyped frame_derivative(Reading& reading, SyntaxId id, const Frame& frame, bool fixed,
+                            const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  const Span span = syntax[id].span;
+  while (syntax[id].kind == SyntaxKind::group) id = syntax.child(id, 0);
+  int times = 0;
+  MaybeTyped operand;
+  if (syntax[id].kind == SyntaxKind::derivative) {
+    for (const WrittenVariable& by : syntax.derivative(id).by) {
+      if (syntax.derivative(id).partial || !is_time(by.symbol))
+        return unsupported(reading, span, "a frame is read on a derivative `d/dt` only");
+      times += by.times;
+    }
+    operand = elaborate(reading, syntax.child(id, 0), around);
+  } else if (syntax[id].kind == SyntaxKind::symbol && syntax.symbol(id).dots > 0) {
+    WrittenSymbol written = syntax.symbol(id);
+    times = std::exchange(written.dots, std::uint8_t{0});
+    operand = elaborate_symbol(reading, written, syntax[id].span, around);
+  } else {
+    return unsupported(reading, span, "a frame is read on a derivative `d/dt` only");
+  }
+  if (!operand) return operand;
+  reading.found.used.insert(frame.directive);
+  note(reading, fmt::format("components are along the axes of the frame `{}`", frame.rotating));
+  if (!fixed || operand->rank == 0) {
+    if (fixed && (!operand->free.empty() || names_an_axis(reading.tree, operand->id)))
+      return unsupported(reading, span, "a component's derivative in the fixed frame can be read in two ways",
+                         {"differentiate the vector, then take the component"});
+    return rate_of(reading, std::move(*operand), times);
+  }
+  if (operand->rank > 1)
+    return unsupported(reading, span, "the derivative of a tensor in the fixed frame is not decided");
+  Typed rotation{.rank = 2};
+  rotation.id = reading.tree.add({.op = Op::symbol, .rank = 2, .span = span, .symbol = frame.rotation});
+  for (int k = 0; k < times; ++k) {
+    const Typed turned = rate_of(reading, apply_op(reading.tree, Op::dot, span, 1, {rotation, *operand}));
+    *operand = apply_op(reading.tree, Op::dot, span, 1, {turned, rotation});
+  }
+  return operand;
+}
+
+MaybeTyped material_rate(Reading& reading, SyntaxId operand, Span span, const Around& around) {
+  const NameKey letter{"D", 0, false};
+  if (is_declared(reading.names.symbols, letter)) {
+    symbol_named(reading, letter, "D", span);  // the declaration is used
+    return unsupported(reading, span, "`D` is declared, and `D/Dt` is the derivative along a motion");
+  }
+  const std::size_t unknown_before = reading.found.unknown_changes.size();
+  const auto typed = elaborate(reading, operand, around);
+  if (!typed || frame_is_open(reading, *typed, span)) return std::nullopt;
+  const SymbolId flow =
+      symbol_named(reading, {"u_{\\text{material}}", 1, false}, "\\mathbf{u}_{\\text{material}}", span);
+  Typed along{.rank = 1};
+  along.id = reading.tree.add({.op = Op::symbol, .rank = 1, .span = span, .symbol = flow});
+  const auto carried = directional(reading, along, *typed, span);
+  const auto open = with_places_open(reading, *typed, span);
+  if (!carried || !open) return std::nullopt;
+  const Typed local = rate_of(reading, *open, 1, true);
+  reading.found.unknown_changes.resize(unknown_before);  // it is the motion that is not known
+  reading.found.guess = unread("nothing says along which motion `D/Dt` follows");
+  return apply_op(reading.tree, Op::add, span, typed->rank, {local, *carried});
+}
+
+}  // namespace rigor

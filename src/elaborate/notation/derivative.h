@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Derivatives by the time, in a frame and along a motion, and by coordinates.
+#pragma once
+
+#include "elaborate/reading/reading.h"
+
+namespace rigor {
+
+/// By `x`, `y`, `z`, `x_i` or `r_i`.
+[[nodiscard]] MaybeTyped by_coordinate(Reading& reading, const Typed& operand, const WrittenSymbol& variable,
+                                       Span span, const Around& around);
+/// `\left(\frac{d\mathbf A}{dt}\right)_{\text{in}}`. In the fixed frame it is taken of the components along
+/// fixed axes: (dA/dt)_in = Rᵀ d(R A)/dt, with the rotation R of `frame` (see check/scope/frame.h).
+[[nodiscard]] MaybeTyped frame_derivative(Reading& reading, SyntaxId id, const Frame& frame, bool fixed,
+                                          const Around& around);
+/// Df/Dt = ∂f/∂t + (u·∇)f along a motion u of which nothing is said: what holds for every u is proved, and
+/// nothing is refuted.
+[[nodiscard]] MaybeTyped material_rate(Reading& reading, SyntaxId operand, Span span, const Around& around);
+
+}  // namespace rigor

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `elaborate` knows of notations: one function for each, in the file of its kind.
+#pragma once
+
+#include <algorithm>
+
+#include "elaborate/notation/elaborate.h"
+
+namespace rigor {
+
+using ReadPart = MaybeTyped(Reading& reading, SyntaxId id, const Around& around);
+
+ReadPart elaborate_bars, elaborate_component;                       // bracket.cpp
+ReadPart elaborate_cases;                                           // cases.cpp
+ReadPart elaborate_derivative;                                      // derivative.cpp
+ReadPart elaborate_function, elaborate_integral;                    // function.cpp
+ReadPart elaborate_tuple, elaborate_matrix, elaborate_determinant;  // matrix.cpp
+ReadPart elaborate_power, elaborate_root;                           // power.cpp
+ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
+ReadPart elaborate_term;                                            // term.cpp
+ReadPart elaborate_unit;                                            // unit.cpp
+
+/// Does it hold for the part, or for one below it?
+template <typename Predicate>
+[[nodiscard]] bool any_below(const SyntaxTree& syntax, SyntaxId id, const Predicate& holds) {
+  const std::span<const SyntaxChild> children = syntax.children(id);
+  return holds(id) || std::any_of(children.begin(), children.end(), [&](const SyntaxChild& child) {
+           return any_below(syntax, child.id, holds);
+         });
+}
+/// The number that is written, also with a minus before it.
+[[nodiscard]] std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id);
+/// `sin`, `tanh`, `exp`…, as quotients of sines, cosines and exponentials.
+[[nodiscard]] MaybeTyped elementary_function(Reading& reading, const std::string& name, const Typed& argument,
+                                             Span span);
+
+}  // namespace rigor

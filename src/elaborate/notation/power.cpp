@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Powers and roots.
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "elaborate/evidence/raised_indices.h"
+#include "elaborate/notation/notations.h"
+#include "elaborate/symbol/named_symbol.h"
+
+namespace rigor {
+namespace {
+
+constexpr int largest_exponent = 64;
+
+/// Twice the exponent.
+std::optional<int> half_number(const SyntaxTree& syntax, SyntaxId id) {
+  if (const auto whole = whole_number(syntax, id))
+    return std::abs(*whole) <= largest_exponent ? std::optional(2 * *whole) : std::nullopt;
+  const SyntaxNode& node = syntax[id];
+  if (node.kind == SyntaxKind::sum && node.count == 1 && syntax.children(id)[0].joint == Joint::minus) {
+    const auto value = half_number(syntax, syntax.child(id, 0));
+    return value ? std::optional(-*value) : std::nullopt;
+  }
+  const bool fraction = node.kind == SyntaxKind::fraction;
+  const bool slash =
+      node.kind == SyntaxKind::term && node.count == 2 && syntax.children(id)[1].joint == Joint::slash;
+  if (!fraction && !slash) return std::nullopt;
+  const auto above = whole_number(syntax, syntax.child(id, 0));
+  const auto below = whole_number(syntax, syntax.child(id, 1));
+  if (!above || !below || *below != 2 || std::abs(*above) > largest_exponent) return std::nullopt;
+  return *above;
+}
+
+/// `e^{\lambda t}`: Euler's number, unless e is declared, carries scripts or has a plain number above it.
+bool is_exponential(const Reading& reading, SyntaxId id) {
+  const SyntaxTree& syntax = reading.syntax;
+  const SyntaxId base = syntax.child(id, 0);
+  if (syntax[base].kind != SyntaxKind::symbol) return false;
+  const WrittenSymbol& symbol = syntax.symbol(base);
+  const bool euler = symbol.letter == "e" || symbol.letter == "\\mathrm{e}";
+  return euler && symbol.face == Face::plain && symbol.accent == Accent::none && symbol.lower.empty() &&
+         symbol.primes == 0 && !is_declared(reading.names.symbols, {symbol.letter, 0, false}) &&
+         !whole_number(syntax, syntax.child(id, 1)).has_value();
+}
+
+/// `H^0`, `E^1`: nobody writes such a power of a letter, but of Euler's number.
+bool reads_as_order(const Reading& reading, SyntaxId id) {
+  const SyntaxTree& syntax = reading.syntax;
+  const SyntaxId base = syntax.child(id, 0);
+  if (syntax[base].kind != SyntaxKind::symbol || syntax[syntax.child(id, 1)].kind != SyntaxKind::number)
+    return false;
+  const std::string& exponent = syntax.text(syntax.child(id, 1));
+  const WrittenSymbol& symbol = syntax.symbol(base);
+  const bool euler = symbol.letter == "e" && symbol.lower.empty() && symbol.face == Face::plain &&
+                     !is_declared(reading.names.symbols, {symbol.letter, 0, false});
+  return (exponent == "0" || exponent == "1") && !euler;
+}
+
+}  // namespace
+
+std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id) {
+  const SyntaxNode& node = syntax[id];
+  if (node.kind == SyntaxKind::number) {
+    const std::string& digits = syntax.text(id);
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return error == std::errc{} && end == digits.data() + digits.size() ? std::optional(value) : std::nullopt;
+  }
+  if (node.kind == SyntaxKind::sum && node.count == 1 && syntax.children(id)[0].joint == Joint::minus) {
+    const auto value = whole_number(syntax, syntax.child(id, 0));
+    return value ? std::optional(-*value) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  const SyntaxId raised = syntax.child(id, 0);
+  const SyntaxId exponent = syntax.child(id, 1);
+  const Span span = syntax[id].span;
+  if (is_exponential(reading, id)) {
+    const auto argument = elaborate(reading, exponent, around);
+    return argument ? elementary_function(reading, "exp", *argument, span) : std::nullopt;
+  }
+  if (reads_as_order(reading, id)) {
+    const WrittenSymbol& symbol = syntax.symbol(raised);
+    return ambiguous(reading, span,
+                     fmt::format("a {} above `{}` can be a power, or say of which order it is",
+                                 syntax.text(exponent), symbol.letter),
+                     {"a power of a bracket is no label: `(a)^0`"});
+  }
+  const auto whole = whole_number(syntax, exponent);
+  const bool of_symbol = syntax[raised].kind == SyntaxKind::symbol;
+  if (of_symbol && whole && may_be_raised(syntax.symbol(raised), *reading.names.symbols.evidence) &&
+      !is_declared_letter(reading.names, syntax.symbol(raised))) {
+    const std::string& letter = syntax.symbol(raised).letter;
+    return ambiguous(
+        reading, span,
+        fmt::format("`{}` has upper indices elsewhere: this can be one of them or a power", letter),
+        {fmt::format("`rigor: scalar {}` makes it a power", letter)});
+  }
+  Around inside = around;
+  inside.squared = of_symbol && whole == 2;
+  const auto base = elaborate(reading, raised, inside);
+  if (!base) return std::nullopt;
+  const auto halves = half_number(syntax, exponent);
+  if (!halves) {
+    return unsupported(reading, syntax[exponent].span,
+                       fmt::format("only whole and half exponents up to {} are read, and no upper indices",
+                                   largest_exponent));
+  }
+  if (*halves == 2) return base;
+  if (!base->free.empty()) {
+    const std::string& letter = base->free[0].letter;
+    return ambiguous(
+        reading, span,
+        fmt::format("a power of a component with the free index `{}` can be summed over `{}` or not", letter,
+                    letter),
+        {"write the factors out, or the sum"});
+  }
+  if (base->rank > 1) return unsupported(reading, span, "a power of a tensor is not decided");
+  if (base->rank == 1) {
+    if (*halves == 4) return apply_op(reading.tree, Op::dot, span, 0, {*base, *base});
+    if (*halves % 4 != 0)
+      return unsupported(reading, span,
+                         "an odd power of a vector is not defined, and matrices in bold are not read",
+                         {"a power of its length is written without bold"});
+    const Typed length = apply_op(reading.tree, Op::length, span, 0, {*base});
+    return apply_op(reading.tree, Op::power, span, 0, {length}, *halves / 2);
+  }
+  if (*halves % 2 == 0) return apply_op(reading.tree, Op::power, span, 0, {*base}, *halves / 2);
+  const Typed root = apply_op(reading.tree, Op::root, span, 0, {*base});
+  return *halves == 1 ? root : apply_op(reading.tree, Op::power, span, 0, {root}, *halves);
+}
+
+MaybeTyped elaborate_root(Reading& reading, SyntaxId id, const Around& around) {
+  const auto radicand = elaborate(reading, reading.syntax.child(id, 0), around);
+  if (!radicand) return std::nullopt;
+  if (radicand->rank != 0)
+    return wrong_rank(reading, reading.syntax[id].span, "the root of a vector or tensor is not defined");
+  if (!radicand->free.empty())
+    return unsupported(reading, reading.syntax[id].span,
+                       "a root of a component with a free index is not decided");
+  return apply_op(reading.tree, Op::root, reading.syntax[id].span, 0, {*radicand});
+}
+
+}  // namespace rigor

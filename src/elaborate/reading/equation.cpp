@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/reading/equation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rigor {
+namespace {
+
+const char* kind_of(int rank) {
+  if (rank == 0) return "a scalar";
+  return rank == 1 ? "a vector" : "a tensor";
+}
+
+/// A written 0 stands for the zero of whatever it is compared with.
+ExprId zero_like(Reading& reading, const Typed& written, const Typed& other) {
+  return other.rank == 0 ? written.id
+                         : zero_of_rank(reading.tree, reading.tree[written.id].span, other.rank,
+                                        reading.tree[other.id].axes);
+}
+
+}  // namespace
+
+bool same_type(const Reading& reading, const Typed& first, const Typed& other, const char* what,
+               Mismatch mismatch) {
+  const Span first_span = reading.tree[first.id].span;
+  const Span other_span = reading.tree[other.id].span;
+  if (first.rank != other.rank && reading.found.dyad) {
+    const Obstacle& guess = *reading.found.guess;
+    report(mismatch.diagnostics, DiagnosticKind::ambiguous_reading, *reading.found.dyad, guess.message,
+           guess.help);
+    return false;
+  }
+  if (first.rank != other.rank) {
+    mismatch.diagnostics.push_back(
+        {DiagnosticKind::rank_mismatch,
+         mismatch.relation,
+         fmt::format("{} stands against {}", kind_of(other.rank), kind_of(first.rank)),
+         {{first_span, kind_of(first.rank)}}});
+    return false;
+  }
+  if (reading.tree[first.id].axes != reading.tree[other.id].axes) {
+    mismatch.diagnostics.push_back({DiagnosticKind::rank_mismatch,
+                                    mismatch.relation,
+                                    "values of different spaces stand against each other",
+                                    {{first_span, "of another space"}}});
+    return false;
+  }
+  const auto missing = [](const auto& from, const auto& in) {
+    return std::find_if(from.begin(), from.end(), [&](const auto& entry) {
+      return std::none_of(in.begin(), in.end(), [&](const auto& old) { return old.letter == entry.letter; });
+    });
+  };
+  const auto tell = [&](const auto& entry, Span without) {
+    const bool shown = reading.letters.is_sure(entry.letter);
+    const DiagnosticKind kind =
+        shown ? DiagnosticKind::free_index_mismatch : DiagnosticKind::ambiguous_reading;
+    mismatch.diagnostics.push_back(
+        {kind,
+         entry.span,
+         shown ? fmt::format("the free index `{}` stands on one {} only", entry.letter, what)
+               : fmt::format("`{}` can be a free index, which then stands on one {} only, or a label",
+                             entry.letter, what),
+         {{without, fmt::format("no free `{}` here", entry.letter)}}});
+    return false;
+  };
+  if (const auto extra = missing(other.free, first.free); extra != other.free.end())
+    return tell(*extra, first_span);
+  if (const auto extra = missing(first.free, other.free); extra != first.free.end())
+    return tell(*extra, other_span);
+  return true;
+}
+
+std::optional<Equation> equate(Reading& reading, const Typed& left, const Typed& right, Mismatch mismatch) {
+  const bool left_zero = is_literal_zero(reading.tree, left);
+  const bool right_zero = is_literal_zero(reading.tree, right);
+  if (!left_zero && !right_zero && !same_type(reading, left, right, "side", mismatch)) return std::nullopt;
+  Equation equation;
+  equation.left = left_zero ? zero_like(reading, left, right) : left.id;
+  equation.right = right_zero ? zero_like(reading, right, left) : right.id;
+  const Typed& whole = left_zero ? right : left;
+  for (const FreeIndex& free : whole.free) equation.indices.push_back(free.id);
+  std::vector<FreeParticle> particles = left.particles;
+  merge_free(particles, right.particles);
+  for (const FreeParticle& free : particles) equation.particles.push_back(free.id);
+  return equation;
+}
+
+}  // namespace rigor

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state of reading one statement. This file stores; what is done with it is free functions by topic, in
+// this room and in those above it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "elaborate/name/letters.h"
+#include "elaborate/name/names.h"
+#include "elaborate/reading/typed.h"
+#include "expr/calculus/differentiate.h"
+#include "latex/token/syntax.h"
+#include "source/diagnostic.h"
+
+namespace rigor {
+
+/// What a hole is taken for: a whole of a rank, or of rank 0 a component with letters and particles.
+struct HoleShape {
+  int rank = 0;
+  std::vector<std::string> letters = {};
+  std::vector<std::string> particles = {};  // at most one
+};
+
+/// A hole that was read: a symbol of its own, which belongs to no name.
+struct Hole {
+  SymbolId symbol{};
+  Span span;
+};
+
+/// How a statement is read where the plain reading is not what is meant.
+struct ReadingRules {
+  bool no_sum = false;                  // "(no sum)": no letter is summed but under an explicit sign
+  std::set<std::string> unsummed = {};  // nor are these
+  bool primes_on_axes = false;          // i' and i are one letter; the prime only says along which axes
+  bool dots_on_vectors = false;         // \dot r of the length r is |\dot{\mathbf r}|
+  std::optional<HoleShape> hole = {};   // nothing: a hole is not read
+};
+
+/// What stands around the part that is read. It is handed down, and kept nowhere.
+struct Around {
+  std::span<const FreeIndex> slots = {};          // letters of the left side, for cases on the right
+  std::map<std::string, std::uint8_t> axes = {};  // a determinant's letters, which stand for one axis each
+  std::optional<ParticleId> body_point = {};      // of an integral over the body
+  bool squared = false;                           // the part is a symbol, and the exponent 2 stands on it
+};
+
+/// All sides of the statement share their free letters, and what one of them says about a letter holds for
+/// all. The parts that are referred to outlive it.
+struct Reading {
+  const SyntaxTree& syntax;
+  ExprTree& tree;
+  Names& names;
+  Letters letters;
+  Diagnostics& diagnostics;
+  ReadingRules rules = {};
+
+  /// What the letters of one kind stand for.
+  template <typename Id>
+  struct Variables {
+    std::map<std::string, Id> free = {};                 // shared by all sides
+    std::map<std::string, std::vector<Id>> summed = {};  // by a written Σ, the innermost last
+  };
+  Variables<IndexId> indices = {};
+  Variables<ParticleId> particles = {};
+
+  /// What the statement says beside its meaning.
+  struct Found {
+    std::vector<std::string> conventions;   // that were needed: "`A` is the length of `\mathbf{A}`"
+    std::set<std::string> summed_letters;   // because they stand twice
+    std::vector<Hole> holes;                // in the order in which they were read
+    std::optional<Span> dotted_length;      // \dot r, squared, where r is the length of a particle's vector
+    std::optional<std::string> region;      // of its integrals
+    std::optional<Span> dyad;               // bold letters side by side, which may be matrices
+    std::optional<Obstacle> guess;          // see guess_of()
+    std::vector<SymbolId> unknown_changes;  // differentiated though nothing says whether they change: such a
+                                            // statement may be proved, never refuted
+    std::set<std::string> positions;        // the ways in which it writes the position
+    Directives used;                        // what was looked up is said by these
+    bool differentiates_position = false;
+  } found = {};
+
+  struct Derivatives {
+    Derivatives() = default;
+    Derivatives(const Derivatives&) = delete;  // the differentiators refer to the reading
+    Derivatives& operator=(const Derivatives&) = delete;
+    DerivativeBudget budget;  // used up inside a part: `elaborate` of that part fails
+    std::map<std::tuple<By, bool, std::uint8_t, IndexId>, Differentiator> by;  // each with what it knows
+  } derivatives = {};
+};
+
+/// A reading that nothing but the statement itself suggests: such a statement may be proved, never refuted.
+[[nodiscard]] std::optional<Obstacle> guess_of(const Reading& reading);
+void note(Reading& reading, std::string convention);
+/// Of x, y, z, the vector r and the vector x, any one can be the position; two of them are related in a way
+/// that nothing says.
+void note_position(Reading& reading, SymbolId symbol);
+
+/// The symbol of a key; the directive that declares it is used.
+SymbolId symbol_named(Reading& reading, const NameKey& key, const std::string& name, Span span);
+/// How a symbol changes; the directive that says so is used.
+[[nodiscard]] Dependence change_of(Reading& reading, SymbolId symbol, By by);
+
+/// The space that vectors, tensors and indices belong to here; the directive that says so is used.
+Space use_space(Reading& reading);
+
+/// The variable of a letter: of the innermost written sum over it, else of the statement.
+[[nodiscard]] IndexId index_named(Reading& reading, const std::string& letter);
+[[nodiscard]] ParticleId particle_named(Reading& reading, const std::string& letter);
+
+[[nodiscard]] inline Obstacle unread(std::string message, std::vector<std::string> help = {}) {
+  return {DiagnosticKind::unsupported, std::move(message), std::move(help)};
+}
+
+/// A diagnostic, and nothing.
+inline std::nullopt_t fail(Reading& reading, DiagnosticKind kind, Span span, std::string message,
+                           std::vector<std::string> help = {}) {
+  report(reading.diagnostics, kind, span, std::move(message), std::move(help));
+  return std::nullopt;
+}
+inline std::nullopt_t fail(Reading& reading, Span span, const Obstacle& obstacle) {
+  return fail(reading, obstacle.kind, span, obstacle.message, obstacle.help);
+}
+inline std::nullopt_t unsupported(Reading& reading, Span span, std::string message,
+                                  std::vector<std::string> help = {}) {
+  return fail(reading, DiagnosticKind::unsupported, span, std::move(message), std::move(help));
+}
+inline std::nullopt_t ambiguous(Reading& reading, Span span, std::string message,
+                                std::vector<std::string> help = {}) {
+  return fail(reading, DiagnosticKind::ambiguous_reading, span, std::move(message), std::move(help));
+}
+inline std::nullopt_t wrong_rank(Reading& reading, Span span, std::string message,
+                                 std::vector<std::string> help = {}) {
+  return fail(reading, DiagnosticKind::rank_mismatch, span, std::move(message), std::move(help));
+}
+
+}  // namespace rigor

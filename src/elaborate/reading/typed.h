@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An expression that was read, with the letters that are still open in it.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "expr/tree/tree.h"
+
+namespace rigor {
+
+/// An index letter that no sum has bound yet, and where it stands.
+struct FreeIndex {
+  std::string letter;
+  IndexId id{};
+  Span span;
+  bool rides = false;  // on a principal value `I_i`, which is not counted as an occurrence
+};
+
+struct FreeParticle {
+  std::string letter;
+  ParticleId id{};
+  Span span;
+};
+
+/// An expression with what its type says.
+struct Typed {
+  ExprId id{};
+  int rank = 0;
+  std::vector<FreeIndex> free = {};          // each letter once
+  std::vector<FreeParticle> particles = {};  // each letter once
+  std::vector<FreeIndex> bound = {};         // letters summed inside
+};
+
+/// Nothing where there is a mistake, of which a diagnostic tells.
+using MaybeTyped = std::optional<Typed>;
+
+/// The union of both lists by letter.
+template <typename Free>
+void merge_free(std::vector<Free>& into, const std::vector<Free>& from) {
+  for (const Free& entry : from) {
+    const auto same = [&](const Free& old) { return old.letter == entry.letter; };
+    if (std::none_of(into.begin(), into.end(), same)) into.push_back(entry);
+  }
+}
+/// All letters of `part` are letters of `into` as well.
+void merge_letters(Typed& into, const Typed& part);
+
+/// One operation on its operands, with the letters of all.
+[[nodiscard]] Typed apply_op(ExprTree& tree, Op op, Span span, int rank, const std::vector<Typed>& operands,
+                             int exponent = 0);
+/// The components of a vector, or of a tensor row by row, along the axes of the space.
+[[nodiscard]] Typed tuple_of(ExprTree& tree, Space space, Span span, const std::vector<Typed>& entries);
+[[nodiscard]] ExprId sum_of(ExprTree& tree, const std::vector<ExprId>& terms, int rank, Span span);
+[[nodiscard]] bool is_literal_zero(const ExprTree& tree, const Typed& typed);
+
+}  // namespace rigor

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elaborate/symbol/symbol.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/ascii.h"
+#include "elaborate/reading/change.h"
+#include "elaborate/symbol/axes.h"
+#include "elaborate/symbol/hole.h"
+#include "elaborate/symbol/named_symbol.h"
+#include "latex/token/vocabulary.h"
+
+namespace rigor {
+namespace {
+
+bool all_of_form(const std::vector<WrittenIndex>& axes, IndexForm form) {
+  return std::all_of(axes.begin(), axes.end(), [&](const WrittenIndex& axis) { return axis.form == form; });
+}
+
+bool is_axis_letter(const WrittenIndex& axis) {
+  return axis.form == IndexForm::letter && axis_of_letter(axis.text) != 0;
+}
+
+std::uint8_t hatted_axis(const WrittenSymbol& written, const Sightings& sightings) {
+  if (written.accent != Accent::hat || !written.lower.empty() || written.primes > 0) return 0;
+  if (const std::uint8_t axis = axis_of_letter(written.letter)) return axis;
+  if (!sightings.hatted_ij) return 0;
+  if (written.letter == "i" || written.letter == "\\imath") return 1;
+  if (written.letter == "j" || written.letter == "\\jmath") return 2;
+  return written.letter == "k" ? 3 : 0;
+}
+
+/// `\delta x` is one symbol, and where \delta is a small number, a product is as likely meant.
+bool hides_small_factor(const Reading& reading, const WrittenSymbol& written, const WrittenName& name) {
+  const Names& names = reading.names;
+  return !written.change.empty() && is_small_scalar(names, reading.tree, written.change) &&
+         !is_declared(names.symbols, {name.base, 0, false}) &&
+         !is_declared(names.symbols, {name.base, 1, false});
+}
+
+void warn_of_bold_index(Reading& reading, const WrittenName& name, Span span) {
+  std::string list;
+  for (const WrittenIndex& axis : name.axes) list += axis.text + std::string(axis.primes, '\'');
+  const bool one = name.axes.size() == 1;
+  report(reading.diagnostics, DiagnosticKind::bold_index, span,
+         fmt::format("`{}` is a {}, yet it carries the {} `{}`; read as the component", bold(name.base),
+                     one ? "vector" : "tensor", one ? "index" : "indices", list),
+         {one ? fmt::format("write `{}_{}`", name.base, list)
+              : fmt::format("write `{}_{{{}}}`", name.base, list)});
+}
+
+/// Bold somewhere else in the notes makes a letter a vector, yet nothing in the statement says so: `R_1` may
+/// be a resistance. A length is settled by the vector's use in this section.
+void guess_vector(Reading& reading, const WrittenName& name, bool as_length) {
+  const NameKey key{name.base, 1, name.per_particle()};
+  const Names& names = reading.names;
+  const auto symbol = find_symbol(names.symbols, key);
+  const bool settled = name.per_particle() || is_declared(names.symbols, key) ||
+                       reading.letters.bold_vectors.contains(name.base) ||
+                       reading.letters.indexed_vectors.contains(name.base) ||
+                       (symbol && definition_of(names.scope, *symbol) != nullptr) ||
+                       (symbol && as_length && seen_in_equation(names.scope, *symbol));
+  if (settled) return;
+  reading.found.guess =
+      Obstacle{DiagnosticKind::ambiguous_reading,
+               fmt::format("`{}` can belong to the vector `{}`, or be a symbol of its own", name.base,
+                           bold(name.base)),
+               {fmt::format("`rigor: vector {}` or `rigor: scalar …` settles it", bold(name.base))}};
+}
+
+/// δ, ε and basis vectors; nothing for other letters.
+std::optional<MaybeTyped> unit_or_basis(Reading& reading, const WrittenSymbol& written, Span span,
+                                        const Around& around) {
+  const Names& names = reading.names;
+  if (is_kronecker(written) || is_levi_civita(written)) return unit_tensor(reading, written, span, around);
+  const bool e_declared =
+      is_declared(names.symbols, {"e", 1, false}) || is_declared(names.symbols, {"\\hat{e}", 1, false});
+  if (is_basis_family(written) && !e_declared) {
+    if (any_primed(written.lower)) return primed_basis_vector(reading, written.lower[0], span, around);
+    if (auto read = try_subscript(reading, written.lower, around))
+      return basis_vector(reading, span, read->slots[0], std::move(read->free));
+  }
+  const std::uint8_t axis = hatted_axis(written, *names.symbols.sightings);
+  const int dimension = space_of(names.symbols).dimension;
+  if (axis > dimension)
+    return unsupported(reading, span,
+                       fmt::format("the space has {} axes, and this is another one", dimension));
+  if (axis != 0 && !is_declared(names.symbols, {"\\hat{" + written.letter + "}", 1, false}))
+    return basis_vector(reading, span, Slot{axis, {}}, {});
+  return std::nullopt;
+}
+
+bool is_bare_and_undeclared(const Names& names, const WrittenSymbol& written) {
+  return written.lower.empty() && written.face == Face::plain && written.accent == Accent::none &&
+         written.change.empty() && !is_declared(names.symbols, {written.letter, 0, false});
+}
+
+/// Why a letter is no quantity that is read: it stands for a change, an average or i.
+std::optional<Obstacle> no_quantity(const Names& names, const WrittenSymbol& written) {
+  const std::string& letter = written.letter;
+  if (letter.starts_with("\\mathbb") && !is_declared_letter(names, written))
+    return unread(
+        fmt::format("`{}` can be an average, a probability, a set or a unit, which are not decided with",
+                    letter),
+        {fmt::format("`rigor: scalar {}` makes it a quantity", letter)});
+  if (!is_bare_and_undeclared(names, written)) return std::nullopt;
+  if (letter == "\\delta" || letter == "\\Delta" || letter == "\\mathrm{d}")
+    return unread(
+        fmt::format("`{}` without indices reads as a small change, which is not decided yet", letter));
+  if ((letter == "i" || letter == "j") && written.primes == 0)
+    return unread(
+        fmt::format("`{}` without a subscript can be the imaginary unit, which is not decided with", letter));
+  return std::nullopt;
+}
+
+MaybeTyped vector_symbol(Reading& reading, const Occurrence& at) {
+  const WrittenName& name = at.name;
+  const Names& names = reading.names;
+  const bool tensor = at.written.face == Face::tensor;
+  const bool particle = name.per_particle();
+  const int rank = static_cast<int>(name.axes.size());
+  if (rank == 0) {
+    const bool declared_vector = is_declared(names.symbols, {name.base, 1, particle});
+    const bool declared_tensor = is_declared(names.symbols, {name.base, 2, particle});
+    if (!tensor && !declared_vector && !declared_tensor &&
+        names.symbols.sightings->indexed.contains({name.base, 2, particle}) &&
+        !names.symbols.sightings->crossed.contains(name.base) &&
+        !names.symbols.sightings->indexed.contains({name.base, 1, particle})) {
+      return ambiguous(
+          reading, at.span,
+          fmt::format("`{}` can be a vector, or the tensor with components `{}_{{ij}}`", bold(name.base),
+                      name.base),
+          {fmt::format("`rigor: tensor {0}` or `rigor: vector {0}` settles it", bold(name.base))});
+    }
+    return named_symbol(reading, at, name.base, tensor || (declared_tensor && !declared_vector) ? 2 : 1);
+  }
+  if (tensor) return named_symbol(reading, at, name.base, rank, name.axes);
+  if (all_of_form(name.axes, IndexForm::digit))
+    return named_symbol(reading, at, with_labels(name.base, name.axes), 1);
+  const bool hatted = at.written.accent == Accent::hat && at.written.face == Face::plain;
+  const bool whole_vector_known = is_declared(names.symbols, {name.base, 1, particle}) ||
+                                  names.symbols.sightings->bold.contains({name.base, particle});
+  const bool tensor_component = rank > 1 && is_declared(names.symbols, {name.base, rank, particle});
+  const std::string& first = name.axes[0].text;
+  if (tensor_component ||
+      (rank == 1 && (whole_vector_known || hatted) && !reading.indices.summed.contains(first))) {
+    if (!hatted) warn_of_bold_index(reading, name, at.span);
+    return named_symbol(reading, at, name.base, rank, name.axes);
+  }
+  return ambiguous(
+      reading, at.span,
+      fmt::format("the index on `{}` can name a particle, a component or a label", bold(name.base)),
+      {fmt::format("`rigor: particles {}` makes it a particle; a component is written `{}_{}`", first,
+                   name.base, first)});
+}
+
+MaybeTyped length_or_scalar(Reading& reading, const Occurrence& at) {
+  const WrittenName& name = at.name;
+  const Names& names = reading.names;
+  const bool particle = name.per_particle();
+  const NameKey scalar{name.base, 0, particle};
+  const bool defined = find_symbol(names.symbols, scalar) &&
+                       definition_of(names.scope, *find_symbol(names.symbols, scalar)) != nullptr;
+  for (const int rank : {1, 2}) {
+    if (is_plain(names.symbols, {name.base, rank, particle}))
+      return named_symbol(reading, at, name.base, rank);
+  }
+  // A letter that is bold in another section only is another one here, where it stands at all.
+  const Evidence& here = *names.symbols.evidence;
+  const bool bold_here = name.base == "r" || !here.letters.contains(at.written.letter) ||
+                         here.vectors.contains(letter_with_marks(at.written));
+  const bool bold_seen = (bold_here && names.symbols.sightings->bold.contains({name.base, particle})) ||
+                         is_declared(names.symbols, {name.base, 1, particle});
+  const bool by_company = !bold_seen && at.written.lower.size() == name.particles.size() &&
+                          reading.letters.indexed_vectors.contains(name.base);
+  const bool component = here.components.contains(name.base);
+  if (is_declared(names.symbols, scalar) || defined || component || (!bold_seen && !by_company))
+    return named_symbol(reading, at, name.base, 0);
+  const auto vector = named_symbol(reading, at, name.base, 1);
+  if (!vector) return vector;
+  note(reading, fmt::format("`{}` is the length of `{}`", name.base, bold(name.base)));
+  if (bold_seen) guess_vector(reading, name, true);
+  if (by_company) {
+    reading.found.guess = Obstacle{
+        DiagnosticKind::ambiguous_reading,
+        fmt::format("`{}` can be the length of the vector with components `{}_i`, or a symbol of its own",
+                    name.base, name.base),
+        {fmt::format("`rigor: vector {}` or `rigor: scalar {}` settles it", bold(name.base), name.base)}};
+  }
+  return apply_op(reading.tree, Op::length, at.span, 0, {*vector});
+}
+
+MaybeTyped plain_symbol(Reading& reading, Occurrence at) {
+  WrittenName& name = at.name;
+  if (name.axes.empty()) return length_or_scalar(reading, at);
+  const Names& names = reading.names;
+  const bool particle = name.per_particle();
+  if (name.axes.size() == 2 && name.axes[0].form == IndexForm::digit &&
+      name.axes[1].form == IndexForm::letter &&
+      names.symbols.sightings->bold.contains(
+          {with_labels(name.base, {name.axes[0]}), particle})) {  // p_{1x} of \mathbf{p}_1
+    name.base = with_labels(name.base, {name.axes[0]});
+    name.axes.erase(name.axes.begin());
+  }
+  const int rank = static_cast<int>(name.axes.size());
+  if (std::all_of(name.axes.begin(), name.axes.end(), is_index_letter))
+    return named_symbol(reading, at, name.base, rank, name.axes);
+  const bool known = is_known(names, name.base, rank, particle);
+  const std::string labelled = with_labels(name.base, name.axes);
+  const bool labelled_declared = is_declared(names.symbols, {labelled, 0, particle});
+  const bool labelled_known =
+      names.symbols.sightings->bold.contains({labelled, particle}) || labelled_declared;
+  if (known && labelled_known && rank == 1 && !labelled_declared) {
+    return ambiguous(reading, at.span,
+                     fmt::format("`{}` can be a component of `{}` or the length of `{}`", labelled,
+                                 bold(name.base), bold(labelled)),
+                     {fmt::format("write `|{}|` for the length", bold(labelled))});
+  }
+  const bool mixed = !all_of_form(name.axes, IndexForm::digit) &&
+                     !std::all_of(name.axes.begin(), name.axes.end(), is_axis_letter);
+  if (known && !labelled_known && rank == 1) guess_vector(reading, name, false);
+  if ((known && !labelled_known) || mixed) return named_symbol(reading, at, name.base, rank, name.axes);
+  name.base = labelled;
+  name.axes.clear();
+  return length_or_scalar(reading, at);
+}
+
+/// `\dot x`. A dot on the length r of a vector is d|r|/dt, to the letter; on that of a particle's vector,
+/// squared, a missing bold face may be meant, as in ½ Σ m ṙ².
+MaybeTyped dotted_symbol(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
+  WrittenSymbol bare = written;
+  const int times = std::exchange(bare.dots, std::uint8_t{0});
+  auto typed = elaborate_symbol(reading, bare, span, around);
+  if (!typed || frame_is_open(reading, *typed, span) || is_total_rate_of_field(reading, *typed, span))
+    return std::nullopt;
+  if (reading.tree[typed->id].op != Op::length || !around.squared)
+    return rate_of(reading, std::move(*typed), times);
+  const ExprNode& vector_of_length = reading.tree[reading.tree.children(typed->id)[0]];
+  const bool of_particle =
+      vector_of_length.op == Op::symbol && reading.tree.symbols[vector_of_length.symbol].per_particle;
+  if (!of_particle) return rate_of(reading, std::move(*typed), times);
+  reading.found.dotted_length = span;
+  if (!reading.rules.dots_on_vectors) return rate_of(reading, std::move(*typed), times);
+  typed->id = reading.tree.children(typed->id)[0];
+  typed->rank = 1;
+  const Typed vector = rate_of(reading, std::move(*typed), times);
+  return apply_op(reading.tree, Op::length, span, 0, {vector});
+}
+
+}  // namespace
+
+MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
+  if (written.letter == hole_letter) return elaborate_hole(reading, written, span, around);
+  if (written.dots > 0) return dotted_symbol(reading, written, span, around);
+  if (written.letter == "\\nabla") return unsupported(reading, span, "`\\nabla` has nothing to act on here");
+  if (auto fixed = unit_or_basis(reading, written, span, around)) return *std::move(fixed);
+  if (const auto obstacle = no_quantity(reading.names, written)) return fail(reading, span, *obstacle);
+  if (written.letter == "\\pi" && is_bare_and_undeclared(reading.names, written))
+    reading.found.guess = unread("`\\pi` was taken as any number");
+  WrittenName name = take_apart(written, reading.letters, reading.names);
+  reading.found.used.insert(name.used.begin(), name.used.end());
+  if (hides_small_factor(reading, written, name)) {
+    return ambiguous(
+        reading, span,
+        fmt::format("`{}` is one symbol, a change, and `{}` is small by itself", name.base, written.change),
+        {fmt::format("for the product write `{}` behind the other factors", written.change)});
+  }
+  const auto greek_label = [](const WrittenIndex& index) { return index.form == IndexForm::greek; };
+  if (std::count_if(written.lower.begin(), written.lower.end(), greek_label) > 1) {
+    return unsupported(reading, span, "two Greek subscripts, as of space-time, are not decided");
+  }
+  const bool capital = is_capital_letter(written.letter);
+  if (written.accent == Accent::hat && written.face == Face::plain && capital &&
+      !is_declared(reading.names.symbols, {name.base, 1, false})) {
+    return ambiguous(
+        reading, span, fmt::format("`{}` can be a unit vector or an operator", name.base),
+        {fmt::format("`rigor: vector {}` or a bold letter says that it is a vector; with operators "
+                     "nothing is decided",
+                     name.base)});
+  }
+  if (name.particles.size() > 1)
+    return unsupported(reading, span, "a quantity of two particles is not decided yet");
+  if (written.face != Face::plain || written.accent == Accent::hat)
+    return vector_symbol(reading, {written, std::move(name), span, around});
+  return plain_symbol(reading, {written, std::move(name), span, around});
+}
+
+}  // namespace rigor
