@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The house rules that a program can see: who may include whom (the table is .cmake/floors.cmake), which floor
-# may see which library, file length, the SPDX line, one class of a name in a namespace, a short README on every
-# floor and in every room.
+# may see which library, the headers that a file's standard names need, file length, the SPDX line, one class of
+# a name in a namespace, a short README on every floor and in every room.
 #
 #   cmake [-D ROOT=<repository>] -P tests/lint/layers.cmake
 #
@@ -136,6 +136,62 @@ macro(check_classes file)
   endforeach()
 endmacro()
 
+# The header of each name of the standard library. A floor that is compiled as few units hides a missing include.
+set(home_of_array array)
+set(home_of_deque deque)
+set(home_of_function functional)
+set(home_of_map map)
+set(home_of_numeric_limits limits)
+set(home_of_optional optional)
+set(home_of_set set)
+set(home_of_shared_ptr memory)
+set(home_of_span span)
+set(home_of_string string)
+set(home_of_string_view string_view)
+set(home_of_unique_ptr memory)
+set(home_of_unordered_map unordered_map)
+set(home_of_unordered_set unordered_set)
+set(home_of_variant variant)
+set(home_of_vector vector)
+
+# What `file` includes, and which names of the standard library it uses.
+macro(note_includes file)
+  string(REGEX REPLACE "//[^\n]*" "" code "${text}")
+  string(REGEX MATCHALL "#include [<\"][^\n>\"]+" includes_of_${file} "${code}")
+  string(REGEX MATCHALL "std::[a-z_]+" names_of_${file} "${code}")
+  list(REMOVE_DUPLICATES names_of_${file})
+endmacro()
+
+# `headers_from_<file>`: what `file` and the headers of ours that it includes take from elsewhere.
+function(collect_headers file)
+  if(DEFINED headers_from_${file})
+    return()
+  endif()
+  set(headers ${includes_of_${file}})
+  list(FILTER headers INCLUDE REGEX "<")
+  set(headers_from_${file} "${headers}") # for headers that include each other
+  set(ours ${includes_of_${file}})
+  list(FILTER ours INCLUDE REGEX "\"")
+  foreach(include IN LISTS ours)
+    string(REGEX REPLACE ".*\"" "src/" header "${include}")
+    collect_headers(${header})
+    list(APPEND headers ${headers_from_${header}})
+    set(headers_from_${header} "${headers_from_${header}}" PARENT_SCOPE)
+  endforeach()
+  list(REMOVE_DUPLICATES headers)
+  set(headers_from_${file} "${headers}" PARENT_SCOPE)
+endfunction()
+
+macro(check_homes file)
+  collect_headers(${file})
+  foreach(name IN LISTS names_of_${file})
+    string(REPLACE "std::" "home_of_" home "${name}")
+    if(DEFINED ${home} AND NOT "#include <${${home}}" IN_LIST headers_from_${file})
+      breach(${file}:1 "uses `${name}` without an include of `<${${home}}>`")
+    endif()
+  endforeach()
+endmacro()
+
 # Every folder of src/ is a floor with a README.
 file(GLOB folders RELATIVE ${ROOT}/src ${ROOT}/src/*)
 foreach(floor IN LISTS folders)
@@ -172,6 +228,8 @@ foreach(floor IN LISTS RIGOR_FLOORS)
     read_lines(${file})
     check_source(${file})
     check_includes(${file} ${floor})
+    note_includes(${file})
+    list(APPEND sources ${file})
     if(RIGOR_${floor}_ROOMS)
       check_room(${file} ${floor})
     else()
@@ -189,6 +247,10 @@ foreach(floor IN LISTS RIGOR_FLOORS)
       breach(src/${floor}/${room}:1 "${files_in_${floor}_${room}} files in a room, at most ${most_files_of_room}")
     endif()
   endforeach()
+endforeach()
+
+foreach(file IN LISTS sources)
+  check_homes(${file})
 endforeach()
 
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/tests/*.h ${ROOT}/tests/*.cpp)

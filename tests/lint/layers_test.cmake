@@ -102,6 +102,8 @@ expect_breach(src/check/walk/README.md "" "src/check/walk/README.md:1: missing: 
 list(JOIN RIGOR_check_ROOMS " " rooms)
 expect_breach(src/check/b.h "${spdx}" "src/check/b.h:1: stands in no room of `check`, which are: ${rooms}")
 expect_breach(src/check/attic/b.h "${spdx}" "src/check/attic/b.h:1: stands in no room of `check`, which are: ${rooms}")
+expect_breach(src/base/b.cpp "${spdx}#include \"base/a.h\"\n\nstd::vector<std::string> names;\n"
+  "src/base/b.cpp:1: uses `std::string` without an include of `<string>`")
 expect_breach(src/check/doubt/b.h "${spdx}#include \"check/walk/a.h\"\n"
   "src/check/doubt/b.h:2: the room `doubt` includes what stands above it, in `walk`")
 expect_breach(src/attic/a.h "${spdx}" "src/attic:1: not a floor of .cmake/floors.cmake")

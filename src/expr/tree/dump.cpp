@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walks over a whole tree, with a stack of their own: depth costs no call stack.
+#include <string_view>
 #include <variant>
 
 #include "expr/tree/tree.h"
