@@ -105,8 +105,7 @@ MaybeTyped elaborate_big_sum(Reading& reading, SyntaxId id, const Around& around
     if (particle) {
       reading.particles.summed[index.text].push_back(reading.tree.add_particle(index.text));
     } else {
-      reading.indices.summed[index.text].push_back(
-          reading.tree.add_index(index.text, use_space(reading)));
+      reading.indices.summed[index.text].push_back(reading.tree.add_index(index.text, use_space(reading)));
     }
   }
   auto body = elaborate(reading, reading.syntax.child(id, 0), around);
