@@ -120,7 +120,7 @@ TEST_CASE("a proved step without small steps says why, in the document and on th
   for (const char* option : {"--latex", "--html"}) {
     const std::string text = run_program({"report", folder.path("n.md"), option, "-", "--no-forms"}).text;
     INFO(text);
-    CHECK(text.find("none: an order is not turned from one side into the other") != std::string::npos);
+    CHECK(text.find("none: one side of an order is not turned into the other") != std::string::npos);
   }
 }
 

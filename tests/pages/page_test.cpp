@@ -289,7 +289,7 @@ TEST_CASE("a missing file does not keep the others from the page") {
   CHECK(outcome.code == 66);
   CHECK(outcome.text.find("none.md") != std::string::npos);
   const std::string page = text_of(folder.path("p.html"));
-  CHECK(page.find("1 step, none of which needs attention, but <b>1 problem") != std::string::npos);
+  CHECK(page.find("1 step: none needs attention, but there is <b>1 problem") != std::string::npos);
   CHECK(page.find("no such file") != std::string::npos);
   CHECK(text_of(folder.path("d.tex")).find("no such file") != std::string::npos);
 }

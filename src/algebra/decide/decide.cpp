@@ -28,7 +28,8 @@ constexpr std::uint32_t cheap_terms = 3000;
   if (reached.too_large) return reached.too_large;
   const std::size_t axes = equation.indices.size() + scope.tree()[equation.left].rank;
   if (axes <= largest_free_indices) return std::nullopt;
-  return fmt::format("{} free axes are more than the {} that are evaluated", axes, largest_free_indices);
+  return fmt::format("it has {} free indices, more than the {} that are evaluated", axes,
+                     largest_free_indices);
 }
 
 /// Is there a quotient in the claim or in what it unfolds to? Then a proof says nothing where a denominator
@@ -250,7 +251,8 @@ Decision Decider::refuted(const Refuter::Counterexample& counterexample) {
   const bool confirmed = again.fault == Replay::Fault::none && again.differ &&
                          again.sides.left == decision.sample->left &&
                          again.sides.right == decision.sample->right;
-  return confirmed ? decision : undecided("a sample was found that does not hold when it is put in again");
+  return confirmed ? decision
+                   : undecided("a counterexample was found, but putting it in again did not confirm it");
 }
 
 std::string Decider::why_open() const {

@@ -8,7 +8,8 @@
 namespace rigor {
 
 void Budget::give_up() const {
-  throw Undecidable(fmt::format("it takes more than {} units of work, which `--effort` bounds", most_));
+  throw Undecidable(
+      fmt::format("it takes more than {} units of work, the limit that `--effort` sets", most_));
 }
 
 }  // namespace rigor

@@ -67,8 +67,7 @@ class Evaluator {
   class Level {
    public:
     explicit Level(std::uint32_t& depth) : depth_(depth) {
-      if (++depth_ > largest_depth)
-        throw Undecidable("it nests too deeply, or its definitions go in a circle");
+      if (++depth_ > largest_depth) throw Undecidable("it nests too deeply, or its definitions are circular");
     }
     ~Level() { --depth_; }
     Level(const Level&) = delete;

@@ -223,17 +223,17 @@ class Solving {
   Roots solve(ExprId difference, ExprId unknown) {
     const Quotient quotient = writer_.quotient_of(writer_.atoms().value_of(difference));
     const auto position = writer_.atoms().position_of(unknown);
-    if (!position) return {.obstacle = "it does not stand there as a quantity of its own"};
+    if (!position) return {.obstacle = "it does not occur as a quantity of its own"};
     for (const SymbolId symbol : symbols_in(tree_, unknown)) {
       if (is_hidden(writer_.atoms(), writer_.atoms().terms_of_polynomial(quotient.numerator), symbol,
                     {*position}))
-        return {.obstacle = "it also stands in a root, a function, a product of vectors or a sum"};
+        return {.obstacle = "it also occurs in a root, a function, a product of vectors or a sum"};
     }
     const Parts parts = parts_of(writer_.atoms().terms_of_polynomial(quotient.numerator), {*position});
     if (parts.empty()) return {.obstacle = "every value fits"};
     const int degree = parts.begin()->first[0];
-    if (degree == 0) return {.obstacle = "it falls out of the equation"};
-    if (degree > 2) return {.obstacle = "it stands there to a higher power than the second"};
+    if (degree == 0) return {.obstacle = "it drops out of the equation"};
+    if (degree > 2) return {.obstacle = "it occurs to a power higher than the second"};
     const auto part = [&](int power) -> GiNaC::ex {
       const auto found = parts.find({power});
       return found == parts.end() ? GiNaC::ex(0) : value_of(writer_.atoms(), found->second);
@@ -251,7 +251,7 @@ class Solving {
     return is_number(square) && GiNaC::ex_to<GiNaC::numeric>(square).is_negative();
   }
 
-  static Roots no_real_root() { return {.obstacle = "its root would be that of a negative number"}; }
+  static Roots no_real_root() { return {.obstacle = "it would be the root of a negative number"}; }
 
   /// Nothing where the square is no number, or its root not rational.
   static std::optional<GiNaC::numeric> rational_root(const GiNaC::ex& square) {

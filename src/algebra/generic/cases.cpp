@@ -126,7 +126,7 @@ bool Cases::simplify(ex& value, System& system) {
 
 Cases::Verdict Cases::split(const ex& value, const System& system, const Linear& by) {
   if ((opened_ += 2) > largest_cases) {
-    throw Undecidable("its assumptions need too many distinctions of cases");
+    throw Undecidable("its assumptions split into too many cases");
   }
   System with_factor = system;
   with_factor.nonzero.push_back(by.factor);

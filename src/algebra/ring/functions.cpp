@@ -34,7 +34,8 @@ std::vector<Functions::Multiple> Functions::multiples(Fraction argument) {
     const GiNaC::numeric count = coefficient * divisor_;
     if (!count.is_integer()) {
       const GiNaC::numeric finer = GiNaC::lcm(coefficient.denom(), divisor_);
-      if (finer > largest_multiple) throw Undecidable("a function's argument has too fine a fraction");
+      if (finer > largest_multiple)
+        throw Undecidable("a function's argument has a fraction with too large a denominator");
       throw FinerAngles(finer.to_int());
     }
     if (GiNaC::abs(count) > largest_multiple * divisor_) {

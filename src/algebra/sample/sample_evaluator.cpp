@@ -25,7 +25,7 @@ ExactValue SampleDomain::value(SymbolId symbol, std::uint32_t particle, std::siz
   const Meaning& meaning = point_->meaning(symbol);
   if (meaning.kind == Meaning::Kind::itself) return number;
   if (meaning.kind == Meaning::Kind::logarithm && !cln::plusp(number))
-    throw PointRejected("a logarithm of what is not positive");
+    throw PointRejected("a logarithm of a number that is not positive");
   ExactValue value;
   value.parts.push_back({1, number, meaning, point_->place(symbol, particle) + component});
   return value;

@@ -83,7 +83,8 @@ class Chooser {
                       [&](const WrittenFormChain& chain) { return is_at(chain, place); }))
         continue;
       known = false;
-      err << fmt::format("rigor: {}: no equation stands at `{}`", printable(command_.file), printable(place));
+      err << fmt::format("rigor: {}: there is no equation at `{}`", printable(command_.file),
+                         printable(place));
       if (const auto near = suggest(place, names); near && !line_number(place))
         err << fmt::format("; did you mean `{}`?", printable(*near));
       err << "\n";

@@ -91,7 +91,7 @@ bool write_plots(const LoadedScene& loaded, const SceneResult& result, std::ostr
   const bool inside = !name.is_absolute() && !is_one_of("..", name);
   if (!inside || name.extension() != ".svg") {
     err << "rigor: " << printable(loaded.scene.path) << ": `plot` is `" << printable(loaded.scene.plot)
-        << "`, but must be a name that ends in `.svg`, beside the scene or below\n";
+        << "`, but must be a name that ends in `.svg`, in the scene's folder or below it\n";
     return false;
   }
   const std::filesystem::path path =
@@ -122,7 +122,7 @@ ExitCode compute(const std::string& path, const SceneCommand& command, std::ostr
   out << (command.json ? to_json(result, sources, command.explain)
                        : print_scene(result, {.explain = command.explain}));
   if (command.explain && !command.json)
-    out << fmt::format("of the notes: {} chains read, {} passed over\n", loaded.reading.forms.chains.size(),
+    out << fmt::format("notes: {} chains read, {} passed over\n", loaded.reading.forms.chains.size(),
                        loaded.reading.chains_passed_over);
   if (!write_plots(loaded, result, err)) return ExitCode::no_input;
   return wrong ? ExitCode::wrong : ExitCode::ok;

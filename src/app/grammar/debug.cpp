@@ -14,7 +14,7 @@ namespace {
 constexpr auto topics = std::to_array<DebugTopicInfo>({
     {DebugTopic::time, "time", "milliseconds of each step"},
     {DebugTopic::steps, "steps", "verdict, route and uses of each step"},
-    {DebugTopic::work, "work", "units of work of each step, which `--effort` bounds"},
+    {DebugTopic::work, "work", "units of work of each step, limited by `--effort`"},
     {DebugTopic::cache, "cache", "how many decisions of each file were remembered"},
 });
 

@@ -81,7 +81,7 @@ bool Grammar::has(const std::string& name) const {
 void add_sidecar(CLI::App& to, std::optional<std::string>& sidecar) {
   to.add_option_function<std::string>(
         "--sidecar", [&sidecar](const std::string& path) { sidecar = path; },
-        "Directives beside the notes (default: NAME.rigor, if it exists)")
+        "Directives for the notes (default: NAME.rigor, if it exists)")
       ->type_name("FILE");
 }
 

@@ -105,14 +105,15 @@ void add_check(Grammar& grammar) {
               fmt::format("`--marks` belongs to one file, and {} are given", command.files.size()), "check");
         if (words->json && words->format.value_or("json") != "json")
           return usage_error(
-              fmt::format("`--json` is `--format json`, and `{}` is asked for", *words->format), "check");
+              fmt::format("`--json` is `--format json`, but `--format {}` is given", *words->format),
+              "check");
         command.format = format_of_name(words->json ? "json" : words->format.value_or("text"));
         if (const std::string wrong = jobs_from(words->jobs, command.jobs); !wrong.empty())
           return usage_error(wrong, "check");
         if (const std::string wrong = effort_from(words->effort, command.effort); !wrong.empty())
           return usage_error(wrong, "check");
         if (command.cache == "" || command.marks == "")
-          return usage_error("`--cache` and `--marks` name a place, not nothing", "check");
+          return usage_error("`--cache` and `--marks` need a name", "check");
         for (const std::string& name : words->topics) command.debug.push_back(topic_of(name));
         return {.check = std::move(command)};
       });
@@ -126,13 +127,14 @@ void add_check(Grammar& grammar) {
   app.add_flag("--json", words->json, "The same as `--format json`");
   add_sidecar(app, check.sidecar);
   app.add_flag("--strict", check.strict, "Count warnings as errors");
-  app.add_flag("--dimensions", check.dimensions, "Print what was found of each symbol's dimension");
-  app.add_option("--jobs,-j", words->jobs, "Check so many files at once; 0: as many as there are processors")
+  app.add_flag("--dimensions", check.dimensions, "Print the dimension that was found for each symbol");
+  app.add_option("--jobs,-j", words->jobs, "Check this many files at once; 0: one for each processor")
       ->type_name("N");
   app.add_option("--effort", words->effort,
-                 fmt::format("Give up on a step after so many units of work ({})", default_effort))
+                 fmt::format("Give up on a step after this many units of work ({})", default_effort))
       ->type_name("N");
-  add_path(app, "--cache", check.cache, "FOLDER", "Remember decisions there, and decide nothing twice");
+  add_path(app, "--cache", check.cache, "FOLDER",
+           "Remember decisions there, so that nothing is decided twice");
   add_path(app, "--marks", check.marks, "FILE", "Write what `rigor.sty` prints in the margin");
   add_color(app, check.color);
   app.add_option("--debug", words->topics, describe_topics())

@@ -52,13 +52,13 @@ std::string contradiction(const DeriveCommand& command) {
   if (forms > 1)
     return "`--form`, `--in-terms-of`, `--first-order`, `--derivative` and `--solve-for` do not go together";
   if (!command.is_statement) {
-    if (command.in) return "`--in` gives the notes of a statement, and no statement is given";
+    if (command.in) return "`--in` gives the notes of a statement, but no statement is given";
     if (transformed) return "`--derivative` and `--first-order` belong to a statement on the command line";
     if (!command.solve_for.empty()) return "`--solve-for` belongs to a statement on the command line";
     return {};
   }
-  if (command.write) return "`--write` belongs to a file, and a statement is given";
-  if (command.places.size() > 1) return "a statement stands at one place; `--at` is given more than once";
+  if (command.write) return "`--write` belongs to a file, but a statement is given";
+  if (command.places.size() > 1) return "a statement has one place, but `--at` is given more than once";
   if (!command.places.empty() && !command.in) return "`--at` names a place in notes; `--in` says which";
   return {};
 }
@@ -88,7 +88,7 @@ void add_derive(Grammar& grammar) {
       ->type_name("");
   app.add_option_function<std::string>(
          "--in", [&derive](const std::string& path) { derive.in = path; },
-         "The notes whose letters, definitions and assumptions a statement has")
+         "Notes whose letters, definitions and assumptions a statement uses")
       ->type_name("FILE");
   app.add_option(
          "--at", derive.places,
@@ -97,13 +97,13 @@ void add_derive(Grammar& grammar) {
       ->type_name("TAG|HEADING")
       ->allow_extra_args(false);
   add_sidecar(app, derive.sidecar);
-  app.add_flag("--write", derive.write, "Put the answers into the file, in the place of the holes");
+  app.add_flag("--write", derive.write, "Write the answers into the file, in place of the holes");
   app.add_option("--form", derive.form, "`contracted` (the default), `expanded`, `components` or `factored`")
       ->type_name("FORM")
       ->check(one_of("form", {"contracted", "expanded", "components", "factored"}));
   app.add_option("--in-terms-of", words->in_terms_of, "Only with these symbols, or as a polynomial in them")
       ->type_name("SYMBOLS");
-  app.add_option("--first-order", words->first_order, "Without what is of second order in these symbols")
+  app.add_option("--first-order", words->first_order, "Drop terms of second order in these symbols")
       ->type_name("SYMBOLS");
   app.add_option("--derivative", derive.derivative, "The answer's derivative by `t` or a coordinate")
       ->type_name("SYMBOL");

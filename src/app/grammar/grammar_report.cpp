@@ -27,7 +27,8 @@ void add_report(Grammar& grammar) {
       ->type_name("FILE");
   app.add_option("--latex", report->latex, "Write a document for pdflatex; `-` is the output")
       ->type_name("FILE");
-  app.add_flag("!--no-forms", report->forms, "Leave out what each form costs and errs, which takes its time");
+  app.add_flag("!--no-forms", report->forms,
+               "Leave out the cost and error of each form, which take long to measure");
   add_sidecar(app, report->sidecar);
 }
 

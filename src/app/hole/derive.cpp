@@ -104,7 +104,7 @@ class Deriving {
     }
     if (code == ExitCode::ok && answers.holes.empty()) {
       const std::string what = command_.is_statement ? "the statement" : printable(command_.what);
-      err_ << fmt::format("rigor: {} has no hole{}; `\\square` stands for what is asked for\n", what,
+      err_ << fmt::format("rigor: {} has no hole{}; write `\\square` for what is to be found\n", what,
                           command_.places.empty() || command_.is_statement ? "" : " there");
       print_step_errors(answers);
       code = command_.is_statement ? ExitCode::wrong : ExitCode::ok;

@@ -86,14 +86,12 @@ class Answering {
           {DiagnosticKind::hole, written.span, std::move(message), {}, std::move(help)});
     };
     if (written.span.file != own_file()) {
-      trouble(fmt::format("it stands in `{}`, which is read by another file",
-                          result_.sources.path(written.span.file)),
+      trouble(fmt::format("it is in `{}`, which another file reads", result_.sources.path(written.span.file)),
               {"ask for that file by itself"});
     } else {
       hole.answer.written_there = is_written_hole(result_.sources, written.span);
       if (!hole.answer.written_there)
-        trouble("it comes out of a macro, so that nothing can be put in its place",
-                {"write the square itself"});
+        trouble("it comes from a macro, so nothing can replace it", {"write the square itself"});
     }
     if (written.alone && written.troubles.empty())
       hole.answer.other = source_of(written.chain, written.partner);
@@ -106,7 +104,7 @@ class Answering {
     const std::string other = bare(source_of(hole.written->chain, hole.written->partner));
     for (const HoleReading& reading : hole.written->readings) {
       if (reading.takes_anything) {
-        hole.obstacle = "every value fits: what it is multiplied with is 0";
+        hole.obstacle = "every value fits: it is multiplied by 0";
         continue;
       }
       HoleProblem problem{.question = reading.questions[0],
@@ -246,7 +244,7 @@ class Answering {
     if (!answer.troubles.empty()) return answer;
     if (hole.would_be) {
       answer.impossible = true;
-      trouble(fmt::format("no value fits: it would have to be `{}`, and with that the sides differ",
+      trouble(fmt::format("no value fits: it would have to be `{}`, but with that the sides differ",
                           *hole.would_be));
     } else if (answer.freedom) {
       trouble(fmt::format("there are many answers, or none: {} to each", *answer.freedom));
@@ -255,7 +253,7 @@ class Answering {
     } else if (hole.repeats_other && hole.candidates.empty()) {
       trouble("nothing shorter than the other side was found");
     } else {
-      trouble("no answer was found that is proved");
+      trouble("no answer could be proved");
     }
     return answer;
   }

@@ -33,7 +33,7 @@ class StatementSolver {
     if (!sides_fit(*chain)) return unread();
     unknown_ = reading_.forms.asked[0].expr;
     find_places(*chain);
-    if (places_.empty()) return refuse("it does not stand there");
+    if (places_.empty()) return refuse("it does not occur");
     std::vector<ExprId> values = values_of(*chain);
     for (const ExprId value : values) try_value(value);
     if (result_.roots.empty() && result_.obstacle.empty())
@@ -114,7 +114,7 @@ class StatementSolver {
     if (tree[unknown_].op != Op::symbol) return {};
     if (occurrences_of(tree, right, symbol) == 0) std::swap(left, right);
     if (occurrences_of(tree, left, symbol) > 0) {
-      result_.obstacle = "it stands on both sides";
+      result_.obstacle = "it occurs on both sides";
       return {};
     }
     const Equation equation{
@@ -140,7 +140,7 @@ class StatementSolver {
       const bool known = is_one_of(latex, result_.roots);
       if (chain.steps[0].outcome == Outcome::proved && !known) result_.roots.push_back(latex);
       if (chain.steps[0].outcome != Outcome::proved)
-        result_.obstacle = fmt::format("`{}` was found, and it could not be proved that it fits", latex);
+        result_.obstacle = fmt::format("`{}` was found, but it could not be proved that it fits", latex);
       return;
     }
   }

@@ -77,10 +77,10 @@ std::string DimensionWords::compared(const DimensionEquation& equation) const {
     case Alike::argument:
       return fmt::format("the argument of a function has the dimension {}", left);
     case Alike::number:
-      return fmt::format("a number stands where a quantity of dimension {} is meant",
+      return fmt::format("a number is where a quantity of dimension {} is expected",
                          equation.left.is_none() ? right : left);
     case Alike::known:
-      return fmt::format("what has the dimension {} cannot have the dimension {}", left, right);
+      return fmt::format("one quantity has two dimensions: {} and {}", left, right);
     case Alike::sides:
       break;
   }
@@ -112,11 +112,12 @@ Diagnostic DimensionWords::describe(const DimensionEquation& equation,
   }
   if (equation.alike == Alike::number) {
     diagnostic.kind = DiagnosticKind::dimension_doubt;
-    diagnostic.help = {"its unit may be left out; with it, it is written like `3\\,\\mathrm{m}`"};
+    diagnostic.help = {"its unit may have been left out; with a unit, write it like `3\\,\\mathrm{m}`"};
   } else if (by_time) {
     diagnostic.kind = DiagnosticKind::dimension_doubt;
-    diagnostic.message += ", if the time is no number";
-    diagnostic.help = {"`rigor: units …` says what is meant; `units t: 1` that the time is a number"};
+    diagnostic.message += ", unless the time is a number";
+    diagnostic.help = {
+        "`rigor: units …` says which dimension is meant; `units t: 1` makes the time a number"};
   }
   for (std::size_t k = 0; k < places.size() && k < most_places; ++k)
     diagnostic.labels.push_back({places[k], "together with this"});

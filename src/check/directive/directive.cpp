@@ -297,7 +297,7 @@ class DirectiveReader {
       if (directive.kind == DirectiveKind::claim || chain.assumed.empty()) continue;
       const std::string condition = text_of(chain.assumed.front().written);
       return bad(directive.span,
-                 fmt::format("what is given holds without a condition, and `{}` stands beside it", condition),
+                 fmt::format("what is given holds without conditions, but `{}` is one", condition),
                  "a comma or `and` between two relations gives both");
     }
     const bool relation =

@@ -161,8 +161,8 @@ class Heeding {
     }
     if (at_.unread.empty()) return false;
     withdraw(DiagnosticKind::restricted,
-             fmt::format("it does not hold for all values, and `{}` beside it is not read", at_.unread), {},
-             {"`rigor: claim …` states it for itself"});
+             fmt::format("it does not hold for all values, and `{}` next to it is not read", at_.unread), {},
+             {"`rigor: claim …` asks whether it holds for all values"});
     return true;
   }
 
@@ -209,8 +209,8 @@ class Heeding {
     const std::vector<SymbolId> vectors = lengths_or_components(tree_, claim_.equation);
     if (!vectors.empty() && !fails_for_numbers()) {
       withdraw(DiagnosticKind::restricted,
-               fmt::format("it does not hold for all directions of {}, of which plain letters can be lengths "
-                           "or components along one direction",
+               fmt::format("it does not hold for all directions of {}; the plain letters can be lengths, or "
+                           "components along one direction",
                            quoted_names(tree_, vectors)),
                {}, {meant_for_all()});
       return true;
@@ -239,7 +239,7 @@ class Heeding {
       if (!is_for_all(names_.scope, letter) && definition_of(names_.scope, letter) == nullptr)
         open.push_back(tree_.symbols[letter].name);
     }
-    return fmt::format("`rigor: for all {}` says that all are meant", fmt::join(open, ", "));
+    return fmt::format("if all values are meant, `rigor: for all {}` says so", fmt::join(open, ", "));
   }
 
   /// "To first order", "for small x" beside `\approx`, where something is declared small, say what is asked.
@@ -252,7 +252,7 @@ class Heeding {
     if (says_what_is_asked(word)) return false;
     withdraw(DiagnosticKind::restricted,
              fmt::format("it does not hold for all values, and `{}` in {} may restrict it", word, where), {},
-             {"`rigor: claim …` states it for itself"});
+             {"`rigor: claim …` asks whether it holds for all values"});
     return true;
   }
 
@@ -308,8 +308,8 @@ class Heeding {
     std::vector<Label> labels;
     for (const Fact* fact : bearing) labels.push_back({fact->span, "stated here"});
     withdraw(DiagnosticKind::borrowed,
-             fmt::format("it does not hold for all values, and may hold with `{}`", bearing.front()->text),
-             std::move(labels), {"`rigor: given …` takes it for granted"});
+             fmt::format("it does not hold for all values, but may hold with `{}`", bearing.front()->text),
+             std::move(labels), {"`rigor: given …` makes that an assumption"});
     return true;
   }
 
@@ -342,13 +342,13 @@ class Heeding {
     }
     const bool elsewhere = !is_said_for(at_, borrowed.front().origin);
     withdraw(DiagnosticKind::borrowed,
-             elsewhere ? fmt::format("it fails only with `{}`, which {}", borrowed.front().origin.text,
-                                     borrowed.front().origin.conditional
-                                         ? "a word of its own sentence may limit to a case"
-                                         : "is not said for this section")
-                       : fmt::format("it fails only with `{}`, which may mean another case than `{}` in its "
-                                     "sentence",
-                                     borrowed.front().origin.text, *case_word),
+             elsewhere
+                 ? fmt::format("it fails only with `{}`, which {}", borrowed.front().origin.text,
+                               borrowed.front().origin.conditional
+                                   ? "a word in its own sentence may limit to a case"
+                                   : "is not said for this section")
+                 : fmt::format("it fails only with `{}`, and `{}` in its sentence may mean another case",
+                               borrowed.front().origin.text, *case_word),
              std::move(labels), std::move(help));
     return true;
   }

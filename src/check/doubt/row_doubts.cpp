@@ -73,7 +73,7 @@ std::optional<OpenPart> order_of_components(const SyntaxTree& syntax, const Name
     const bool vector = (possible_ranks(syntax, side, letters, names, open) & 0b0010) != 0;
     if (!vector && syntax[side].kind != SyntaxKind::number) return std::nullopt;
   }
-  return OpenPart{relation.span, "an order of vectors can be meant in each component"};
+  return OpenPart{relation.span, "an order of vectors can be meant component by component"};
 }
 
 /// `A = (l, 0, 0)`, `X = \{a, b\}`, `\tau^3 = …` of a plain letter, whatever is bold elsewhere; `(a_m)_j` of
@@ -98,7 +98,7 @@ std::optional<OpenPart> open_letter(const SyntaxTree& syntax, const Names& names
       SyntaxId inside = syntax.child(id, 0);
       if (syntax[inside].kind == SyntaxKind::group) inside = syntax.child(inside, 0);
       const bool labelled = syntax[inside].kind == SyntaxKind::symbol && !syntax.symbol(inside).lower.empty();
-      if (labelled) found = OpenPart{syntax[inside].span, "this can be one vector of several"};
+      if (labelled) found = OpenPart{syntax[inside].span, "this can be one of several vectors"};
       return labelled;
     });
   }
@@ -137,7 +137,7 @@ std::optional<OpenPart> author_command(const WrittenChain& written) {
       if (!unit || behind >= side.tokens.size()) continue;
       const Token& next = side.tokens[behind];
       const bool sign = next.kind == TokenKind::other || relation_kind(next).has_value();
-      if (sign) return OpenPart{command.span, fmt::format("`\\{}` can be the author's own", command.text)};
+      if (sign) return OpenPart{command.span, fmt::format("`\\{}` can be a macro of your own", command.text)};
     }
   }
   return std::nullopt;
@@ -158,8 +158,7 @@ std::optional<OpenPart> open_rank(const SyntaxTree& syntax, const Names& names, 
                         ? has_order(static_cast<RankSet>(left & right))
                         : (left & right) != no_rank;
   if (!fits) return std::nullopt;
-  if (open.empty())
-    return OpenPart{parsed.written.relations[which].span, "another reading of it has fitting ranks"};
+  if (open.empty()) return OpenPart{parsed.written.relations[which].span, "in another reading its ranks fit"};
   return open.front();
 }
 
@@ -214,8 +213,8 @@ void doubt_errors(const SyntaxTree& syntax, const Names& names, const ParsedChai
       open = open_subscript(syntax, parsed, which);
     if (!open) continue;
     diagnostic.kind = broken ? DiagnosticKind::unsupported : DiagnosticKind::ambiguous_reading;
-    diagnostic.message += ", if the row is read rightly: " + open->doubt;
-    diagnostic.labels.push_back({open->span, "this is open"});
+    diagnostic.message += ", if this is the right reading: " + open->doubt;
+    diagnostic.labels.push_back({open->span, "this can be read in two ways"});
   }
 }
 

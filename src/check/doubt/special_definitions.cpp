@@ -88,10 +88,11 @@ Judgement heed_cases(ExprTree& tree, const Names& names, const Claim& claim, Jud
       {DiagnosticKind::borrowed,
        claim.relation,
        at.denied
-           ? fmt::format("it follows from `{}`, and `{}` in its sentence says that it does not hold",
+           ? fmt::format("it follows from `{}`, but `{}` in its sentence says that it does not hold",
                          first.origin.text, *at.denied)
-           : fmt::format("it follows from `{}`, which may be said for another case, or be said anew since",
-                         first.origin.text),
+           : fmt::format(
+                 "it follows from `{}`, which may be meant for another case, or may have been replaced since",
+                 first.origin.text),
        {{tree[first.definition.body].span, "said here"}},
        {fmt::format("`rigor: use {}` says that it holds here, too",
                     use_of(names, tree, first.definition.symbol))}}};

@@ -39,7 +39,7 @@ std::string refusal(const std::filesystem::path& sidecar) {
       fs::canonical(sidecar.has_parent_path() ? sidecar.parent_path() : fs::path("."), error);
   const fs::path real = fs::weakly_canonical(sidecar, error);
   const fs::path relative = real.lexically_relative(folder);
-  const char* const named = "a sidecar beside the notes";
+  const char* const named = "a sidecar next to the notes";
   if (error || relative.empty() || *relative.begin() == "..")
     return fmt::format("{} must lie in their folder, and this link leads out of it", named);
   if (!fs::is_regular_file(real, error)) return fmt::format("{} must be a regular file", named);

@@ -185,7 +185,7 @@ class CheckedNotesReader {
       return notes_.syntax.add_opaque(all, {DiagnosticKind::bad_syntax, std::move(reason), {}});
     };
     const auto tokens = expand(lex(sources_, all), macros_.table(), diagnostics_);
-    if (!tokens || tokens->empty()) return opaque("nothing is asked for");
+    if (!tokens || tokens->empty()) return opaque("there is no expression");
     if (const Token* brace = unbalanced_brace(*tokens))
       return opaque(brace->kind == TokenKind::begin_group ? "`{` is not closed" : "`}` closes nothing");
     // As in a display, sizes of brackets and the like mean nothing.

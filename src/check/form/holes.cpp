@@ -74,7 +74,8 @@ class HoleReader {
       if (!found && rank == 0) plain_ = std::move(last_);
     }
     if (readings.empty() && differentiated_) {
-      troubles = {{DiagnosticKind::hole, span_of_hole(), "it stands under a derivative, and none is undone"}};
+      troubles = {
+          {DiagnosticKind::hole, span_of_hole(), "it is differentiated, and derivatives are not undone"}};
     } else if (readings.empty()) {
       troubles = std::move(plain_);
     }
@@ -255,15 +256,17 @@ void record_holes(const HoleChain& chain, const WrittenFormChain& forms, std::si
                                  {},
                                  written.condition->help});
       } else if (chain.assumed) {
-        trouble("what is assumed has no hole: nothing says what stands there");
+        trouble("an assumption has no hole: nothing says what belongs there");
       } else if (holes.size() > 1) {
-        trouble(fmt::format("{} holes stand in one expression, and one equation finds one", holes.size()));
+        trouble(
+            fmt::format("one expression has {} holes, but one equation determines only one", holes.size()));
       } else if (!partner) {
         trouble("nothing in the statement says what this is equal to");
       } else {
         hole.partner = *partner;
         hole.readings = HoleReader(chain, side, *partner).read(hole.troubles);
-        if (hole.readings.empty() && hole.troubles.empty()) trouble("ranks and indices fit for no hole here");
+        if (hole.readings.empty() && hole.troubles.empty())
+          trouble("no rank and no indices of the hole fit here");
       }
       into.push_back(std::move(hole));
     }

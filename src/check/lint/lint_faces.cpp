@@ -43,7 +43,7 @@ Findings lint_faces(const LintInput& input) {
     if (!said.insert(base_of(input.tree.symbols, reading->second.symbol)).second) continue;
     findings.push_back({{DiagnosticKind::plain_vector,
                          span,
-                         fmt::format("`{}` is a vector and is not set as one, as `{}` is",
+                         fmt::format("`{}` is a vector but is not set as one, unlike `{}`",
                                      input.sources.text(span), input.sources.text(syntax[*bold].span)),
                          {},
                          {"set the letter bold, or put an arrow on it"}}});

@@ -111,7 +111,7 @@ Findings lint_frames(const LintInput& input) {
                              found->is_rate ? "rates in two frames are added"
                                             : "components along primed and unprimed axes are added",
                              {{first->place, ""}},
-                             {"carry one of them over first"}}});
+                             {"transform one of them first"}}});
         break;
       }
     }

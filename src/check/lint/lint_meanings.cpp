@@ -86,7 +86,7 @@ Findings lint_other_lengths(const LintInput& input) {
     findings.push_back(
         {{DiagnosticKind::two_meanings,
           span,
-          fmt::format("`{}` is the length of `{}`, and is set equal to something else made of it",
+          fmt::format("`{}` is the length of `{}`, but is set equal to something else made of it",
                       input.sources.text(span), tree.symbols[tree[vector].symbol].name),
           {{tree[stated.right].span, ""}},
           {"another letter for it, or `where … := …`, keeps them apart"}}});

@@ -194,9 +194,10 @@ Findings lint_parity(const LintInput& input) {
       contradicted->erase(k);
       Diagnostic diagnostic{
           DiagnosticKind::mixed_parity, stated.relation,
-          "an axial and a polar quantity are set equal or added: mirrored, one changes its sign"};
+          "an axial and a polar quantity are set equal or added: in a mirror only one changes its sign"};
       for (const std::size_t other : *contradicted)
-        diagnostic.labels.push_back({input.stated[other].relation, "this says how one of them is mirrored"});
+        diagnostic.labels.push_back(
+            {input.stated[other].relation, "this says which of them is axial or polar"});
       findings.push_back({std::move(diagnostic)});
       break;
     }

@@ -64,10 +64,9 @@ std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question
     return value.find("arctan") != std::string::npos;
   });
   if (angle == nullptr || !has_equal_squares(tree, question, cache)) return std::nullopt;
-  return SignDoubt{angle->name,
-                   fmt::format("the squares of both sides are equal, so it fails by a sign alone, "
-                               "and nothing says which `{}` are meant",
-                               angle->name)};
+  return SignDoubt{angle->name, fmt::format("the squares of both sides are equal, so only a sign is wrong, "
+                                            "and nothing says which values of `{}` are meant",
+                                            angle->name)};
 }
 
 }  // namespace rigor

@@ -55,8 +55,8 @@ DecisionCache::DecisionCache(const std::string& folder, const std::string& notes
   if (!std::filesystem::exists(path_, error)) return;
   Result<std::vector<SavedAnswer>> saved = read_answers(path_, program_);
   if (!saved) {
-    use_.trouble =
-        fmt::format("the cache `{}` cannot be read: {}; all is decided anew", path_, saved.error().reason);
+    use_.trouble = fmt::format("the cache `{}` cannot be read: {}; everything is decided anew", path_,
+                               saved.error().reason);
     changed_ = true;
     return;
   }

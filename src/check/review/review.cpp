@@ -63,7 +63,7 @@ void report_unused(const Ledger& ledger, const Notes& notes, const Directives& u
                                   directive.span,
                                   fmt::format("nothing uses `{}`", directive.text),
                                   {},
-                                  {"take the line away, or move it before what it is for"}});
+                                  {"remove the line, or move it above what it is for"}});
   }
 }
 

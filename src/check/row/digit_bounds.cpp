@@ -70,7 +70,7 @@ bool replay_by_digits(RowPlace& place, const Claim& claim, Step& step) {
   const auto example = bound_of(place.tree, place.names, claim, place.options.cache);
   claim.recorded->replayed = true;
   if (!example || example->left != recorded.left || example->right != recorded.right) {
-    claim.recorded->fault = "the bounds of the sides are other ones";
+    claim.recorded->fault = "the sides have other bounds now";
     return true;
   }
   step.verdict = Verdict::refuted;

@@ -67,33 +67,35 @@ std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place, c
   if (!conditions.empty() && (word || weights != conditions.end()) && !has_slip(repairs())) {
     if (word)
       return Doubt(
-          fmt::format("it does not hold for all values; it holds if `{}`, and `{}` beside it may say so",
+          fmt::format("it does not hold for all values; it holds if `{}`, and `{}` next to it may say so",
                       conditions.front(), *word),
-          "`rigor: given …` says so, `rigor: claim …` states it without");
-    return Doubt(fmt::format("it does not hold for all values; it holds if `{}`", *weights),
-                 "`rigor: given …` says so, `rigor: claim …` states it without");
+          "`rigor: given …` states this condition; `rigor: claim …` asks whether the step holds without it");
+    return Doubt(
+        fmt::format("it does not hold for all values; it holds if `{}`", *weights),
+        "`rigor: given …` states this condition; `rigor: claim …` asks whether the step holds without it");
   }
   if (const auto dropped = word_of_dropped_terms(place.notes.prose, place.event);
       dropped && !has_slip(repairs()))
-    return Doubt(fmt::format("it does not hold for all values, and `{}` beside it may say which terms vanish",
-                             *dropped),
-                 "`rigor: claim …` states it for itself");
+    return Doubt(
+        fmt::format("it does not hold for all values, and `{}` next to it may say which terms vanish",
+                    *dropped),
+        "`rigor: claim …` asks whether it holds for all values");
   if (speaks_of_integration(place)) {
     if (const auto letter = absorbing_constant(place.tree, place.names, wrong, place.options.cache))
       return Doubt(
-          fmt::format("it holds with another constant `{}` on the right, and constants of integration "
-                      "absorb numbers and factors",
+          fmt::format("it holds with another constant `{}` on the right, and a constant of integration may "
+                      "absorb factors",
                       *letter),
-          "another letter for the second constant says so, `rigor: claim …` states it as it stands");
+          "use another letter for the second constant; `rigor: claim …` asks whether it holds as written");
   }
   if (row.which == 0 && row.parsed.written.relations.size() == 1 &&
       may_be_an_equation_of_letters(place.tree, claim.equation) && !announces_an_identity(lead) &&
       (names_an_equation_of_letters(lead) ||
        (!reads_as_identity(place.tree, claim.equation) && repairs().empty())))
     return Doubt(
-        "it does not hold for all values, no slip of the pen explains it, and it may say which values are "
-        "meant",
-        "`rigor: claim …` states it for all, and so does `hence` or `identity` in its sentence");
+        "it does not hold for all values, and no small slip explains that: it may say which values are meant",
+        "`rigor: claim …` asks whether it holds for all values; so does `hence` or `identity` in its "
+        "sentence");
   return std::nullopt;
 }
 

@@ -101,7 +101,7 @@ void decide_in_all_readings(RowPlace& place, const StepReading& row, const Claim
   }
   step.verdict = Verdict::not_understood;
   step.diagnostics.push_back(two_readings(parsed));
-  step.diagnostics.back().message += "; the readings do not have one verdict";
+  step.diagnostics.back().message += "; the readings have different verdicts";
 }
 
 }  // namespace rigor

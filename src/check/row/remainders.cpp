@@ -205,7 +205,7 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
   const ExprNode node = place.tree[letter->id];
   const bool plain = node.op == Op::symbol && node.rank == 0 && node.slot_count == 0 &&
                      node.particle == no_particle && !place.tree.symbols[node.symbol].derivation;
-  if (!plain) return open("`O(…)` is read of a power of one letter");
+  if (!plain) return open("`O(…)` is read only with a power of one letter");
   if (place.tree[other->id].op != Op::symbol || place.tree[other->id].symbol != node.symbol ||
       (left_end && left_end->power < right_end->power))
     return open("the left side is not known to the order of the right side");
@@ -225,7 +225,7 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
     return open(fmt::format("nothing says whether `{}` is small here or large", name),
                 {fmt::format("`rigor: small {}` says that it is small", name)});
   if (which == 0 && would_define(place.tree, place.names.scope, *left.typed, *right.typed))
-    return open(fmt::format("this may say what `{}` is, as far as the order goes",
+    return open(fmt::format("this may say what `{}` is, up to that order",
                             written_at(place, parsed.written.sides[0].span)));
   Diagnostics mismatches;
   auto claim = reading->claim(pair, 0, false, mismatches);
@@ -235,7 +235,7 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
     return;
   }
   const auto held = with_letter_open(place, claim->equation, node.symbol);
-  if (!held) return open(fmt::format("what else is said of `{}` keeps it from going to 0 alone", name));
+  if (!held) return open(fmt::format("other statements about `{}` keep it from going to 0 by itself", name));
   const auto equations = coefficients(place, *held, node.symbol, right_end->power);
   if (!equations) return open(fmt::format("a side has no known expansion in powers of `{}`", name));
   // What is no identity as it stands, but a law, is none up to an order either.

@@ -76,7 +76,7 @@ std::optional<Judgement> ask(RowPlace& place, const StepReading& row, const Clai
       is_condition_beside(place, row.parsed)) {
     keep_asked(row, judgement);
     step.verdict = Verdict::given;
-    step.route = "condition of the equation beside it";
+    step.route = "condition of the equation next to it";
     return std::nullopt;
   }
   if (is_open(judgement) && proves_with_dots_on_vectors(place, row, claim, step)) return std::nullopt;

@@ -88,7 +88,7 @@ void explain_slip(const RowPlace& place, const ParsedChain& parsed, std::size_t 
   add_help(step, at.undoes
                      ? fmt::format("this step takes back the slip of the first wrong one: `{} = {}` holds",
                                    side(at.first_step), side(which + 1))
-                     : "a further slip: the step is wrong whatever becomes of the first wrong one");
+                     : "a further slip: the step is wrong even if the first wrong one is mended");
 }
 
 }  // namespace

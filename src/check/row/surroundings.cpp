@@ -85,7 +85,8 @@ void heed_digits(ExprTree& tree, const Names& names, const Claim& claim, Judgeme
     judgement.sample.reset();
     judgement.diagnostics.clear();
   } else if (agreement == Agreement::unclear && judgement.verdict == Verdict::refuted) {
-    withdraw("it depends on how many of the digits shown are meant", "write as many digits as are meant");
+    withdraw("whether it holds depends on how many of the digits are meant",
+             "write only the digits that are meant");
   } else if (!agreement && judgement.verdict == Verdict::refuted &&
              compares_decimals(tree, names, claim.equation)) {
     withdraw("decimals are rounded, and nothing shows to how many digits the other side is meant",
@@ -327,9 +328,9 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
       symbols_in(place.tree, bare).empty())
     withdraw(DiagnosticKind::restricted, "one side has a unit, and the other is a number without one", {});
   if (judgement.verdict == Verdict::refuted && zeros)
-    withdraw(DiagnosticKind::restricted, "of two zeros this may remark how they are written", {});
+    withdraw(DiagnosticKind::restricted, "it may be about how two zeros are written", {});
   if (judgement.verdict == Verdict::refuted && is_alternative(place, parsed))
-    withdraw(DiagnosticKind::restricted, "it is one of several alternatives", {});
+    withdraw(DiagnosticKind::restricted, "it is only one of several alternatives", {});
   if (judgement.verdict == Verdict::refuted) {
     if (const auto letter = letter_borrowed_for(place, row, claim))
       withdraw(DiagnosticKind::borrowed,
@@ -346,9 +347,10 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
                             is_vector_by_components(place.tree, claim.equation) &&
                             !is_meant_for_all(place.tree, place.names, claim);
   if (chooses_axes)
-    withdraw(DiagnosticKind::restricted,
-             fmt::format("it may say along which axes `{}` is", written_at(place, claim.left)),
-             {"`rigor: given …` says so, `rigor: claim …` states it"});
+    withdraw(
+        DiagnosticKind::restricted,
+        fmt::format("it may choose the axes by the direction of `{}`", written_at(place, claim.left)),
+        {"`rigor: given …` makes it an assumption; `rigor: claim …` asks whether it holds for all values"});
   const auto remember = [&](bool proves) {
     const std::string text =
         fmt::format("{} (line {})", written_at(place, cover(claim.left, claim.right)),
@@ -361,7 +363,7 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
     judgement.sample.reset();
     judgement.diagnostics = {{DiagnosticKind::borrowed,
                               claim.relation,
-                              fmt::format("it may say what `{}` is, by which others are defined above",
+                              fmt::format("it may say what `{}` is, and definitions above use that",
                                           written_at(place, place.tree[left.id].span)),
                               {},
                               {"`therefore` or `hence` in its sentence announces a conclusion"}}};

@@ -31,7 +31,7 @@ std::string fault_of(const Prepared& prepared, const Replay& replay, const SideV
       return "a side has no rational value on the sample";
   }
   if (replay.sides.left != recorded.left || replay.sides.right != recorded.right)
-    return fmt::format("the report says left {}, right {}, and its sample gives left {}, right {}",
+    return fmt::format("the report says left {}, right {}, but its sample gives left {}, right {}",
                        recorded.left, recorded.right, replay.sides.left, replay.sides.right);
   return replay.differ ? "" : "the step holds on the sample";
 }

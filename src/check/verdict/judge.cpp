@@ -66,7 +66,7 @@ class Judging {
         if (decision.no_real_value) {
           judgement_.verdict = Verdict::not_understood;
           add(DiagnosticKind::no_real_value,
-              "under the assumptions a root is taken of a negative number, so this says nothing",
+              "under the assumptions this takes the root of a negative number, so it says nothing",
               {"a symbol that is defined by its square is the root that is not negative"});
           break;
         }
@@ -152,7 +152,7 @@ class Judging {
     }
     if (decision.outcome == Outcome::undecided)
       decision.reason =
-          fmt::format("it was found to fail only where one of {} is 0, by which the notes divide",
+          fmt::format("it was found to fail only where one of {} is 0, and the notes divide by them",
                       quoted_names(tree_, divisors));
     return decision;
   }
@@ -245,10 +245,9 @@ class Judging {
   }
 
   void proved(const Decision& decision) {
-    if (rests_on_the_impossible(
-            decision,
-            "it follows from assumptions that no sample was found to satisfy, and from the "
-            "impossible anything follows"))
+    if (rests_on_the_impossible(decision,
+                                "it follows from assumptions that no sample was found to satisfy, and "
+                                "contradictory assumptions prove anything"))
       return;
     if (takes_another_order()) return;
     judgement_.verdict = Verdict::proved;
@@ -275,7 +274,7 @@ class Judging {
       if (!is_of_other_order(names_.scope, base_of(tree_.symbols, symbol))) continue;
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
-          fmt::format("`{}` is declared small, of first order, and another order follows from what it is",
+          fmt::format("`{}` is declared small, of first order, but its definition gives it another order",
                       tree_.symbols[base_of(tree_.symbols, symbol)].name));
       return true;
     }
@@ -317,10 +316,9 @@ class Judging {
     judgement_.verdict = Verdict::not_understood;
     add(DiagnosticKind::unknown_change,
         fmt::format("nothing says whether {} {}", quoted_names(tree_, unknown), one ? "changes" : "change"),
-        {fmt::format(
-            "`rigor: constant {0}` or `rigor: variable {0}` says so{1}; a derivative that is written "
-            "somewhere, or `rigor: given`, says how it changes",
-            first, one ? "" : " of the first")});
+        {fmt::format("`rigor: constant {0}` or `rigor: variable {0}` says so{1}; `rigor: given …` can say "
+                     "how it changes",
+                     first, one ? "" : " of the first")});
     return true;
   }
 
@@ -435,7 +433,7 @@ class Judging {
     if (doubt) {
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided, doubt->reason,
-          {fmt::format("`rigor: for all {}` means it for all values", doubt->name)});
+          {fmt::format("if all values are meant, `rigor: for all {}` says so", doubt->name)});
       return;
     }
     judgement_.verdict = Verdict::refuted;
@@ -456,14 +454,13 @@ class Judging {
       judgement_.used.insert(unread->directive);
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
-          fmt::format("it was found to fail, and `{}`, which could not be read, may make it true",
-                      unread->text));
+          fmt::format("it was found to fail, but `{}` could not be read and may make it true", unread->text));
       return true;
     }
     if (prepared_.unmatched == nullptr) return false;
     judgement_.verdict = Verdict::undecided;
     add(DiagnosticKind::undecided,
-        fmt::format("`{}` holds at all times and places, and was compared at a few only",
+        fmt::format("`{}` holds at all times and places, but was used at a few only",
                     prepared_.unmatched->origin.text));
     return true;
   }
@@ -472,7 +469,7 @@ class Judging {
     if (claim_.as_a_whole) return "the sides are equal, component by component";
     if (claim_.equation.relation != Relation::equal) return "the order does not hold";
     if (!claim_.nearly) return "the sides differ";
-    return first_order_ ? "the first-order parts differ" : "the sides differ where all that is small is 0";
+    return first_order_ ? "the first-order parts differ" : "the sides differ where everything small is 0";
   }
 
   ExprTree& tree_;

@@ -95,10 +95,10 @@ Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim&
   if (assumed)
     diagnostic.help.push_back(fmt::format("`rigor: claim {}` asks for values for which it fails", written));
   diagnostic.help.push_back(fmt::format(
-      "`rigor: given {}` takes it for a law; `rigor: let …`, with a symbol on the left, defines it",
+      "`rigor: given {}` assumes it; `rigor: let …`, with a symbol on the left, defines that symbol",
       written));
   diagnostic.help.emplace_back(
-      "if it is an identity, `rigor: for all …` names what it holds for all values of");
+      "if it is an identity, `rigor: for all …` lists the letters that may have any value");
   return diagnostic;
 }
 

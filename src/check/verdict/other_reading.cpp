@@ -90,7 +90,7 @@ std::optional<OtherReading> in_complex_vectors(const Question& question, const N
   });
   if (!asked || open.empty()) return std::nullopt;
   return OtherReading{
-      fmt::format("{} can be complex, and it is proved for real vectors only", quoted(*question.tree, open)),
+      fmt::format("{} can be complex, but it is proved for real vectors only", quoted(*question.tree, open)),
       {fmt::format("`rigor: vector {}` says that it is real", question.tree->symbols[*open.begin()].name)}};
 }
 
@@ -133,8 +133,8 @@ std::optional<OtherReading> in_another_space(const Question& question, const Nam
     help.push_back(fmt::format("`rigor: {} {}` says that it has three components along Cartesian axes",
                                open.rank == 1 ? "vector" : "tensor", open.name));
   }
-  return OtherReading{fmt::format("the words speak of `{}`; it is proved along {}Cartesian axes only", words,
-                                  said ? "" : "three "),
+  return OtherReading{fmt::format("the text speaks of `{}`, but it is proved along {}Cartesian axes only",
+                                  words, said ? "" : "three "),
                       std::move(help)};
 }
 
@@ -151,7 +151,7 @@ std::optional<OtherReading> in_another_arithmetic(const Question& question, cons
   }
   if (open.empty()) return std::nullopt;
   return says(*question.tree, open,
-              fmt::format("the words speak of `{}`, and it is proved for real numbers only", words),
+              fmt::format("the text speaks of `{}`, but it is proved for real numbers only", words),
               "a real number");
 }
 
@@ -162,7 +162,7 @@ std::optional<OtherReading> in_complex_numbers(const Question& question, const N
   const std::set<SymbolId> complex = complex_symbols(question, names);
   if (holds_for_complex(question, complex)) return std::nullopt;
   return says(*question.tree, complex,
-              fmt::format("{} can be complex, and it is proved for real numbers only",
+              fmt::format("{} can be complex, but it is proved for real numbers only",
                           quoted(*question.tree, complex)),
               "a real number");
 }
@@ -191,8 +191,7 @@ std::optional<OtherReading> with_unit_matrix(const Question& question, const Nam
     return std::nullopt;
   return says(
       tree, {*unit},
-      fmt::format("{} can be the unit matrix, with which it holds, or a number, for which it does not",
-                  quoted(tree, {*unit})));
+      fmt::format("it holds if {} is the unit matrix, but not if it is a number", quoted(tree, {*unit})));
 }
 
 std::optional<OtherReading> in_determinants(const Question& question, const Names& names, bool proved) {

@@ -95,7 +95,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
   if (parsed.written.relations.empty() && !reads_expression(walk, parsed)) return;
   if (parsed.written.relations.empty()) {
     walk.report.diagnostics.push_back({DiagnosticKind::no_relation, parsed.written.span,
-                                       "no relation stands here, so there is nothing to decide"});
+                                       "there is no relation here, so there is nothing to decide"});
     return;
   }
   std::unique_ptr<ChainReading> reading = read_here(walk, parsed);
@@ -116,10 +116,10 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
         {DiagnosticKind::unsummed_index,
          parsed.written.span,
          fmt::format(
-             "index `{}` stands twice in a term and is read as not summed, since it is free elsewhere",
+             "index `{}` occurs twice in a term and is read as not summed, since it is free elsewhere",
              letter),
          {},
-         {"say `(\\text{no sum})` beside the equation"}});
+         {"write `(\\text{no sum})` next to the equation"}});
   }
   if (walk.request.explains) walk.asked.assign(parsed.written.relations.size(), {});
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k)

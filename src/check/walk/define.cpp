@@ -33,13 +33,13 @@ void compare_orders(Walk& walk, const Equation& equation, Span span, Diagnostics
   const auto small = small_of_other_order(walk.tree, walk.names, equation, walk.options.cache);
   if (!small) return;
   note_other_order(walk.names.scope, *small);
-  diagnostics.push_back({DiagnosticKind::no_sample,
-                         span,
-                         fmt::format("`{}` is declared small, which means of first order, and is of another "
-                                     "order by what it is here",
-                                     walk.tree.symbols[*small].name),
-                         {},
-                         {"declare small what its powers are taken of"}});
+  diagnostics.push_back(
+      {DiagnosticKind::no_sample,
+       span,
+       fmt::format("`{}` is declared small, which means of first order, but this gives it another order",
+                   walk.tree.symbols[*small].name),
+       {},
+       {"declare small the symbol whose powers it is made of"}});
 }
 
 /// What is now defined has derivatives of its own: rules for them are equations from here on.
@@ -176,7 +176,7 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
   if (const NamedDefinition* earlier = definition_of(walk.names.scope, definition->symbol)) {
     if (is_for_now(walk, context)) {
       step.diagnostics.push_back({DiagnosticKind::bad_directive, step.relation_span,
-                                  fmt::format("`{}` has a meaning already, which `where` cannot set aside",
+                                  fmt::format("`{}` already has a meaning, which `where` cannot replace",
                                               written_at(walk.sources, walk.tree[left.typed->id].span)),
                                   earlier_place(walk, *earlier)});
       return true;
@@ -195,9 +195,9 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
 Diagnostic changing_constant(Span span, const std::string& name) {
   return {DiagnosticKind::no_sample,
           span,
-          fmt::format("`{}` is declared constant, and changes by what it is here", name),
+          fmt::format("`{}` is declared constant, but by this it changes", name),
           {},
-          {"a proof from what cannot be proves nothing"}};
+          {"contradictory assumptions prove nothing"}};
 }
 
 bool may_redefine(Walk& walk, const Typed& left, const Typed& right) {
@@ -315,7 +315,7 @@ Diagnostic no_sample(Span span) {
           span,
           "no sample was found that satisfies this together with the assumptions in force",
           {},
-          {"a proof from what cannot be proves nothing"}};
+          {"contradictory assumptions prove nothing"}};
 }
 
 }  // namespace rigor

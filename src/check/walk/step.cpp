@@ -40,7 +40,7 @@ std::optional<Diagnostic> why_not_decided(const WrittenRelation& relation) {
     case RelationKind::demanded:
       return Diagnostic{DiagnosticKind::unsupported,
                         relation.span,
-                        "an equation that is demanded is not a claim",
+                        "an equation that is required is not a claim",
                         {},
                         {"`rigor: given` makes it an assumption"}};
     default:

@@ -67,7 +67,7 @@ void settle_lines(const ParsedDisplay& display, std::span<Step> steps) {
       step.conditions.clear();
       step.diagnostics = {{DiagnosticKind::unsupported,
                            step.relation_span,
-                           "it does not hold for all values, and what stands beside it may be its condition",
+                           "it does not hold for all values, and what is next to it may be its condition",
                            {{law.relation_span, "this condition is not read"}}}};
     }
   }

@@ -20,7 +20,7 @@ class Isolating {
   Isolation run() {
     while (tree_[at_].op != Op::symbol) {
       if (auto why = why_nonlinear(tree_[at_].op)) return {.obstacle = std::move(*why)};
-      if (occurrences_of(tree_, at_, hole_) > 1) return by_two_values("it stands there more than once");
+      if (occurrences_of(tree_, at_, hole_) > 1) return by_two_values("it occurs more than once");
       if (!undo()) return by_two_values(std::move(obstacle_));
     }
     return {.value = value_, .squared = squared_};
@@ -85,7 +85,7 @@ class Isolating {
         } else if (node.rank == 0) {
           value_ = make(Op::divide, {children[0], value_});
         } else {
-          obstacle_ = "it stands below a vector";
+          obstacle_ = "it divides a vector";
           return false;
         }
         break;
@@ -104,12 +104,12 @@ class Isolating {
   static std::optional<std::string> why_nonlinear(Op op) {
     switch (op) {
       case Op::power:
-        return "the equation is not linear in it: it stands in a power";
+        return "the equation is not linear in it: it is in a power";
       case Op::length:
       case Op::absolute:
-        return "the equation is not linear in it: it stands between bars";
+        return "the equation is not linear in it: it is between bars";
       case Op::function:
-        return "the equation is not linear in it: it stands in a function";
+        return "the equation is not linear in it: it is in a function";
       default:
         return std::nullopt;
     }
@@ -122,9 +122,9 @@ class Isolating {
       case Op::index_sum:
         return "it is multiplied and summed over";
       case Op::particle_sum:
-        return "it stands under a sum over particles";
+        return "it is inside a sum over particles";
       default:
-        return "what stands around it is not undone";
+        return "the operation around it is not undone";
     }
   }
 
@@ -142,7 +142,7 @@ class Isolating {
       return true;
     }
     if (rank > 0) {
-      obstacle_ = "it is multiplied with a tensor, or a vector without a sign between";
+      obstacle_ = "it is multiplied by a tensor, or by a vector without a sign between them";
       return false;
     }
     ExprId above = make(Op::multiply, {value_, factor});

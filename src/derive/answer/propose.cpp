@@ -52,8 +52,7 @@ class Proposing {
       with_it.right = side_with(*isolation.value);
       const bool refuted = !problem_.nearly && outcome_of(with_it) == Outcome::refuted;
       if (refuted && isolation.squared) {
-        proposals_.obstacle =
-            "it stands in a root: its square fits only where the other side is not negative";
+        proposals_.obstacle = "it is in a root: its square fits only where the other side is not negative";
         return std::move(proposals_);
       }
       proposals_.refuted_necessary = refuted;

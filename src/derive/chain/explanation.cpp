@@ -55,10 +55,10 @@ class Explaining {
 
   Explanation explain(const QuestionNames& names, std::span<const KnownEquation> known) {
     if (question_.claim.relation != Relation::equal)
-      return gap("an order is not turned from one side into the other");
+      return gap("one side of an order is not turned into the other");
     const Basis whole = whole_basis(question_, names);
     const auto needed = needed_of(proofs_, question_, whole);
-    if (!needed) return gap("the exact side does not prove it");
+    if (!needed) return gap("it is not proved");
     std::vector<Basis> bases{*needed};
     question_ = widened(tree_, std::move(question_), known);
     const bool from_nothing = needed->definitions.empty() && needed->assumptions.empty();

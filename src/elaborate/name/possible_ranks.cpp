@@ -158,7 +158,7 @@ class RankReader {
 
   RankSet term(std::span<const SyntaxChild> children) {
     if (starts_order(children))
-      return unread(syntax_[children[0].id].span, "a symbol of Landau has any rank");
+      return unread(syntax_[children[0].id].span, "a Landau symbol can have any rank");
     std::vector<Factor> factors;
     for (std::size_t k = 0; k < children.size();) {
       const Joint joint = children[k].joint;
@@ -218,7 +218,7 @@ class RankReader {
   /// ∇ with what it acts on, as `apply_operator` reads it.
   RankSet operated(std::span<const SyntaxChild> children, std::size_t at, std::size_t& next) {
     const SyntaxId id = children[at].id;
-    if (at + 1 >= children.size()) return unread(syntax_[id].span, "an operator stands without an operand");
+    if (at + 1 >= children.size()) return unread(syntax_[id].span, "an operator has no operand");
     const Joint joint = children[at + 1].joint;
     next = at + 2;
     const SyntaxId behind = children[at + 1].id;
@@ -266,7 +266,7 @@ class RankReader {
 
   RankSet function(SyntaxId id) {
     const std::string& name = syntax_.text(id);
-    if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what stands beside it");
+    if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what is next to it");
     const RankSet inside = read(syntax_.child(id, 0));
     if (name == "D/Dt") return inside;
     if (name == "det" || name == "tr") return scalar;

@@ -153,7 +153,7 @@ std::optional<SpelledPart> spelled_part(const SyntaxTree& syntax, std::span<cons
       if (is_group && may_act(syntax, syntax.symbol(last), bracket_id, names)) {
         return SpelledPart{
             cover(syntax[last].span, syntax[factors[next].id].span),
-            fmt::format("`{}` can act on the bracket behind it, or be a factor", syntax.symbol(last).letter),
+            fmt::format("`{}` can act on the bracket after it, or be a factor", syntax.symbol(last).letter),
             {fmt::format("`rigor: scalar {}` makes it a factor", syntax.symbol(last).letter)}};
       }
     }

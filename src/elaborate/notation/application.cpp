@@ -98,10 +98,10 @@ std::optional<SpelledPart> application(const Reading& reading, std::span<const S
     if (factors[k + 1].joint != Joint::juxtaposed) continue;
     if (syntax[id].kind == SyntaxKind::unit && syntax[next].kind == SyntaxKind::number)
       return SpelledPart{both,
-                         "a number behind a unit can be added, as in 1 h 30 min, or multiplied",
+                         "a number after a unit can be added, as in 1 h 30 min, or multiplied",
                          {"a sign between them says which is meant"}};
     if (is_taken_at(syntax, id, next))
-      return SpelledPart{both, "this can be a product, or the derivative at what the bracket says", {}};
+      return SpelledPart{both, "this can be a product, or the derivative at the value in the bracket", {}};
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, id)) continue;
@@ -114,7 +114,7 @@ std::optional<SpelledPart> application(const Reading& reading, std::span<const S
         continue;
       return SpelledPart{both,
                          "this can be a product or the value of a function",
-                         {"a function's argument is not written in definitions and claims",
+                         {"write a function without its argument in definitions and claims",
                           fmt::format("`rigor: scalar {}` makes it a product",
                                       one_symbol ? syntax.symbol(argument).letter : symbol.letter)}};
     }

@@ -74,7 +74,7 @@ MaybeTyped elaborate_component(Reading& reading, SyntaxId id, const Around& arou
   if (is_derivative_in_bracket(reading.syntax, part) && axes.size() == 1 &&
       axes[0].form != IndexForm::digit && !reading.letters.is_index(axes[0].text))
     return unsupported(reading, axes[0].span,
-                       fmt::format("nothing says what `{}` is to this derivative", label),
+                       fmt::format("nothing says what `{}` means on this derivative", label),
                        {"`rigor: frame … rotates with … in …` names two frames"});
   const auto base = elaborate(reading, part, around);
   if (!base) return std::nullopt;
@@ -90,11 +90,10 @@ MaybeTyped elaborate_component(Reading& reading, SyntaxId id, const Around& arou
     if (base->rank == 0 && is_matrix_product(reading, part)) {
       return ambiguous(
           reading, span,
-          "letters that carry two indices elsewhere stand here without: a product of matrices is not read");
+          "these letters have two indices elsewhere but none here: a product of matrices is not read");
     }
-    const char* what = base->rank == 0
-                           ? "a scalar has no components"
-                           : "the subscript has another number of indices than the bracket has axes";
+    const char* what = base->rank == 0 ? "a scalar has no components"
+                                       : "the subscript and the bracket have different numbers of indices";
     return wrong_rank(reading, span, what);
   }
   if (any_primed(axes)) return along_axes(reading, *base, axes, span, around);

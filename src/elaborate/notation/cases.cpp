@@ -11,7 +11,7 @@ MaybeTyped elaborate_cases(Reading& reading, SyntaxId id, const Around& around) 
   const SyntaxTree& syntax = reading.syntax;
   const Span span = syntax[id].span;
   if (around.slots.empty() || around.slots.size() > 4)
-    return unsupported(reading, span, "cases are read in the definition of a symbol with index letters only");
+    return unsupported(reading, span, "cases are read only in the definition of a symbol with index letters");
   if (space_of(reading.names.symbols) != common_space)
     return unsupported(reading, span, "cases by index values are read in three dimensions only");
   std::vector<std::string> letters;

@@ -98,7 +98,7 @@ MaybeTyped frame_derivative(Reading& reading, SyntaxId id, const Frame& frame, b
   if (syntax[id].kind == SyntaxKind::derivative) {
     for (const WrittenVariable& by : syntax.derivative(id).by) {
       if (syntax.derivative(id).partial || !is_time(by.symbol))
-        return unsupported(reading, span, "a frame is read on a derivative `d/dt` only");
+        return unsupported(reading, span, "a frame is read only on a derivative `d/dt`");
       times += by.times;
     }
     operand = elaborate(reading, syntax.child(id, 0), around);
@@ -107,7 +107,7 @@ MaybeTyped frame_derivative(Reading& reading, SyntaxId id, const Frame& frame, b
     times = std::exchange(written.dots, std::uint8_t{0});
     operand = elaborate_symbol(reading, written, syntax[id].span, around);
   } else {
-    return unsupported(reading, span, "a frame is read on a derivative `d/dt` only");
+    return unsupported(reading, span, "a frame is read only on a derivative `d/dt`");
   }
   if (!operand) return operand;
   reading.found.used.insert(frame.directive);
@@ -147,7 +147,7 @@ MaybeTyped material_rate(Reading& reading, SyntaxId operand, Span span, const Ar
   if (!carried || !open) return std::nullopt;
   const Typed local = rate_of(reading, *open, 1, true);
   reading.found.unknown_changes.resize(unknown_before);  // it is the motion that is not known
-  reading.found.guess = unread("nothing says along which motion `D/Dt` follows");
+  reading.found.guess = unread("nothing says which motion `D/Dt` follows");
   return apply_op(reading.tree, Op::add, span, typed->rank, {local, *carried});
 }
 

@@ -86,9 +86,9 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   if (reads_as_order(reading, id)) {
     const WrittenSymbol& symbol = syntax.symbol(raised);
     return ambiguous(reading, span,
-                     fmt::format("a {} above `{}` can be a power, or say of which order it is",
+                     fmt::format("the {} above `{}` can be a power, or the order of an approximation",
                                  syntax.text(exponent), symbol.letter),
-                     {"a power of a bracket is no label: `(a)^0`"});
+                     {fmt::format("write the power as `({})^{}`", symbol.letter, syntax.text(exponent))});
   }
   const auto whole = whole_number(syntax, exponent);
   const bool of_symbol = syntax[raised].kind == SyntaxKind::symbol;

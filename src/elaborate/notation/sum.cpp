@@ -44,7 +44,7 @@ namespace {
     return unread(
         fmt::format("the sum over `{}` can run over the axes, or from {} to {} as elsewhere in the notes",
                     index.text, other->from, other->to),
-        {"limits at the sum settle it"});
+        {"write the limits at the sum"});
   if (runs_over_axes(sum, space)) return std::nullopt;
   return unread(
       fmt::format("the sum over `{}` does not run over the axes 1 to {}", index.text, space.dimension),

@@ -40,7 +40,7 @@ MaybeTyped act(Reading& reading, SyntaxId id, Joint joint, const Typed& operand,
   }
   if (syntax[id].kind == SyntaxKind::power) {
     if (whole_number(syntax, syntax.child(id, 1)) != 2 || joint != Joint::juxtaposed)
-      return unsupported(reading, span, "of powers of `\\nabla`, `\\nabla^2` is read");
+      return unsupported(reading, span, "`\\nabla^2` is the only power of `\\nabla` that is read");
     return apply_nabla(reading, FieldOperator::laplacian, operand, whole);
   }
   return apply_nabla(reading,
@@ -58,7 +58,7 @@ MaybeTyped apply_operator(Reading& reading, std::span<const SyntaxChild> factors
   const SyntaxId id = factors[at].id;
   const Span span = syntax[id].span;
   if (at + 1 >= factors.size())
-    return unsupported(reading, span, "an operator without what it acts on is not read");
+    return unsupported(reading, span, "an operator without an operand is not read");
   std::size_t run = at;
   while (run < factors.size() && acts_as_operator(syntax, factors[run].id)) ++run;
   if (run - at > most_axes) {

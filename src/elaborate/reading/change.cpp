@@ -114,7 +114,9 @@ MaybeTyped with_places_open(Reading& reading, Typed typed, Span span) {
     typed.id = replaced(reading.tree, typed.id, by);
     if (typed.id == before) return typed;
   }
-  return unsupported(reading, span, "the partial rate of what is defined through the place is not decided");
+  return unsupported(
+      reading, span,
+      "the partial time derivative of a quantity that is defined by the position is not decided");
 }
 
 /// Derivatives by place run over the three axes of the common space.

@@ -36,14 +36,14 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
     mismatch.diagnostics.push_back(
         {DiagnosticKind::rank_mismatch,
          mismatch.relation,
-         fmt::format("{} stands against {}", kind_of(other.rank), kind_of(first.rank)),
+         fmt::format("one {} is {}, the other is {}", what, kind_of(other.rank), kind_of(first.rank)),
          {{first_span, kind_of(first.rank)}}});
     return false;
   }
   if (reading.tree[first.id].axes != reading.tree[other.id].axes) {
     mismatch.diagnostics.push_back({DiagnosticKind::rank_mismatch,
                                     mismatch.relation,
-                                    "values of different spaces stand against each other",
+                                    fmt::format("the {}s belong to different spaces", what),
                                     {{first_span, "of another space"}}});
     return false;
   }
@@ -59,9 +59,9 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
     mismatch.diagnostics.push_back(
         {kind,
          entry.span,
-         shown ? fmt::format("the free index `{}` stands on one {} only", entry.letter, what)
-               : fmt::format("`{}` can be a free index, which then stands on one {} only, or a label",
-                             entry.letter, what),
+         shown
+             ? fmt::format("only one {} has the free index `{}`", what, entry.letter)
+             : fmt::format("`{}` can be a free index, which only one {} has, or a label", entry.letter, what),
          {{without, fmt::format("no free `{}` here", entry.letter)}}});
     return false;
   };

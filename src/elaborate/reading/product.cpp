@@ -33,7 +33,7 @@ std::optional<Separated> separate_scalars(Reading& reading, const std::vector<Op
                    (operand.typed.rank == 1 && after_scalar && is_dot(previous->typed)));
     if (product_dotted)
       return wrong_rank(reading, operand.joint_span, "a dot product of a vector and a scalar",
-                        {"leave `\\cdot` out, if a multiple is meant"});
+                        {"leave out `\\cdot` if a multiple is meant"});
     const bool joined = operand.joint == Joint::dot || operand.joint == Joint::cross;
     if (operand.typed.rank == 0) {
       if (joined) carried = operand.joint;
@@ -176,7 +176,7 @@ MaybeTyped without_slash(Reading& reading, const std::vector<Operand>& operands,
 
 MaybeTyped divide(Reading& reading, const Typed& dividend, const Typed& divisor, Span span) {
   if (divisor.rank != 0) {
-    return wrong_rank(reading, reading.tree[divisor.id].span, "a vector or tensor stands in a denominator",
+    return wrong_rank(reading, reading.tree[divisor.id].span, "a vector or tensor is in a denominator",
                       {"divide by its length or by a component"});
   }
   if (!divisor.free.empty()) {
@@ -194,8 +194,7 @@ MaybeTyped product_of(Reading& reading, std::vector<Operand> operands, Span span
     const Typed divisor = operands[k].typed;
     const bool numbers = tree[before.id].op == Op::number && tree[divisor.id].op == Op::number;
     if (!numbers && k + 1 < operands.size()) {
-      return ambiguous(reading, operands[k].joint_span,
-                       "what stands behind the divisor can belong to it or not",
+      return ambiguous(reading, operands[k].joint_span, "what follows the divisor can belong to it or not",
                        {"write `\\frac{…}{…}` or a bracket"});
     }
     if (!numbers) {

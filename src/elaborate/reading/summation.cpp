@@ -20,13 +20,12 @@ void note_riding(Reading& reading, const std::string& letter, const std::vector<
       {summed ? DiagnosticKind::index_rides : DiagnosticKind::unsummed_index,
        rider->span,
        summed
-           ? fmt::format(
-                 "index `{}` occurs {} times in one term; it is summed, and the principal value goes along",
-                 letter, where.size())
+           ? fmt::format("index `{}` occurs {} times in one term; it is summed, also on the principal value",
+                         letter, where.size())
            : fmt::format("index `{}` occurs twice in one term, once on a principal value, and is not summed",
                          letter),
        {},
-       {summed ? "write the sum out: `\\sum_k`" : "say `(\\text{no sum})` beside the equation"}});
+       {summed ? "write the sum out: `\\sum_k`" : "write `(\\text{no sum})` next to the equation"}});
 }
 
 }  // namespace

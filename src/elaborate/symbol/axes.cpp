@@ -32,9 +32,9 @@ std::optional<SymbolId> primed_axes(Reading& reading, Span span) {
     note(reading, "a primed index is a component along the primed axes");
     return rotation;
   }
-  ambiguous(reading, span, "nothing says how the primed axes lie to the unprimed ones",
+  ambiguous(reading, span, "nothing says how the primed axes are related to the unprimed ones",
             {"`rigor: rotation \\lambda` makes \\lambda_{i'j} the direction cosines; `rigor: basis "
-             "\\mathbf{e}_{i'}` names axes of any direction"});
+             "\\mathbf{e}_{i'}` names axes in any directions"});
   return std::nullopt;
 }
 
@@ -84,13 +84,13 @@ std::optional<Subscript> try_subscript(Reading& reading, const std::vector<Writt
 std::optional<Subscript> subscript(Reading& reading, const std::vector<WrittenIndex>& axes, Span span,
                                    const Around& around) {
   auto read = try_subscript(reading, axes, around);
-  if (!read) unsupported(reading, span, "this subscript is not one of index letters or axes");
+  if (!read) unsupported(reading, span, "a subscript other than index letters and axes is not read");
   return read;
 }
 
 Typed basis_vector(Reading& reading, Span span, Slot slot, std::vector<FreeIndex> free) {
   const Space space = use_space(reading);
-  note(reading, fmt::format("`\\hat{{x}}`, `\\mathbf{{e}}_i` and their like are the {}orthonormal basis",
+  note(reading, fmt::format("`\\hat{{x}}`, `\\mathbf{{e}}_i` and the like are the {}orthonormal basis",
                             space == common_space ? "right-handed " : ""));
   const ExprId id = reading.tree.add(
       {.op = Op::basis, .rank = 1, .span = span, .axes = AxisSpaces::of(space, 1)}, {}, std::span(&slot, 1));
@@ -136,10 +136,10 @@ MaybeTyped direction_cosine(Reading& reading, const ExprNode& node, const std::v
   if (axes[0].primes > 0 && axes[1].primes > 0)
     return unsupported(reading, span, "a direction cosine between two primed axes is not read");
   if (reading.rules.primes_on_axes && axes[0].primes == 0 && axes[1].primes == 0)
-    return ambiguous(
-        reading, span,
-        "beside primed indices, this rotation has none, so which of its indices is the primed one is open",
-        {"write the prime on one of them"});
+    return ambiguous(reading, span,
+                     "other indices here are primed, but neither index of this rotation is, so its primed "
+                     "axes are not known",
+                     {"write the prime on one of the two"});
   auto read = subscript(reading, axes, span, around);
   if (!read) return std::nullopt;
   if (axes[1].primes > 0) std::swap(read->slots[0], read->slots[1]);
@@ -154,7 +154,7 @@ MaybeTyped along_axes(Reading& reading, Typed whole, const std::vector<WrittenIn
   const auto rotation = primed_axes(reading, span);
   if (!rotation) return std::nullopt;
   if (static_cast<int>(axes.size()) != whole.rank)
-    return unsupported(reading, span, "this subscript is not one of index letters or axes");
+    return unsupported(reading, span, "a subscript other than index letters and axes is not read");
   const auto written = subscript(reading, axes, span, around);
   if (!written) return std::nullopt;
   std::vector<ExprId> factors;

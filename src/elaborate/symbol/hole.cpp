@@ -11,11 +11,11 @@ namespace rigor {
 
 MaybeTyped elaborate_hole(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
   if (!reading.rules.hole) {
-    return fail(reading, DiagnosticKind::hole, span, "what stands here is asked for",
+    return fail(reading, DiagnosticKind::hole, span, "what belongs here is to be found",
                 {"`rigor derive` answers it"});
   }
   if (written.dots > 0 || !written.change.empty() || written.primes > 0 || written.accent != Accent::none)
-    return unsupported(reading, span, "what is asked for stands without dots, accents and primes");
+    return unsupported(reading, span, "a hole has no dots, accents or primes");
   HoleShape shape = *reading.rules.hole;
   const bool lettered = std::any_of(written.lower.begin(), written.lower.end(), is_index_letter);
   if (lettered) shape = {.particles = shape.particles};

@@ -30,9 +30,9 @@ std::optional<bool> is_varying_in_body(Reading& reading, const WrittenName& name
   if (one)
     return ambiguous(
         reading, span,
-        fmt::format("`{0}` is declared as one quantity, and inside an integral over a body it belongs to the "
-                    "point",
-                    name.base),
+        fmt::format(
+            "`{0}` is declared as one quantity, but inside an integral over a body it belongs to each point",
+            name.base),
         {"give one of them another name, or drop the declaration"});
   return ambiguous(
       reading, span,

@@ -87,7 +87,7 @@ std::optional<MaybeTyped> unit_or_basis(Reading& reading, const WrittenSymbol& w
   const int dimension = space_of(names.symbols).dimension;
   if (axis > dimension)
     return unsupported(reading, span,
-                       fmt::format("the space has {} axes, and this is another one", dimension));
+                       fmt::format("the space has only {} axes, and this is not one of them", dimension));
   if (axis != 0 && !is_declared(names.symbols, {"\\hat{" + written.letter + "}", 1, false}))
     return basis_vector(reading, span, Slot{axis, {}}, {});
   return std::nullopt;
@@ -263,10 +263,10 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   WrittenName name = take_apart(written, reading.letters, reading.names);
   reading.found.used.insert(name.used.begin(), name.used.end());
   if (hides_small_factor(reading, written, name)) {
-    return ambiguous(
-        reading, span,
-        fmt::format("`{}` is one symbol, a change, and `{}` is small by itself", name.base, written.change),
-        {fmt::format("for the product write `{}` behind the other factors", written.change)});
+    return ambiguous(reading, span,
+                     fmt::format("`{}` is read as one symbol, a change, but `{}` is small by itself",
+                                 name.base, written.change),
+                     {fmt::format("for the product, write `{}` after the other factors", written.change)});
   }
   const auto greek_label = [](const WrittenIndex& index) { return index.form == IndexForm::greek; };
   if (std::count_if(written.lower.begin(), written.lower.end(), greek_label) > 1) {

@@ -162,7 +162,7 @@ bool NotesReader::report_if_unread(std::string_view word, std::string_view name,
   const std::string_view written = text_.between(at_, behind);
   if (own) {
     report_unread(text_.span(at_, behind),
-                  fmt::format("a display opens in the definition of `{}`; it is not read", written),
+                  fmt::format("the definition of `{}` opens a display, which is not read", written),
                   "write the display itself here, or a short name that stands for its `\\begin{…}` alone");
   } else {
     report_unread(text_.span(at_, behind),

@@ -124,7 +124,7 @@ class IndexReader {
       return;
     }
     if (letter == hole_letter) {
-      refuse("what is asked for is no index");
+      refuse("a hole is no index");
       return;
     }
     if (letter.empty()) {

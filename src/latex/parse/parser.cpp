@@ -108,9 +108,8 @@ SyntaxId Parser::expression(TokenView tokens, Span place) {
       while (lifts_braces(cursor)) cursor.skip_spacing();
     }
     if (cursor.done()) {
-      terms.push_back(
-          {opaque(joint_span, "an operand is missing behind the sign", DiagnosticKind::bad_syntax), joint,
-           joint_span});
+      terms.push_back({opaque(joint_span, "an operand is missing after the sign", DiagnosticKind::bad_syntax),
+                       joint, joint_span});
       break;
     }
     const SyntaxId node = term(cursor);
@@ -233,8 +232,7 @@ SyntaxId Parser::signed_factor(Cursor& cursor) {
   read_sign(cursor);
   ++cursor.at;
   cursor.skip_spacing();
-  if (cursor.done())
-    return opaque(place, "an operand is missing behind the sign", DiagnosticKind::bad_syntax);
+  if (cursor.done()) return opaque(place, "an operand is missing after the sign", DiagnosticKind::bad_syntax);
   const SyntaxChild child{factor(cursor), sign, place};
   return tree_.add(SyntaxKind::sum, cover(place, tree_[child.id].span), {&child, 1});
 }
@@ -259,7 +257,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
       const std::size_t behind = skip_blank(cursor.tokens, group.next);
       if (trim(group.content).empty() && is_script_at(cursor.tokens, behind)) {
         cursor.at = script_argument_at(cursor.tokens, behind + 1).next;
-        return opaque(token.span, "a script before its symbol is not read");
+        return opaque(token.span, "a subscript or superscript before its symbol is not read");
       }
       return inner(group.content, token.span);
     }
@@ -280,7 +278,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
   }
   if (is_script(token)) {
     if (!cursor.done()) cursor.at = argument_at(cursor.tokens, cursor.at).next;
-    return opaque(token.span, "a script without a symbol before it is not read");
+    return opaque(token.span, "a subscript or superscript without a symbol before it is not read");
   }
   return opaque(token.span, fmt::format("the sign `{}` is not read here", text_of({&token, 1})));
 }
@@ -319,7 +317,8 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
     bool& again = script.kind == TokenKind::subscript ? below : above;
     if (std::exchange(again, true)) {
       base = opaque(place, fmt::format("two {} on one base", again_name(script.kind)),
-                    DiagnosticKind::bad_syntax, {"`{}` between them says that the second comes behind"});
+                    DiagnosticKind::bad_syntax,
+                    {"`{}` between them says that the second comes after the first"});
       continue;
     }
     base = script.kind == TokenKind::subscript ? add_indices(base, argument.content, place)
@@ -330,7 +329,7 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
 SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind != SyntaxKind::symbol)
-    return opaque(span, "a prime behind this expression is not read");
+    return opaque(span, "a prime after this expression is not read");
   WrittenSymbol symbol = tree_.symbol(base);
   symbol.primes = static_cast<std::uint8_t>(symbol.primes + primes);
   return tree_.add_symbol(span, std::move(symbol));

@@ -105,7 +105,7 @@ SyntaxId Parser::field_word(Cursor& cursor, const std::string& word, std::size_t
   read_since(cursor, begin);
   cursor.at = skip_narrow(cursor.tokens, cursor.at);
   if (cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
-    return opaque(place, fmt::format("`{}` has nothing behind it to act on", word));
+    return opaque(place, fmt::format("`{}` has nothing after it to act on", word));
   const bool bracket = opens_bracket(cursor.token());
   const SyntaxId argument = bracket ? bracket_argument(cursor) : factor(cursor);
   const Span span = cover(place, tree_[argument].span);

@@ -19,7 +19,8 @@ bool Parser::lifts_braces(const Cursor& cursor) {
 }
 
 SyntaxId Parser::stacked_powers(Span span) {
-  return opaque(span, "braces are not seen: a power of a power, or one power of two signs",
+  return opaque(span,
+                "braces are invisible in print: this can be a power of a power, or one power of two signs",
                 DiagnosticKind::ambiguous_reading, {"put brackets around the first power"});
 }
 

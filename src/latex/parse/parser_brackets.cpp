@@ -201,9 +201,9 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
   if (component) return group;
   return opaque(
       span,
-      fmt::format("brackets around `{0}` alone group nothing: this can be the matrix, the unit or the "
-                  "whole part of it",
-                  text_of(content)),
+      fmt::format(
+          "brackets around `{0}` alone group nothing: this can be its matrix, its unit or its integer part",
+          text_of(content)),
       DiagnosticKind::ambiguous_reading, {"without brackets, or in round ones, it is the letter itself"});
 }
 
@@ -229,7 +229,7 @@ SyntaxId Parser::missing_operand(Joint joint, Span place, std::span<const Syntax
                       tree_[before.back().id].kind == SyntaxKind::symbol &&
                       tree_.symbol(before.back().id).face == Face::vector;
   if (matrix) return opaque(place, "the matrix of a cross product is not read");
-  return opaque(place, "an operand is missing behind this sign", DiagnosticKind::bad_syntax);
+  return opaque(place, "an operand is missing after this sign", DiagnosticKind::bad_syntax);
 }
 
 SyntaxId Parser::bars(Cursor& cursor) {

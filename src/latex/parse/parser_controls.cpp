@@ -110,7 +110,7 @@ SyntaxId Parser::braced(Cursor& cursor) {
     if (kind == BraceLabel::statement)
       return opaque(
           cover(span, span_of(label.content)),
-          fmt::format("what `{}` says of the part at its brace is not read", text_of(label.content)),
+          fmt::format("what `{}` says about the part at its brace is not read", text_of(label.content)),
           DiagnosticKind::passed_over);
     read_since(cursor, script);
     const Span place = span_of(label.content);

@@ -161,7 +161,7 @@ SyntaxId Parser::operate(Cursor& cursor, WrittenDerivative derivative, Span span
   cursor.skip_spacing();
   const bool nothing = cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none ||
                        cursor.token().kind == TokenKind::superscript;
-  if (nothing) return opaque(span, "this derivative has nothing behind it to act on");
+  if (nothing) return opaque(span, "this derivative has nothing after it to act on");
   const std::size_t bracket = bracket_end(cursor.tokens, cursor.at);
   const bool bracket_first = bracket != cursor.at;
   const SyntaxId operand = term(cursor);

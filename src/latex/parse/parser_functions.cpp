@@ -85,7 +85,7 @@ SyntaxId Parser::function(Cursor& cursor, std::string_view name, std::size_t beh
                                                        is_sign(cursor.tokens[script], "'"));
   const SyntaxId argument = function_argument(cursor, token.span, name, begin);
   const Span span = cover(token.span, tree_[argument].span);
-  if (other) return opaque(span, fmt::format("a script on `{}` is not read", name));
+  if (other) return opaque(span, fmt::format("a subscript or superscript on `{}` is not read", name));
   if (exponent && text_of(exponent->content) == "-1")
     return opaque(span, fmt::format("`{}^{{-1}}` is an inverse function, or a power; it is not read", name));
   if (tree_[argument].kind == SyntaxKind::opaque) return argument;
@@ -226,7 +226,7 @@ SyntaxId Parser::field_function(Cursor& cursor, std::string_view name) {
   if (divided) return opaque(token.span, "`\\div` is read before a vector or a bracket only");
   cursor.at = at;
   if (missing || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
-    return opaque(token.span, fmt::format("`\\{}` has nothing behind it to act on", token.text));
+    return opaque(token.span, fmt::format("`\\{}` has nothing after it to act on", token.text));
   const SyntaxId argument = opens_argument(cursor.token()) ? bracket_argument(cursor) : factor(cursor);
   return tree_.add_named(SyntaxKind::function, cover(token.span, tree_[argument].span), std::string(name),
                          argument);

@@ -76,10 +76,9 @@ SyntaxId Parser::asked(Cursor& cursor) {
 }
 
 SyntaxId Parser::box_operator(Span place) {
-  return opaque(
-      place,
-      "a square before an operand is d'Alembert's operator, which is not read; with `\\,` behind it "
-      "it stands for what is asked for");
+  return opaque(place,
+                "a square before an operand is d'Alembert's operator, which is not read; with `\\,` after "
+                "it, it is a hole");
 }
 
 SyntaxId Parser::letter(Cursor& cursor) {

@@ -86,7 +86,7 @@ SyntaxId Parser::partial(Cursor& cursor) {
   if (auto obstacle = read_partial_index(argument.content, by)) return tree_.add_opaque(span, *obstacle);
   cursor.skip_spacing();
   if (cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
-    return opaque(span, "this derivative has nothing behind it to act on");
+    return opaque(span, "this derivative has nothing after it to act on");
   if (cursor.token().kind == TokenKind::superscript) {
     cursor.at = script_argument_at(cursor.tokens, cursor.at + 1).next;
     return opaque(span, "a power of `\\partial` is not read");
@@ -137,7 +137,7 @@ std::optional<Obstacle> Parser::read_partial_index(TokenView content, std::vecto
         is_one_of(index.text, {"r", "s", "\\rho", "\\sigma"}) || index.form == IndexForm::word;
     if (either)
       return Obstacle{DiagnosticKind::ambiguous_reading,
-                      fmt::format("`{}` can be an index here, or what is differentiated by", index.text),
+                      fmt::format("`{}` can be an index here, or the variable of the derivative", index.text),
                       {"write `\\frac{\\partial}{\\partial r}` for a derivative by `r`"}};
     by.push_back(coordinate_of(index));
   }

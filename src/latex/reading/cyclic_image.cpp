@@ -143,7 +143,7 @@ WrittenAxes axes_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides
                        symbol.face == Face::plain && has_index(symbol.lower);
     if (label || other)
       stop(span, DiagnosticKind::ambiguous_reading,
-           "beside the axes x, y, z, this subscript can be a label or an axis that is permuted", help);
+           "the axes here are x, y, z, so this subscript can be a label or an axis that is permuted", help);
     if (!axes.hatted && is_hatted_axis(symbol))
       stop(span, DiagnosticKind::ambiguous_reading,
            "`\\hat{k}` alone can be an axis that is permuted, or the direction of a vector", help);
@@ -151,11 +151,11 @@ WrittenAxes axes_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides
   for_each_symbol(syntax, sides, doubt, [](const auto&) {});
   if (any_digit && !axes.letters && letters.size() > 1)
     stop(coordinate, DiagnosticKind::ambiguous_reading,
-         "beside the axes 1, 2, 3, the letters x, y, z can be letters that are permuted, or stay", help);
+         "the axes here are 1, 2, 3, so the letters x, y, z can be permuted, too, or stay", help);
   if (!any_digit && !axes.letters && !axes.hatted && !axes.obstacle) {
     const Span whole = cover(syntax[sides.front()].span, syntax[sides.back()].span);
     stop(whole, DiagnosticKind::unsupported,
-         "there is nothing to permute: no axis 1, 2, 3 or x, y, z stands in this equation", help);
+         "there is nothing to permute: this equation has no axis 1, 2, 3 or x, y, z", help);
   }
   return axes;
 }

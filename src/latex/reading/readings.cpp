@@ -12,11 +12,11 @@ std::vector<SyntaxId> parse_sides(const WrittenChain& chain, SyntaxTree& syntax,
   std::vector<SyntaxId> sides;
   for (const WrittenSide& side : chain.sides) {
     const bool left_elsewhere = sides.empty() && side.tokens.empty();
-    sides.push_back(left_elsewhere
-                        ? syntax.add_opaque(side.span, {DiagnosticKind::unsupported,
-                                                        "the left side of this equation stands elsewhere",
-                                                        {}})
-                        : parse_side(side.tokens, side.span, syntax, &choices));
+    sides.push_back(
+        left_elsewhere
+            ? syntax.add_opaque(
+                  side.span, {DiagnosticKind::unsupported, "the left side of this equation is elsewhere", {}})
+            : parse_side(side.tokens, side.span, syntax, &choices));
   }
   return sides;
 }

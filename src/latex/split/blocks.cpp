@@ -167,7 +167,7 @@ class StatementSplitter {
             uses_.mark(rest, TokenUse::remark);
             return;  // what follows only names the symbols
           }
-          set_condition(rest, "what `\\forall` says of the equation is not read");
+          set_condition(rest, "what `\\forall` says about the equation is not read");
           at = blocks_.empty() ? at + 1 : next_wide_space(at);
           continue;
         }
@@ -309,7 +309,7 @@ class StatementSplitter {
     no_sum_ = no_sum_ || kind == Remark::no_sum;
     cyclic_ = cyclic_ || kind == Remark::cyclic;
     if (kind != Remark::unread) return uses_.mark(tokens, TokenUse::remark);
-    set_condition(tokens, fmt::format("the words `{}` beside the equation are not read", words));
+    set_condition(tokens, fmt::format("the words `{}` next to the equation are not read", words));
   }
 
   void add_block(const Block& block) {
@@ -324,7 +324,7 @@ class StatementSplitter {
     if (!chains_.empty() && relates_index_letters(tokens)) {
       if (assume(tokens, conditions_in)) return;
       set_condition(tokens,
-                    fmt::format("the condition `{}` beside the equation is not read yet", text_of(tokens)));
+                    fmt::format("the condition `{}` next to the equation is not read yet", text_of(tokens)));
       return;
     }
     if (!has_relation(tokens) && !chains_.empty()) {
@@ -353,7 +353,7 @@ class StatementSplitter {
     if (only_words && remark_of(words) != Remark::unread && knows(symbols_in_words(words), tokens_))
       return uses_.mark(tokens, TokenUse::remark);
     if (is_sign(tokens.front(), "(") && assume(tokens, conditions_in)) return;
-    set_condition(tokens, fmt::format("`{}` beside the equation may change what it says and is not read",
+    set_condition(tokens, fmt::format("`{}` next to the equation is not read, and may change what it says",
                                       text_of(tokens)));
   }
 
@@ -396,7 +396,7 @@ class StatementSplitter {
       if (!chains_.empty() && relates_index_letters(piece)) {
         if (assume(piece, conditions_in)) continue;
         set_condition(piece,
-                      fmt::format("the condition `{}` beside the equation is not read yet", text_of(piece)));
+                      fmt::format("the condition `{}` next to the equation is not read yet", text_of(piece)));
       } else {
         chains_.push_back(chain_of(piece, uses_));
       }

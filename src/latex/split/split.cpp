@@ -176,8 +176,8 @@ class RowJoiner {
     const bool open_end = !has_relation(row) || starts_with_operator(row);
     if (!open_end || is_empty(above.tokens)) return;
     above.condition = Obstacle{DiagnosticKind::ambiguous_reading,
-                               "the row below can go on with this equation, or stand for itself",
-                               {"begin the row with `&` and a sign if it goes on"}};
+                               "the next row can continue this equation, or be an equation of its own",
+                               {"begin the row with `&` and a sign if it continues"}};
     above.condition_span = span_of(row);
   }
 
@@ -222,7 +222,7 @@ void refuse(std::vector<WrittenChain>& chains, const Token& left_over) {
   for (WrittenChain& chain : chains) {
     if (chain.condition) continue;
     chain.condition = Obstacle{DiagnosticKind::passed_over,
-                               fmt::format("`{}` has no part in what was read", text_of({&left_over, 1})),
+                               fmt::format("`{}` is no part of what was read", text_of({&left_over, 1})),
                                {}};
     chain.condition_span = left_over.span;
   }

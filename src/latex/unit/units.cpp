@@ -72,7 +72,7 @@ class UnitReader {
       divides_ = true;
       return true;
     }
-    if (slashed_ && !open_ && !divides_) return fail("what stands behind `/` can be read in two ways"), false;
+    if (slashed_ && !open_ && !divides_) return fail("what follows `/` can be read in two ways"), false;
     if (take("/")) {
       slashed_ = true;
       divides_ = true;
@@ -124,7 +124,7 @@ class UnitReader {
       if (!under || *under == 0) return fail("an exponent is missing"), false;
       own = SmallRational(*over, *under);
     }
-    if (braced && !take("}")) return fail("an exponent is no fraction"), false;
+    if (braced && !take("}")) return fail("an exponent is neither a whole number nor a fraction"), false;
     exponent = exponent * own;
     skip_braces();
     return true;

@@ -212,10 +212,9 @@ bool are_all_used(std::size_t vertices, Triangles triangles) {
 
 Result<void> check_second_moments(const std::array<double, 3>& moments, const MeshErrors& errors) {
   if (!(errors.greatest < least_known))
-    return refuse(
-        fmt::format("the mesh encloses too little of its box: a second moment is known to {:.0e} of itself "
-                    "only",
-                    errors.greatest));
+    return refuse(fmt::format(
+        "the mesh encloses too little of its box: a second moment is known only to {:.0e} of its value",
+        errors.greatest));
   for (const double moment : moments)
     if (!(moment > 0))
       return refuse(

@@ -77,7 +77,7 @@ class AsciiStl {
  private:
   [[nodiscard]] tl::unexpected<Error> unexpected(std::string_view word, std::string_view wanted) const {
     if (word.empty()) return words_.refuse(fmt::format("the file ends where `{}` was expected", wanted));
-    return words_.refuse(fmt::format("`{}` stands where `{}` was expected", shown(word), wanted));
+    return words_.refuse(fmt::format("`{}` was found where `{}` was expected", shown(word), wanted));
   }
 
   Result<void> expect(std::string_view wanted) {

@@ -98,7 +98,7 @@ Operand ExpressionCompiler::unfolded(const Definition& definition, std::uint32_t
   const std::uint32_t first = components_of(definition.symbol, particle, count);
   const Operand known = known_components_[first + component];
   if (known == being_unfolded)
-    fail(fmt::format("definitions go in a circle: `{}`", tree_->symbols[definition.symbol].name));
+    fail(fmt::format("the definitions of `{}` are circular", tree_->symbols[definition.symbol].name));
   if (known == being_unfolded || !failure_.empty()) return ValueTable::zero;
   if (known != not_asked) return known;
   if (definition.indices.empty()) {

@@ -72,7 +72,7 @@ TestCase case_of_rest(const FileReport& file, const SourceMap& sources, const Te
   result.name = printable(options.name + " (whole file)");
   result.outcome = outcome_of(rest, options.strict);
   result.text = result.outcome == CaseOutcome::passed
-                    ? fmt::format("{}: nothing is wrong beside its steps\n", printable(file.path))
+                    ? fmt::format("{}: nothing is wrong apart from its steps\n", printable(file.path))
                     : print_diagnostics(rest, sources);
   return result;
 }

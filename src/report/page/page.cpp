@@ -143,7 +143,7 @@ struct VerdictMeaning {
 
 constexpr std::array<VerdictMeaning, verdict_count> meanings{
     {{Verdict::proved, "equal for all values of the symbols, by an exact procedure"},
-     {Verdict::refuted, "an exact sample is shown on which the sides differ"},
+     {Verdict::refuted, "the sides differ on an exact sample, which is shown"},
      {Verdict::given, "assumed, as the notes say"},
      {Verdict::definition, "gives a name to something"},
      {Verdict::undecided, "neither proved nor refuted, for the reason that is given"},

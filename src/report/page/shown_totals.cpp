@@ -33,17 +33,20 @@ void add_to(ShownTotals& totals, const FileReport& report) {
 std::string attention_words(const ShownTotals& totals, std::string_view open, std::string_view close) {
   std::string words = totals.steps == 0 ? "There is no step to check" : plural(totals.steps, "step");
   if (totals.attention > 0) {
-    words += fmt::format(", of which {}{} need{} attention{}", open, totals.attention,
+    words += fmt::format(": {}{} need{} attention{}", open, totals.attention,
                          totals.attention == 1 ? "s" : "", close);
   } else if (totals.steps > 0) {
-    words += totals.problems > 0 ? ", none of which needs attention" : ", and nothing needs attention";
+    words += totals.problems > 0 ? ": none needs attention" : ", and nothing needs attention";
   }
   if (totals.problems > 0)
-    words += fmt::format(", {} {}{} of the notes as a whole{}", totals.attention > 0 ? "and" : "but", open,
-                         plural(totals.problems, "problem"), close);
+    words += fmt::format(", {} {}{}{} with the notes as a whole{}", totals.attention > 0 ? "and" : "but",
+                         totals.steps == 0      ? ""
+                         : totals.problems == 1 ? "there is "
+                                                : "there are ",
+                         open, plural(totals.problems, "problem"), close);
   if (totals.remarks > 0)
     words += fmt::format("; {}{}", plural(totals.remarks, "warning"),
-                         totals.problems > 0 ? "" : " of the notes as a whole");
+                         totals.problems > 0 ? "" : " about the notes as a whole");
   return words;
 }
 

@@ -21,9 +21,9 @@ struct ShownTotals {
 /// Adds what a file has.
 void add_to(ShownTotals& totals, const FileReport& report);
 
-/// `3 steps, of which 1 needs attention, and 2 problems of the notes as a whole`, without a full stop; what
-/// must be looked at stands between `open` and `close`. Nothing is said to be well where the exit code says
-/// otherwise.
+/// `3 steps: 1 needs attention, and there are 2 problems with the notes as a whole`, without a full stop;
+/// what must be looked at stands between `open` and `close`. Nothing is said to be well where the exit code
+/// says otherwise.
 [[nodiscard]] std::string attention_words(const ShownTotals& totals, std::string_view open = {},
                                           std::string_view close = {});
 

@@ -129,7 +129,7 @@ std::string bench_markdown(const EvaluatedChain& evaluated, const std::vector<st
 }
 
 std::string bench_rows_head() {
-  return "### Forms that err alike\n\n| place | forms | cheapest | ns | worst error "
+  return "### Equally accurate forms\n\n| place | forms | cheapest | ns | worst error "
          "|\n|---|---:|---|---:|---:|\n";
 }
 

@@ -139,7 +139,7 @@ std::string advice_text(const ChainResult& result, const Advice& advice) {
   if (advice.all_alike) {
     const std::size_t count = result.forms.size();
     const std::string all = count == 2 ? "Both forms" : fmt::format("All {} forms", count);
-    return fmt::format("{} err alike; {} is the cheapest ({}).", all, best, cost);
+    return fmt::format("{} are equally accurate; {} is the cheapest ({}).", all, best, cost);
   }
   std::string text = fmt::format("Compute {} ({}).", best, cost);
   for (std::size_t k = 0; k < result.forms.size(); ++k) {

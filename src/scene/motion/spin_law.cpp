@@ -306,10 +306,10 @@ Result<SpinLaw> SpinLaw::make(const ExprTree& tree, std::span<const LawEquation>
   const std::string because = obstacle.empty() ? "" : " (" + obstacle + ")";
   if (law.system_->used() == 0) {
     return tl::unexpected(
-        Error{"no equation there has a rate of the spin and otherwise known letters" + because});
+        Error{"no equation there has a rate of the spin and otherwise only known letters" + because});
   }
   if (!law.system_->is_finite_at(at)) {
-    return refuse("the equations are not finite at the first spin");
+    return refuse("the equations are not finite at the initial spin");
   }
   const auto not_affine = [] { return refuse("the equations are not affine in the rates of the spin"); };
   if (!law.system_->is_affine(at, System::large_probe(at))) return not_affine();

@@ -118,7 +118,7 @@ StabilityMeasurement measure_stability(const SpinRates& rates, const SpinFunctio
     const double measured = degenerate             ? drift(rates, axis, start)
                             : result.predicted > 0 ? oscillation(rates, axis, start, result.predicted)
                                                    : growth(rates, axis, start, result.predicted);
-    if (std::isnan(measured)) result.problem = "what the formula says did not come with every push";
+    if (std::isnan(measured)) result.problem = "not every push gave what the formula says";
     result.points.push_back(
         {push, measured, std::abs(measured - (degenerate ? 0 : result.predicted)) / scale});
   }

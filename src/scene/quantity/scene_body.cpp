@@ -120,7 +120,7 @@ const Result<SharpPosition>& SceneBody::moments() {
   if (!inertia) {
     moments_ = tl::unexpected(inertia.error());
   } else if (*along) {
-    moments_ = ledger_.compute(moments_node, "the body is along its principal axes",
+    moments_ = ledger_.compute(moments_node, "the body's axes are its principal axes",
                                [&] { return moments_in_order_of_axes(*inertia, left_out_); });
   } else {
     moments_ = ledger_.compute(moments_node, "values alone", [&] {
@@ -136,7 +136,7 @@ const Result<SceneBody::Axes>& SceneBody::axes() {
   if (!along) {
     axes_ = tl::unexpected(along.error());
   } else if (*along) {
-    ledger_.skip(axes_node, "the body is along its principal axes");
+    ledger_.skip(axes_node, "the body's axes are its principal axes");
     axes_ = std::array<Position, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   } else if (const auto& inertia = sharp_tensor(); !inertia) {
     axes_ = tl::unexpected(inertia.error());

@@ -66,7 +66,7 @@ TEST_CASE("six free indices are decided, seven are not", "[algebra]") {
   CHECK(is_refuted(page.claim(left, page.determinant(rows), six)));
   const Term delta = page.delta(x[6], 1);
   CHECK(reason_open(page.claim(left * delta, delta * left, x)) ==
-        "7 free axes are more than the 6 that are evaluated");
+        "it has 7 free indices, more than the 6 that are evaluated");
 }
 
 TEST_CASE("a statement is refuted where its first component differs", "[algebra]") {

@@ -88,7 +88,7 @@ TEST_CASE("a linear equation has one root, a quadratic two") {
 TEST_CASE("what cannot be solved for says why") {
   AskedExpressions cubic({"x^3 - c", "x"});
   CHECK(solved_for(cubic.tree(), cubic.at(0), cubic.at(1)).obstacle ==
-        "it stands there to a higher power than the second");
+        "it occurs to a power higher than the second");
   AskedExpressions hidden({R"(x + \sin x)", "x"});
   CHECK(solved_for(hidden.tree(), hidden.at(0), hidden.at(1)).values.empty());
 }

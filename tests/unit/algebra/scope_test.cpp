@@ -80,7 +80,7 @@ TEST_CASE("circular definitions end", "[algebra]") {
   const Named t = page.scalar("t");
   page.define(s, t + page.number("1"));
   page.define(t, s - page.number("1"));
-  CHECK(reason_open(page.claim(s, t)) == "it nests too deeply, or its definitions go in a circle");
+  CHECK(reason_open(page.claim(s, t)) == "it nests too deeply, or its definitions are circular");
 }
 
 TEST_CASE("an expression as deep as the parser lets through is evaluated", "[algebra]") {

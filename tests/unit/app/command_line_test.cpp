@@ -64,7 +64,7 @@ TEST_CASE("formats, processes, a cache and marks are read, and what contradicts 
   CHECK(line.check->cache == "c");
   CHECK(line.check->marks == "m");
   CHECK(usage_error({"check", "a.md", "--json", "--format", "text"}) ==
-        "rigor: `--json` is `--format json`, and `text` is asked for");
+        "rigor: `--json` is `--format json`, but `--format text` is given");
   CHECK(usage_error({"check", "a.md", "--jobs", "3x"}) ==
         "rigor: `--jobs` is a number from 0 to 1024, not `3x`");
   CHECK(usage_error({"check", "a.md", "b.md", "--marks", "m"}) ==

@@ -17,7 +17,7 @@ TEST_CASE("a hole under a derivative says so, and the other holes are answered")
     const Derived result = derived({statement});
     INFO(statement << ": " << result.err);
     CHECK(result.code == 2);
-    CHECK(result.err.find("it stands under a derivative") != std::string::npos);
+    CHECK(result.err.find("it is differentiated") != std::string::npos);
   }
   const HoleFile notes("$$\\nabla\\square = \\nabla f$$\n\n$$(a + b)^2 = \\square$$\n");
   CHECK(derived({notes.path(), "--write"}).out.find("a^2 + 2 a b + b^2") != std::string::npos);
@@ -42,7 +42,7 @@ TEST_CASE("a small factor is not taken for a part of the symbol behind it") {
   const Derived change = derived({R"((1 + \delta x)^3 = \square)", "--first-order", R"(\delta)"});
   CHECK(change.code == 2);
   CHECK(change.out.empty());
-  CHECK(change.err.find("is one symbol, a change") != std::string::npos);
+  CHECK(change.err.find("is read as one symbol, a change") != std::string::npos);
   CHECK(derived({R"((1 + x\delta)^3 = \square)", "--first-order", R"(\delta)"}).out == "1 + 3 x\\delta\n");
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("the root of a square number is a number, and that of a negative one i
   const Derived negative = derived({"x^2 + 1 = 0", "--solve-for", "x"});
   CHECK(negative.code == 2);
   CHECK(negative.out.empty());
-  CHECK(negative.err.find("its root would be that of a negative number") != std::string::npos);
+  CHECK(negative.err.find("it would be the root of a negative number") != std::string::npos);
 }
 
 }  // namespace rigor

@@ -115,7 +115,7 @@ TEST_CASE("a step to first order, and a condition that only a derivative of an a
   CHECK(is_of_first_order(nearly.example()));
   CHECK(nearly.fault() == "");
   nearly.example().values[0].components = {"2"};
-  CHECK(nearly.fault() == "the report says left 3, right 2, and its sample gives left 6, right 4");
+  CHECK(nearly.fault() == "the report says left 3, right 2, but its sample gives left 6, right 4");
   Replayed motion("<!-- rigor:\nfor all x, k\nconstant k\ngiven \\ddot{x} = -k^2x\n-->\n$$\\dot{x} = kx$$\n");
   CHECK(motion.fault() == "");
 }

@@ -53,9 +53,9 @@ TEST_CASE("a number alone settles nothing, and is doubted where a quantity is kn
   CHECK(said_of(numbers).empty());
   CHECK(said_of(rigor_says("units t: T") + numbers).empty());
   CHECK(said_of(rigor_says("units v: L/T") + numbers) ==
-        "a number stands where a quantity of dimension L T^{-1} is meant\n");
+        "a number is where a quantity of dimension L T^{-1} is expected\n");
   CHECK(said_of(rigor_says("units \\mathbf{r}: L") + display("\\mathbf{r} = (1, 2, 3)")) ==
-        "a number stands where a quantity of dimension L is meant\n");
+        "a number is where a quantity of dimension L is expected\n");
   CHECK(said_of(rigor_says("units x: L, t: T") + rigor_says("where k = 2") + rigor_says("claim x = kt"))
             .empty());
   CHECK(table_of(rigor_says("units t: T") + display("n = 3, \\qquad s = nt")) == "t: T, n: 1, s: T");
@@ -153,7 +153,7 @@ TEST_CASE("an integral over the body has the dimension of a sum, and the density
 
 TEST_CASE("without units, two lines that make a number of the time are doubted, one line is not") {
   CHECK(said_of(display("x = vt") + display("2x = vt^2")) ==
-        "the sides have different dimensions: left is [x], right is T [x], if the time is no number\n");
+        "the sides have different dimensions: left is [x], right is T [x], unless the time is a number\n");
   CHECK(said_of(display("x = t + t^2") + display("x = vt") + display("2x = vt^2")).empty());
   CHECK(said_of(display("x = vt") + display("y = \\beta z") + display("\\beta = x/z")).empty());
 }

@@ -55,7 +55,7 @@ TEST_CASE("two holes in one expression are not read") {
   REQUIRE(holes.size() == 2);
   CHECK(holes[0].readings.empty());
   REQUIRE(holes[0].troubles.size() == 1);
-  CHECK(holes[0].troubles[0].message == "2 holes stand in one expression, and one equation finds one");
+  CHECK(holes[0].troubles[0].message == "one expression has 2 holes, but one equation determines only one");
 }
 
 TEST_CASE("a name is found by proof") {

@@ -49,7 +49,7 @@ TEST_CASE("a slip that stays to the end of the chain, or is at its end") {
 TEST_CASE("a second slip on top of the first one") {
   CHECK(slips_in("a(b + c) = ab - ac = ab") ==
         "the slip stays to the end of the chain: `a(b + c) = ab` does not hold, either\n"
-        "a further slip: the step is wrong whatever becomes of the first wrong one\n"
+        "a further slip: the step is wrong even if the first wrong one is mended\n"
         "12: the first wrong step of the chain\n");
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("a question whose claim is false is not explained, whoever asks") {
   question.claim.right = forms.tree.add_number({}, "1");
   const Explanation open = explain(forms.tree, question, {});
   CHECK(open.steps.empty());
-  CHECK(open.gap == "the exact side does not prove it");
+  CHECK(open.gap == "it is not proved");
 }
 
 TEST_CASE("a definition is nothing to be explained") {

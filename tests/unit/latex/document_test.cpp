@@ -116,10 +116,10 @@ TEST_CASE("a display that opens in the author's own definition is a complaint wh
   CHECK(latex_complaints(renamed).empty());
   CHECK(latex(renamed).find("a\n") != std::string::npos);
   CHECK(latex_complaints("\\newcommand{\\dis}[1]{\\[#1\\]} \\dis{a}\\dis{b}") ==
-        "1:30 a display opens in the definition of `\\dis`; it is not read\n"
-        "1:37 a display opens in the definition of `\\dis`; it is not read\n");
+        "1:30 the definition of `\\dis` opens a display, which is not read\n"
+        "1:37 the definition of `\\dis` opens a display, which is not read\n");
   CHECK(markdown_complaints("\\def\\dis#1{$$#1$$}\n\n\\dis{a}\n") ==
-        "3:1 a display opens in the definition of `\\dis`; it is not read\n");
+        "3:1 the definition of `\\dis` opens a display, which is not read\n");
   CHECK(latex_complaints(
             "\\newenvironment{said}[1]{\\begin{quote}\\\\[2pt]}{\\end{quote}} \\begin{said}{x} a \\end{said}")
             .empty());

@@ -66,8 +66,8 @@ TEST_CASE("what is no unit is not read") {
   CHECK(unit("m^") == "an exponent is missing");
   CHECK(unit("m^{1/0}") == "an exponent is missing");
   CHECK(unit("(m") == "a bracket is not closed");
-  CHECK(unit("J/kg K") == "what stands behind `/` can be read in two ways");
-  CHECK(unit("m/s/s") == "what stands behind `/` can be read in two ways");
+  CHECK(unit("J/kg K") == "what follows `/` can be read in two ways");
+  CHECK(unit("m/s/s") == "what follows `/` can be read in two ways");
   CHECK(unit("km^{1/2}") == "a root of a multiple of a unit is not read");
   CHECK(unit("h^{99}") == "a factor of a unit is too large");
 }

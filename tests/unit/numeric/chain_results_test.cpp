@@ -75,7 +75,8 @@ TEST_CASE("forms that err alike are told apart by what they cost") {
   const auto advice = advise(alike.result);
   REQUIRE(advice);
   CHECK(advice->all_alike);
-  CHECK(advice_text(alike.result, *advice) == "Both forms err alike; A is the cheapest (1 operation).");
+  CHECK(advice_text(alike.result, *advice) ==
+        "Both forms are equally accurate; A is the cheapest (1 operation).");
 }
 
 TEST_CASE("nothing is advised between forms that are not proved to be equal") {

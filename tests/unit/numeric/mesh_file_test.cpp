@@ -66,7 +66,7 @@ TEST_CASE("all solids of an STL file are read, and what is none is refused") {
   REQUIRE(one);
   REQUIRE(two);
   CHECK(two->triangles.size() == 2 * one->triangles.size());
-  CHECK(reason(read_stl(ascii + "facets\n")) == "line 31: `facets` stands where `solid` was expected");
+  CHECK(reason(read_stl(ascii + "facets\n")) == "line 31: `facets` was found where `solid` was expected");
 }
 
 TEST_CASE("a truncated STL file is refused with what is missing") {
@@ -89,11 +89,11 @@ TEST_CASE("a truncated STL file is refused with what is missing") {
 
 TEST_CASE("an STL file with a wrong word or number is refused with the line") {
   CHECK(reason(read_stl("solid a\nfacet normal 0 0 0\nouter lop\n")) ==
-        "line 3: `lop` stands where `loop` was expected");
+        "line 3: `lop` was found where `loop` was expected");
   CHECK(reason(read_stl("solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 nan 0\n")) ==
         "line 4: `nan` is no finite number");
   CHECK(reason(read_stl("solid a\n\x01\x02\x7f garbage\n")) ==
-        "line 2: `???` stands where `facet` was expected");
+        "line 2: `???` was found where `facet` was expected");
   Mesh mesh = tetrahedron_mesh();
   mesh.vertices[3][2] = std::numeric_limits<double>::quiet_NaN();
   CHECK(reason(read_stl(binary_stl(mesh))) == "triangle 2 has the coordinate nan, which must be finite");

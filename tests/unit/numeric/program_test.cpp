@@ -239,7 +239,7 @@ TEST_CASE("definitions in a circle are refused, with a name", "[numeric]") {
   const Named b = page.scalar("b");
   page.define(a, 2 * b);
   page.define(b, a + page.number("1"));
-  CHECK(failure(page, a * a) == "definitions go in a circle: `a`");
+  CHECK(failure(page, a * a) == "the definitions of `a` are circular");
 }
 
 TEST_CASE("what is too large or too deep is refused", "[numeric]") {

@@ -45,7 +45,7 @@ TEST_CASE("a torque moves a body that is at rest, or nearly", "[scene]") {
 TEST_CASE("a spin whose square is not finite is a diagnostic, and there is no motion", "[scene]") {
   const std::string ask = "[ask]\nquantities = ['\\boldsymbol{\\omega}(t)']\n";
   const Played played("spin = [1.7e308, 1.7e308, 0]\n" + ask + euler, sample());
-  CHECK(played.messages().find("the equations are not finite at the first spin") != std::string::npos);
+  CHECK(played.messages().find("the equations are not finite at the initial spin") != std::string::npos);
   CHECK(!played.result.motion);
 }
 

@@ -105,7 +105,7 @@ TEST_CASE("a letter without a value is named", "[spin law]") {
   law.add(law.rate, law.page.scalar("q") * Term(law.w));
   REQUIRE(!law.make());
   CHECK(law.make().error().reason ==
-        "no equation there has a rate of the spin and otherwise known letters (`q` has no value)");
+        "no equation there has a rate of the spin and otherwise only known letters (`q` has no value)");
 }
 
 TEST_CASE("where the equations lose a rate on the way it is not a number", "[spin law]") {
@@ -175,7 +175,7 @@ TEST_CASE("equations that are not finite are no law, and give no rates on the wa
   law.add(at(law.rate, 2), law.k);
   law.add(at(law.rate, 3), law.k);
   REQUIRE(!law.make({0, 1, 1}));
-  CHECK(law.make({0, 1, 1}).error().reason == "the equations are not finite at the first spin");
+  CHECK(law.make({0, 1, 1}).error().reason == "the equations are not finite at the initial spin");
   REQUIRE(law.make());
   CHECK(std::isnan(law.make()->rates({0, 1, 1})[0]));
   CHECK(law.make()->fault_at({0, 1, 1}) == "the equations are not finite there");

@@ -114,7 +114,7 @@ TEST_CASE("a spin that stays where it is, or is lost on the way, gives no event"
     for (const StabilityPoint& point : measured.points) CHECK(std::isnan(point.measured));
     return measured.problem;
   };
-  const std::string missing = "what the formula says did not come with every push";
+  const std::string missing = "not every push gave what the formula says";
   const SpinRates none = [](const Vector3&) { return Vector3{}; };
   CHECK(problem(none, oscillates) == missing);  // the third component is 0 in every row
   CHECK(problem(none, grows) == missing);
