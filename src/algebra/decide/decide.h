@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exact side: is a statement true for all values of its symbols?
+//
+// A proof takes every symbol at its generic point, where its components are indeterminates. There each
+// component of left − right is a fraction, and its numerator is a polynomial. A polynomial that is 0 for all
+// values is the polynomial 0, so expanding decides the question without rewriting rules, and one proof covers
+// every number of particles (`ring/moments.h`). Assumptions are solved before (`generic/constraints.h`).
+// A proof that fails refutes nothing: an assumption may not have been solved, or roots and functions may be
+// related in ways that are not known here. So a refutation is an exact sample, which is put into the question
+// again before it is returned. A few samples come first, since they refute most false claims within
+// microseconds.
 #pragma once
 
 #include "algebra/engine/limits.h"
@@ -8,9 +17,10 @@
 namespace rigor {
 
 /// Proved: every component of left − right has the normal form zero at the generic point. Refuted: an exact
-/// rational sample that satisfies the assumptions makes a component differ. Complete for polynomial and
-/// rational identities in components, sums over any number of particles included; otherwise sound.
-/// Deterministic. Never throws for any tree that `ExprTree::add` accepts.
+/// rational sample that satisfies the assumptions makes a component differ. Undecided: neither was found,
+/// with the reason. Complete for polynomial and rational identities in components, sums over any number of
+/// particles included; otherwise sound. Deterministic, since `limits` count work and no time. Never throws
+/// for any tree that `ExprTree::add` accepts.
 [[nodiscard]] Decision decide(const Question& question, const Limits& limits = {});
 
 /// Both sides of the claim on a sample, at the sample's axes, as exact numbers.
@@ -19,7 +29,7 @@ struct SideValues {
   std::string right;
 };
 
-/// What a sample that others hold says of a question. Nothing is searched for.
+/// What a given sample says about a question: it is put in, and nothing is searched for.
 struct Replay {
   enum class Fault : std::uint8_t {
     none,        // the assumptions hold, and both sides have a value
@@ -39,18 +49,18 @@ struct Replay {
 /// The sides only; empty if there is any fault.
 [[nodiscard]] std::optional<SideValues> replay(const Question& question, const Sample& sample);
 
-/// What the defined symbols that stand in the claim are worth on a sample, as far as that is rational.
+/// The values of the claim's defined symbols on a sample, where they are rational.
 [[nodiscard]] std::vector<SampleValue> following_values(const Question& question, const Sample& sample);
 
 /// The symbols that a sample of a question has values for, in the order of its values.
 [[nodiscard]] std::vector<SymbolId> symbols_of_sample(const Question& question);
 
-/// A sample (particles and values) that satisfies all assumptions; empty if none was found. What is known of
-/// one, from fewer assumptions, is tried first, with new numbers for new symbols.
+/// A sample (particles and values) that satisfies all assumptions; empty if none was found. `known`, a sample
+/// of fewer assumptions, is tried first, with new numbers for new symbols.
 [[nodiscard]] std::optional<Sample> satisfying_sample(const Question& question, const Sample& known = {},
                                                       const Limits& limits = {});
 
-/// Are the assumptions satisfied by any sample at all? Nothing found is `false`.
+/// Does any sample satisfy the assumptions? `false` only says that none was found.
 [[nodiscard]] inline bool satisfiable(const Question& question, const Limits& limits = {}) {
   return satisfying_sample(question, {}, limits).has_value();
 }

@@ -12,7 +12,7 @@
 
 namespace rigor {
 
-/// What came of one attempt.
+/// The result of one attempt.
 struct Trial {
   bool holds = false;
   bool radicals = false;               // roots occurred

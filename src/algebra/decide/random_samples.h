@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What exact random samples say of a statement, whatever was decided of it: for the test that nothing which
-// is proved fails.
+// What exact random samples say about a statement, whatever was decided: for the test that nothing proved
+// fails.
 #pragma once
 
 #include <cstdint>

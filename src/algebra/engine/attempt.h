@@ -8,10 +8,10 @@
 
 namespace rigor {
 
-/// How hard to look for factors of what stands under a root (`radicals.h`).
+/// How hard to look for factors of a radicand (`radicals.h`).
 enum class Effort : std::uint8_t { plain, factored };
 
-/// Under what a proof is tried.
+/// The conditions under which a proof is tried.
 struct Attempt {
   Effort effort = Effort::plain;
   std::vector<std::size_t> assumptions = {};  // those to be used, by position

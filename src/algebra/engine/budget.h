@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Of one step of some notes, unless something else is asked for.
+/// For one step of the notes, unless the user says otherwise.
 inline constexpr std::uint64_t default_effort = 4'000'000;
 
 /// Units for what GiNaC does with expanded polynomials.
@@ -22,13 +22,13 @@ inline constexpr std::uint64_t looked_at_term = 4;      // along a line, `line_i
 inline constexpr std::uint64_t row_of_multiples = 100;  // an equation times a monomial, `membership.h`
 }  // namespace price
 
-/// One counter for all that is asked about a step: its proofs, samples, and the assumptions' samples. What
-/// counts beyond the end gives up, at once and each time, so that everything ends.
+/// One counter for all that is asked about a step: its proofs, samples, and the assumptions' samples. Once it
+/// is used up, every further count throws, so that everything ends soon.
 class Budget {
  public:
   explicit Budget(std::uint64_t most = default_effort) : most_(most) {}
 
-  /// Throws Undecidable where the end is passed.
+  /// Throws Undecidable when more is used than there was.
   void count(std::uint64_t units) {
     used_ += units;
     if (used_ > most_) give_up();

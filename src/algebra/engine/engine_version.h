@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// What decides, as it was built: `GiNaC 1.8.6, CLN 1.3.6`.
+/// The libraries that decide, as linked: `GiNaC 1.8.6, CLN 1.3.6`.
 [[nodiscard]] std::string engine_version();
 
 }  // namespace rigor

@@ -14,9 +14,9 @@ struct Limits {
   std::uint32_t quick_points = 3;
   std::uint64_t quick_steps = 8'000;  // of evaluation, at samples, before a proof is tried
   std::uint32_t sample_attempts = 400;
-  bool fewest_assumptions = true;  // what a proof does not need is left out of what it names
-  bool simplest_sample = true;     // a refutation's sample is made fit for a blackboard
-  Budget* budget = nullptr;        // of all that is asked about a step; none: each question has its own
+  bool fewest_assumptions = true;  // assumptions that a proof does not need are dropped from it
+  bool simplest_sample = true;     // a refutation's sample gets small numbers, fit for a blackboard
+  Budget* budget = nullptr;        // shared by all questions about a step; none: each has its own
 };
 
 }  // namespace rigor

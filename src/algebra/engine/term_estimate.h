@@ -6,8 +6,9 @@
 
 namespace rigor {
 
-/// At most so many terms stand above and below when the expression is brought over one denominator and
-/// multiplied out, equal terms not yet gathered. Cost: as the expression as it is written.
+/// An upper bound for the terms of numerator and denominator when the expression is brought over one
+/// denominator and multiplied out, before equal terms are collected. Cost: linear in the expression as it is
+/// written.
 [[nodiscard]] double most_terms_over_one_denominator(const GiNaC::ex& value);
 
 }  // namespace rigor

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cofactors of what vanished under assumptions, after the fact: what the trace says is done once more
-// with polynomials of our own, each with an account of the given equations that went into it. Elimination of
-// x = w subtracts a quotient by x − w (Horner), roots a quotient by s² − R; a combination is searched for
-// again (`cofactors` in `membership.h`); a determinant is that of M n = 0 by the adjugate matrix,
+// The cofactors of polynomials that vanished under assumptions. They are found after the fact, so that a
+// search that fails does not pay for them: the steps of the trace are repeated with polynomials of our own,
+// each with an account of the given equations that went into it. Elimination of x = w subtracts a quotient by
+// x − w (Horner), roots a quotient by s² − R; a combination is searched for again (`cofactors` in
+// `membership.h`); a determinant is that of M n = 0 by the adjugate matrix,
 // (n·n) det(a, b, c) = (a·n) n·(b × c) + (b·n) n·(c × a) + (c·n) n·(a × b). Nothing here decides anything.
 #pragma once
 

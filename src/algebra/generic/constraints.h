@@ -40,10 +40,10 @@ class Constraints {
   /// Unit vectors that are free become three coordinates with n·n = 1. To be called before `assume`.
   void take_unit_vectors_as_coordinates(std::span<const SymbolId> symbols);
 
-  /// What is known of signs, on the solutions. Throws Undecidable if it cannot be.
+  /// The known signs, on the solutions. Throws Contradiction if they cannot hold.
   [[nodiscard]] std::vector<Signs::Fact> reduced_facts();
 
-  /// What stands in a denominator, or is not 0 for another reason.
+  /// A denominator, or a polynomial that is not 0 for another reason.
   void note_nonzero(const GiNaC::ex& value, std::optional<std::size_t> assumption = {});
 
   /// A polynomial on the solutions, after steps 2 and 3.
@@ -54,8 +54,8 @@ class Constraints {
   /// Are there equations that could not be solved for an indeterminate?
   [[nodiscard]] bool incomplete() const { return !remaining_.empty(); }
 
-  /// The positions of the assumptions from which came what has been used so far, of signs as well. Likely to
-  /// be enough.
+  /// The positions of the assumptions that were used so far, with `signs` also those that say signs. They are
+  /// likely to be enough.
   [[nodiscard]] std::set<std::size_t> used(bool signs) const;
 
   [[nodiscard]] const ConstraintsTrace& trace() const { return trace_; }

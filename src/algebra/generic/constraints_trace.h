@@ -15,8 +15,6 @@
 
 namespace rigor {
 
-/// How assumptions were solved and used, for whoever writes the proof down. Expressions are shared, so that
-/// an account of them costs next to nothing.
 struct ConstraintsTrace {
   /// An equation that is given: f = 0.
   struct Given {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the trace of a proof says, as a value that no type of GiNaC is in: equations, cofactors, and the
-// letters that occur in them. Nothing of it counts on a budget, and it is bounded by itself: a proof that is
-// found is the same whether it is written down or not.
+// The trace of a proof as a value without any type of GiNaC: equations, cofactors, and the letters that occur
+// in them. Its work is bounded by limits of its own and counts on no budget, so that what is proved does not
+// depend on whether it is written down.
 #pragma once
 
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The GiNaC symbols of one decision, and whose they are.
+// The GiNaC symbols of one decision, and what each belongs to.
 //
-// Every particle variable at work has a *frame*, a small number: all symbols of a frame are one particle's
-// own. Sums over particles that stand side by side use the same frame, so that Σ_α f(α) and Σ_β f(β) are the
+// Every particle variable in use has a *frame*, a small number: all symbols of a frame belong to one
+// particle. Sums over particles that are not nested use the same frame, so that Σ_α f(α) and Σ_β f(β) are the
 // same sum without any renaming.
 #pragma once
 
@@ -54,7 +54,8 @@ class Indeterminates {
   /// A text that is the same in every run, unlike GiNaC's order of terms, and the signs of powers' bases that
   /// go with it: equal for equal expressions.
   [[nodiscard]] std::string fingerprint(const GiNaC::ex& value) const;
-  /// The same of an expression and its opposite; negative for one of both, the same one in every run.
+  /// A fingerprint that an expression shares with its opposite; `negative` for one of the two, the same one
+  /// in every run.
   struct Unsigned {
     std::string text;
     bool negative = false;

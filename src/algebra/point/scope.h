@@ -11,8 +11,9 @@
 namespace rigor {
 
 /// A question with its definitions found by symbol. The first definition of a symbol counts; a symbol that is
-/// taken as zero has none. Opaque: definitions are not unfolded, every symbol is free. But squares: a name
-/// that is defined by its square is unfolded all the same, since nothing says that it is a real number.
+/// taken as zero has none. `opaque`: no definition is unfolded, every symbol is free; what is proved so holds
+/// for any definition, and costs less. `opaque_but_squares`: only a name that is defined by its square is
+/// unfolded, since nothing says that it is a real number.
 class Scope {
  public:
   enum class Definitions : std::uint8_t { unfolded, opaque, opaque_but_squares };
@@ -24,7 +25,7 @@ class Scope {
   [[nodiscard]] const Definition* definition_of(SymbolId symbol) const {
     return definition_[static_cast<std::size_t>(symbol)];
   }
-  /// Is the symbol defined at all, unfolded or not? What is declared of it (symmetric, unit) is then not
+  /// Is the symbol defined at all, unfolded or not? Then what is declared of it (symmetric, unit) is not
   /// taken for granted.
   [[nodiscard]] bool is_defined(SymbolId symbol) const { return defined_[static_cast<std::size_t>(symbol)]; }
   [[nodiscard]] bool is_zeroed(SymbolId symbol) const { return zeroed_[static_cast<std::size_t>(symbol)]; }
@@ -57,9 +58,9 @@ struct Reach {
 /// assumptions, and of those without symbols. The others cannot bear on it: they are about other things.
 [[nodiscard]] std::vector<std::size_t> relevant_assumptions(const Scope& scope);
 
-/// Those among some assumptions that do more than fix what occurs nowhere else: where no more equations have
-/// a symbol than it has components, and the claim has it not, they can be met whatever the others are. The
-/// proof of a claim seldom needs them.
+/// These assumptions without those that only fix a symbol which occurs nowhere else. If the claim does not
+/// have a symbol, and no more equations have it than it has components, these equations can be met whatever
+/// the others say, and a proof seldom needs them.
 [[nodiscard]] std::vector<std::size_t> core_assumptions(const Scope& scope,
                                                         const std::vector<std::size_t>& positions);
 

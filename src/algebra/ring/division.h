@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Division and repeated factors of expanded polynomials, by GiNaC, and only where a look along a line does
-// not rule them out; what it takes is counted.
+// Division and repeated factors of expanded polynomials, by GiNaC. Since that is slow, a look along a line
+// (`line_image.h`) rules most cases out first. The work is counted.
 #pragma once
 
 #include <ginac/ginac.h>

@@ -32,9 +32,9 @@ struct Fraction {
 [[nodiscard]] Fraction polynomial(const GiNaC::ex& expanded);
 [[nodiscard]] std::size_t term_count(const GiNaC::ex& expanded);
 
-/// Arithmetic of fractions within a budget. The number of terms is estimated before anything is expanded;
-/// above the limit for one polynomial, or twice the limit for all attempts, it throws Undecidable with the
-/// figure.
+/// Arithmetic of fractions within a budget. The number of terms is estimated before anything is expanded,
+/// because an expansion cannot be broken off; above the limit for one polynomial, or twice the limit for all
+/// attempts, it throws Undecidable with the figure.
 class FractionArithmetic {
  public:
   FractionArithmetic(const Indeterminates& indeterminates, const Limits& limits, Work& work)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A unit vector is not zero: where three equations say M n = 0, det M = 0.
+// Three equations that say M n = 0 for a unit vector n imply det M = 0, because n is not zero.
 #pragma once
 
 #include <ginac/ex.h>
@@ -15,7 +15,7 @@ struct KernelDeterminant {
   GiNaC::ex value;                    // not 0 as a polynomial
 };
 
-/// The determinants of all threes among a few equations (expanded polynomials) that are linear and
+/// The determinants of every three among a few equations (expanded polynomials) that are linear and
 /// homogeneous in a vector's components.
 [[nodiscard]] std::vector<KernelDeterminant> kernel_determinants(std::span<const GiNaC::ex> equations,
                                                                  const std::array<GiNaC::ex, 3>& vector);

@@ -29,7 +29,7 @@ enum class Sign : std::uint8_t {
   return static_cast<Sign>(static_cast<unsigned>(a) & static_cast<unsigned>(b));
 }
 [[nodiscard]] constexpr bool is_within(Sign sign, Sign allowed) { return common(sign, allowed) == sign; }
-/// The same for a conclusion: of a value that has no sign at all, nothing follows.
+/// The same for a conclusion: a value that can have no sign at all proves nothing.
 [[nodiscard]] constexpr bool is_surely(Sign sign, Sign allowed) {
   return sign != Sign::impossible && is_within(sign, allowed);
 }

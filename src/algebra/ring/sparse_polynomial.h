@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polynomials of our own, for what is written down or searched term by term: in an order of terms that is the
-// same in every run, unlike GiNaC's. Arithmetic is as on paper, and counted.
+// Polynomials of our own, to be written down or searched term by term: unlike GiNaC's, their order of terms
+// is the same in every run. Schoolbook arithmetic, whose operations are counted.
 #pragma once
 
 #include <ginac/ex.h>

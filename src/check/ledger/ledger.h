@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The notes as they were read and decided, in their order. Lints, dimensions, repairs and forms read it when
-// the walk is over: each entry keeps the scope that it stands in, so that nothing later in the notes changes
-// what they find.
+// The notes as they were read and decided, in their order. It separates the walk, which writes it, from
+// lints, dimensions, repairs and forms, which read it when the walk is over. Each entry keeps the scope after
+// it, so that nothing later in the notes changes what they find; scopes are shared and cost a few pointers.
 #pragma once
 
 #include <cstddef>
@@ -57,7 +57,7 @@ struct FrameLine {
 
 struct SectionBegins {};
 
-/// What was said for one statement holds no longer.
+/// What was said for one statement ends here.
 struct StatementEnds {};
 
 struct LedgerEntry {

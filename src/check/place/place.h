@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A place of the notes at which a row is decided: what holds there, and what stands around it. Deciding
-// brings nothing into scope: names are a copy, so that what is read besides the row is known to this decision
-// only, and what a decision makes use of is part of its answer.
+// A place of the notes at which a row is decided: what holds there, and what is around it. Deciding brings
+// nothing into scope: the names are a copy, so that no decision depends on one before it. What a decision
+// relied on is part of its answer (`found`).
 #pragma once
 
 #include <memory>
@@ -61,9 +61,9 @@ struct StepReading {
   [[nodiscard]] const Side& right() const { return reading.sides[which + 1]; }
 };
 
-/// The chain as it is read here; what that looks up is used.
+/// The chain as it is read here; the directives that were looked up count as used.
 [[nodiscard]] std::unique_ptr<ChainReading> read_here(RowPlace& place, const ParsedChain& parsed);
-/// Under what holds here; what that makes use of is used.
+/// Judged under what holds here; the directives that were needed count as used.
 [[nodiscard]] Judgement judge_here(RowPlace& place, const Claim& claim);
 inline void add_used(RowPlace& place, const Directives& used) {
   place.found.used.insert(used.begin(), used.end());

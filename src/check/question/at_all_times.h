@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is assumed holds at all times. Where it speaks of the time itself, as `at + b = 0` does, its
-// coefficients can be compared: derivatives show them, and so does the moment t = 0. Of places that is not
-// done: `\mathbf n\cdot\mathbf r = 0` can be meant at all places or on a plane.
+// An assumption holds at all times. If it contains the time itself, as `at + b = 0` does, its coefficients
+// can be compared: its derivatives give them, and so does the moment t = 0. This is not done for places:
+// `\mathbf n\cdot\mathbf r = 0` can be meant at all places or on a plane.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace rigor {
 
-/// Does it speak of the time as of what runs: of a quantity, too, that is said to be constant or to change,
-/// and of none that is a number? `x = vt` beside `x = 5` is about one moment.
+/// Does the equation treat the time as running? It must also have a quantity that is said to be constant or
+/// to change, and none that is defined as a number: `x = vt` next to `x = 5` is about one moment.
 [[nodiscard]] bool runs_with_time(const ExprTree& tree, const Names& names, const Equation& equation);
 
 /// The equation at t = 0, where it speaks of the time, all else in it is constant, and nothing divides by it.

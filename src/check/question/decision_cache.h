@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the exact side is asked. Each question is closed before (`closed_question.h`), so that its answer
-// does not depend on what was asked before it. Decisions of earlier runs on the same notes are remembered:
-// what was asked is compared as a whole (the closed question, the limits, the program), so that an answer is
-// only ever used again for the very same question.
+// Asks the exact side. Each question is closed first (`closed_question.h`), so that its answer does not
+// depend on what was asked before it. Decisions of earlier runs on the same notes are remembered: what was
+// asked is compared as a whole (the closed question, the limits, the program), so that an answer is only ever
+// used again for the very same question.
 #pragma once
 
 #include <map>
@@ -22,19 +22,18 @@ class DecisionCache {
  public:
   /// Remembers nothing, and only counts.
   DecisionCache() = default;
-  /// `program`: what tells this program, with all that decides in it, from any other.
+  /// `program` identifies this build, with the libraries that decide.
   DecisionCache(const std::string& folder, const std::string& notes, std::string program);
 
-  /// From now on all that is asked is about the next step, or about what would help it, for so much work.
-  /// What is remembered counts what it took when it was decided, so that it is the same with a cache and
-  /// without.
+  /// Starts the next step, with so much work for all questions about it. A remembered answer counts the work
+  /// it took when it was decided, so that verdicts are the same with and without a cache.
   void begin(std::uint64_t effort) { budget_ = Budget(effort); }
   [[nodiscard]] Budget& budget() { return budget_; }
 
   [[nodiscard]] Decision decide(const Question& question, const Limits& limits);
   [[nodiscard]] std::optional<Sample> satisfying_sample(const Question& question, const Sample& known,
                                                         const Limits& limits);
-  /// Writes what is new, if anything is. What several runs in turn did not ask for is forgotten.
+  /// Writes the file if anything is new, without answers that several runs in turn did not need.
   void save();
   [[nodiscard]] const CacheUse& use() const { return use_; }
 

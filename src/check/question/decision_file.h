@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was asked of the exact side and what it answered, in a file.
+// Questions to the exact side and their answers, in a file.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Assumptions that could not be read: what they say is not known, and so a claim about the same letters may
-// be true.
+// Assumptions that could not be read. They may make a claim about the same letters true, so such a claim is
+// not refuted.
 #pragma once
 
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers that no sample gives exactly, compared by bounds.
+// `\sqrt{19} = 4.3`: numbers that no sample gives exactly are compared by rational bounds.
 #pragma once
 
 #include "check/place/place.h"
@@ -7,7 +7,7 @@
 namespace rigor {
 
 void refute_by_digits(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement);
-/// There is no sample to be put in: the bounds are found again.
+/// A recorded refutation by bounds has no sample to put in, so the bounds are computed again.
 bool replay_by_digits(RowPlace& place, const Claim& claim, Step& step);
 
 }  // namespace rigor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdict of one row, in two steps: what the exact side answers, and what the words around the row leave
-// of that. Between them the walk looks whether the answer gives a name another meaning.
+// The verdict of one row, in two steps: `ask` gets the answer of the exact side, and `settle` weighs it
+// against the words around the row. Between the two, the walk looks whether the answer shows that a name has
+// another meaning.
 #pragma once
 
 #include <optional>

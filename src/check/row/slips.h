@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the refuted rows of a chain have to do with each other.
+// How the refuted rows of a chain hang together.
 #pragma once
 
 #include <span>

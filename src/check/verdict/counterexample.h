@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples of the exact side in the notes' own symbols, and back.
+// Translates samples of the exact side into the notes' own symbols, and back.
 #pragma once
 
 #include "base/result.h"
@@ -10,8 +10,8 @@ namespace rigor {
 
 [[nodiscard]] Counterexample describe(const Prepared& prepared, const Sample& sample);
 
-/// The sample that a description gives for a question: its symbols are found by name, rank and particle,
-/// those that are called alike in their order. An error says what does not fit.
+/// The sample that a description gives for a question: its symbols are found by name, rank and particle;
+/// symbols that share all three are taken in their order. An error says what does not fit.
 [[nodiscard]] Result<Sample> sample_of(const Question& question, const Counterexample& example);
 
 }  // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recorded sample in place of a decision: the second route to a refutation.
+// Confirms a refutation by its recorded sample, without the code that searches for samples.
 #pragma once
 
 #include "check/question/question.h"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One elaborated equation to one verdict: asks the exact side, then says what was used, where it fails and
-// what stands in the way.
+// From one elaborated equation to one verdict. The exact side answers first; then the answer is weighed. A
+// refutation counts only if the equation is meant for all values (it may be a law or a condition) and every
+// assumption that bears on it was read. A proof counts only if the assumptions can hold together and its
+// letters can only be real numbers. A verdict carries what it used, so that a directive without any use is
+// found.
 #pragma once
 
 #include <optional>
@@ -30,10 +33,10 @@ struct Judgement {
   QuestionNames names = {};                            // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
   std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
-  std::set<std::size_t> used = {};                     // directives that were asked for, whatever came of it
+  std::set<std::size_t> used = {};                     // directives that were needed, whatever the verdict
 };
 
-/// What is judged, and where it stands.
+/// What is judged, and where it is written.
 struct Claim {
   Equation equation;
   bool nearly = false;      // equal to first order in what is small
@@ -45,12 +48,12 @@ struct Claim {
   Span right = {};
   std::string written = {};          // both sides and the relation, where they can be pasted
   const Reading* reading = nullptr;  // for its conventions and guesses
-  const Obstacle* doubt = nullptr;   // words beside it that may restrict it
+  const Obstacle* doubt = nullptr;   // words next to it that may restrict it
   bool explains = false;             // `names` and `nearly_question` are wanted
   RecordedStep* recorded = nullptr;  // a sample to be put in instead of a search
 };
 
-/// `cache`: what is asked is asked there first.
+/// `cache` answers what it remembers.
 [[nodiscard]] Judgement judge(ExprTree& tree, const Names& names, const Claim& claim,
                               const Limits& limits = {}, DecisionCache* cache = nullptr);
 

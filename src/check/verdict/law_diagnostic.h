@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of an equation that reads as a law: which symbols nothing is known of, and which known ones
-// may be meant.
+// The diagnostic of an equation that reads as a law: nothing is known about some of its symbols, and known
+// ones with similar names may be meant.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ namespace rigor {
 /// A symbol's name without face and braces: `\boldsymbol{\omega}` is `\omega`.
 [[nodiscard]] std::string bare_name(std::string name);
 
-/// The claim depends on these symbols, of which nothing says that all values are meant. `assumed`: it fails
+/// The claim depends on these symbols, and nothing says that all their values are meant. `assumed`: it fails
 /// though assumptions bear on it.
 [[nodiscard]] Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
                                         const std::vector<SymbolId>& open, bool assumed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A verdict on numbers, where the letters can be something else for which it need not hold.
+// A verdict that holds for real numbers, but need not hold for what the letters can also be.
 #pragma once
 
 #include <optional>
@@ -23,8 +23,8 @@ struct OtherReading {
 [[nodiscard]] std::optional<OtherReading> other_reading(const Question& question, const Names& names,
                                                         bool proved);
 
-/// Does the claim hold for matrices and operators, in their order, with 1 in the place of what the section
-/// calls the unit matrix? Not asked where it calls none so.
+/// Does the claim hold for matrices and operators, in their order, with 1 for the letter that the section
+/// calls the unit matrix? False if it calls none so.
 [[nodiscard]] bool holds_with_unit_matrix(const Question& question, const Names& names);
 
 }  // namespace rigor

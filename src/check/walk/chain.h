@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chain: how its sides are read, and its steps one after the other.
+// Reads the sides of a chain, then takes its steps one after the other. Sides are read together because they
+// share their index letters.
 #pragma once
 
 #include "check/walk/state.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What directives say of symbols, axes and frames.
+// Directives about symbols, axes and frames.
 #pragma once
 
 #include "check/walk/state.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the walk through one file's notes knows at a place. This file stores state; what is done with it
-// stands in one file of free functions for each topic.
+// What the walk through one file's notes knows at a place. This file only stores state; each topic (chains,
+// declarations, definitions, steps) is a file of free functions.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace rigor {
 
-/// What is wanted of the walk.
+/// What the walk is asked to do.
 struct WalkRequest {
   bool explains = false;  // what the exact side was asked is kept in the ledger
   /// Only these chains are read, and nothing is decided but whether a name gets a second meaning. Nothing:

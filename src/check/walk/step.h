@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One relation of a chain, from what is written to its step in the report. It is read first: it brings
-// something into scope, claims something, or cannot be decided. What it claims is asked, and the answer may
-// give a name another meaning; only then do the words around it bear on its verdict.
+// One relation of a chain, from what is written to its step in the report. First it is read: it brings
+// something into scope, claims something, or cannot be decided. A claim is put to the exact side, whose
+// answer may show that a name has another meaning here. Only then do the words around it bear on the verdict.
 #pragma once
 
 #include "check/walk/state.h"

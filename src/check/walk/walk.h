@@ -10,8 +10,8 @@
 
 namespace rigor {
 
-/// Follows the notes from their beginning to their end. Steps and diagnostics go to the report, all else into
-/// the ledger, which refers to `notes`.
+/// Follows the notes once, from beginning to end. Steps and diagnostics go to the report, all else into the
+/// ledger, which refers to `notes`.
 [[nodiscard]] Ledger walk_through(const SourceMap& sources, const Notes& notes, FileReport& report,
                                   const CheckOptions& options, WalkRequest request = {});
 

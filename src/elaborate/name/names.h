@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the letters of one file stand for at a place: what they are, and what holds there. Here is what needs
-// both to be answered or changed. A copy shares all that it holds, so that a place is kept for the price of a
-// few pointers, and nothing that is said later changes what it answers. What a look-up made use of is part of
-// its answer.
+// What the letters of one file stand for at a place: what they are (`Symbols`), and what holds there
+// (`NameScope`). This file has the functions that need both. A copy shares all that it holds, so that keeping
+// a place costs a few pointers, and nothing that is said later changes what it answers. A look-up returns the
+// directives it relied on, because a directive that nothing uses is an error.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +34,8 @@ void forget(Names& names, std::size_t directive);
 /// A heading of this level closes all sections of its level and below, with what their directives declared.
 void open_section(Names& names, int level);
 
-/// How a symbol (or a derivative) changes, and the directive that says so, if one does. What nothing is said
-/// of varies.
+/// How a symbol (or a derivative) changes, and the directive that says so, if one does. A symbol varies if
+/// nothing is said about it.
 struct KnownChange {
   Dependence dependence;
   std::optional<std::size_t> directive = {};

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds at a place of the notes, and from where on. This file stores state; entries carry the depth of
-// the section that said them, and end with it.
+// What holds at a place of the notes: definitions, assumptions, frames. This file stores state; each entry
+// has the depth of the section that said it, and ends with that section.
 //
 // A definition by an equation outlives its section: it says what a name means, and readers go on using the
 // name. What a directive says (declares, assumes, calls constant or small) holds where its author put it, and
-// ends with the section. Behind a frame the definitions are again those along fixed axes.
+// ends with the section. After a frame's section, the definitions are again those along fixed axes.
 //
-// A scope is kept for each place that is looked at later, and answers then as it did there. All parts are
-// shared: a copy costs one count for each, entering a section copies nothing, and leaving one copies only
-// what something goes from. The first change behind a copy is linear in the part that changes.
+// A scope is kept for each place that is looked at later, so that it answers then as it did there. All parts
+// are shared: a copy increments one count for each, entering a section copies nothing, and leaving one copies
+// only the parts that lose an entry. The first change after a copy is linear in the part that changes.
 #pragma once
 
 #include <map>
@@ -124,8 +124,8 @@ void replace(NameScope& scope, Held held);
 
 void declare_constant(NameScope& scope, SymbolId symbol, std::size_t directive);
 [[nodiscard]] bool is_declared_constant(const NameScope& scope, SymbolId symbol);
-/// What else is said of it makes it change: then nothing is known of how. The directives that said so are
-/// used: they are in the way.
+/// Something else in the notes makes it change; how is then unknown. Returns the directives that called it
+/// constant: they count as used, since they are in the way.
 [[nodiscard]] Directives withdraw_constant(NameScope& scope, SymbolId symbol);
 void declare_variable(NameScope& scope, SymbolId symbol);
 void declare_small(NameScope& scope, SmallQuantity small);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What letters are: which symbol a key stands for, what a directive says of it, and what was seen of it. This
-// file stores state and answers what follows from it alone; what also depends on what holds at the place is
-// asked of `Names`.
+// What letters are: which symbol a key stands for, what a directive says about it, and where it was seen.
+// This file stores state and answers what follows from that alone; `Names` answers what also depends on the
+// place.
 //
 // A symbol is looked up by a key and not by its text, since one letter is written in many ways and one text
-// is several symbols. A directive declares to the end of its section: behind it the letter is a symbol like
-// any other again, and a declaration that says the same is of the same symbol. Sightings are of the whole
-// file; evidence is of the section at hand and those around it, and is kept with the place that it was valid
-// at.
+// is several symbols. A directive declares to the end of its section; after that the letter is a symbol like
+// any other again. A later declaration that says the same means the same symbol. Sightings are of the whole
+// file. Evidence is of the section at hand and those around it, and is kept with the place where it was
+// valid.
 //
-// All parts are shared: a copy costs one count for each, and the first change behind it copies that part.
+// All parts are shared: a copy increments one count for each, and the first change after it copies that part.
 #pragma once
 
 #include <map>
@@ -26,7 +26,7 @@
 
 namespace rigor {
 
-/// Of a key, or of a letter that labels particles.
+/// What declares a key, or a letter that labels particles.
 struct Declaration {
   std::size_t directive = 0;
   int depth = 0;  // of the section that it stands in

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state of reading one statement. This file stores; what is done with it is free functions by topic, in
-// this room and in those above it.
+// The state of reading one statement. This file only stores, so that each notation can be a file of free
+// functions (in this room and those above it) and no class knows them all.
 #pragma once
 
 #include <map>
@@ -43,7 +43,7 @@ struct ReadingRules {
   std::optional<HoleShape> hole = {};   // nothing: a hole is not read
 };
 
-/// What stands around the part that is read. It is handed down, and kept nowhere.
+/// What is around the part that is read. It is handed down, and kept nowhere.
 struct Around {
   std::span<const FreeIndex> slots = {};          // letters of the left side, for cases on the right
   std::map<std::string, std::uint8_t> axes = {};  // a determinant's letters, which stand for one axis each
@@ -51,8 +51,8 @@ struct Around {
   bool squared = false;                           // the part is a symbol, and the exponent 2 stands on it
 };
 
-/// All sides of the statement share their free letters, and what one of them says about a letter holds for
-/// all. The parts that are referred to outlive it.
+/// All sides of the statement share their free letters, and what one side says about a letter holds for all.
+/// The objects referred to outlive it.
 struct Reading {
   const SyntaxTree& syntax;
   ExprTree& tree;
@@ -70,7 +70,7 @@ struct Reading {
   Variables<IndexId> indices = {};
   Variables<ParticleId> particles = {};
 
-  /// What the statement says beside its meaning.
+  /// What the statement says apart from its meaning.
   struct Found {
     std::vector<std::string> conventions;   // that were needed: "`A` is the length of `\mathbf{A}`"
     std::set<std::string> summed_letters;   // because they stand twice

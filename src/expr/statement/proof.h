@@ -7,8 +7,8 @@
 //
 //   f · numerator = Σ_k c_k · e_k,   e_k = 0 for each k,   f not 0,
 //
-// an identity that anyone can multiply out who does not know how the cofactors were found. What is done in
-// another way is a kind of step of its own, without any: cases, and signs.
+// an identity that anyone can check by multiplying out, without knowing how the cofactors were found. Two
+// kinds of step have no cofactors: a distinction of cases, and a sign.
 //
 // No type of a computer algebra system appears here. Numbers are text, `-3/2`; letters, equations and terms
 // have an order that is the same in every run.
@@ -35,7 +35,7 @@ struct ProofTerm {
 
 using ProofPolynomial = std::vector<ProofTerm>;  // of no terms: 0
 
-/// A number over which the proof reckons, with its meaning.
+/// An indeterminate of the proof, and what it means.
 struct ProofLetter {
   enum class Kind : std::uint8_t {
     component,    // of `symbol`, row by row
@@ -77,8 +77,8 @@ struct ProofNonzero {
   std::optional<std::size_t> assumption = {};
 };
 
-/// An assumption about each particle that was solved for one of its own numbers, which stands nowhere since.
-/// One that follows may have the letters of those before.
+/// An assumption about each particle, solved for one of the particle's own numbers: letter = worth. The
+/// letter occurs in no equation from here on; the worth may have letters that later ones are solved for.
 struct ProofSolution {
   std::size_t assumption = 0;
   std::uint32_t letter = 0;
@@ -139,9 +139,9 @@ struct Proof {
 /// `component normal form, radicals`…
 [[nodiscard]] std::string route_of(const Proof& proof);
 
-/// Are the combinations of a proof identities between polynomials? They are evaluated at some points modulo a
-/// prime number p, where one that is none vanishes by chance with a probability of about (degree/p)^points.
-/// Knows nothing of how they were found. It does not ask what the equations have to do with a question.
+/// Are the combinations of a proof identities between polynomials? Both sides are evaluated at some points
+/// modulo a prime number p; a false identity passes with a probability of about (degree/p)^points. How they
+/// were found plays no part, nor what the equations have to do with a question.
 [[nodiscard]] bool cofactors_hold(const Proof& proof);
 
 /// All symbols that a proof (constant or not) names, each as a reference.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the exact side is asked, and what it answers. No type of a computer algebra system appears here: exact
-// values are rational numbers as text, `-3/2`.
+// What the exact side is asked, and what it answers. No type of a computer algebra system appears here, so
+// that a question can be asked in another process and an answer can be stored: exact values are rational
+// numbers as text, `-3/2`.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +15,9 @@
 
 namespace rigor {
 
-/// `symbol` at the given slots (and particle) stands for `body`. Either `indices` has one variable for each
-/// axis of the symbol and the body has rank 0, or `indices` is empty and the body has the symbol's rank.
-/// By square: the notes define the symbol's square, which may be negative, and the body is its root.
+/// `symbol` (of `particle`, if it has one) equals `body`. Either `indices` has one variable for each axis of
+/// the symbol, and the body has rank 0; or `indices` is empty, and the body has the symbol's rank.
+/// `by_square`: the notes define the symbol's square, which may be negative; the body is the root of it.
 struct Definition {
   SymbolId symbol{};
   std::vector<IndexId> indices = {};
@@ -51,14 +52,15 @@ struct Question {
 
 enum class Outcome : std::uint8_t { proved, refuted, undecided };
 
-/// One symbol's exact value in a sample: 3^rank components, row by row.
+/// One symbol's exact value in a sample: all components, row by row.
 struct SampleValue {
   SymbolId symbol{};
   std::uint32_t particle = 0;  // from 1; 0 where the symbol has no particle label
   std::vector<std::string> components;
 };
 
-/// A body on which the sides differ: replayable.
+/// Exact values that meet the assumptions. In a refutation the sides differ there, which anyone can check by
+/// putting the values in.
 struct Sample {
   std::uint32_t particles = 0;  // how many; 0 where no statement needs any
   std::vector<SampleValue> values;
@@ -68,7 +70,8 @@ struct Sample {
   std::string right;
 };
 
-/// `vanishes`, `route`, `unfolded` and `assumptions` of what is proved are those of the proof (`proved_by`).
+/// Of a proved claim, `vanishes`, `route`, `unfolded` and `assumptions` are taken from the proof
+/// (`proved_by`).
 struct Decision {
   Outcome outcome = Outcome::undecided;
   bool vanishes = false;                      // proved, and each side is zero by itself
@@ -81,7 +84,7 @@ struct Decision {
   std::optional<Proof> proof = {};            // proved here, not read from a record
 };
 
-/// The only place where what a proof used is put down for others.
+/// The only function that copies what a proof used into a decision.
 [[nodiscard]] Decision proved_by(Proof proof);
 
 }  // namespace rigor

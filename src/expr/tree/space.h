@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The spaces that indices run over, and the axes of a value in them. Spaces are Euclidean: their metric is δ,
-// and an index means the same up and down. What belongs to three dimensions alone (ε with three indices, the
-// cross product, rotations by quaternions) is only made in a space of three.
+// so an upper and a lower index mean the same. Operations that exist in three dimensions only (ε with three
+// indices, the cross product, rotations by quaternions) are only made in a space of three.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 namespace rigor {
 
 inline constexpr int most_dimensions = 9;  // literal axes are one digit
-inline constexpr int most_axes_apart = 8;  // axes of a value that has some outside of the common space
-inline constexpr int most_spaces = 15;     // beside the common one
+inline constexpr int most_axes_apart = 8;  // axes of a value with one outside the common space
+inline constexpr int most_spaces = 15;     // apart from the common one
 
-/// A value, not a name: spaces of one dimension are apart if their ids are.
+/// A value, not a name: two spaces of one dimension differ by their ids.
 struct Space {
   std::uint8_t dimension = 3;
   std::uint8_t id = 0;  // 0: the common space of three real dimensions
@@ -21,12 +21,12 @@ struct Space {
 };
 inline constexpr Space common_space{};
 
-/// The spaces of a value's axes, outermost first. How many axes there are is the value's rank. One byte an
-/// axis; 0 is the common space, so that what never leaves it costs nothing.
+/// The spaces of a value's axes, outermost first; their number is the value's rank. One byte an axis; 0 is
+/// the common space, so that a value in it has no cost and compares as 0.
 class AxisSpaces {
  public:
   constexpr AxisSpaces() = default;
-  /// So many axes of one space.
+  /// `rank` axes of one space.
   [[nodiscard]] static constexpr AxisSpaces of(Space space, int rank) {
     AxisSpaces axes;
     if (space == common_space) return axes;
@@ -44,7 +44,7 @@ class AxisSpaces {
     packed_ = (packed_ & ~(std::uint64_t{0xff} << (8 * axis))) | (byte << (8 * axis));
   }
   [[nodiscard]] constexpr bool are_common() const { return packed_ == 0; }
-  /// These, of a value of this rank, and more behind them.
+  /// The axes of a value of this rank, followed by `more`.
   [[nodiscard]] constexpr AxisSpaces then(int rank, AxisSpaces more) const {
     AxisSpaces all = first(rank);
     if (rank < most_axes_apart) all.packed_ |= more.packed_ << (8 * rank);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The names that a file's statements are about. A symbol is what a letter with its face, accent, primes and
-// labels stands for:
-// `\mathbf{r}_\alpha`, `r_{\alpha i}` and the length `r_\alpha` are one symbol (rank 1, one for each
-// particle).
+// labels means: `\mathbf{r}_\alpha`, `r_{\alpha i}` and the length `r_\alpha` are one symbol (rank 1, one for
+// each particle).
 #pragma once
 
 #include <array>
@@ -20,11 +19,12 @@ namespace rigor {
 
 enum class SymbolId : std::uint32_t {};
 
-/// By what is differentiated: the time, a coordinate of space (one axis more, behind the others), the
-/// parameter that all small quantities are proportional to.
+/// The variable of a derivative: the time, a coordinate of space (which adds one axis after the others), or
+/// the parameter that all small quantities are proportional to.
 enum class By : std::uint8_t { time, space, small };
 
-/// A derivative is a symbol of its own: how often it is differentiated by what. The order does not matter.
+/// A derivative is a symbol of its own, so that it is one more free quantity to the exact side. It says how
+/// often `base` is differentiated by what; the order does not matter.
 struct Derivation {
   SymbolId base{};
   std::uint16_t time = 0;
@@ -76,7 +76,7 @@ class SymbolTable {
   std::map<std::array<std::uint32_t, 4>, SymbolId> derivatives_;  // by base and orders
 };
 
-/// What a derivative is of; any other symbol itself.
+/// The symbol that a derivative is of; any other symbol itself.
 [[nodiscard]] inline SymbolId base_of(const SymbolTable& symbols, SymbolId symbol) {
   const auto& derivation = symbols[symbol].derivation;
   return derivation ? derivation->base : symbol;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is MEANT: a typed expression. Every node has a rank (0 scalar, 1 vector, 2 second-rank tensor); index
-// notation and direct notation live side by side, so that a program can evaluate the form that was written:
+// What is MEANT: a typed expression. Every node has a rank (0 scalar, 1 vector, 2 second-rank tensor). Index
+// notation and direct notation are both kept, so that a program can evaluate the form that was written:
 // `\epsilon_{ijk}A_jB_k` is sums over components, `\mathbf A\times\mathbf B` is a cross product. Implicit
-// sums have become explicit; definitions are still names. Nodes lie in one vector, children before parents.
-// AxisSpaces are orthonormal; in the common space they are 1, 2, 3, right-handed.
+// sums have become explicit; definitions are still names, unfolded on demand. Nodes lie in one vector,
+// children before parents, and never change: an id stays valid, and equal parts can be shared. Axes are
+// orthonormal; in the common space they are 1, 2, 3, right-handed.
 #pragma once
 
 #include <cstdint>
@@ -137,12 +138,12 @@ class ExprTree {
   return component_count(node.rank, node.axes);
 }
 
-/// Does all that stands there belong to the common space of three dimensions?
+/// Does the whole expression belong to the common space of three dimensions?
 [[nodiscard]] bool is_of_common_space(const ExprTree& tree, ExprId root);
 
-/// The symbols below a node, in order of first occurrence, each once. Definitions are not unfolded.
-/// Is something said along an axis: a basis vector, or a component that is named by its number?
+/// Does it name an axis: by a basis vector, or by a component with a number?
 [[nodiscard]] bool names_an_axis(const ExprTree& tree, ExprId root);
+/// The symbols below a node, in order of first occurrence, each once. Definitions are not unfolded.
 [[nodiscard]] std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root);
 
 /// An S-expression for `--debug expr` and for tests, e.g. `(dot A (cross B C))`. A symbol shows its particle
