@@ -48,8 +48,8 @@ constexpr std::uint32_t cheap_terms = 3000;
 }
 
 /// Does the statement, or an assumption, ask for more of its numbers than that they can be added and
-/// multiplied: for an order, or a root? Then a name that is defined by its square is a number of that kind
-/// only where its square is not negative, and not to be taken for one.
+/// multiplied: for an order, or a root? A name that is defined by its square is such a number only if the
+/// square is not negative, so it is not taken for one.
 [[nodiscard]] bool speaks_of_real_numbers(const Scope& scope) {
   const auto speaks = [&](const Equation& equation) {
     return equation.relation == Relation::less || equation.relation == Relation::less_or_equal ||
@@ -139,7 +139,7 @@ std::optional<Found> Decider::try_proof(const Attempt& attempt, bool unfolded) {
   return std::nullopt;
 }
 
-/// With definitions opaque, and broken off early: they may be needed, and then it is in vain.
+/// With definitions opaque, and broken off early: if the definitions are needed, this cannot succeed.
 std::optional<Found> Decider::try_cheap_proof(const Attempt& attempt, bool& finished) {
   Limits limits = limits_;
   limits.expanded_terms = std::min(limits.expanded_terms, cheap_terms);

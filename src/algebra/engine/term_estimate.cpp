@@ -15,7 +15,7 @@ struct EstimatedDivisor {
   double terms = 1;  // of the base
 };
 
-/// What stands below, by base.
+/// The denominator, by base.
 using Below = std::map<GiNaC::ex, EstimatedDivisor, GiNaC::ex_is_less>;
 
 struct Estimate {
@@ -25,7 +25,7 @@ struct Estimate {
 
 Estimate estimate_of(const GiNaC::ex& value);
 
-/// Terms of a sum of so many terms, to a power: the number of monomials.
+/// The number of terms of a power of a sum: the number of monomials.
 double terms_of_power(double terms, int exponent) {
   double count = 1;
   for (int k = 1; k <= exponent; ++k) count = count * (terms - 1 + k) / k;

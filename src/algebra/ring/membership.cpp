@@ -19,7 +19,7 @@ using GiNaC::ex;
 
 using Row = SparsePolynomial;
 
-/// A combination of equations, and of which.
+/// A combination of equations, and which they are.
 struct Multiple {
   Row row;
   std::set<std::size_t> from = {};

@@ -44,7 +44,7 @@ class HoldsMatcher : public RIGOR_CATCH_MATCHER<CheckedStep> {
   std::string describe() const override { return "holds"; }
 };
 
-/// Notes of which every step holds.
+/// Notes whose steps all hold.
 class AllHoldMatcher : public RIGOR_CATCH_MATCHER<CheckedNotes> {
  public:
   bool match(const CheckedNotes& checked) const override { return checked.all_hold; }

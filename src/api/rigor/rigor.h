@@ -57,7 +57,7 @@ struct CheckedNotes {
 
 /// How notes are read.
 struct NotesOptions {
-  std::string sidecar = {};  // directives beside the notes; empty: `NAME.rigor`, if there is one
+  std::string sidecar = {};  // directives next to the notes; empty: `NAME.rigor`, if there is one
   bool strict = false;       // warnings count as errors
 };
 

@@ -46,7 +46,7 @@ FormsReading read(const ExplainCommand& command, SourceMap& sources) {
   return read_forms_of_text(sources, "statement", "$$\n" + command.file + "\n$$\n", request);
 }
 
-/// The notes with what is asked of them.
+/// The notes and the places that are asked for.
 class Chooser {
  public:
   Chooser(const ExplainCommand& command, const FormsReading& reading, const SourceMap& sources)

@@ -9,7 +9,7 @@
 namespace rigor {
 
 /// The exit code. Paths in the report are those of the working directory; a relative one that is not there is
-/// looked for beside the report.
+/// looked for next to the report.
 [[nodiscard]] ExitCode replay(const ReplayCommand& command, std::ostream& out, std::ostream& err);
 
 }  // namespace rigor

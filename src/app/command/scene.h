@@ -25,7 +25,7 @@ struct LoadedScene {
 [[nodiscard]] ExitCode load_scene(const std::string& path, SourceMap& sources, LoadedScene& loaded,
                                   std::ostream& err);
 
-/// Pictures are written beside the scene's file.
+/// Pictures are written next to the scene's file.
 [[nodiscard]] ExitCode compute_scenes(const SceneCommand& command, std::ostream& out, std::ostream& err);
 
 }  // namespace rigor

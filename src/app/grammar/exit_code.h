@@ -33,7 +33,7 @@ struct ExitCodeInfo {
 /// An error of our own comes before an unreadable file, that before something wrong, that before something
 /// open. `strict`: warnings are wrong.
 [[nodiscard]] ExitCode exit_code(const Report& report, bool strict);
-/// The same order; a report of which nothing is refuted is confirmed.
+/// The same order; a report that refutes nothing is confirmed.
 [[nodiscard]] ExitCode exit_code(const ReplayTally& tally);
 
 }  // namespace rigor

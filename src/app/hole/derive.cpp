@@ -87,7 +87,7 @@ class Deriving {
     err_ << render(diagnostic, sources, {.color = terminal_options(command_.color, err_).color});
   }
 
-  /// What keeps the notes, or what is asked, from being read.
+  /// Why the notes, or the statement, cannot be read.
   ExitCode print_errors(const HoleAnswers& answers) {
     ExitCode code = ExitCode::ok;
     for (const Diagnostic& diagnostic : answers.reading.report.diagnostics) {

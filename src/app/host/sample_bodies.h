@@ -12,7 +12,7 @@
 
 namespace rigor {
 
-/// Where bodies are looked for by name: `bodies` beside the file and in the folder above it; in the working
+/// Where bodies are looked for by name: `bodies` next to the file and in the folder above it; in the working
 /// directory `bodies` and `derivations/bodies`.
 [[nodiscard]] std::vector<std::string> body_folders(const std::string& beside);
 

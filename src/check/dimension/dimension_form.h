@@ -31,7 +31,7 @@ struct DimensionForm {
 /// What has to have one dimension.
 enum class Alike : std::uint8_t {
   sides,
-  number,  // sides, of which one holds nothing but numbers: its unit can be left out
+  number,  // sides, one with numbers only: its unit can be left out
   terms,
   components,
   argument,

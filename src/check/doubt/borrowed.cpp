@@ -242,7 +242,8 @@ class Heeding {
     return fmt::format("if all values are meant, `rigor: for all {}` says so", fmt::join(open, ", "));
   }
 
-  /// "To first order", "for small x" beside `\approx`, where something is declared small, say what is asked.
+  /// "To first order", "for small x" next to `\approx` restrict nothing where something is declared small:
+  /// they only say what the sign means.
   bool says_what_is_asked(std::string_view word) const {
     return claim_.nearly && !names_.scope.small->empty() &&
            (word.find("small") != std::string_view::npos || word.find("order") != std::string_view::npos);

@@ -19,7 +19,7 @@
 namespace rigor {
 
 /// A relation that the notes state, though nothing takes it for granted: in a line of prose, as a law, as a
-/// condition beside an equation.
+/// condition next to an equation.
 struct Fact {
   Equation equation;
   std::string text;     // as a verdict names it: `\beta = v/c (line 3)`

@@ -16,7 +16,7 @@ constexpr int most_digits_of_pi = 10;  // far fewer than its bounds have
 constexpr const char* below_pi = "3.14159265358979";
 constexpr const char* above_pi = "3.14159265358980";
 
-/// M · 10^-places, of which the last `unsure` digits are zeros that may count or not.
+/// M · 10^-places, whose last `unsure` digits are zeros that may count or not.
 struct Shown {
   ExprId number{};
   std::int64_t mantissa = 0;

@@ -13,9 +13,8 @@ namespace rigor {
 /// Numbers on both sides, made of scalars and lengths at one time and place: no index, no derivative.
 [[nodiscard]] bool may_be_an_equation_of_letters(const ExprTree& tree, const Equation& equation);
 
-/// Of such an equation: it is about vectors, or a product of sums stands beside a sum of terms up to its
-/// degree,
-/// `(u - v)^2 = u^2 - v^2`, or a fraction beside a sum of fractions, `1/(a + b) = 1/a + 1/b`.
+/// Of such an equation: it is about vectors, or equates a product of sums to a sum of terms up to its degree,
+/// `(u - v)^2 = u^2 - v^2`, or a fraction to a sum of fractions, `1/(a + b) = 1/a + 1/b`.
 [[nodiscard]] bool reads_as_identity(const ExprTree& tree, const Equation& equation);
 
 /// "the identity", "expand", "hence", "for all": the row is meant for all values. Of the words since the last

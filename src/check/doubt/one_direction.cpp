@@ -14,7 +14,7 @@ struct SideOfVectors {
   std::set<SymbolId> plain;  // of their lengths, written as plain letters
   bool odd = false;          // one of them in an odd power
   bool others = false;       // a vector, a component, bars
-  bool indices = false;      // sums over indices, as derivatives by place bring in
+  bool indices = false;      // sums over indices, as derivatives by coordinates bring in
 };
 
 bool is_plain_length(const ExprTree& tree, ExprId id) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `F = qvB` beside `\mathbf F = q\mathbf v\times\mathbf B`: plain letters of vectors are their lengths, or
+// `F = qvB` next to `\mathbf F = q\mathbf v\times\mathbf B`: plain letters of vectors are their lengths, or
 // their components along one direction that the figure shows. `a_1b_1 + a_2b_2`: in space, or in the plane.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace rigor {
 
-/// The vectors of which a side has the length as a plain letter, if all it has of vectors are plain letters,
-/// and one of them is in an odd power. Bars say that lengths are meant, and a derivative by place that all
+/// The vectors whose lengths a side has as plain letters, if it has no vectors but those letters and one of
+/// them is in an odd power. Bars say that lengths are meant, and a derivative by a coordinate says that all
 /// directions are. Nothing else is returned. Cost: linear in the equation.
 [[nodiscard]] std::vector<SymbolId> lengths_or_components(const ExprTree& tree, const Equation& equation);
 

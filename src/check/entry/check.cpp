@@ -31,7 +31,8 @@ struct Sidecar {
   std::string refused = {};  // why it is not read
 };
 
-/// Nobody named a sidecar that is found beside the notes. A link could show any file's lines in diagnostics.
+/// A sidecar next to the notes is read although nobody named it. A link could show any file's lines in
+/// diagnostics.
 std::string refusal(const std::filesystem::path& sidecar) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -46,7 +47,7 @@ std::string refusal(const std::filesystem::path& sidecar) {
   return {};
 }
 
-/// The named sidecar, or the one beside the notes if there is one.
+/// The named sidecar, or the one next to the notes if there is one.
 std::optional<Sidecar> find_sidecar(const std::string& notes, const CheckOptions& options) {
   if (options.sidecar) return Sidecar{*options.sidecar};
   if (notes.empty()) return std::nullopt;

@@ -51,7 +51,7 @@ std::string name_of(const WrittenSymbol& symbol) {
   return name;
 }
 
-/// Does it say what a letter is of which that was said before? Notes its letters.
+/// Does it say again what a letter is? Notes its letters.
 bool declares_again(const Event& event, const SyntaxTree& syntax, std::set<std::string>& declared) {
   bool again = false;
   for (const SyntaxId symbol : std::get<PlacedDirective>(event).directive.symbols)

@@ -92,7 +92,7 @@ class CheckedNotesReader {
     std::rotate(where, notes_.events.end() - 1, notes_.events.end());
   }
 
-  /// What the prose says beside the displays, with the relations in its lines read as far as syntax goes.
+  /// What the prose says around the displays, with the relations in its lines read as far as syntax goes.
   void add_prose() {
     std::vector<ProseEvent> events;
     for (const Event& event : notes_.events) {
@@ -203,7 +203,7 @@ class CheckedNotesReader {
     return directive;
   }
 
-  /// An assumption of which not even an equation was read says something of its letters all the same.
+  /// An assumption in which not even an equation could be read still says something about its letters.
   [[nodiscard]] std::optional<Directive> unread_assumption(Span line) const {
     Directive directive;
     directive.span = without_comment(sources_, line);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A diagnostic about a statement that a sidecar makes stands in the sidecar; a label shows of which place in
-// the notes it is said.
+// A diagnostic about a statement that a sidecar makes stands in the sidecar; a label shows which place in the
+// notes it is about.
 #pragma once
 
 #include "check/event/notes.h"

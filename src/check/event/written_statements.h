@@ -16,7 +16,7 @@ struct WrittenStatement {
   bool displayed;  // in the notes, not in a directive
 };
 
-/// In the order of the notes; without cyclic images, whose signs stand there only once.
+/// In the order of the notes; without cyclic images, whose signs are written only once.
 [[nodiscard]] std::vector<WrittenStatement> statements_in(const Notes& notes);
 
 /// A span that can be looked up: what was written and what it was read as are found by their place.

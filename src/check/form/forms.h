@@ -17,7 +17,7 @@ namespace rigor {
 struct FormRequest {
   std::vector<std::string> asked = {};   // LaTeX: `T_{rot}`, `(\Omega_2)^2`, with the notes' macros
   std::optional<std::string> at = {};    // a tag or a heading: asked for behind it; nothing: at the end
-  std::optional<std::string> sidecar{};  // without it, `NAME.rigor` beside the notes, if there is one
+  std::optional<std::string> sidecar{};  // without it, `NAME.rigor` next to the notes, if there is one
   /// Tags or headings. Given, only these chains, and those that define what they or the asked need, are
   /// elaborated, and nothing is decided but whether a name gets a second meaning. Nothing: all chains, each
   /// step decided.

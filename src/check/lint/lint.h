@@ -39,7 +39,7 @@ struct LintInput {
   const std::map<SymbolId, bool>& mirrored;  // declared: does it change its sign in a mirror?
 };
 
-/// What a lint found. A finding of a kind that is off unless asked for can be `certain` of being wanted.
+/// What a lint found. A finding of a kind that is off by default can be `certain` of being wanted.
 struct Finding {
   Diagnostic diagnostic;
   bool certain = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An axial quantity set equal to a polar one: `\mathbf{L} = \mathbf{r}` beside `\mathbf{L} =
+// An axial quantity set equal to a polar one: `\mathbf{L} = \mathbf{r}` together with `\mathbf{L} =
 // \mathbf{r}\times\mathbf{p}`.
 //
 // Everything in space is mirrored through the origin, and the axes stay. A quantity then changes its sign (1)

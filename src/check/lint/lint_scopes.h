@@ -18,7 +18,7 @@ class LintScopes {
 
   /// The directive that says last, at this place, whether such a warning is wanted; null if none does.
   [[nodiscard]] const Directive* said_of(DiagnosticKind kind, Span place) const;
-  /// Is a warning that is off unless asked for asked for here?
+  /// Is a warning that is off by default asked for here?
   [[nodiscard]] bool asks_for(DiagnosticKind kind, Span place) const;
   [[nodiscard]] bool asks_somewhere(DiagnosticKind kind) const;
 

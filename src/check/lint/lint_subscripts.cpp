@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An index at the end of a subscript that is read as a word: `r_{CMi}`, `T_{\text{rot i}}`, beside a
+// An index at the end of a subscript that is read as a word: `r_{CMi}`, `T_{\text{rot i}}`, next to a
 // component with that index. What is a word and what is an index can then be told by neither reader nor
 // program.
 #include <fmt/format.h>

@@ -19,7 +19,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The key of what may be something else than a real number; null for what is declared or has axes.
+/// The key of a symbol that need not be a real number; null for what is declared or has axes.
 const NameKey* open_key(const ExprTree& tree, const Names& names, SymbolId symbol) {
   const Symbol& each = tree.symbols[symbol];
   const SymbolId base = each.derivation ? each.derivation->base : symbol;

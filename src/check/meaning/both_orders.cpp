@@ -29,7 +29,7 @@ std::string_view letter_of_key(const NameKey& key) {
   return std::string_view(key.base).substr(0, key.base.find('_'));
 }
 
-/// Letters that usually stand for matrices one of which belongs to each axis.
+/// Letters that usually stand for one matrix for each axis.
 bool is_usual_generator(std::string_view letter) {
   static constexpr std::array<std::string_view, 9> letters{
       "\\gamma", "\\sigma", "\\tau", "\\theta", "\\psi", "\\lambda", "\\eta", "\\Gamma", "\\Sigma"};

@@ -11,9 +11,9 @@
 namespace rigor {
 
 /// The scalars that are written side by side in both orders, `H\psi = \psi H`, `aba = a^2b`, `S_xS_y =
-/// S_yS_x`, and the capitals of exponents where the row has two. Not those that a directive declares, of
-/// which the section shows both to be numbers, nor components of different vectors. Cost: quadratic in the
-/// factors of a product.
+/// S_yS_x`, and the capitals of exponents where the row has two. Not those that a directive declares, or that
+/// the section shows to be numbers, nor components of different vectors. Cost: quadratic in the factors of a
+/// product.
 [[nodiscard]] std::set<SymbolId> symbols_in_both_orders(const ExprTree& tree, const Names& names,
                                                         const Equation& claim);
 

@@ -27,8 +27,8 @@ class DecisionCache;
 
 /// The symbols, not meant for all values, for which the equation reads as a law or condition; none if it
 /// reads as an identity. `restates`: the left side is a defined symbol alone, so one common symbol makes no
-/// condition of it. `frames`: the rotations that carry turning axes. They turn by an angular velocity, which,
-/// where nothing else is defined, stands on a side only if it is written there.
+/// condition of it. `frames`: the rotations that carry turning axes. They turn by an angular velocity. If
+/// nothing else is defined, it is on a side only if it is written there.
 [[nodiscard]] std::vector<SymbolId> law_symbols(const Question& question, const NameScope& scope,
                                                 bool restates = false, const std::set<SymbolId>& frames = {},
                                                 DecisionCache* cache = nullptr);

@@ -160,7 +160,7 @@ class WordReader {
     return factor.starts_with(inverted) ? factor.substr(inverted.size()) : std::string(inverted) + factor;
   }
 
-  /// A factor beside its inverse is 1.
+  /// A factor next to its inverse is 1.
   static void append(std::vector<std::string>& factors, const std::string& factor) {
     if (!factors.empty() && factors.back() == inverse_of(factor)) {
       factors.pop_back();
@@ -347,7 +347,7 @@ bool is_linear_in(const Question& question, const std::set<SymbolId>& ordered) {
 
 namespace {
 
-/// Of which the length is taken; a plain letter beside a bold one is read as its length.
+/// The vector whose length is taken; a plain letter next to a bold one is read as its length.
 std::set<SymbolId> with_length(const ExprTree& tree, ExprId root) {
   std::set<SymbolId> found;
   std::vector<ExprId> pending{root};

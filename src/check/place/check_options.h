@@ -14,11 +14,11 @@ namespace rigor {
 
 class DecisionCache;
 
-/// Of which wrong steps the nearest true statements and missing conditions are looked for.
+/// For which wrong steps the nearest true statements and missing conditions are looked for.
 enum class Repairs : std::uint8_t { none, of_unexpected, of_all };
 
 struct CheckOptions {
-  std::optional<std::string> sidecar = {};  // without it, `NAME.rigor` beside the notes, if there is one
+  std::optional<std::string> sidecar = {};  // without it, `NAME.rigor` next to the notes, if there is one
   std::function<void(std::size_t done, std::size_t all)> progress = {};  // called after each display
   Repairs repairs = Repairs::of_unexpected;
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again

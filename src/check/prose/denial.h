@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page says not to hold: "Students often write", "but this is wrong", "This fails at high speeds."
-// beside a display. It defines nothing, and nothing follows from it.
+// next to a display. It defines nothing, and nothing follows from it.
 #pragma once
 
 #include <optional>

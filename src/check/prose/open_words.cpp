@@ -10,7 +10,7 @@
 namespace rigor {
 namespace {
 
-/// Sorted. Words of argument and of mathematics in general, none of which names a case.
+/// Sorted. Words of argument and of mathematics in general, none names a case.
 constexpr std::array<std::string_view, 184> neutral{
     "a",           "above",      "add",      "adding",    "again",      "algebra",    "all",
     "also",        "an",         "and",      "another",   "any",        "are",        "arrive",

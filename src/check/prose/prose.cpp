@@ -99,7 +99,7 @@ Cue cue_of(std::string_view word) {
   return is_one_of(word, conditions) ? Cue::condition : Cue::none;
 }
 
-/// "On the wall, where $u = a + b$": what is said there need not hold beside it.
+/// "On the wall, where $u = a + b$": what is said there need not hold outside of it.
 bool names_a_place(std::string_view word) {
   static constexpr std::array<std::string_view, 14> words{
       "at",     "on",   "inside", "outside",   "along",    "within", "near",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the prose says beside each display: the sentence that leads into it, what follows it in the same
+// What the prose around each display says: the sentence that leads into it, what follows it in the same
 // sentence, and the relations in a line (`with $\beta = v/c$`) with the word that brings them in.
 #pragma once
 

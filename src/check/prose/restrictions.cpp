@@ -92,7 +92,7 @@ bool is_special_by_form(std::string_view word) {
   return false;
 }
 
-/// An adjective that restricts, by what stands beside it.
+/// An adjective that restricts, by its neighbours.
 bool restricts_as_adjective(const Sentence& words, std::size_t at) {
   const std::string_view word = words[at];
   const std::string_view next = words[at + 1];

@@ -2,7 +2,7 @@
 // Which words around an equation may restrict it. A refutation says that an equation fails for some values;
 // it is given only where the words around it are neutral, so that those values are meant.
 //
-// The rules go by function words, of which English has few: prepositions and subordinators ("near",
+// The rules go by function words, and English has few of them: prepositions and subordinators ("near",
 // "provided", "at"), imperatives and participles that choose ("neglect", "assuming"), negations, and
 // adjectives that restrict. Nouns are known the other way round: "let $m$ be the mass" restricts nothing,
 // "let $\mathbf n$ be the normal" may.

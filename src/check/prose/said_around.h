@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What whole sentences around an equation, its tag or its heading say that may restrict it: "We neglect the
-// mass of the rope." above it, "This holds at the surface only." behind it, `\\tag{if $b = 0$}` beside it.
+// mass of the rope." above it, "This holds at the surface only." after it, `\\tag{if $b = 0$}` next to it.
 #pragma once
 
 #include <optional>

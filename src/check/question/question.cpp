@@ -18,7 +18,7 @@ namespace {
 /// Of a derivative for which a definition is made: no smaller than what `Differentiator` makes.
 constexpr int largest_order = 2 * most_rates + most_axes;
 
-/// So many derivatives compare the coefficients of what is assumed at all times or places.
+/// This many derivatives compare the coefficients of an assumption at all times or places.
 constexpr int most_compared = 3;
 
 /// A definition that the notes give, or that follows for a derivative.
@@ -167,7 +167,7 @@ class Preparation {
     return std::clamp(constants - 1, beyond_, most_compared);
   }
 
-  /// What is said for all places, of constants, is differentiated by them as often.
+  /// An assumption about constants at all places is differentiated by coordinates as often.
   int places_to_compare(const NamedAssumption& assumption) {
     constexpr int most_by_place = 2;
     if (!speaks_of_place(assumption.equation)) return 0;
@@ -263,7 +263,7 @@ class Preparation {
     if (!is_one_of(symbol, unknown)) unknown.push_back(symbol);
   }
 
-  /// A derivative of what does not change.
+  /// A derivative of something that does not change.
   bool is_constant(SymbolId symbol) {
     const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
     if (!derivation) return false;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_judged = 8;
 constexpr std::size_t most_tokens = 400;          // of both sides; longer ones are not mended
-constexpr std::size_t most_to_first_order = 150;  // candidates, each of which is differentiated
+constexpr std::size_t most_to_first_order = 150;  // candidates, since each is differentiated
 /// A neighbour of a typical step is proved with a hundredth of this.
 constexpr Limits limits_of_candidates{.expanded_terms = 10'000,
                                       .steps = 60'000,
@@ -165,7 +165,7 @@ class RepairSearch {
     return bases;
   }
 
-  /// Sides that speak of what the claim does not speak of, but only of what is defined.
+  /// Sides with symbols that the claim does not have, all of them defined.
   std::vector<ExprId> known_sides(const std::vector<Equation>& equations) {
     const std::set<SymbolId> reached = bases_in(prepare(tree_, names_, claim_.equation).question);
     std::vector<ExprId> sides;
@@ -279,8 +279,8 @@ class RepairSearch {
     return repairs;
   }
 
-  /// A term beside 0 only repeats the other side, as one that is the other side does: X = X + 0. What the
-  /// calculation began with is not mended by a 0.
+  /// A term next to a 0 only repeats the other side, and so does one that is the other side: X = X + 0. What
+  /// the calculation began with is not mended by a 0.
   bool says_nothing(const RepairCandidate& candidate) const {
     const std::string old = text_of(candidates_.side(candidate.side));
     const std::string now = text_of(candidate.tokens);
@@ -289,7 +289,7 @@ class RepairSearch {
     return old == "0" || now == old + " + " + other || now == old + "+" + other || now == old + other;
   }
 
-  /// As it would be read in the place of what was written.
+  /// As it would be read in place of what was written.
   bool is_proved(const RepairCandidate& candidate) {
     if (trim(candidate.tokens).empty()) return false;
     ParsedChain chain = chain_;

@@ -33,8 +33,8 @@ bool is_assumed_about(const RowPlace& place, SymbolId symbol) {
                      });
 }
 
-/// "In the medium $k = 2\pi n/\lambda$" below `k = 2\pi/\lambda`: the definitions of which a line of the
-/// section has another one since.
+/// "In the medium $k = 2\pi n/\lambda$" below `k = 2\pi/\lambda`: the definitions that a line of the section
+/// has replaced since.
 std::vector<SymbolId> said_anew(RowPlace& place) {
   const ProseBeside& beside = place.notes.prose.beside[place.event];
   std::vector<SymbolId> anew;

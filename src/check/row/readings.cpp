@@ -78,7 +78,7 @@ void decide_in_all_readings(RowPlace& place, const StepReading& row, const Claim
   const ParsedChain& parsed = row.parsed;
   const std::size_t which = row.which;
   Judgement first = judge_here(place, claim);
-  constexpr std::size_t most_places = 2;  // of which all readings were tried
+  constexpr std::size_t most_places = 2;  // all its readings were tried
   const bool uniform = is_one_notation(parsed.choices);
   const bool all_tried = parsed.choices.size() <= most_places;
   bool agree = first.verdict == Verdict::refuted ? all_tried : all_tried || uniform;

@@ -43,7 +43,7 @@ void add_label(Step& step, Span span, std::string text) {
   }
 }
 
-/// Is one side of a chain equal to another that is not beside it? Judged as a step would be.
+/// Is one side of a chain equal to another that is not its neighbour? Judged as a step would be.
 Link across(RowPlace& place, const ParsedChain& parsed, std::size_t left, std::size_t right,
             ChainReading& reading) {
   const Side& from = reading.sides[left];

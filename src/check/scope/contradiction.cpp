@@ -56,7 +56,7 @@ bool vanishes(ExprTree& tree, const Names& names, SymbolId symbol, int order, De
          decide(cache, prepared.question, limits_of_contradictions).outcome == Outcome::proved;
 }
 
-/// Is it impossible that all derivatives by place of the body are 0?
+/// Is it impossible that all derivatives of the body by coordinates are 0?
 bool changes_with_place(ExprTree& tree, const Names& names, const Definition& definition) {
   const std::vector<SymbolId> symbols = symbols_in(tree, definition.body);
   const bool speaks = std::any_of(symbols.begin(), symbols.end(), [&](SymbolId each) {

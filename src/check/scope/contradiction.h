@@ -20,8 +20,8 @@ class DecisionCache;
 /// The same if the definition were an assumption; it is not kept.
 [[nodiscard]] bool definition_contradicts(ExprTree& tree, const Names& names, const Definition& definition);
 
-/// The letters of the last assumption that are declared constant, which then is no longer said of them. Gives
-/// the directives that said so.
+/// The letters of the last assumption that are declared constant; they no longer count as constant then.
+/// Gives the directives that said so.
 [[nodiscard]] Directives withdraw_constants_of_last(const ExprTree& tree, Names& names);
 
 /// What is declared small is of first order. `E = v^2`, where nothing else says that v is small, makes E the

@@ -27,8 +27,8 @@ namespace rigor {
 
 /// How often the symbol is differentiated by the time and by the place.
 [[nodiscard]] int derivative_order(const SymbolTable& symbols, SymbolId symbol);
-/// Does a definition say already what the symbol is, or how it changes? A second one beside it would be
-/// followed without the first: that both hold is an assumption. Of two rules, the one of lower order stays.
+/// Does a definition say already what the symbol is, or how it changes? A second one would be followed
+/// instead of the first: that both hold is an assumption. Of two rules, the one of lower order stays.
 [[nodiscard]] bool is_determined(const SymbolTable& symbols, const NameScope& scope, SymbolId symbol);
 /// `given \dot{\mathbf r} = …`: a derivative is replaced wherever it stands.
 [[nodiscard]] bool is_rule(ExprTree& tree, const NameScope& scope, const Typed& left, const Typed& right);

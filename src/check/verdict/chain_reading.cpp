@@ -70,7 +70,7 @@ bool drops_prime_on_rotation(const SyntaxTree& syntax, std::vector<SyntaxId> pen
   return false;
 }
 
-/// The step on one line; none where the words beside it, or another order of its axes, belong to it.
+/// The step on one line; none where words next to it, or another order of its axes, belong to it.
 std::string written_step(const ParsedChain& parsed, std::size_t which) {
   const WrittenChain& chain = parsed.written;
   const Tokens left = without_layout(chain.sides[which].tokens);

@@ -16,7 +16,7 @@ tl::unexpected<Error> does_not_fit(std::string reason) {
   return tl::make_unexpected(Error{std::move(reason)});
 }
 
-/// The claim's axes and particles, of which the description names the indices.
+/// The claim's axes and particles; the description names their indices.
 Result<Sample> placed(const Question& question, const Counterexample& example) {
   constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at most
   if (example.particles > most_particles) return does_not_fit("the sample has too many particles");

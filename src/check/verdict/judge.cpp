@@ -128,8 +128,8 @@ class Judging {
     return decision;
   }
 
-  /// A sample on which something is 0 by which definitions or assumptions divide is none that the notes speak
-  /// of: then it is looked for with those numbers not 0.
+  /// The notes do not speak of a sample on which a divisor of their definitions or assumptions is 0: then it
+  /// is looked for with those numbers not 0.
   Decision where_nothing_is_divided_by_zero(Decision refuted) {
     if (claim_.recorded != nullptr) return refuted;
     const std::vector<SymbolId> divisors = divisors_of_sample(tree_, names_, *refuted.sample);
@@ -304,7 +304,7 @@ class Judging {
     judgement_.route += fmt::format("; nothing is left out up to order {}", highest);
   }
 
-  /// Something was differentiated of which nothing says whether it changes: then only a proof counts.
+  /// If nothing says whether a differentiated quantity changes, only a proof counts.
   bool doubts_change() {
     std::vector<SymbolId> unknown = prepared_.unknown_changes;
     const std::vector<SymbolId>& written = claim_.reading->found.unknown_changes;
@@ -364,7 +364,7 @@ class Judging {
     return left.op == Op::symbol && definition_of(names_.scope, left.symbol) != nullptr;
   }
 
-  /// `scalar I_1` beside `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
+  /// `scalar I_1` together with `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
   std::optional<std::pair<std::string, std::string>> component_declared_alone() const {
     std::set<SymbolId> reached;
     const auto reach = [&](ExprId side) {

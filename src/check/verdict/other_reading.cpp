@@ -119,7 +119,7 @@ bool counts_dimensions(const Question& question) {
 /// A proof that counts components, or needs their axes, holds along three Cartesian ones.
 std::optional<OtherReading> in_another_space(const Question& question, const Names& names, bool proved) {
   const Evidence& evidence = *names.symbols.evidence;
-  // `space` says of how many dimensions it is, and nothing of its metric.
+  // `space` says how many dimensions it has, but nothing about its metric.
   const bool said = space_of(names.symbols) != common_space;
   const std::string& of_space = said ? evidence.other_metric : evidence.other_space;
   const std::string& words = of_space.empty() ? evidence.other_axes : of_space;
@@ -171,7 +171,7 @@ bool is_capital(const NameKey& key) {
   return key.rank == 0 && is_capital_letter(key.base[0]) && (key.base.size() == 1 || key.base[1] == '_');
 }
 
-/// `(I - P)^2 = I - 2P + P^2` between capitals, of which nothing says what they are.
+/// `(I - P)^2 = I - 2P + P^2` between capitals that nothing explains.
 std::optional<OtherReading> with_unit_matrix(const Question& question, const Names& names, bool proved) {
   const ExprTree& tree = *question.tree;
   const Equation& claim = question.claim;

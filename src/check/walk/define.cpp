@@ -28,7 +28,7 @@ std::vector<Label> earlier_place(const Walk& walk, const NamedDefinition& earlie
   return {{place, "the earlier definition"}};
 }
 
-/// What is declared small is of first order, whatever else is said of it.
+/// A quantity that is declared small is of first order, whatever else is said about it.
 void compare_orders(Walk& walk, const Equation& equation, Span span, Diagnostics& diagnostics) {
   const auto small = small_of_other_order(walk.tree, walk.names, equation, walk.options.cache);
   if (!small) return;

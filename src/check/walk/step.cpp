@@ -48,7 +48,7 @@ std::optional<Diagnostic> why_not_decided(const WrittenRelation& relation) {
   }
 }
 
-/// Is nothing in the way but what is asked for?
+/// Is only the hole in the way?
 bool only_asks(const Diagnostics& diagnostics) {
   bool asks = false;
   for (const Diagnostic& diagnostic : diagnostics) {

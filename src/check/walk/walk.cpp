@@ -46,7 +46,7 @@ const WrittenChain* chain_of(const ParsedDisplay& display, const Step& step) {
   return nullptr;
 }
 
-/// `(A×B)² = A²B², A·B = 0`: a law beside an equation on its line may be the condition under which it holds.
+/// `(A×B)² = A²B², A·B = 0`: a law next to an equation on its line may be the condition under which it holds.
 /// Then what is refuted without it is not understood. So a line's verdicts are final when its display is
 /// over.
 void settle_lines(const ParsedDisplay& display, std::span<Step> steps) {

@@ -65,7 +65,7 @@ std::string subscripts_of(std::string_view text) {
   return all;
 }
 
-/// `i \ne j`, `\alpha = 1` beside `A_{ij} = 0`, `q_\alpha = q`.
+/// `i \ne j`, `\alpha = 1` next to `A_{ij} = 0`, `q_\alpha = q`.
 bool speaks_of_indices(std::string_view condition, std::string_view relation) {
   const std::vector<std::string> there = index_letters(subscripts_of(relation));
   if (there.empty() || condition.find('_') != std::string_view::npos) return false;

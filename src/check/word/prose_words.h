@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the words of the sentence beside a display do to its equations. The lists are closed, and stand in
+// What the words of its sentence do to the equations of a display. The lists are closed, and stand in
 // docs/notation.md.
 #pragma once
 

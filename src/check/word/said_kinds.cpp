@@ -26,7 +26,7 @@ std::vector<std::string_view> relations_of(std::string_view word) {
   return {};
 }
 
-/// Beside the adjective, they change nothing of what it says.
+/// Next to the adjective, they do not change what it says.
 bool is_filler(std::string_view word) {
   static constexpr std::array<std::string_view, 16> fillers{
       "a",      "an",       "the",  "real", "given", "fixed", "arbitrary", "constant",
@@ -107,8 +107,8 @@ class KindReader {
                ? next
                : words_.size();
     }
-    // "the positive $x$ axis", "positive $m$, $q$ arbitrary": of the last one something else is said, and of
-    // those between, who knows.
+    // "the positive $x$ axis", "positive $m$, $q$ arbitrary": the last one is said to be something else, and
+    // who knows about those between.
     const bool of_the_thing = count == 1 && noun && !is_case(last + 1);
     if ((!stands_free(words_, last) && !of_the_thing) || (count > 1 && one)) {
       if (count == 1) return true;

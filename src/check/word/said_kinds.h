@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// What a sentence says of the mathematics in it, which it counts from 0.
+/// What a sentence says about the mathematics in it, counted from 0.
 struct SaidKind {
   std::size_t maths = 0;
   std::vector<std::string_view> relations;  // with `$` for the letter: `$ > 0`

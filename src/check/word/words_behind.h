@@ -24,7 +24,7 @@ namespace rigor {
 /// "in (3)", "into the equation": where the relation is put.
 [[nodiscard]] bool is_place_in_text(std::string_view word);
 
-/// "the", "this", "previous": of which equation.
+/// "the", "this", "previous": which equation.
 [[nodiscard]] bool points_into_text(std::string_view word);
 
 /// Behind a comma they belong to what stands before it.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was done between two equal expressions of which nothing is known but that terms and factors were
-// moved.
+// What was done between two equal expressions if only terms and factors were moved.
 #pragma once
 
 #include "derive/chain/rule.h"

@@ -19,9 +19,8 @@ struct LetterChoice {
 /// The letters that an expression sums over, in order of appearance, added to the choice.
 void note_letters(const ExprTree& tree, ExprId root, LetterChoice& choice);
 
-/// The same expression; a sum keeps its letter where it has one that is not in use around or beside it within
-/// a product, and gets the first free one otherwise (numbered, where all letters are taken). Terms of a sum
-/// share letters.
+/// The same expression; a sum keeps its letter if the letter is not in use around it or elsewhere in its
+/// product; else it gets the first free one, numbered if all letters are taken. Terms of a sum share letters.
 [[nodiscard]] ExprId with_letters(ExprTree& tree, ExprId root, const LetterChoice& choice);
 
 }  // namespace rigor

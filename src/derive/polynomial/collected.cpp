@@ -38,7 +38,7 @@ void join_equal_factors(const SymbolTable& symbols, IndexMonomial& term) {
   term.factors = std::move(factors);
 }
 
-/// √x^n with x = a_i a_i beside a_i a_i: √x^(n+2).
+/// √x^n with x = a_i a_i next to a_i a_i: √x^(n+2).
 bool join_square_with_root(const SymbolTable& symbols, IndexMonomial& term) {
   for (IndexFactor& root : term.factors) {
     if (root.kind != Kind::root || root.exponent >= 0 || root.argument->terms.size() != 1) continue;

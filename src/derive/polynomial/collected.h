@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of monomials made shorter: what is equal is one term, what vanishes is none.
+// Sums of monomials made shorter: equal terms are one, and terms that vanish are dropped.
 #pragma once
 
 #include <string>

@@ -95,7 +95,7 @@ class Matching {
     return is_one_of(particle, replacement_.particles) || is_one_of(particle, replacement_.pattern.particles);
   }
 
-  /// What the pattern sums over is summed over here, and stands nowhere else.
+  /// A letter that the pattern sums over is summed over here, and occurs nowhere else.
   bool sums_fit(const Binding& binding) const {
     for (const IndexId index : replacement_.pattern.indices) {
       const Slot& slot = binding.indices.at(index);

@@ -57,7 +57,7 @@ class PolynomialWriter {
     std::vector<IndexFactor> outside;
     for (const IndexFactor& factor : factors)
       (speaks_of(factor, particle) ? inside : outside).push_back(factor);
-    std::vector<ParticleId> inner;  // sums over particles that stand beside this one in a factor
+    std::vector<ParticleId> inner;  // sums over particles next to this one in a factor
     std::vector<ParticleId> beside;
     for (const ParticleId other : particles) {
       const bool joined =

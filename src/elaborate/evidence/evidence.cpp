@@ -52,7 +52,7 @@ void see_divisor(const SyntaxTree& syntax, SyntaxId divisor, Evidence& evidence)
   }
 }
 
-/// `m\mathbf v`: a small Latin letter beside a vector is a number; a capital may be a matrix.
+/// `m\mathbf v`: a small Latin letter next to a vector is a number; a capital may be a matrix.
 void see_product(const SyntaxTree& syntax, SyntaxId term, Evidence& evidence) {
   const std::span<const SyntaxChild> factors = syntax.children(term);
   bool vector = false;

@@ -14,7 +14,7 @@ namespace rigor {
 struct Evidence {
   std::set<std::string> vectors;   // bold or under an arrow somewhere
   std::set<std::string> crossed;   // factors of a cross product
-  std::set<std::string> numbers;   // divisors, and small Latin letters beside a vector
+  std::set<std::string> numbers;   // divisors, and small Latin letters next to a vector
   std::set<std::string> ordered;   // what may be a matrix or an operator: the order of factors may matter
   std::set<std::string> labelled;  // of those, what has a subscript there: components of a vector of matrices
   std::set<std::string> hatted;    // `\hat x`: a unit vector or an operator

@@ -27,7 +27,7 @@ bool is_index(std::string_view letter) {
 
 bool is_euler(const WrittenSymbol& symbol) { return symbol.letter == "e" || symbol.letter == "\\mathrm{e}"; }
 
-/// What stands in a chain, wherever.
+/// Everything in a chain, wherever it is.
 struct Scripts {
   std::set<std::string> lower;   // letters of subscripts
   std::set<std::string> ridden;  // `i` or `j` above a letter of each side: `v^i = \dot x^i`

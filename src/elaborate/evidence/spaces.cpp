@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 16> other_dimensions{
     "n dimension",      "n-dimension",    "d dimension",         "d-dimension",
     "higher dimension", "any dimension",  "arbitrary dimension", "any number of dimension"};
 
-/// Of a space whose metric is not δ.
+/// Words for a space whose metric is not δ.
 constexpr std::array<std::string_view, 6> other_metrics{"spacetime",   "space-time", "minkowski",
                                                         "four-vector", "4-vector",   "four-moment"};
 

@@ -83,7 +83,7 @@ void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, 
   letters.indices.insert(own.begin(), own.end());
 }
 
-/// `Q_{ab}` beside `Q_{ba}`: a and b are indices.
+/// `Q_{ab}` and `Q_{ba}`: a and b are indices.
 void read_permutations(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Letters& letters) {
   std::set<std::pair<std::string, std::string>> seen;
   for_each_node(syntax, sides, [&](SyntaxId id) {
@@ -107,7 +107,7 @@ void read_repetition(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
   }
 }
 
-/// `v_i` beside `v_f`, `E_n` beside a bare `n`: labels.
+/// `v_i` and `v_f`, `E_n` and a bare `n`: labels.
 void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Letters& letters) {
   std::map<std::string, std::set<std::string>> on_base;
   std::set<std::string> bare;
@@ -157,7 +157,7 @@ bool holds_a_vector(const SyntaxTree& syntax, SyntaxId root) {
 /// How often each letter stands in a subscript.
 using IndexCounts = std::map<std::string, int>;
 
-/// `a_n` beside `\mathbf a`: the normal component as well as one of three, unless n stands there twice.
+/// `a_n` and `\mathbf a`: the normal component as well as one of three, unless n stands there twice.
 bool may_label(const std::string& letter, const IndexCounts& counts) {
   const auto found = counts.find(letter);
   return letter != "i" && letter != "j" && letter != "k" && found != counts.end() && found->second == 1;
@@ -195,7 +195,7 @@ void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, const 
   });
 }
 
-/// A symbol that carries one index for sure carries no labels beside it, nor elsewhere in the statement.
+/// A symbol with one index for sure has no labels next to it, nor elsewhere in the statement.
 void read_sure(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names,
                Letters& letters) {
   IndexCounts counts;

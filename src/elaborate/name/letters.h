@@ -23,7 +23,7 @@ struct Letters {
   bool evidence =
       false;  // something shows that index notation is meant: δ, ε, a component of a vector, a repetition
 
-  std::set<std::string> sure;  // indices in every reading: on δ, ε, ∂ and on known vectors, and beside those
+  std::set<std::string> sure;  // indices in every reading: on δ, ε, ∂ and on known vectors, and next to those
 
   [[nodiscard]] bool is_index(const std::string& letter) const;
   /// Primes behind the letter do not count.

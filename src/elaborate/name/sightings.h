@@ -20,7 +20,7 @@ struct Sightings {
   std::set<NameKey> rates;                        // a time derivative of it is written
   std::set<std::pair<std::string, bool>> fields;  // that a ∂ or ∇ stands directly before: base, vector?
   std::set<std::pair<std::string, bool>> partial_rates;  // that a ∂/∂t stands directly before
-  bool places = false;                                   // some derivative by place is written
+  bool places = false;                                   // some derivative by a coordinate is written
   std::set<std::string> mixed_axes;                      // `\lambda_{i'j}`: two indices, one of them primed
   std::set<std::string>
       diagonal;            // X where `X_i = X_{ii}` or `X_{ij} = X_i\delta_{ij}` is said: principal values

@@ -26,7 +26,7 @@ MaybeTyped elaborate_fraction(Reading& reading, SyntaxId id, const Around& aroun
   return divide(reading, *dividend, *divisor, reading.syntax[id].span);
 }
 
-/// Words in a bracket may say anything of what is beside them.
+/// Words in a bracket may say anything about what is next to them.
 MaybeTyped elaborate_group(Reading& reading, SyntaxId id, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   for (const SyntaxChild& words : syntax.children(id).subspan(1)) {

@@ -119,7 +119,7 @@ MaybeTyped with_places_open(Reading& reading, Typed typed, Span span) {
       "the partial time derivative of a quantity that is defined by the position is not decided");
 }
 
-/// Derivatives by place run over the three axes of the common space.
+/// Derivatives by coordinates run over the three axes of the common space.
 bool has_other_places(Reading& reading, Span span) {
   if (space_of(reading.names.symbols) == common_space) return false;
   unsupported(reading, span, "derivatives by place are read in three dimensions only");

@@ -98,8 +98,8 @@ struct Reading {
 /// A reading that nothing but the statement itself suggests: such a statement may be proved, never refuted.
 [[nodiscard]] std::optional<Obstacle> guess_of(const Reading& reading);
 void note(Reading& reading, std::string convention);
-/// Of x, y, z, the vector r and the vector x, any one can be the position; two of them are related in a way
-/// that nothing says.
+/// Of x, y, z, the vector r and the vector x, any one can be the position; nothing says how two of them are
+/// related.
 void note_position(Reading& reading, SymbolId symbol);
 
 /// The symbol of a key; the directive that declares it is used.

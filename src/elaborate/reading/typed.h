@@ -34,7 +34,7 @@ struct Typed {
   std::vector<FreeIndex> bound = {};         // letters summed inside
 };
 
-/// Nothing where there is a mistake, of which a diagnostic tells.
+/// Nothing where there is a mistake, which a diagnostic reports.
 using MaybeTyped = std::optional<Typed>;
 
 /// The union of both lists by letter.

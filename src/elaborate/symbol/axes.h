@@ -22,7 +22,7 @@ struct Subscript {
 /// An index variable: no digit, no x, y, z.
 [[nodiscard]] bool is_index_letter(const WrittenIndex& axis);
 [[nodiscard]] bool any_primed(const std::vector<WrittenIndex>& axes);
-/// The component of a vector or tensor along axes some of which are primed: A_i' = λ_i'a A_a.
+/// The component of a vector or tensor along primed (and other) axes: A_i' = λ_i'a A_a.
 [[nodiscard]] MaybeTyped along_axes(Reading& reading, Typed whole, const std::vector<WrittenIndex>& axes,
                                     Span span, const Around& around);
 /// `\lambda_{i'j}` and `\lambda_{ji'}` are the same cosine; where no prime is written in all of a statement,

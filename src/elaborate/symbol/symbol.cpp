@@ -168,7 +168,7 @@ MaybeTyped length_or_scalar(Reading& reading, const Occurrence& at) {
     if (is_plain(names.symbols, {name.base, rank, particle}))
       return named_symbol(reading, at, name.base, rank);
   }
-  // A letter that is bold in another section only is another one here, where it stands at all.
+  // A letter that is bold in another section only is another letter here.
   const Evidence& here = *names.symbols.evidence;
   const bool bold_here = name.base == "r" || !here.letters.contains(at.written.letter) ||
                          here.vectors.contains(letter_with_marks(at.written));

@@ -11,7 +11,7 @@
 
 namespace rigor {
 
-/// Σ terms[k] x^(first + k), of which nothing is known from x^(first + terms.size()) on. A term that is
+/// Σ terms[k] x^(first + k), unknown from x^(first + terms.size()) on. A term that is
 /// nothing is 0.
 struct PowerSeries {
   int first = 0;
@@ -20,7 +20,7 @@ struct PowerSeries {
 };
 
 /// Sums, products, quotients and integer powers multiply out; sin, cos and exp of u, and √u, follow from
-/// (e^u)' = u'e^u and (√u)²= u. What the symbol does not stand in is its own term of order 0. A divisor may
+/// (e^u)' = u'e^u and (√u)²= u. An expression without the symbol is its own term of order 0. A divisor may
 /// vanish at 0, as in sin x/x: its first term that is not 0 divides, and so it is asked which that is.
 /// Cost: quadratic in the number of terms for each node.
 class PowerSeriesExpansion {

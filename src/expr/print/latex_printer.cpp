@@ -135,7 +135,7 @@ LatexPrinter::Piece LatexPrinter::power(ExprId id) {
   const int exponent = tree_[id].exponent;
   const ExprId base = child(id);
   if (exponent == 1) return piece(base);
-  // `a^{0}` can say of which order it is.
+  // `a^{0}` can mean the order of a term, not a power.
   if (exponent == 0) return {in_brackets(piece(base)).text + exponent_text(exponent), Level::factor};
   if (tree_[base].op == Op::function && tree_[base].function != Function::exp && exponent >= 0)
     return function(base, exponent);

@@ -14,7 +14,7 @@ struct LatexName {
   std::string labels;  // of the subscript, without its braces
   std::string behind;  // labels that stand behind the indices: `{}_{\text{x}}`
 
-  /// Is a label a lone digit or letter, which index letters beside it would run into?
+  /// Is a label a lone digit or letter, which index letters next to it would run into?
   [[nodiscard]] bool has_bare_label() const;
 };
 

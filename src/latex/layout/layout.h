@@ -14,7 +14,7 @@
 namespace rigor {
 
 enum class BoxKind : std::uint8_t {
-  row,       // parts beside each other
+  row,       // parts side by side
   letter,    // `text`: one letter, or a word in upright type
   number,    // `text`: `3.14`
   sign,      // `text`: an operator, a relation, a bracket, punctuation (see `SignRole`)
@@ -41,7 +41,7 @@ enum class SignRole : std::uint8_t {
   bar,  // | of an absolute value: opens or closes
   punctuation,
   big,       // ∑: scripts stand below and above
-  integral,  // ∫: scripts stand beside
+  integral,  // ∫: scripts are next to it
   word,      // lim, max: scripts stand below
 };
 

@@ -6,7 +6,7 @@
 namespace rigor {
 namespace {
 
-/// Containers inside containers, each of which shows when the one around it is gone.
+/// Containers inside containers: each shows when the one around it is gone.
 constexpr int most_nested = 24;
 
 class DialectMarks {

@@ -46,7 +46,7 @@ std::optional<std::string> digits_of(std::string_view text, bool& negative) {
 
 }  // namespace
 
-/// `\qty` with two braces of which the second holds a unit; with anything else it is a bracket of the physics
+/// `\qty` with two braces, the second with a unit; with anything else it is a bracket of the physics
 /// package.
 bool Parser::starts_quantity(const Cursor& cursor) {
   const std::string_view name = cursor.token().text;

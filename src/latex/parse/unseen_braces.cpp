@@ -122,7 +122,7 @@ bool is_change(TokenView group) {
   return rest.operands == 1 && !rest.sum && !rest.joined && !rest.power;
 }
 
-/// What stands beside a group.
+/// What is next to a group.
 struct Sides {
   const Token* before = nullptr;
   const Token* behind = nullptr;

@@ -11,7 +11,7 @@ namespace rigor {
 /// or one bracket, nor a sum or a product between signs where it may stand without the braces. Cost: linear.
 [[nodiscard]] bool groups_unseen(TokenView tokens, std::size_t at);
 
-/// `{x^2}^3`, of which a reader sees x²³.
+/// `{x^2}^3`, which a reader sees as x²³.
 [[nodiscard]] bool stacks_powers(TokenView tokens, std::size_t at);
 
 /// Is there a sum of several terms in it? Of `\cos{\omega t + \alpha}` a reader sees cos ωt + α.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What "and cyclic permutations" says beside an equation: the same with every axis replaced by the next one.
+// What "and cyclic permutations" next to an equation says: the same with every axis replaced by the next one.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct WrittenAxes {
   Span place = {};
 };
 
-/// The axes in all sides of an equation, none of which is empty. Cost: linear in the sides.
+/// The axes in all sides of an equation; no side is empty. Cost: linear in the sides.
 [[nodiscard]] WrittenAxes axes_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides);
 
 /// The expression with 1 → 2 → 3 → 1, x → y → z → x and i → j → k → i wherever they stand for axes: on

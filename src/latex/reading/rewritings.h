@@ -76,7 +76,7 @@ struct SideTerm {
 [[nodiscard]] Rewriting with_term(TokenView side, TokenView term, Coefficient times);
 
 /// A term with some of its letters, indices or digits exchanged, turned in a cycle, or replaced by other
-/// letters of the chain: what may stand beside it. Those that change nothing are left out.
+/// letters of the chain: what may be next to it. Those that change nothing are left out.
 [[nodiscard]] std::vector<Tokens> images_of_term(TokenView term, const std::vector<TokenView>& chain);
 
 /// The symbols of a chain with their faces, without scripts, each once: `\mathbf{A}`, `m`.

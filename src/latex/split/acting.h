@@ -21,8 +21,8 @@ struct UprightWord {
 
 /// `\text{$a$}`: what stands between the two signs; nothing if there is more or less in the words.
 [[nodiscard]] std::optional<TokenView> mathematics_in(TokenView words);
-/// `\textbf{a}`, `\text{$a + b$}`, `\text{sin}`, `\operatorname{grad}`: part of an expression, whatever
-/// stands beside it.
+/// `\textbf{a}`, `\text{$a + b$}`, `\text{sin}`, `\operatorname{grad}`: part of an expression, whatever is
+/// next to it.
 [[nodiscard]] bool writes_mathematics(TokenView tokens, std::size_t at);
 
 /// `O(x^2)`, `\mathcal O(\epsilon)`, `\order{x}`: the place behind it; `at` itself for anything else.

@@ -334,7 +334,7 @@ class StatementSplitter {
     add_equations(tokens);
   }
 
-  /// `(\text{no sum})`, `(a, b constant)`: signs beside an equation that are no equation.
+  /// `(\text{no sum})`, `(a, b constant)`: signs next to an equation that are no equation.
   void add_remark(TokenView tokens) {
     const Remark whole = remark_of(spoken(tokens));
     if (whole == Remark::no_sum || whole == Remark::cyclic) return note_words(tokens, true);

@@ -19,7 +19,7 @@ namespace rigor {
 [[nodiscard]] bool is_stacked_relation(TokenView tokens, std::size_t at);
 /// Is there a relation outside all brackets?
 [[nodiscard]] bool has_relation(TokenView tokens);
-/// `i = j`, `(i \ne j)`: bare index letters on both sides, so a condition on the equation beside it.
+/// `i = j`, `(i \ne j)`: bare index letters on both sides, so a condition on the equation next to it.
 [[nodiscard]] bool relates_index_letters(TokenView tokens);
 /// Does it end in a relation or an operator, so that more must follow?
 [[nodiscard]] bool ends_open(TokenView tokens);

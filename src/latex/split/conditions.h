@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When an equation holds: `\text{for } x > 0` beside it, `\tag{if $b = 0$}`, `\underbrace{X}_{0}` in it. Only
-// what is read to its last token is a condition; the words are a closed list that docs/notation.md shows.
+// When an equation holds: `\text{for } x > 0` next to it, `\tag{if $b = 0$}`, `\underbrace{X}_{0}` in it.
+// Only what is read to its last token is a condition; the words are a closed list that docs/notation.md
+// shows.
 #pragma once
 
 #include <optional>

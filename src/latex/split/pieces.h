@@ -27,7 +27,7 @@ struct Piece {
   TokenView inside = {};  // of bars
 };
 
-/// Pieces beside each other at one depth of brackets. Layout (blanks, `&`, `\\`, spacing) is left out.
+/// Pieces side by side at one depth of brackets. Layout (blanks, `&`, `\\`, spacing) is left out.
 struct PieceLevel {
   std::vector<Piece> pieces;
   bool whole_side = false;

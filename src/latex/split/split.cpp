@@ -139,7 +139,7 @@ class RowJoiner {
       before.open_brackets += count_open_brackets(tokens);
       return;
     }
-    // `a &= b & \text{if } i \ne j`: what stands beside an equation belongs to it.
+    // `a &= b & \text{if } i \ne j`: what is next to an equation belongs to it.
     const bool beside = column > 0 && column <= open_.size() && !starts_with_relation(tokens) &&
                         (!has_relation(tokens) || relates_index_letters(tokens) || is_words(tokens.front()));
     if (beside) {
@@ -217,7 +217,7 @@ void add_conditions(WrittenChain& chain, const std::vector<Tokens>& in_tag) {
       DiagnosticKind::restricted, fmt::format("it is said for `{}`", text_of(chain.assumed.front())), {}};
 }
 
-/// Signs that nobody read keep what stands around them from being judged.
+/// Around signs that nobody read, nothing is judged.
 void refuse(std::vector<WrittenChain>& chains, const Token& left_over) {
   for (WrittenChain& chain : chains) {
     if (chain.condition) continue;

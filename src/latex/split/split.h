@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Second half of splitting a display: from rows to chains `a = b = c`, each with its tag and with what stands
-// beside it.
+// Second half of splitting a display: from rows to chains `a = b = c`, each with its tag and with what is
+// next to it.
 #pragma once
 
 #include <optional>
@@ -32,19 +32,19 @@ struct WrittenChain {
   std::vector<WrittenRelation> relations;
   std::string tag;
   std::string label;
-  /// Words or signs beside the equation that change what it says ("no sum", "if i ≠ j", an implication) and
+  /// Words or signs next to the equation that change what it says ("no sum", "if i ≠ j", an implication) and
   /// are not read.
   std::optional<Obstacle> condition;
   Span condition_span;
-  /// Words beside the equation that may restrict it ("to first order"): it may be proved, never refuted.
+  /// Words next to the equation that may restrict it ("to first order"): it may be proved, never refuted.
   std::optional<Obstacle> doubt;
   /// Relations that say when it holds: behind "for" or "if", in its tag, at its braces. Where there are some,
   /// there is a doubt.
   std::vector<WrittenChain> assumed;
-  bool alternative = false;  // "or" stands beside it
-  /// "(no sum)" beside the equation: no letter is summed but under an explicit sign.
+  bool alternative = false;  // "or" is next to it
+  /// "(no sum)" next to the equation: no letter is summed but under an explicit sign.
   bool no_sum = false;
-  /// "and cyclic permutations", "etc." beside the equation or right behind the display: it is said for
+  /// "and cyclic permutations", "etc." next to the equation or right after the display: it is said for
   /// 1 → 2 → 3 → 1 (x → y → z → x), too.
   bool cyclic = false;
   std::size_t statement = 0;  // which statement of the display; equations on one line share it

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every sign counts: which tokens of a display were read, and as what. Whoever takes a token into a node, a
-// tag or a remark says so; a token of which nobody says so makes its statement not understood. So a place
+// tag or a remark says so; a token that nobody accounts for makes its statement not understood. So a place
 // that forgets a token can lose a verdict, and never change what was written.
 #pragma once
 

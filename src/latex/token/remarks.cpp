@@ -49,7 +49,7 @@ const WordSet& names() {
   return people;
 }
 
-/// Words between equations, of which none says more than that another one follows.
+/// Words between equations that only say that another one follows.
 const WordSet& connectives() {
   static const WordSet words(R"(
       and or so thus hence therefore ie also while but giving gives which similarly it likewise now again

@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// What words beside an equation do to it.
+/// What words next to an equation do to it.
 enum class Remark : std::uint8_t {
   connective,  // "and", "therefore": another equation follows
   no_sum,      // "no sum over i": repeated indices in it are not summed
@@ -21,7 +21,7 @@ enum class Remark : std::uint8_t {
 /// English words. A letter among them stands for the symbol of that name.
 [[nodiscard]] Remark remark_of(const std::string& words);
 
-/// Words that tell at once that they are beside the equation: "by Jacobi", "(definition)", ", as above".
+/// Words that tell at once that they are not part of the equation: "by Jacobi", "(definition)", ", as above".
 [[nodiscard]] bool stands_apart(const std::string& words);
 
 /// The symbols that are named among words: `i` of "no sum over $i$", `alpha` of "for all $\alpha$".

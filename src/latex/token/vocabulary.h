@@ -60,7 +60,7 @@ enum class RelationKind : std::uint8_t {
 /// otherwise. Empty where the token writes no letter.
 [[nodiscard]] std::string letter_of(const Token& token);
 [[nodiscard]] bool is_greek(std::string_view letter);
-/// What is asked for: the letter of `\square`, `\Box`, and of `?` where an operand is expected.
+/// A hole: the letter of `\square`, `\Box`, and of `?` where an operand is expected.
 inline constexpr std::string_view hole_letter = "\\square";
 /// Is `?` at this place the operand that a reader asks for, rather than the mark of a question?
 [[nodiscard]] bool is_asking_mark(std::span<const Token> tokens, std::size_t at);

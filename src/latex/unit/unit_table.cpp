@@ -73,7 +73,7 @@ constexpr auto prefix_table = std::to_array<Prefix>({{"da", "deca", 1},
                                                      {"p", "pico", -12},
                                                      {"f", "femto", -15}});
 
-/// Units of which no multiples are made by prefixes.
+/// Units that take no prefix.
 bool takes_prefix(const NamedUnit& unit) {
   return unit.factor == 1 && unit.sign != "rad" && unit.sign != "sr";
 }

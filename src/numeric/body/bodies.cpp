@@ -79,7 +79,7 @@ KnownInertia inertia_of(const SecondMoments& second, double mass, double mass_er
   return known;
 }
 
-/// The places of a part's particles in the whole, of which `place` is the part's.
+/// The places of a part's particles in the whole; `place` is the part's.
 void add_places(Body& whole, const Body& part, std::size_t axis, double place) {
   const std::vector<double> errors = place_errors(part, axis);
   for (std::size_t k = 0; k < part.size(); ++k) {

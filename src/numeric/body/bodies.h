@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies made of bodies, and bodies of which only the moments are given.
+// Bodies made of bodies, and bodies given by their moments only.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ struct SecondMoments {
 
 /// Six particles of M/6 at ±√(3 λ_k) along the principal axes of the second moments, λ_k their eigenvalues:
 /// the same mass, centre and inertia tensor. The errors of the body are those of its places from the places
-/// of six such particles of exactly these second moments; `mass_error`: beside the mass.
+/// of six such particles of exactly these second moments; `mass_error`: relative to the mass.
 [[nodiscard]] Result<Body> equimomental_body(std::string name, double mass, const SecondMoments& second,
                                              double mass_error = 0);
 [[nodiscard]] Result<Body> equimomental_body(std::string name, double mass,

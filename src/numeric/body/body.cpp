@@ -16,7 +16,7 @@
 namespace rigor {
 namespace {
 
-/// Of a centre of mass from sharp sums, beside the extent of its body.
+/// The error of a centre of mass from sharp sums, relative to the extent of its body.
 constexpr double centre_rounding = 0x1p-90;
 
 }  // namespace

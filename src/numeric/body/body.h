@@ -22,14 +22,14 @@ struct KnownInertia {
   InertiaTensor low{};      // to be added to it
   bool is_sharp = false;    // inertia + low is what is said of the body, to `error`
   double error = 0;         // kg m², bound of the error of any entry
-  double mass_error = 0;    // bound, beside the mass
+  double mass_error = 0;    // bound, relative to the mass
 };
 
 /// How far masses and places, as they are held, may be from those of the body that was described: bounds. The
 /// described body is that of the doubles that were given, in SI units.
 struct BodyErrors {
-  double mass = 0;                               // of each, beside itself
-  double place = 0;                              // of each coordinate, beside itself,
+  double mass = 0;                               // of each, relative to itself
+  double place = 0;                              // of each coordinate, relative to itself,
   double shift = 0;                              // m, and on top of that,
   std::array<std::vector<double>, 3> each = {};  // and of this one of this particle, unless it is empty
 };
@@ -76,7 +76,7 @@ struct MovedCoordinates {
 [[nodiscard]] MovedCoordinates moved_coordinates(const double* coordinates, std::size_t count,
                                                  std::size_t stride, const HighLow& centre, double unit = 1);
 
-/// What is known of the inertia of points from their sharp sums, in units of which one is `unit` m; nothing
+/// What is known of the inertia of points from their sharp sums, in units of `unit` m; nothing
 /// where that overflows.
 [[nodiscard]] std::optional<KnownInertia> known_inertia(const SharpMassSums& sums, double unit = 1);
 

@@ -9,7 +9,7 @@ namespace rigor {
 
 /// kg. Error: the last rounding. Infinite where the sum overflows.
 [[nodiscard]] double total_mass(const Body& body);
-/// Error: the last rounding, beside 2^-90 of the body's extent. Cost: 3 ns a particle.
+/// Error: the last rounding, in addition to 2^-90 of the body's extent. Cost: 3 ns a particle.
 [[nodiscard]] Result<Position> centre_of_mass(const Body& body);
 
 /// About the body's centre of mass, along its axes, wherever the body is: see `mass_sums`. Cost: one pass,

@@ -212,7 +212,7 @@ SharpPosition unscaled_centre(const MomentFinder::FoundMoments& found) {
   return centre;
 }
 
-/// The bound of `SharpMassSums`, beside the greatest entry.
+/// The bound of `SharpMassSums`, relative to the greatest entry.
 double sharp_error(const PointMoments& moments, double greatest) {
   if (moments.greatest == 0) return 0;  // all points are at one place
   if (!(greatest >= 0x1p-900)) return std::numeric_limits<double>::infinity();

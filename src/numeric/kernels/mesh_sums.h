@@ -18,7 +18,7 @@ struct MeshErrors {
   double volume = 0;                                      // of itself
   std::array<double, 3> centre{};                         // m
   std::array<std::array<double, 3>, 3> second_moments{};  // m²
-  double greatest = 0;                                    // of the second moments ii, beside themselves
+  double greatest = 0;                                    // of the second moments ii, relative to themselves
 };
 
 /// With a density of 1. The low parts are right if everything was summed in double-double (`sharp`), else 0
@@ -37,7 +37,7 @@ struct MeshMoments {
                                                 const MeshErrors& errors);
 
 /// Is every corner a vertex, and are there between 1 and 2^31 vertices? The reason names the first triangle
-/// of which one is not, from 1.
+/// with a corner that is not, from 1.
 [[nodiscard]] Result<void> check_corners(std::size_t vertices,
                                          std::span<const std::array<std::uint32_t, 3>> triangles,
                                          const LaneKernels& kernels = lane_kernels());
@@ -59,11 +59,11 @@ enum class MeshSharpness { if_needed, always };
 /// for the coordinates as they are, at distances up to 1e12 and thicknesses down to 1e-8, measured by
 /// mesh_sums_test for surfaces of one part: volume 0.9 u; centre 1 u of each coordinate or of √(ii); second
 /// moment ij 3 u √(ii jj): 1.2 u on most, 1.7 u on small ellipsoids of unlike axes. Sharp: `errors`, proved
-/// in mesh_sums.cpp; some N 2^-97 of the volume of the mesh's box over V. Parts that are small beside the box
-/// are lost in it: `mesh_parts.h` takes each by itself. Fails where a corner is no vertex, a coordinate is
-/// not finite, the volume cannot be told from 0 (below 1e-24 of the box's volume for 1e4 triangles), a second
-/// moment ii is known to less than 2^-26 of itself or not positive (a surface through itself, or one of
-/// several inside out), or something overflows.
+/// in mesh_sums.cpp; some N 2^-97 of the volume of the mesh's box over V. Parts that are small compared with
+/// the box are lost in it: `mesh_parts.h` takes each by itself. Fails where a corner is no vertex, a
+/// coordinate is not finite, the volume cannot be told from 0 (below 1e-24 of the box's volume for 1e4
+/// triangles), a second moment ii is known to less than 2^-26 of itself or not positive (a surface through
+/// itself, or one of several inside out), or something overflows.
 [[nodiscard]] Result<MeshMoments> mesh_moments(std::span<const Position> vertices,
                                                std::span<const std::array<std::uint32_t, 3>> triangles,
                                                MeshSharpness sharpness = MeshSharpness::if_needed,

@@ -321,7 +321,8 @@ MendedResults mend_by_invariants(const SharpTensor& tensor, const SmallResults& 
                                  PrincipalMoments& principal) {
   const Invariants exact = invariants_of(tensor);
   if (exact.zeros.gaps == 2) return {};
-  constexpr double large_enough = 0x1p-30;  // beside the greatest moment: the kernel has it to 2^-70 then
+  constexpr double large_enough =
+      0x1p-30;  // relative to the greatest moment: the kernel has it to 2^-70 then
   auto& moments = principal.moments;
   if (small.moment) {
     std::array<std::size_t, 3> order = {0, 1, 2};

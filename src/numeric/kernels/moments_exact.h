@@ -15,7 +15,7 @@ namespace rigor {
 /// entries differ by 400 powers of ten. Nothing where a moment overflows or an entry is not finite.
 [[nodiscard]] std::optional<PrincipalAxes> solved_in_many_digits(const SharpTensor& tensor);
 
-/// Which of a kernel's results are too small beside its rounding errors.
+/// Which of a kernel's results are too small compared with its rounding errors.
 struct SmallResults {
   bool gap = false;
   bool moment = false;

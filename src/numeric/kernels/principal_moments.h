@@ -44,7 +44,7 @@ struct PrincipalAxes {
   std::array<Position, 3> axes{};  // unit vectors in the order of the moments
 };
 
-/// One tensor, of which the lower triangle is read. Method: `moments_lanes.h`; where that does not do, exact
+/// One tensor; only its lower triangle is read. Method: `moments_lanes.h`; where that does not do, exact
 /// invariants, and then rotations in as many digits as it takes (`moments_exact.h`). Cost: 0.2 us; 0.5 us;
 /// from 40 us on. Fails where an entry is not finite, or a moment or a gap overflows.
 [[nodiscard]] Result<PrincipalMoments> principal_moments(const InertiaTensor& tensor);

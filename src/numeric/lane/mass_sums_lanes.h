@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums over points in lanes: see mass_sums.h. There are always 8 logical lanes: point k belongs to lane k mod
 // 8, and fewer physical lanes pass over a block several times. The order of every sum is therefore fixed: in
-// each lane of a block chains of 8 terms, of which a binary tree; the blocks compensated; then the lanes.
+// each lane of a block, chains of 8 terms, which a binary tree adds up; then the blocks, compensated; then
+// the lanes.
 #pragma once
 
 #include "numeric/lane/double_double.h"

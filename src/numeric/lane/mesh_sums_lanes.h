@@ -18,7 +18,7 @@ struct MeshCorners {
   Lanes at[3][3];  // corner, coordinate
 };
 
-/// x, y and z of the vertices, one of which each lane takes.
+/// x, y and z of the vertices; each lane takes one.
 RIGOR_INLINE void load_vertices(const double* packed, const std::uint32_t (&vertices)[lanes],
                                 Lanes (&xyz)[3]) {
 #if RIGOR_LANES == 8
@@ -41,7 +41,7 @@ RIGOR_INLINE void load_vertices(const double* packed, const std::uint32_t (&vert
 #endif
 }
 
-/// The triangles from `corners` on, of which each lane takes one.
+/// The triangles from `corners` on; each lane takes one.
 RIGOR_INLINE MeshCorners load_corners(const double* packed, const std::uint32_t* corners) {
   MeshCorners c;
   for (int corner = 0; corner < 3; ++corner) {

@@ -8,7 +8,8 @@ namespace rigor {
 /// What is known of a tensor's results; numbers, as they stand in a column of doubles.
 struct MomentsState {
   static constexpr double good = 0;
-  // From the lane kernel, and nowhere else: what is too small beside the rounding errors. Both: their sum.
+  // From the lane kernel, and nowhere else: what is too small compared with the rounding errors. Both: their
+  // sum.
   static constexpr double small_gap = 1;
   static constexpr double small_moment = 2;
   static constexpr double lost = 4;  // nothing is known

@@ -8,8 +8,8 @@
 // * the separate eigenvalue is decoupled to second order, the pair is a 2×2 problem whose gap √(δ² + 4o²)
 //   has no cancellation.
 // The absolute error of eigenvalues and gaps is at most `moments_rounding` v |b|, v = 2^-106; lanes in which
-// that is not small beside a result say so: see `MomentsState`. That bound is not proved: 39 v was the worst
-// in 3e5 tensors of all kinds. Cost: some 730 operations, 4 divisions and 6 roots; axes 100 more.
+// that is not small compared with a result say so: see `MomentsState`. That bound is not proved: 39 v was the
+// worst in 3e5 tensors of all kinds. Cost: some 730 operations, 4 divisions and 6 roots; axes 100 more.
 #pragma once
 
 #include "numeric/lane/moments_columns.h"
@@ -26,7 +26,7 @@ struct Eigensystem {
 };
 
 inline constexpr double moments_rounding = 64;
-/// How large an eigenvalue or a gap must be beside its absolute error: 8 u.
+/// How large an eigenvalue or a gap must be compared with its absolute error: 8 u.
 inline constexpr double good_beside = 0x1p-50;
 /// Where S is less diagonal than that, terms of third order count: 2^-114 of b otherwise.
 inline constexpr double nearly_diagonal = 0x1p-38;

@@ -15,7 +15,7 @@
 
 namespace rigor::RIGOR_INSTRUCTION_SET {
 
-/// Diagonal a_ii, and beside it a_jk for the cyclic (i, j, k).
+/// Diagonal a_ii, and off it a_jk for the cyclic (i, j, k).
 template <class T>
 struct SymmetricTensor {
   DoubleDouble<T> diagonal[3];

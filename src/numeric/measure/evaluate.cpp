@@ -9,7 +9,7 @@
 namespace rigor {
 namespace {
 
-/// Beside `to_double` of QD.
+/// Next to `to_double` of QD.
 template <class T>
 double to_double(const T& value) {
   return static_cast<double>(value);

@@ -24,7 +24,7 @@ template <unsigned digits>
   return result.is_known_to(known_bits) ? Known::value : Known::unknown;
 }
 
-/// The results of all samples, and those samples of which some result is not known.
+/// The results of all samples, and the samples with an unknown result.
 class Settlement {
  public:
   Settlement(const Program& program, const Samples& samples, std::span<const std::uint32_t> at)

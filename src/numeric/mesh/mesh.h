@@ -13,8 +13,8 @@
 
 namespace rigor {
 
-/// Vertices at the same place become one (−0 is 0), in the order in which they come first. Left out are
-/// triangles of which two corners coincide and vertices that are then no corner. Cost: O(N), 6 ns a
+/// Vertices at the same place become one (−0 is 0), in the order in which they come first. Triangles with two
+/// corners that coincide are left out, and so are vertices that are then no corner. Cost: O(N), 6 ns a
 /// triangle. Fails where a corner is no vertex or a coordinate is not finite, and says which.
 [[nodiscard]] Result<Mesh> welded(const Mesh& mesh);
 
@@ -34,23 +34,23 @@ struct MeshMass {
   std::size_t degenerate = 0;      // triangles without an area, which do no harm
   bool is_sharp = false;           // everything was summed in double-double: what follows is known
   InertiaTensor low{};             // to be added to the second moments
-  double volume_error = 0;         // bounds of errors: beside the volume,
+  double volume_error = 0;         // bounds of errors: relative to the volume,
   double error = 0;                // of any second moment, m²
 };
 
-/// In lengths of which one is `unit` of the mesh's. Fails where something overflows.
+/// In a unit of length that is `unit` of the mesh's. Fails where something overflows.
 [[nodiscard]] Result<MeshMass> in_unit(MeshMass enclosed, double unit);
 
 /// Welds, checks and sums up (`kernels/mesh_sums.h`: formula, source and error; where that loses digits,
 /// `mesh_parts.h`). Where the volume is negative, all triangles are turned. Fails where a corner is no
 /// vertex, a coordinate is not finite, the surface is open, the volume cannot be told from 0, or something
-/// overflows. Cost: 37 ns a triangle up to 3e4 triangles, of which the sums are 5.5; 43 ns at 1e5 and 100 ns
+/// overflows. Cost: 37 ns a triangle up to 3e4 triangles (the sums take 5.5 of them); 43 ns at 1e5 and 100 ns
 /// from 5e5 on, where its tables leave the caches.
 [[nodiscard]] Result<MeshMass> mesh_mass(const Mesh& mesh,
                                          MeshSharpness sharpness = MeshSharpness::if_needed);
 
 /// The homogeneous body of that mass as six particles (`equimomental_body`), along the axes of the mesh;
-/// `mass_error`: beside the mass.
+/// `mass_error`: relative to the mass.
 [[nodiscard]] Result<Body> mesh_body(std::string name, const MeshMass& enclosed, double mass,
                                      double mass_error = 0);
 

@@ -33,7 +33,7 @@ class VertexSets {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// Beside a result of a few operations on two parts each.
+/// Relative to a result of a few operations on two parts each.
 constexpr double rounding = 0x1p-97;
 
 /// A part, with its share of the volume and its centre from that of the largest.

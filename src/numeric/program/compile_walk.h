@@ -102,7 +102,7 @@ class ExpressionCompiler {
   std::vector<std::uint32_t> particle_;  // by particle variable, as InputParticle says; `unbound`
   std::vector<SymbolState> symbols_;
   std::vector<SymbolComponents> known_;
-  std::vector<Operand> known_components_;  // two marks beside operands: not asked for yet, being unfolded
+  std::vector<Operand> known_components_;  // two marks among operands: not asked for yet, being unfolded
   std::vector<std::uint32_t> input_of_;    // by symbol and component: input plus 1
   std::vector<SumParticles> sums_;
   std::vector<Operand> stack_;

@@ -15,8 +15,8 @@
 namespace rigor {
 namespace {
 
-constexpr double line_width = 33;           // in em, for mathematics beside a mark
-constexpr double small_width = 34;          // in em of the small print, for mathematics beside a rule
+constexpr double line_width = 33;           // in em, for mathematics next to a mark
+constexpr double small_width = 34;          // in em of the small print, for mathematics next to a rule
 constexpr double most_derived_width = 110;  // in em of the small print: no line of a derivation is wider
 constexpr double most_width = 300;          // in em: what is wider is shown as source
 

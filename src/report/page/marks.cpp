@@ -66,7 +66,7 @@ bool is_harmless(std::string_view text) {
   return depth == 0 && !in_math;
 }
 
-/// What stands beside the display on its lines, without a comment.
+/// What is on the lines of the display next to it, without a comment.
 std::string beside(Span display, LineColumn begin, LineColumn end, const SourceMap& sources) {
   const Span before{display.file, sources.line_start(display.file, begin.line), display.begin};
   const Span behind{display.file, display.end, sources.line_start(display.file, end.line + 1)};

@@ -33,7 +33,7 @@ struct PageContext {
 /// `notes.md:12`, as a link if the page has one to the notes.
 [[nodiscard]] std::string place_html(const PageContext& page, Span span);
 
-/// What the line of a step shows beside its verdict.
+/// What the line of a step shows next to its verdict.
 enum class StepLine : std::uint8_t {
   gist,      // how, or what is wrong: its equation is the whole display
   relation,  // the relation and the right side: it is one of several in the display

@@ -57,7 +57,7 @@ Plot panel(const TrialResult& trial) {
   return plot;
 }
 
-/// What a cell says beside the error.
+/// What a cell says next to the error.
 std::string event(const ErrorMeasure& measure) {
   if (measure.overflows > 0) return " (overflow)";
   if (measure.not_a_number > 0) return " (not a number)";

@@ -15,7 +15,7 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t widest_text = 72;  // cells beside which a rule stands
+constexpr std::size_t widest_text = 72;  // cells next to which a rule is
 constexpr double widest_line = 24;       // em
 
 /// Mathematics that was printed, laid out.

@@ -15,8 +15,8 @@ namespace rigor {
 /// and why.
 [[nodiscard]] std::string stability_table(std::span<const BodyStability> bodies);
 
-/// Error against push, both logarithmic; points of one kind of motion are one series, beside a line of
-/// slope 2.
+/// Error against push, both logarithmic; points of one kind of motion are one series, next to a line of slope
+/// 2.
 [[nodiscard]] Plot stability_plot(std::span<const BodyStability> bodies);
 
 }  // namespace rigor

@@ -7,7 +7,7 @@
 
 namespace rigor {
 
-/// What the formats for programs that run checks must know besides the report.
+/// What the formats for programs that run checks need apart from the report.
 struct CheckFormat {
   bool strict = false;      // warnings are wrong
   std::string folder = {};  // paths inside it are said from there; empty: as they are

@@ -17,7 +17,7 @@ std::vector<PlacedDiagnostic> diagnostics_of(const FileReport& file) {
   };
   std::stable_sort(all.begin(), all.end(),
                    [&](const PlacedDiagnostic& a, const PlacedDiagnostic& b) { return place(a) < place(b); });
-  // What stands in the way of several steps is said once.
+  // An obstacle of several steps is reported once.
   const auto same = [](const PlacedDiagnostic& a, const PlacedDiagnostic& b) {
     return a.diagnostic->kind == b.diagnostic->kind && a.diagnostic->span == b.diagnostic->span &&
            a.diagnostic->message == b.diagnostic->message;

@@ -14,7 +14,7 @@ struct PlacedDiagnostic {
 };
 
 /// All diagnostics of a file's steps and of the file itself, in the order of their places; at one place,
-/// those of steps first, in their order. What is said of several steps in the same words stands there once.
+/// those of steps first, in their order. A diagnostic of several steps in the same words is listed once.
 [[nodiscard]] std::vector<PlacedDiagnostic> diagnostics_of(const FileReport& file);
 
 }  // namespace rigor

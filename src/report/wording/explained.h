@@ -30,7 +30,7 @@ enum class LineKind : std::uint8_t {
 
 /// One line of a derivation.
 struct ExplainedLine {
-  std::string relation;  // LaTeX, to what stands above: `=`, `\approx`, `<`; `\ne` where `=` is refuted
+  std::string relation;  // LaTeX, to what is above: `=`, `\approx`, `<`; `\ne` where `=` is refuted
   std::string latex;
   std::string rule;  // in words, with names in LaTeX
   LineKind kind = LineKind::holds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The body of a table with `shape`. Keys beside `mass`, `points` and `seed`:
+// The body of a table with `shape`. Keys apart from `mass`, `points` and `seed`:
 //
 //   rod                  length                       along z
 //   hoop, disc           radius, or radii of two      around z

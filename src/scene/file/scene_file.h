@@ -66,7 +66,7 @@ enum class SceneAskKind : std::uint8_t { quantity, over_time, principal_moments,
 struct SceneAsk {
   SceneAskKind kind = SceneAskKind::quantity;
   SceneText name;     // as written, `\mathbf{L}(t)`
-  std::string latex;  // what is asked of the notes, `\mathbf{L}`; empty: nothing
+  std::string latex;  // what the notes are asked for, `\mathbf{L}`; empty: nothing
 };
 
 struct SceneFile {

@@ -16,7 +16,7 @@ constexpr std::size_t trials = 32;
 constexpr std::size_t along_path = 1024;
 constexpr double most_difference = 16 * 0x1p-53;
 constexpr double slowest = 1e-140;  // so that squares of the spin keep all their digits
-constexpr double fastest = 1e100;   // of which those of a needle's may be 2^100 times as large
+constexpr double fastest = 1e100;   // a needle's may be 2^100 times as large
 
 /// Of the law with that of a free body with the moments.
 class Comparison {

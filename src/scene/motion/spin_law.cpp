@@ -41,7 +41,7 @@ constexpr double most_misfit = 1e-6;
 /// What is left of two sides that say the same, against their size.
 constexpr double rounding = 1e-13;
 
-/// Terms of the size of the spin's square, of which the equations' are made, may have cancelled.
+/// The equations have terms of the size of the spin's square, which may have cancelled.
 constexpr double cancelled = 1e-4;
 
 bool is_finite_row(const LawRow& row) { return are_finite(row.coefficients) && std::isfinite(row.rest); }

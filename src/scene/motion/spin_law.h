@@ -3,7 +3,7 @@
 // rates of the spin's components. Three equations that are independent in the rates determine them.
 // Method: the equations are evaluated at the rates 0 and h e_k, which gives their coefficients; Gaussian
 // elimination with full pivoting on rows that are scaled by their largest coefficient; the rates are put back
-// into all equations. An equation in which no rate stands says nothing about the rates and is passed over; so
+// into all equations. An equation without a rate says nothing about the rates and is passed over; so
 // is one with a letter that has no value.
 // Error: a few roundings of the coefficients, since h is 2^200, larger than any rate, and (f(h) − f(0))/h
 // errs by roundings of f(0)/h.

@@ -15,7 +15,7 @@ constexpr double smallest_error = 1e-10;    // errors beneath are those of the i
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// When `component` reaches `level` on the way, after `from`; found between rows, then by Newton's method,
-/// each step of which integrates from the row before. Nothing: not within `until`.
+/// whose steps integrate from the row before. Nothing: not within `until`.
 std::optional<double> time_of(const SpinRates& rates, const Vector3& start, std::size_t component,
                               double level, double until) {
   const MotionRequest request{.spin = start, .duration = until, .rows = 401, .tolerance = tolerance};

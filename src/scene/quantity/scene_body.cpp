@@ -7,7 +7,7 @@
 namespace rigor {
 namespace {
 
-/// 64 u, beside the trace: what differs by less is the rounding of places.
+/// 64 u, relative to the trace: what differs by less is the rounding of places.
 constexpr double alike = 64 * 0x1p-53;
 
 double size_of(double entry) { return std::abs(entry); }
@@ -23,8 +23,8 @@ double greatest_of(const Tensor& tensor) {
 }
 
 /// Of a tensor that is diagonal to rounding: each moment goes to the axis that its own is along. Where two
-/// moments are so close that their axes are not, what stands on the diagonal.
-/// `left_out`: what that may be off by.
+/// moments are so close that their axes are not known, the diagonal is taken. `left_out`: what that may be
+/// off by.
 Result<SharpPosition> moments_in_order_of_axes(const SharpTensor& tensor, Position& left_out) {
   constexpr double nearly_along = 1 - 1e-6;
   SharpPosition diagonal{tensor[0][0], tensor[1][1], tensor[2][2]};

@@ -64,7 +64,7 @@ class SceneBody {
   double tensor_rounding_ = 0;        // of its sums
   double sharp_tensor_rounding_ = 0;  // kg m²
   bool is_said_ = false;              // the sharp tensor is what the file says
-  Position left_out_{};               // of the moments: what a tensor has beside its diagonal
+  Position left_out_{};               // of the moments: what a tensor has off its diagonal
   std::optional<Result<SharpTensor>> sharp_tensor_;
   std::optional<Result<SharpPosition>> moments_;
   std::optional<Result<Axes>> axes_;

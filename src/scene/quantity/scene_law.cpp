@@ -32,7 +32,7 @@ void SceneEvaluation::collect_law(std::set<SceneRole>& read) {
   }
 }
 
-/// If a rate of the spin stands in it.
+/// If it has a rate of the spin.
 void SceneEvaluation::add_to_law(const WrittenFormChain& chain, std::size_t step, std::set<SceneRole>& read) {
   const auto& left = chain.forms[step].expr;
   const auto& right = chain.forms[step + 1].expr;

@@ -51,7 +51,7 @@ Rows by_row(const std::vector<double>& columns, std::size_t rows) {
   return table;
 }
 
-/// Of moments of which the low parts are not shown.
+/// Of moments whose low parts are not shown.
 std::vector<double> own_errors(const Position& errors, const SharpPosition& moments) {
   std::vector<double> all;
   for (std::size_t k = 0; k < 3; ++k) all.push_back((errors[k] + std::abs(moments[k].low)) * (1 + 0x1p-50));
