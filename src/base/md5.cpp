@@ -69,7 +69,7 @@ void add_block(State& state, std::string_view block) {
   state = {state[0] + a, state[1] + b, state[2] + c, state[3] + d};
 }
 
-/// What is behind the last whole block, a one, zeros, and the length in bits.
+/// What is after the last whole block, a one, zeros, and the length in bits.
 std::string last_blocks(std::string_view bytes) {
   std::string rest(bytes.substr(bytes.size() / block_size * block_size));
   rest += '\x80';

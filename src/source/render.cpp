@@ -144,7 +144,7 @@ class Renderer {
   [[nodiscard]] std::string take() { return std::move(out_); }
 
  private:
-  /// One mark a glyph, and one for the place behind the last.
+  /// One mark a glyph, and one for the place after the last.
   static std::string marks_of(const std::vector<Glyph>& glyphs, Span span, const std::vector<Label>& labels) {
     std::string marks(glyphs.size() + 1, ' ');
     const auto underline = [&](Span part) {

@@ -18,7 +18,7 @@ bool Evaluator<Domain>::is_left_out(ExprId id) const {
   });
 }
 
-/// The product of the scalar factors. Behind a 0 they need only have a value.
+/// The product of the scalar factors. After a 0 they need only have a value.
 template <class Domain>
 auto Evaluator<Domain>::scalar_factors(ExprId id) -> Number {
   Number value = domain_->integer(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where an expression may have no value, for `evaluator.h`: 0 · 1/0 has none. What is free of quotients and
-// roots has one for all values of its symbols, and behind a factor 0 it is not evaluated.
+// roots has one for all values of its symbols, and after a factor 0 it is not evaluated.
 #pragma once
 
 #include "algebra/evaluator/evaluator.h"

@@ -190,7 +190,7 @@ void Constraints::give(ConstraintsTrace::Given given, Positions from) {
   trace_.given.push_back(std::move(given));
 }
 
-/// `first`: where the first of the equations is given; behind each stands its square.
+/// `first`: where the first of the equations is given; after each stands its square.
 void Constraints::collect_determinants(std::span<const ex> equations, std::size_t first,
                                        std::size_t position) {
   Indeterminates& known = domain_.indeterminates();

@@ -68,7 +68,7 @@ void put(SamplePoint& point, const Choice& choice) {
   return choices;
 }
 
-/// The next k of n numbers in their order; false behind the last.
+/// The next k of n numbers in their order; false after the last.
 [[nodiscard]] bool next_subset(std::vector<std::size_t>& subset, std::size_t n) {
   const std::size_t k = subset.size();
   for (std::size_t i = k; i-- > 0;) {

@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Answers go to `out`, one a line, those of a file behind their places; what has none goes to `err`.
+/// Answers go to `out`, one a line, those of a file after their places; what has none goes to `err`.
 [[nodiscard]] ExitCode derive_holes(const DeriveCommand& command, std::ostream& out, std::ostream& err);
 
 }  // namespace rigor

@@ -21,7 +21,7 @@
 namespace rigor {
 namespace {
 
-/// What a process says, behind its length: how far it is, or the answer, or what was thrown.
+/// What a process says, after its length: how far it is, or the answer, or what was thrown.
 struct PieceMessage {
   enum class Kind : std::uint8_t { progress, answer, exception };
   Kind kind = Kind::progress;

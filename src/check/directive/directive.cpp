@@ -37,7 +37,7 @@ constexpr std::array directive_words{
     DirectiveWord{"for all", DirectiveKind::for_all},   DirectiveWord{"use", DirectiveKind::use},
     DirectiveWord{"space", DirectiveKind::space}};
 
-/// Those of symbols, before or behind the kind.
+/// Those of symbols, before or after the kind.
 bool describes_symbols(const std::string& word) {
   return word == "symmetric" || word == "unit" || word == "polar" || word == "axial";
 }
@@ -259,7 +259,7 @@ class DirectiveReader {
     return directive;
   }
 
-  /// The dimension behind the colon; what stands before it is left.
+  /// The dimension after the colon; what stands before it is left.
   bool take_dimension(TokenView& part, Directive& directive) {
     const auto colon =
         std::find_if(part.begin(), part.end(), [](const Token& token) { return is_sign(token, ":"); });

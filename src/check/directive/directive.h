@@ -81,7 +81,7 @@ struct Directive {
 [[nodiscard]] std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environment,
                                                     SyntaxTree& syntax, Diagnostics& diagnostics);
 
-/// "and cyclic permutations": the two images of the last chain, behind it; where it has none, one that is on
+/// "and cyclic permutations": the two images of the last chain, after it; where it has none, one that is on
 /// a condition which says so.
 void add_images(std::vector<ParsedChain>& chains, SyntaxTree& syntax);
 

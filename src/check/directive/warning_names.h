@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names behind `allow` and `warn`: `bold-index, idle-sum: why`, `here bold-index`.
+// The names after `allow` and `warn`: `bold-index, idle-sum: why`, `here bold-index`.
 #pragma once
 
 #include "check/directive/directive.h"

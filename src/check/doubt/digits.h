@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number that is written with a decimal point, or behind ≈, stands for all numbers that round to it:
+// A number that is written with a decimal point, or after ≈, stands for all numbers that round to it:
 // 27/16 = 1.69 holds, 27/16 = 1.68 does not, 2^{-53} ≈ 1.11·10^{-16} does. So does a whole number
 // that is computed from decimals: 0.5·9.8·3^2 = 44. Trailing zeros of a whole number may be digits or not. A
 // root is compared by its square, and π by bounds of 14 digits.

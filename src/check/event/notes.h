@@ -45,7 +45,7 @@ struct Notes {
 /// A display of more bytes than this is not read.
 inline constexpr std::uint32_t max_display_bytes = 64 * 1024;
 
-/// A display that is not in the notes: a text of its own, read behind the place of a tag or a heading
+/// A display that is not in the notes: a text of its own, read after the place of a tag or a heading
 /// (nothing, or a name that the notes do not have: at the end), with the notes' macros.
 struct AddedStatement {
   FileId text = 0;

@@ -16,13 +16,13 @@ namespace rigor {
 
 struct FormRequest {
   std::vector<std::string> asked = {};   // LaTeX: `T_{rot}`, `(\Omega_2)^2`, with the notes' macros
-  std::optional<std::string> at = {};    // a tag or a heading: asked for behind it; nothing: at the end
+  std::optional<std::string> at = {};    // a tag or a heading: asked for after it; nothing: at the end
   std::optional<std::string> sidecar{};  // without it, `NAME.rigor` next to the notes, if there is one
   /// Tags or headings. Given, only these chains, and those that define what they or the asked need, are
   /// elaborated, and nothing is decided but whether a name gets a second meaning. Nothing: all chains, each
   /// step decided.
   std::optional<std::vector<std::string>> only = {};
-  std::optional<std::string> statement = {};  // a display more, behind `at`
+  std::optional<std::string> statement = {};  // a display more, after `at`
   bool answer_holes = false;                  // what `\square` may be is looked for
 };
 

@@ -61,14 +61,14 @@ struct SectionBegins {};
 struct StatementEnds {};
 
 struct LedgerEntry {
-  std::shared_ptr<const Names> scope;  // behind it
+  std::shared_ptr<const Names> scope;  // after it
   std::variant<Statement, UnitLine, FrameLine, SectionBegins, StatementEnds> what;
 };
 
 struct Ledger {
   ExprTree tree;
   std::vector<LedgerEntry> entries;
-  std::vector<std::shared_ptr<const Names>> behind_events;  // the scope behind each event
+  std::vector<std::shared_ptr<const Names>> behind_events;  // the scope after each event
   std::shared_ptr<const Names> end;                         // and where the notes end
   std::deque<ParsedChain> chains;           // those that are not of the notes: with fewer readings
   Directives used;                          // by what was read and decided

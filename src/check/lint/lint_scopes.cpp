@@ -14,7 +14,7 @@ bool is_statement(const Event& event) {
   return placed != nullptr && placed->directive.kind == DirectiveKind::claim;
 }
 
-/// The event behind the section in which `from` stands.
+/// The event after the section in which `from` stands.
 std::size_t end_of_section(const std::vector<Event>& events, std::size_t from) {
   int level = 0;
   for (std::size_t k = 0; k < from; ++k) {

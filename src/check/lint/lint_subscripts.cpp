@@ -29,7 +29,7 @@ std::string last_run(const std::vector<WrittenIndex>& lower) {
   return run;
 }
 
-/// The index behind a known word, as `i` in `CMi`.
+/// The index after a known word, as `i` in `CMi`.
 std::string hidden_in(const std::vector<WrittenIndex>& lower) {
   const std::string run = last_run(lower);
   const bool ends_in_index = run.size() > 2 && run.back() >= 'i' && run.back() <= 'n';

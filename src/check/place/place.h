@@ -24,7 +24,7 @@ using Side = ChainReading::Side;
 /// What rows and directives leave for the rows below them.
 struct SaidAbove {
   std::vector<UseDirective> uses = {};
-  std::vector<Fact> laws = {};                                 // and definitions behind their first use
+  std::vector<Fact> laws = {};                                 // and definitions after their first use
   std::vector<std::pair<std::size_t, Span>> unread_rows = {};  // where, and what: relations such as `\perp`
 };
 

@@ -49,7 +49,7 @@ bool turns_around(std::string_view text) {
   return false;
 }
 
-/// The clause that leads into a display, behind another one in its sentence.
+/// The clause that leads into a display, after another one in its sentence.
 std::string_view clause_of(std::string_view lead) {
   const auto display = lead.rfind('\n');
   return display == std::string_view::npos ? lead : lead.substr(display + 1);

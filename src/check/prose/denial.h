@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// The word that denies the display at `event`: in its own clause, behind it in its sentence, or in the next
+/// The word that denies the display at `event`: in its own clause, after it in its sentence, or in the next
 /// sentence if that points back to it. Cost: linear in the number of sentences.
 [[nodiscard]] std::optional<std::string> denial_of(const Prose& prose, std::size_t event);
 

@@ -212,7 +212,7 @@ class ProseReader {
     for (std::size_t at = 0; at < text.size();) at = read_at(text, at, span);
   }
 
-  /// One word, sign or stretch of mathematics; the place behind it.
+  /// One word, sign or stretch of mathematics; the place after it.
   std::size_t read_at(const std::string& text, std::size_t at, Span span) {
     const char c = text[at];
     if (is_space(c)) return read_blanks(text, at);
@@ -240,7 +240,7 @@ class ProseReader {
     const bool capital = at < text.size() && is_capital_letter(text[at]);
     const auto last = sentence_.find_last_not_of(' ');
     const bool behind_display = last != std::string::npos && sentence_[last] == '\n';
-    // A capital behind a blank line or a display begins a sentence, also where no full stop stands.
+    // A capital after a blank line or a display begins a sentence, also where no full stop stands.
     if ((lines > 1 || (lines == 1 && behind_display)) && capital) end_sentence();
     if (lines > 1) ++paragraph_;
     if (!sentence_.empty() && sentence_.back() != ' ') sentence_ += ' ';

@@ -25,9 +25,9 @@ struct SaidInLine {
   Span span;
   Cue cue = Cue::none;
   std::size_t sentence = 0;
-  std::size_t before = 0;  // the event that stands next behind it
+  std::size_t before = 0;  // the event that stands next after it
   std::size_t place = 0;
-  bool at_place = false;                 // behind "at the wall", "on the axis": it holds there only
+  bool at_place = false;                 // after "at the wall", "on the axis": it holds there only
   bool named = false;                    // "is the frequency": it holds only if it brings in its letter
   std::size_t maths = 0;                 // its number among the mathematics of its sentence
   bool alone = false;                    // no display stands in its sentence, or it stands in a heading
@@ -50,7 +50,7 @@ struct ProseSentence {
 /// Of one event. Mathematics in a line stands as `$` in the text, a display as `\n`.
 struct ProseBeside {
   std::string lead;  // the words of its sentence before a display
-  std::string tail;  // and behind it, up to the next display
+  std::string tail;  // and after it, up to the next display
   std::size_t sentence = 0;
   std::size_t place = 0;
   std::size_t paragraph = 0;

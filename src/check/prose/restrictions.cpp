@@ -18,7 +18,7 @@ using List = std::initializer_list<std::string_view>;
 
 struct ProseWord {
   std::string_view text;       // empty at a colon, a comma, a bracket or a display
-  bool begins_clause = false;  // first, or behind such a sign or "and", "then", "we"
+  bool begins_clause = false;  // first, or after such a sign or "and", "then", "we"
 };
 
 /// A sentence, cut into words.

@@ -14,7 +14,7 @@
 
 namespace rigor {
 
-/// In the sentence that leads into a display and goes on behind it. Small letters; mathematics is `$`, a
+/// In the sentence that leads into a display and goes on after it. Small letters; mathematics is `$`, a
 /// display
 /// `\n`.
 [[nodiscard]] std::optional<std::string> restriction_in_sentence(std::string_view sentence);
@@ -22,7 +22,7 @@ namespace rigor {
 /// all.
 [[nodiscard]] std::optional<std::string> restriction_above(std::string_view sentence, bool has_letters,
                                                            bool shares);
-/// In a whole sentence behind the display, in its paragraph: "This holds only at the surface."
+/// In a whole sentence after the display, in its paragraph: "This holds only at the surface."
 [[nodiscard]] std::optional<std::string> restriction_behind(std::string_view sentence, bool has_letters,
                                                             bool shares);
 /// In a heading: "Near the surface", "Two-dimensional flow".

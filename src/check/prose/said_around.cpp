@@ -54,7 +54,7 @@ std::optional<SaidAround> said_around(const Prose& prose, std::size_t event, con
                          [&](const auto& each) { return letters.contains(each); });
     });
   };
-  bool next = true;  // the first sentence behind it
+  bool next = true;  // the first sentence after it
   for (const ProseSentence& sentence : prose.sentences) {
     if (!prose.sections.reaches(sentence.place, beside.place) || sentence.number == beside.sentence) continue;
     const bool has_letters = !sentence.maths.empty();

@@ -21,7 +21,7 @@ bool names_a_quantity(std::string_view control) {
   return is_one_of(control, known);
 }
 
-/// Behind what `_` holds.
+/// After what `_` holds.
 std::size_t behind_subscript(std::string_view latex, std::size_t at) {
   while (at < latex.size() && latex[at] == ' ') ++at;
   if (at >= latex.size() || latex[at] != '{') {

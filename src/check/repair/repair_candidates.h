@@ -13,7 +13,7 @@
 
 namespace rigor {
 
-/// What the steps before and behind a wrong one say about one of its sides.
+/// What the steps before and after a wrong one say about one of its sides.
 enum class Trust : std::uint8_t { unknown, supported, doubted };
 
 struct WrongStep {
@@ -22,7 +22,7 @@ struct WrongStep {
   bool first_order = false;     // `=` means ≈
   Trust left = Trust::unknown;  // supported: the step before it is proved
   Trust right = Trust::unknown;
-  std::vector<TokenView> near = {};  // sides in lines before and behind it, whose terms may be missing here
+  std::vector<TokenView> near = {};  // sides in lines before and after it, whose terms may be missing here
 };
 
 struct RepairCandidate {

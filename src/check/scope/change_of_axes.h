@@ -30,7 +30,7 @@ struct Turning {
 /// A vector or tensor that was declared constant before is constant along the fixed axes: an assumption.
 [[nodiscard]] NamedAssumption constant_along_fixed_axes(Turning& turning, const DeclaredConstant& constant);
 
-/// A definition that was made in a frame, for behind it: R is 1, and the rate along the turning axes is
+/// A definition that was made in a frame, for after it: R is 1, and the rate along the turning axes is
 /// dA/dt − ω×A. What is not covariant holds at the moment only. Nothing where R was differentiated three
 /// times or more, or a derivative is too large.
 [[nodiscard]] std::optional<NamedDefinition> along_fixed_axes(ExprTree& tree, const Names& names,

@@ -87,7 +87,7 @@ bool is_order(std::string_view text) {
   return false;
 }
 
-/// Reads on behind one `$` of a sentence.
+/// Reads on after one `$` of a sentence.
 class Behind {
  public:
   explicit Behind(const Parts& parts) : parts_(parts) {}

@@ -2,7 +2,7 @@
 // Is a relation in a line a fact of its sentence? "With $v = 0$ the energy is" says so of what follows; "with
 // $v = 0$ at the top", "if $a_i = 0$ for some $i$", "where $n = 1$ is the ground state" and "$x > 0$ or $y >
 // 0$" speak of a time, a place, a case or a name. Nothing says how far such words reach, so that only what is
-// known to restrict nothing may stand behind the relation. The lists are closed, and stand in
+// known to restrict nothing may stand after the relation. The lists are closed, and stand in
 // docs/notation.md.
 #pragma once
 
@@ -35,7 +35,7 @@ enum class SaidOf {
 /// chooses or doubts, and says nothing of any part of it.
 [[nodiscard]] bool has_doubt(const std::vector<std::string_view>& parts, std::size_t begin = 0);
 
-/// Do the words behind the `$` at `parts[at]` leave what is said of it as it is? A relation behind it is not
+/// Do the words after the `$` at `parts[at]` leave what is said of it as it is? A relation after it is not
 /// looked at.
 [[nodiscard]] bool stands_free(const std::vector<std::string_view>& parts, std::size_t at);
 

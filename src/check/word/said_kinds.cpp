@@ -83,7 +83,7 @@ class KindReader {
   }
 
  private:
-  /// "positive constants $m$, $k$ and $l$": the place behind a noun, if one stands there.
+  /// "positive constants $m$, $k$ and $l$": the place after a noun, if one stands there.
   [[nodiscard]] std::size_t behind_nouns(std::size_t at) const {
     while (at < words_.size() && (is_filler(words_[at]) || is_noun(words_[at]))) ++at;
     return at;
@@ -126,7 +126,7 @@ class KindReader {
     return at < words_.size() && is_one_of(words_[at], cases);
   }
 
-  /// "$a > 0$ and $b$ is negative": is there a verb behind this one?
+  /// "$a > 0$ and $b$ is negative": is there a verb after this one?
   [[nodiscard]] bool is_spoken_of(std::size_t maths) const {
     return maths + 1 < words_.size() && is_verb(words_[maths + 1]);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What words do behind a relation in a line, by closed lists.
+// What words do after a relation in a line, by closed lists.
 #pragma once
 
 #include <string_view>
@@ -27,7 +27,7 @@ namespace rigor {
 /// "the", "this", "previous": which equation.
 [[nodiscard]] bool points_into_text(std::string_view word);
 
-/// Behind a comma they belong to what stands before it.
+/// After a comma they belong to what stands before it.
 [[nodiscard]] bool restricts_behind_comma(std::string_view word);
 
 /// Directly before the relation they make a beginning, an end or a bound of it.

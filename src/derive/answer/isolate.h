@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// The hole's worth as the equation gives it, not simplified; or why there is none. That it fits is not said:
-/// of several components, and behind a root, only the product with what stands before the hole is compared.
+/// of several components, and after a root, only the product with what stands before the hole is compared.
 struct Isolation {
   std::optional<ExprId> value = {};
   bool squared = false;  // both sides were squared: the value fits only where their signs agree

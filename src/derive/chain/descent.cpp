@@ -76,7 +76,7 @@ class Descending {
  private:
   [[nodiscard]] const std::vector<ExprId>& parts() const { return lines_.back().parts; }
 
-  /// Puts a line behind the others, unless it says the same as the last one.
+  /// Puts a line after the others, unless it says the same as the last one.
   bool push(std::vector<ExprId> parts, const Rules& rules, bool flat) {
     return push(std::move(parts), rules, rules, flat);
   }

@@ -64,7 +64,7 @@ struct Descent {
 /// `side` has rank 0 if it is to be written in components.
 [[nodiscard]] Descent descend(ExprTree& tree, ExprId side, const DescentRules& rules);
 
-/// The lines N/D behind the last ones, where both sides' quotients have a common denominator D.
+/// The lines N/D after the last ones, where both sides' quotients have a common denominator D.
 void append_common_denominator(ExprTree& tree, const DescentRules& rules, Descent& left, Descent& right);
 
 }  // namespace rigor

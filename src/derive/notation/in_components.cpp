@@ -85,7 +85,7 @@ class Components {
     return power_node(tree_, write(base, {}), node.exponent);
   }
 
-  /// Σ_k a_k b_k behind and before other slots.
+  /// Σ_k a_k b_k after and before other slots.
   ExprId contracted(ExprId a, ExprId b, std::vector<Slot> left, const std::vector<Slot>& right) {
     const Slot index = fresh();
     left.push_back(index);

@@ -24,7 +24,7 @@ struct Evidence {
   std::set<std::string> points;    // of names such as `ABC` in the prose
   std::set<std::string> components;                        // u, v, w of `\mathbf u = (u, v, w)`: no lengths
   std::set<std::string> units;                             // "the unit matrix $I$": 1 among matrices
-  std::set<std::string> functionals;                       // `E[X]`: square brackets stand directly behind
+  std::set<std::string> functionals;                       // `E[X]`: square brackets stand directly after
   std::map<std::string, std::set<std::string>> functions;  // \omega of `\omega(k) = …`, with k
   bool third_axis = false;         // a component along z, or three of them: it is not about the plane alone
   bool operators = false;          // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`

@@ -15,7 +15,7 @@
 namespace rigor {
 namespace {
 
-/// The letter at `at` with its accent, and the place behind it; subscripts and primes are not looked at.
+/// The letter at `at` with its accent, and the place after it; subscripts and primes are not looked at.
 struct LetterAt {
   std::string name;  // empty: no letter
   std::size_t next = 0;

@@ -12,7 +12,7 @@
 namespace rigor {
 namespace {
 
-/// The place behind the first of the words that begins a word of the text; `npos` where none does.
+/// The place after the first of the words that begins a word of the text; `npos` where none does.
 template <std::size_t n>
 std::size_t behind_any(std::string_view text, const std::array<std::string_view, n>& words) {
   for (const std::string_view word : words) {
@@ -146,7 +146,7 @@ constexpr std::array<std::string_view, 22> ordered_nouns{
     "projections",        "homomorphisms",  "elements of the group",
     "elements of a group"};
 
-/// A formula of a line, and the words behind it up to the next one.
+/// A formula of a line, and the words after it up to the next one.
 struct Phrase {
   std::string_view formula;
   std::string words;

@@ -28,7 +28,7 @@ std::set<std::string> arguments_in(const SyntaxTree& syntax, SyntaxId bracket) {
   return found;
 }
 
-/// `\omega`, `k`: the letter that begins at `at`, which moves behind it.
+/// `\omega`, `k`: the letter that begins at `at`, which moves after it.
 std::string take_letter(std::string_view text, std::size_t& at) {
   while (at < text.size() && text[at] == ' ') ++at;
   const std::size_t begin = at;

@@ -27,7 +27,7 @@ bool is_applied(TokenView content) {
   });
 }
 
-/// `E[X]`, `S[\rho]`, `E\{X\}`: behind a letter that is no usual coefficient.
+/// `E[X]`, `S[\rho]`, `E\{X\}`: after a letter that is no usual coefficient.
 void see_functional(TokenView tokens, std::size_t at, Evidence& evidence) {
   std::string letter = letter_of(tokens[at]);
   std::size_t next = at + 1;
@@ -117,7 +117,7 @@ constexpr std::array<std::string_view, 3> real_words{"real", "integer", "positiv
 constexpr std::array<std::string_view, 8> other_words{"matri",     "operator", "vector",    "tensor",
                                                       "generator", "complex",  "real part", "constant of"};
 
-/// The letters of `a`, `a, b`, `a, b > 0`, `x \in \mathbb R`; `ordered`: what stands behind says that they
+/// The letters of `a`, `a, b`, `a, b > 0`, `x \in \mathbb R`; `ordered`: what stands after says that they
 /// are real. Nothing for any other formula.
 struct ListedLetters {
   std::vector<std::string> letters;

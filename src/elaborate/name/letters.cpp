@@ -321,7 +321,7 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, cons
     return name;
   }
   std::vector<WrittenIndex> labels;
-  std::vector<WrittenIndex> labels_behind;  // behind an axis: `T_{i\text{x}}` is not `T_{\text{x}i}`
+  std::vector<WrittenIndex> labels_behind;  // after an axis: `T_{i\text{x}}` is not `T_{\text{x}i}`
   bool bare_label = false;                  // a digit or letter that is no axis
   // In the plane `a_3` is no label, either: it is an axis that is not there.
   const char last_axis = static_cast<char>('0' + std::max<int>(3, space_of(names.symbols).dimension));

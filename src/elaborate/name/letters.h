@@ -26,7 +26,7 @@ struct Letters {
   std::set<std::string> sure;  // indices in every reading: on δ, ε, ∂ and on known vectors, and next to those
 
   [[nodiscard]] bool is_index(const std::string& letter) const;
-  /// Primes behind the letter do not count.
+  /// Primes after the letter do not count.
   [[nodiscard]] bool is_sure(std::string_view letter) const;
 };
 

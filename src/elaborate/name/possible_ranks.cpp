@@ -172,7 +172,7 @@ class RankReader {
     return product(factors);
   }
 
-  /// `O(\omega^2)`, also behind a coefficient.
+  /// `O(\omega^2)`, also after a coefficient.
   bool starts_order(std::span<const SyntaxChild> children) const {
     for (std::size_t k = 0; k + 1 < children.size(); ++k) {
       if (syntax_[children[k].id].kind != SyntaxKind::symbol) continue;

@@ -31,7 +31,7 @@ struct Origin {
   std::string expanded = {};               // of an assumption: `text` without macros of the notes
   std::size_t place = 0;                   // of an equation: its section, as `Sections` counts them
   std::size_t event = 0;                   // and its display
-  bool conditional = false;                // it stands behind "if", "suppose", "for small …"
+  bool conditional = false;                // it stands after "if", "suppose", "for small …"
   bool on_its_line = false;                // its own line says when: `y = x \quad (x < 1)`
   bool of_a_case = false;                  // its heading is of a special case
 };
@@ -75,7 +75,7 @@ struct Frame {
   ExprId angular_velocity{};
   std::size_t directive = 0;
   int depth = 0;
-  Held before = {};  // what held without it, and holds again behind its section
+  Held before = {};  // what held without it, and holds again after its section
 };
 
 /// A symbol, or one component of it, that is small: this is 0 to zeroth order.

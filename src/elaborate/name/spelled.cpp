@@ -14,11 +14,11 @@
 namespace rigor {
 namespace {
 
-/// What acts on all that stands behind it, with or without a bracket.
+/// What acts on all that stands after it, with or without a bracket.
 constexpr std::array<std::string_view, 22> acting{
     "det", "div", "rot", "grad", "curl", "rank", "sin",  "cos", "tan", "cot",    "log",
     "exp", "lim", "sgn", "arg",  "ker",  "cov",  "sinh", "erf", "Div", "arctan", "tanh"};
-/// Words that are products as often, `W = max`: with something behind them.
+/// Words that are products as often, `W = max`: with something after them.
 constexpr std::array<std::string_view, 21> words{"Tr",  "tr",   "Re",   "Im",  "ln",  "lg",  "Pr",
                                                  "max", "min",  "sup",  "inf", "Var", "var", "Cov",
                                                  "dim", "span", "diag", "mod", "Res", "gcd", "cosh"};
@@ -44,7 +44,7 @@ bool is_declared(const Names& names, const std::string& letter) {
 /// Letters side by side without a blank.
 struct Run {
   std::string word;
-  std::size_t end;  // the factor behind it
+  std::size_t end;  // the factor after it
   bool declared;    // each of its letters is
   bool scripts;     // on its last letter
 };
@@ -114,7 +114,7 @@ bool holds_functions(const SyntaxTree& syntax, SyntaxId group) {
   return true;
 }
 
-/// A letter that may act on the bracket behind it.
+/// A letter that may act on the bracket after it.
 bool may_act(const SyntaxTree& syntax, const WrittenSymbol& symbol, SyntaxId bracket, const Names& names) {
   if (symbol.face != Face::plain || is_declared(names, symbol.letter)) return false;
   const bool script = symbol.letter.starts_with("\\mathcal{") || symbol.letter.starts_with("\\mathscr{") ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Letters in a product that can be one word or one name, or act on the bracket behind them: `Tr(AB)`, `rot
+// Letters in a product that can be one word or one name, or act on the bracket after them: `Tr(AB)`, `rot
 // A`, `KE`, the segment `AB`, `E[X^2]`, `\mathcal L(fg)`.
 #pragma once
 

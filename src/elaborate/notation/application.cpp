@@ -33,7 +33,7 @@ bool is_taken_at(const SyntaxTree& syntax, SyntaxId derivative, SyntaxId bracket
   });
 }
 
-/// `f(x-ct)`, `V(2r)`: a bracket of plain coordinates behind a letter that is no usual coefficient.
+/// `f(x-ct)`, `V(2r)`: a bracket of plain coordinates after a letter that is no usual coefficient.
 bool looks_like_argument(const Reading& reading, const WrittenSymbol& symbol, SyntaxId bracket) {
   const SyntaxTree& syntax = reading.syntax;
   if (syntax[bracket].kind != SyntaxKind::group || is_usual_coefficient(symbol.letter)) return false;

@@ -51,7 +51,7 @@ MaybeTyped act(Reading& reading, SyntaxId id, Joint joint, const Typed& operand,
 }
 
 /// The operator at `at` acts on the next factor; where another factor follows that it could act on too, it is
-/// not read. `next` becomes the first factor behind.
+/// not read. `next` becomes the first factor after.
 MaybeTyped apply_operator(Reading& reading, std::span<const SyntaxChild> factors, std::size_t at,
                           std::size_t& next, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;

@@ -174,7 +174,7 @@ LatexPrinter::Piece LatexPrinter::function(ExprId id, int exponent) {
   return {result + in_brackets(inside).text, Level::factor};
 }
 
-/// A bar behind an operand closes, so that bars inside others need signs that say what they are.
+/// A bar after an operand closes, so that bars inside others need signs that say what they are.
 LatexPrinter::Piece LatexPrinter::bars(ExprId id) {
   ++bars_;
   const std::string inside = text(child(id));

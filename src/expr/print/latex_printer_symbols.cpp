@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symbols: whole, as components, as lengths, with dots and behind ∂.
+// Symbols: whole, as components, as lengths, with dots and after ∂.
 #include <fmt/format.h>
 
 #include <algorithm>

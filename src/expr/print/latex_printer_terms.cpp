@@ -143,7 +143,7 @@ bool LatexPrinter::is_unit(ExprId id) const {
   return std::all_of(factors.begin(), factors.end(), [&](ExprId each) { return is_unit(each); });
 }
 
-/// `\mathrm{m}^2` behind a number, `\unit{m}^2` elsewhere; the factors of a unit stand side by side.
+/// `\mathrm{m}^2` after a number, `\unit{m}^2` elsewhere; the factors of a unit stand side by side.
 LatexPrinter::Piece LatexPrinter::unit(ExprId id, bool behind_number) {
   if (tree_[id].op == Op::multiply) {
     std::string text;

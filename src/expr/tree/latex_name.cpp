@@ -31,14 +31,14 @@ constexpr std::string_view faces[] = {"mathbf",
                                       "mathsf",
                                       "mathbfsf"};
 
-/// Behind the control word whose backslash stands at `at`.
+/// After the control word whose backslash stands at `at`.
 std::size_t behind_word(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   while (end < text.size() && is_letter(text[end])) ++end;
   return end;
 }
 
-/// Behind the group or the one sign at `at`.
+/// After the group or the one sign at `at`.
 std::size_t behind_argument(std::string_view text, std::size_t at) {
   if (at >= text.size()) return at;
   if (text[at] == '\\') return behind_word(text, at);

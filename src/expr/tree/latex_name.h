@@ -12,7 +12,7 @@ struct LatexName {
   std::string letter;  // with its face and accent
   std::string primes;  // `'`, `''`
   std::string labels;  // of the subscript, without its braces
-  std::string behind;  // labels that stand behind the indices: `{}_{\text{x}}`
+  std::string behind;  // labels that stand after the indices: `{}_{\text{x}}`
 
   /// Is a label a lone digit or letter, which index letters next to it would run into?
   [[nodiscard]] bool has_bare_label() const;
@@ -26,7 +26,7 @@ struct LatexName {
 /// Is there a face to take off?
 [[nodiscard]] bool has_face(std::string_view letter);
 
-/// `b` behind `a`, with a blank behind a control word, if a letter or digit follows.
+/// `b` after `a`, with a blank after a control word, if a letter or digit follows.
 void append_latex(std::string& a, std::string_view b);
 /// `_x`, `_\alpha`, `_{ij}`; nothing for nothing.
 [[nodiscard]] std::string subscript(const std::string& inside);

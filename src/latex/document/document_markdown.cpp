@@ -186,7 +186,7 @@ class MarkdownReader : NotesReader {
     }
   }
 
-  /// Stands behind inline mathematics. Only definitions count in it: notes that KaTeX shows begin with
+  /// Stands after inline mathematics. Only definitions count in it: notes that KaTeX shows begin with
   /// `$\newcommand…$`.
   void pass_inline(std::size_t begin, std::size_t end, std::size_t closing_length) {
     for (at_ = begin; at_ < end;) {

@@ -43,9 +43,9 @@ class NotesReader {
     const OwnDisplay* own = nullptr;                   // what the author's own name for it means
     std::size_t limit = static_cast<std::size_t>(-1);  // where the text that it stands in ends
   };
-  /// Adds the display and stands behind it, or says that it is not closed and stands where reading goes on.
+  /// Adds the display and stands after it, or says that it is not closed and stands where reading goes on.
   void read_display(const Opening& opening);
-  /// Adds the display and stands behind it if it is closed; else changes nothing.
+  /// Adds the display and stands after it if it is closed; else changes nothing.
   DisplayEnd read_closed_display(const Opening& opening);
 
   /// At `\begin` or `\end` or an alias of one, a display begins or an end is stray. False: it is about
@@ -78,7 +78,7 @@ class NotesReader {
   [[nodiscard]] bool is_global(std::size_t definition, std::string_view word) const;
   void report_open(const Opening& opening, const DisplayEnd& end);
   void report_wrong(const Opening& opening, const DisplayEnd& end);
-  /// Behind `[…]` and `{…}` that belong to the environment and not to what it displays.
+  /// After `[…]` and `{…}` that belong to the environment and not to what it displays.
   std::size_t skip_environment_arguments(Display& display, std::size_t at) const;
   std::size_t skip_own_arguments(const OwnDisplay& own, std::size_t at);
 };

@@ -61,7 +61,7 @@ enum class Typeface : std::uint8_t {
 enum class TableAlignment : std::uint8_t {
   centre,     // a matrix
   left,       // cases
-  pairs,      // aligned: right, left, right, left, without space between a right and the left behind it
+  pairs,      // aligned: right, left, right, left, without space between a right and the left after it
   equations,  // eqnarray: right, centre, left
   staggered,  // multline: the first row left, the last one right
 };

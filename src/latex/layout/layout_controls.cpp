@@ -158,7 +158,7 @@ bool LayoutReader::fraction(std::string_view name) {
   return true;
 }
 
-/// `a \over b`: everything before it in the group, and everything behind it.
+/// `a \over b`: everything before it in the group, and everything after it.
 void LayoutReader::over(std::string_view name) {
   Box above = row_box(std::move(parts_));
   parts_.clear();

@@ -35,7 +35,7 @@ std::optional<FenceSigns> matrix_signs(std::string_view name) {
   return fences.find(name);
 }
 
-/// The place behind the bracket that closes the one at `at`.
+/// The place after the bracket that closes the one at `at`.
 std::size_t behind_bracket(TokenView tokens, std::size_t at, std::string_view open, std::string_view close) {
   int depth = 0;
   for (; at < tokens.size(); ++at) {
@@ -81,7 +81,7 @@ bool LayoutReader::physics(std::string_view name) {
   return false;
 }
 
-/// `\dv[n]{f}{x}`, `\pdv{f}{x}{y}`, `\dv{x}` with its argument behind it.
+/// `\dv[n]{f}{x}`, `\pdv{f}{x}{y}`, `\dv{x}` with its argument after it.
 bool LayoutReader::derivative(std::string_view name) {
   static const WordTable signs(R"(dv d  derivative d  pdv ∂  pderivative ∂  partialderivative ∂
       fdv δ  functionalderivative δ)");

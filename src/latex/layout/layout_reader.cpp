@@ -8,7 +8,7 @@ namespace {
 
 constexpr unsigned most_depth = 60;
 
-/// May a `+` or `-` behind it only be a sign of what follows?
+/// May a `+` or `-` after it only be a sign of what follows?
 bool awaits_operand(const std::vector<Box>& parts) {
   auto last = parts.rbegin();
   while (last != parts.rend() && last->kind == BoxKind::space) ++last;

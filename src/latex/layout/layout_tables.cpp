@@ -49,7 +49,7 @@ class TableNesting {
 
 bool ends_row(const Token& token) { return is_control_of(token, {"\\", "cr", "newline", "tabularnewline"}); }
 
-/// Behind `\\`, `\\*`, `\\[2pt]`.
+/// After `\\`, `\\*`, `\\[2pt]`.
 std::size_t behind_row_end(TokenView tokens, std::size_t at) {
   if (is_sign_at(tokens, at, "*")) ++at;
   const Argument length = optional_argument_at(tokens, at);

@@ -235,7 +235,7 @@ class MathmlWriter {
     out_ += "</mtable>";
   }
 
-  /// A relation at the start of a cell keeps its space before it, as behind an empty left side.
+  /// A relation at the start of a cell keeps its space before it, as after an empty left side.
   void continued(const Box& table, std::size_t column, std::size_t cell) {
     const Box& box = table.parts[cell];
     const bool behind_align = table.alignment == TableAlignment::pairs && column % 2 == 1;

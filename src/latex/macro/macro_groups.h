@@ -40,7 +40,7 @@ class MacroGroups {
   std::vector<Group> open_;
 };
 
-/// Whether the braces behind `control` are no group: `\AtBeginDocument`, `\IfFileExists`, `\@ifundefined`.
+/// Whether the braces after `control` are no group: `\AtBeginDocument`, `\IfFileExists`, `\@ifundefined`.
 [[nodiscard]] bool carries_out_argument(std::string_view control);
 
 }  // namespace rigor

@@ -95,7 +95,7 @@ class Expander {
     return read;
   }
 
-  /// Behind `\global`.
+  /// After `\global`.
   bool next_defines() {
     stream_.skip_spaces();
     const auto next = stream_.peek();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t fewest_marks = 3;
 
-/// Behind `-`, `*`, `+`, `1.` or `1)` and the blank that must follow; `at` where no list item starts.
+/// After `-`, `*`, `+`, `1.` or `1)` and the blank that must follow; `at` where no list item starts.
 std::size_t skip_list_mark(const NotesText& text, std::size_t at) {
   std::size_t end = at;
   while (end < at + 9 && is_digit(text[end])) ++end;

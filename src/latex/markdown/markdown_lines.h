@@ -14,7 +14,7 @@
 namespace rigor {
 
 struct LineStart {
-  std::size_t at = 0;        // behind blanks, marks of quotations and of list items
+  std::size_t at = 0;        // after blanks, marks of quotations and of list items
   std::uint32_t quotes = 0;  // marks `>`
   bool marked = false;       // there was a mark of either sort
 };
@@ -31,7 +31,7 @@ struct Fence {
 
 /// The title in `## Title ##`.
 [[nodiscard]] Span atx_title(const NotesText& text, std::size_t line);
-/// Behind `---` … `---` at the start of the text.
+/// After `---` … `---` at the start of the text.
 [[nodiscard]] std::size_t front_matter_end(const NotesText& text);
 
 /// The HTML element that opens at `at`, if it shows what stands inside as it is typed, or not at all: `pre`,
@@ -46,7 +46,7 @@ class LineStarts {
  public:
   explicit LineStarts(const NotesText& text);
   [[nodiscard]] std::size_t count() const { return starts_.size() - 1; }
-  /// The end of the text for lines behind the last one.
+  /// The end of the text for lines after the last one.
   [[nodiscard]] std::size_t operator[](std::size_t line) const {
     return starts_[std::min(line, starts_.size() - 1)];
   }

@@ -24,7 +24,7 @@ class MarkdownShape {
   /// The line begins a container whose other lines are indented by four, as in `!!! note`, `[^1]: …`. False:
   /// it was made one before.
   bool make_item(std::size_t line);
-  /// These lines are those of displays behind their first one, and no others.
+  /// These lines are those of displays after their first one, and no others.
   bool cover(std::set<std::size_t> lines);
   [[nodiscard]] bool is_covered(std::size_t line) const { return covered_.contains(line); }
   /// The line could begin a block, or end a paragraph.

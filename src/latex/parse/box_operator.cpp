@@ -12,7 +12,7 @@ namespace {
 
 bool is_box(const Token& token) { return is_control(token, "square") || is_control(token, "Box"); }
 
-/// What stands behind a factor and is multiplied by it, or what an operator acts on.
+/// What stands after a factor and is multiplied by it, or what an operator acts on.
 bool starts_operand(TokenView tokens, std::size_t at) {
   static constexpr auto closing = std::to_array<std::string_view>(
       {"right", "rangle", "rvert", "rVert", "middle", "bigr", "Bigr", "biggr", "Biggr"});
@@ -32,7 +32,7 @@ bool starts_operand(TokenView tokens, std::size_t at) {
   }
 }
 
-/// Behind `^2`, `^{2}` and the like at `at`.
+/// After `^2`, `^{2}` and the like at `at`.
 std::size_t behind_power(TokenView tokens, std::size_t at) {
   const std::size_t script = skip_blank(tokens, at);
   if (!is_kind_at(tokens, script, TokenKind::superscript)) return at;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `\square` and `\Box` have two meanings, and their form says which: directly before an operand, as in
 // `\Box\psi` and `(\square + m^2)\phi`, they are d'Alembert's operator; alone, or with a space or a sign of
-// multiplication behind, as in `\square\,\psi`, they are a hole.
+// multiplication after, as in `\square\,\psi`, they are a hole.
 #pragma once
 
 #include <cstddef>

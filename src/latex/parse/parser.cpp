@@ -146,7 +146,7 @@ SyntaxId Parser::term(Cursor& cursor) {
       continue;
     }
     const bool ends = cursor.done() || sign_joint(cursor.token()).has_value();
-    // A sign behind `\cdot` or `\times` belongs to the factor: `\mathbf{A}\times-\mathbf{B}`.
+    // A sign after `\cdot` or `\times` belongs to the factor: `\mathbf{A}\times-\mathbf{B}`.
     if (ends && (joint == Joint::none || joint == Joint::juxtaposed || cursor.done())) break;
     if (const Joint sign = factor_joint(cursor.token()); sign != Joint::none) {
       if (joint == Joint::dot || joint == Joint::cross || joint == Joint::slash || factors.empty()) {
@@ -179,7 +179,7 @@ SyntaxId Parser::term(Cursor& cursor) {
   return tree_.add(SyntaxKind::term, span, factors);
 }
 
-/// `1/2r`: one half of r, or one by 2r. A blank behind the 2 sets it apart: `1/2 r`.
+/// `1/2r`: one half of r, or one by 2r. A blank after the 2 sets it apart: `1/2 r`.
 void Parser::divide_by_all_behind(TokenView tokens, std::vector<SyntaxChild>& factors) {
   const auto is_number = [&](std::size_t k) { return tree_[factors[k].id].kind == SyntaxKind::number; };
   for (std::size_t k = 1; k + 1 < factors.size(); ++k) {

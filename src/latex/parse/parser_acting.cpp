@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words inside an expression, and letters that act on what stands behind them.
+// Words inside an expression, and letters that act on what stands after them.
 #include <fmt/format.h>
 
 #include <utility>
@@ -68,7 +68,7 @@ SyntaxId Parser::material_of(SyntaxId operand, Span span) {
   return tree_.add_named(SyntaxKind::function, span, "D/Dt", operand);
 }
 
-/// `\frac{Df}{Dt}`, `\frac{D}{Dt}(fg)`: a function of that name. The cursor stands behind the fraction.
+/// `\frac{Df}{Dt}`, `\frac{D}{Dt}(fg)`: a function of that name. The cursor stands after the fraction.
 SyntaxId Parser::material(Cursor& cursor, TokenView above, TokenView below, Span span) {
   const auto operand = material_operand(above, below);
   if (!operand) return opaque(span, "this derivative along a motion is not decided");
@@ -98,7 +98,7 @@ std::optional<SyntaxId> Parser::slash_material(Cursor& cursor, std::size_t end) 
 }
 
 /// `\operatorname{grad} f`, `\text{div}(f\mathbf A)`: sure where a bracket or nothing but one factor stands
-/// behind the word.
+/// after the word.
 SyntaxId Parser::field_word(Cursor& cursor, const std::string& word, std::size_t behind) {
   const Span place = span_of(cursor.tokens.subspan(cursor.at, behind - cursor.at));
   const std::size_t begin = std::exchange(cursor.at, behind);

@@ -49,7 +49,7 @@ bool is_graded(const Token& open, const Token& closing, TokenView content) {
 bool is_bar(const Token& token) { return is_sign(token, "|") || is_control(token, "vert"); }
 bool is_double_bar(const Token& token) { return is_control(token, "|") || is_control(token, "Vert"); }
 
-/// Does an operand end with this token? Then a bar behind it closes.
+/// Does an operand end with this token? Then a bar after it closes.
 bool ends_operand(const Token& token) {
   if (factor_joint(token) != Joint::none || relation_kind(token)) return false;
   switch (token.kind) {
@@ -67,7 +67,7 @@ bool ends_operand(const Token& token) {
   }
 }
 
-/// `|…|` has one sign for both ends: a bar behind an operand closes, any other opens.
+/// `|…|` has one sign for both ends: a bar after an operand closes, any other opens.
 std::size_t closing_bar(TokenView tokens, std::size_t open) {
   const bool twofold = is_double_bar(tokens[open]);
   Nesting nesting(false);
@@ -80,7 +80,7 @@ std::size_t closing_bar(TokenView tokens, std::size_t open) {
     if (depth == 0 && (twofold ? is_double_bar(token) : is_bar(token))) {
       bars += operand ? -1 : 1;
       if (bars == 0) return at;
-      continue;  // behind a closed bar an operand has ended, behind an opened one it has not
+      continue;  // after a closed bar an operand has ended, after an opened one it has not
     }
     operand = ends_operand(token) || is_script_argument(tokens, at);
   }
@@ -99,7 +99,7 @@ bool begins_operand(const Token& token) {
          token.kind == TokenKind::begin_group;
 }
 
-/// Does an operand end right before this place, and another one begin right behind it?
+/// Does an operand end right before this place, and another one begin right after it?
 bool stands_between(TokenView tokens, std::size_t at) {
   const auto means_nothing = [](const Token& token) { return is_blank(token) || is_spacing(token); };
   std::size_t before = at;

@@ -35,7 +35,7 @@ bool goes_on_with_operand(TokenView rest) {
   return !is_sign_of(token, "+-") && token.text != "−" && factor_joint(token) == Joint::none;
 }
 
-/// What stands behind the `d` of the numerator.
+/// What stands after the `d` of the numerator.
 TokenView operand_above(TokenView above) {
   const TokenView rest = above.subspan(differential_at(above, skip_narrow(above, 0))->next);
   return rest.subspan(skip_narrow(rest, 0));

@@ -40,13 +40,13 @@ bool is_plain_factor(TokenView tokens, std::size_t at) {
   });
 }
 
-/// `\hat r`: behind a letter it is a vector or an operator, and no part of the argument.
+/// `\hat r`: after a letter it is a vector or an operator, and no part of the argument.
 bool is_hatted(const Token& token) {
   const auto style = style_of(token);
   return style && style->accent == Accent::hat;
 }
 
-/// May an argument end behind this factor, though another letter follows? Behind an angle, `\cos\theta r`,
+/// May an argument end after this factor, though another letter follows? After an angle, `\cos\theta r`,
 /// and before a blank that the author typed between two letters, `\exp a b`.
 bool may_end(const SyntaxTree& tree, SyntaxId last, TokenView tokens, std::size_t at) {
   if (at >= tokens.size()) return false;
@@ -162,7 +162,7 @@ SyntaxId Parser::plain_argument(Cursor& cursor, std::string_view name, std::size
   return factors.size() == 1 ? factors[0].id : tree_.add(SyntaxKind::term, span, factors);
 }
 
-/// `\cos\theta r`: does the argument end where reading is, or go on with all the letters behind?
+/// `\cos\theta r`: does the argument end where reading is, or go on with all the letters after?
 bool Parser::argument_ends(const Cursor& cursor, const Application& application) {
   const TokenView tokens = cursor.tokens;
   std::size_t end = cursor.at;
@@ -181,7 +181,7 @@ bool Parser::argument_ends(const Cursor& cursor, const Application& application)
                                    written(cursor.at, end))});
 }
 
-/// `\cos\omega(t - t_0)`: is the bracket behind the letters part of the argument? Not where functions,
+/// `\cos\omega(t - t_0)`: is the bracket after the letters part of the argument? Not where functions,
 /// vectors or commas stand in it.
 bool Parser::bracket_belongs(const Cursor& cursor, const Application& application) {
   const TokenView tokens = cursor.tokens;

@@ -145,7 +145,7 @@ std::optional<Obstacle> Parser::read_partial_index(TokenView content, std::vecto
   return std::nullopt;
 }
 
-/// `\right|_{\text{in}}`, `\bigg|_{x=0}` behind an expression.
+/// `\right|_{\text{in}}`, `\bigg|_{x=0}` after an expression.
 std::optional<Parser::EvaluationBar> Parser::evaluation_bar(Cursor& cursor) {
   const TokenView tokens = cursor.tokens;
   const std::size_t bar = skip_narrow(tokens, cursor.at);

@@ -128,7 +128,7 @@ bool Parser::has_unit(SyntaxId id) const {
   return tree_[id].kind == SyntaxKind::unit;
 }
 
-/// A roman word behind a number or a unit: `3\,\mathrm{kg\,m^2}`.
+/// A roman word after a number or a unit: `3\,\mathrm{kg\,m^2}`.
 std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, bool spaced) {
   if (!takes_unit(before) || cursor.done()) return std::nullopt;
   const auto style = style_of(cursor.token());

@@ -38,7 +38,7 @@ struct Contents {
   bool seen = false;
 };
 
-/// Behind the bracket, environment or `\left…\right` that begins at `at`.
+/// After the bracket, environment or `\left…\right` that begins at `at`.
 std::size_t behind_enclosed(TokenView tokens, std::size_t at) {
   Nesting nesting(false);
   static_cast<void>(nesting.enter(tokens[at]));
@@ -48,7 +48,7 @@ std::size_t behind_enclosed(TokenView tokens, std::size_t at) {
   return tokens.size();
 }
 
-/// Behind a control with the arguments that stand there: groups, or one token where it takes one.
+/// After a control with the arguments that stand there: groups, or one token where it takes one.
 std::size_t behind_control(TokenView tokens, std::size_t at) {
   const Token& control = tokens[at];
   std::size_t next = at + 1;

@@ -84,7 +84,7 @@ struct SideTerm {
 /// X·Y, X×Y, XY and X² of these: the simplest terms that can be missing.
 [[nodiscard]] std::vector<Tokens> products_of(const std::vector<TokenView>& letters);
 
-/// Products of up to three vectors of a chain, behind what stands before vectors in it:
+/// Products of up to three vectors of a chain, after what stands before vectors in it:
 /// m\mathbf{a}\times\mathbf{b}, (A·B)C, A×(B×C).
 [[nodiscard]] std::vector<Tokens> vector_products_of(const std::vector<TokenView>& chain);
 

@@ -41,7 +41,7 @@ std::optional<long> number_in(TokenView tokens) {
   return value;
 }
 
-/// The number that a term begins with, and how many tokens it takes, a dot or blanks behind it included.
+/// The number that a term begins with, and how many tokens it takes, a dot or blanks after it included.
 struct Leading {
   Coefficient value;
   std::size_t tokens = 0;

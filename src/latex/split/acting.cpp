@@ -40,7 +40,7 @@ std::optional<UprightWord> styled_word(TokenView tokens, std::size_t at) {
   return UprightWord{nested->word, argument.next};
 }
 
-/// `D`, `\mathrm D`, `\mathrm{D}^2`: the place behind it; `at` itself for anything else.
+/// `D`, `\mathrm D`, `\mathrm{D}^2`: the place after it; `at` itself for anything else.
 std::size_t behind_material(TokenView tokens, std::size_t at) {
   at = skip_narrow(tokens, at);
   if (at >= tokens.size()) return at;

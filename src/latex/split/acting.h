@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words and letters that act on what stands behind them, or stand for something else than a quantity:
+// Words and letters that act on what stands after them, or stand for something else than a quantity:
 // `\text{grad}`, `\mathop{\rm rot}`, `O(x^2)`, `\frac{Df}{Dt}`. To read one as a factor proves what is false.
 #pragma once
 
@@ -25,7 +25,7 @@ struct UprightWord {
 /// next to it.
 [[nodiscard]] bool writes_mathematics(TokenView tokens, std::size_t at);
 
-/// `O(x^2)`, `\mathcal O(\epsilon)`, `\order{x}`: the place behind it; `at` itself for anything else.
+/// `O(x^2)`, `\mathcal O(\epsilon)`, `\order{x}`: the place after it; `at` itself for anything else.
 [[nodiscard]] std::size_t landau_end(TokenView tokens, std::size_t at);
 
 /// What stands in the bracket of such an O, which ends at `end`; nothing for a small o.
@@ -36,7 +36,7 @@ struct UprightWord {
 /// What a material derivative of the first order by the time t acts on as far as it stands above, perhaps
 /// nothing; no value for another one.
 [[nodiscard]] std::optional<TokenView> material_operand(TokenView above, TokenView below);
-/// `Df/Dt`, `D/Dt`: the place behind it; `at` itself for anything else.
+/// `Df/Dt`, `D/Dt`: the place after it; `at` itself for anything else.
 [[nodiscard]] std::size_t material_end(TokenView tokens, std::size_t at);
 
 /// `\mathrm dx`, `\dd x`, `\text{d}(xy)`: an upright d before a symbol or a bracket.

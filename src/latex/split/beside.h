@@ -17,17 +17,17 @@ namespace rigor {
 /// The letters and signs with a name that stand outside of words: `i`, `alpha`.
 [[nodiscard]] std::set<std::string> symbols_in(TokenView tokens);
 
-/// Nothing but symbols with commas between, as behind `\forall`.
+/// Nothing but symbols with commas between, as after `\forall`.
 [[nodiscard]] bool lists_symbols(TokenView tokens);
 
-/// `\text{no sum over }i`: the place behind the letters that belong to the words.
+/// `\text{no sum over }i`: the place after the letters that belong to the words.
 [[nodiscard]] std::size_t remark_end(TokenView tokens, const Argument& words);
 
-/// `a_i = b_i \; (\text{no sum})`: the place behind a bracket at `at` that holds only "no sum" or "and cyclic
+/// `a_i = b_i \; (\text{no sum})`: the place after a bracket at `at` that holds only "no sum" or "and cyclic
 /// permutations"; `at` itself for any other.
 [[nodiscard]] std::size_t bracketed_remark_end(TokenView tokens, std::size_t at);
 
-/// What a symbol does that stands behind a visible space (`~`, `\ `, `\enspace`) and directly before a
+/// What a symbol does that stands after a visible space (`~`, `\ `, `\enspace`) and directly before a
 /// relation.
 enum class Beside : std::uint8_t {
   goes_on,  // no such symbol: it belongs to what stands before it

@@ -219,7 +219,7 @@ class StatementSplitter {
   /// `\text{…}` where an operand is due is part of the expression: `\text{torque} = …`, `m = \text{const}`.
   static bool wants_operand(TokenView block) { return ends_open(block) && !trim(block).empty(); }
 
-  /// Behind an equation, a remark in brackets ends at a wide space as well: `(\text{Kronecker}) \quad (17)`.
+  /// After an equation, a remark in brackets ends at a wide space as well: `(\text{Kronecker}) \quad (17)`.
   bool is_remark_end(const Block& block, std::size_t next) const {
     return !blocks_.empty() && !block.related && !ends_open(block.tokens) && !trim(block.tokens).empty() &&
            goes_on_elsewhere(next);
@@ -239,7 +239,7 @@ class StatementSplitter {
   }
 
   /// Do the words belong to the expression that they stand in? At the left end and within a side, what is no
-  /// remark does; so does what could be a factor behind the equation: `E = 2\,\text{energy}`.
+  /// remark does; so does what could be a factor after the equation: `E = 2\,\text{energy}`.
   bool is_inside(const Block& block, std::size_t at, const Argument& words) const {
     if (writes_mathematics(tokens_, at) || is_unit_behind(block.tokens, words.content)) return true;
     const std::string said = text_of(words.content);
@@ -261,7 +261,7 @@ class StatementSplitter {
     return is_sign_of(token, "+-") || factor_joint(token) != Joint::none || relation_kind(token).has_value();
   }
 
-  /// `\text{for } x > 0` behind an equation: the place behind it; `at` if it is not read to its end.
+  /// `\text{for } x > 0` after an equation: the place after it; `at` if it is not read to its end.
   std::size_t note_condition(const Block& block, std::size_t at, const Argument& words) {
     if (!block.related && blocks_.empty()) return at;
     Nesting nesting(false);

@@ -19,7 +19,7 @@ TokenView without_punctuation(TokenView tokens) {
   return tokens.subspan(first_significant(tokens, 0));
 }
 
-/// The relation at `at`, and the place behind it.
+/// The relation at `at`, and the place after it.
 struct RelationAt {
   WrittenRelation relation;
   std::size_t next;

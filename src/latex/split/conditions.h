@@ -15,7 +15,7 @@ namespace rigor {
 /// for `x, y > 0`. Relations of indices, `i \ne j`, are none.
 [[nodiscard]] std::optional<std::vector<Tokens>> conditions_in(TokenView tokens);
 
-/// The same behind "if", "for", "when", "provided that", …: `\text{if } x > 0`, `\text{for $x > 0$}`. Behind
+/// The same after "if", "for", "when", "provided that", …: `\text{if } x > 0`, `\text{for $x > 0$}`. After
 /// "where" and "with" it is an order, since an equation there defines a letter.
 [[nodiscard]] std::optional<std::vector<Tokens>> conditions_behind_words(TokenView tokens);
 

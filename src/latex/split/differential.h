@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The `d` of `dx`, `\mathrm dm`, `\partial x`, and how far the symbol behind it reaches.
+// The `d` of `dx`, `\mathrm dm`, `\partial x`, and how far the symbol after it reaches.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace rigor {
 
 struct Differential {
-  std::size_t next = 0;  // behind the sign and its order
+  std::size_t next = 0;  // after the sign and its order
   int order = 1;         // 2 in `d^2`; 0: an order that is not read
   bool partial = false;
 };
@@ -20,13 +20,13 @@ struct Differential {
 
 [[nodiscard]] bool is_partial(const Token& token);
 
-/// The place behind one symbol with its accents and scripts, `\dot{\mathbf r}_\alpha^2`; `at` itself where
+/// The place after one symbol with its accents and scripts, `\dot{\mathbf r}_\alpha^2`; `at` itself where
 /// none stands.
 [[nodiscard]] std::size_t symbol_end(TokenView tokens, std::size_t at);
 /// The same for one bracket `(…)` or `[…]`; `at` where none stands or it is not closed.
 [[nodiscard]] std::size_t bracket_end(TokenView tokens, std::size_t at);
 
-/// The place behind blanks and narrow spacing.
+/// The place after blanks and narrow spacing.
 [[nodiscard]] std::size_t skip_narrow(TokenView tokens, std::size_t at);
 
 }  // namespace rigor

@@ -24,7 +24,7 @@ bool takes_bare_length(const Token& token) {
   return is_control_of(token, {"hskip", "vskip", "mskip", "kern", "mkern", "hglue"});
 }
 
-/// The place behind `2pt`, `-.5em`, `\smallskipamount`; `at` where no length stands.
+/// The place after `2pt`, `-.5em`, `\smallskipamount`; `at` where no length stands.
 std::size_t behind_length(TokenView tokens, std::size_t at) {
   std::size_t end = skip_blank(tokens, at);
   if (is_kind_at(tokens, end, TokenKind::control)) {
@@ -69,7 +69,7 @@ class RowReader {
 
   Tokens& cell() { return row_.cells.back(); }
 
-  /// To the place behind what means nothing more than `use`.
+  /// To the place after what means nothing more than `use`.
   void leave(std::size_t next, TokenUse use = TokenUse::layout) {
     uses_.mark(tokens_.subspan(at_, std::min(next, tokens_.size()) - at_), use);
     at_ = next;
@@ -205,7 +205,7 @@ class RowReader {
 
   /// `\left. a + b \right|_{…}`: the bar is about all of it, so it comes as `{a + b}`.
   void hold_together(const Left& left, const Token& bar) {
-    constexpr std::size_t longest = 1000;  // what is inserted moves the tokens behind it
+    constexpr std::size_t longest = 1000;  // what is inserted moves the tokens after it
     if (!left.invisible || left.cells != row_.cells.size() || left.size > cell().size() ||
         cell().size() - left.size > longest)
       return;
@@ -264,7 +264,7 @@ class RowReader {
     at_ = next;
   }
 
-  /// A `cases` with nothing but punctuation behind its end is a system of equations, not a value.
+  /// A `cases` with nothing but punctuation after its end is a system of equations, not a value.
   bool is_whole_row(std::size_t at, std::string_view name) const {
     for (std::size_t i = at; i < tokens_.size(); ++i) {
       if (!is_control(tokens_[i], "end")) continue;

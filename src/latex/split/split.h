@@ -38,7 +38,7 @@ struct WrittenChain {
   Span condition_span;
   /// Words next to the equation that may restrict it ("to first order"): it may be proved, never refuted.
   std::optional<Obstacle> doubt;
-  /// Relations that say when it holds: behind "for" or "if", in its tag, at its braces. Where there are some,
+  /// Relations that say when it holds: after "for" or "if", in its tag, at its braces. Where there are some,
   /// there is a doubt.
   std::vector<WrittenChain> assumed;
   bool alternative = false;  // "or" is next to it

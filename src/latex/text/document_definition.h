@@ -19,7 +19,7 @@ struct DefinitionExtent {
   std::optional<std::size_t> open = {};  // the brace or bracket that is not closed
 };
 
-/// `at` is behind the command. A definition that breaks off ends where it does.
+/// `at` is after the command. A definition that breaks off ends where it does.
 [[nodiscard]] DefinitionExtent definition_extent(NotesText& text, DefinitionForm form, std::size_t at);
 
 enum class EnvironmentForm : std::uint8_t {

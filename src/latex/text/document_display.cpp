@@ -127,7 +127,7 @@ class DisplaySearch {
            std::ranges::any_of(marks, [&](std::string_view mark) { return text_.has(mark, line); });
   }
 
-  /// At a blank line: mathematics goes on behind it, and is closed.
+  /// At a blank line: mathematics goes on after it, and is closed.
   bool goes_on_below(std::size_t line) {
     if (line < checked_) return true;
     std::size_t next = line;
@@ -231,7 +231,7 @@ class DisplaySearch {
   std::string_view environment_;
   std::size_t at_;
   std::size_t limit_;
-  std::optional<std::size_t> blank_ = {};  // the first blank line behind which it goes on
+  std::optional<std::size_t> blank_ = {};  // the first blank line after which it goes on
   std::size_t checked_ = 0;                // up to here it does
   bool has_comments_;
   int depth_ = 0;

@@ -31,8 +31,8 @@ struct DisplayEnd {
   std::optional<std::size_t> passed = {};  // where a first display opens in the words of an \intertext
 };
 
-/// Looks for the end from `from` on, behind the opening, and before `limit`. Without one, the search stops at
-/// the next display or heading, and for `$$` in LaTeX at a blank line. In Markdown `$$` and `\[` go on behind
+/// Looks for the end from `from` on, after the opening, and before `limit`. Without one, the search stops at
+/// the next display or heading, and for `$$` in LaTeX at a blank line. In Markdown `$$` and `\[` go on after
 /// a blank line where mathematics does; they are open there where words follow, and where a later `$$` can
 /// just as well be the opening of another display. Displays in the words of an \intertext are passed over.
 /// Cost: linear in what it passes over, and up to the next `$$`.

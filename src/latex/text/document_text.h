@@ -16,7 +16,7 @@ namespace rigor {
 /// `\begin{name}` or `\end{name}`.
 struct EnvironmentMark {
   std::string_view name;  // blanks trimmed
-  std::size_t end = 0;    // behind the brace
+  std::size_t end = 0;    // after the brace
 };
 
 class NotesText {
@@ -36,32 +36,32 @@ class NotesText {
   [[nodiscard]] Span trimmed(std::size_t begin, std::size_t end) const;
   [[nodiscard]] Format format() const { return format_; }
 
-  /// The letters behind the backslash at `at`; empty for a control symbol.
+  /// The letters after the backslash at `at`; empty for a control symbol.
   [[nodiscard]] std::string_view control_word(std::size_t at) const;
   /// The name in braces from `at` on; nothing where none follows on this line.
   [[nodiscard]] std::optional<EnvironmentMark> environment_mark(std::size_t at) const;
 
   /// The line break, or the end of the text.
   [[nodiscard]] std::size_t line_end(std::size_t at) const;
-  /// The start of the line behind; the end of the text in the last line.
+  /// The start of the next line; the end of the text in the last line.
   [[nodiscard]] std::size_t next_line(std::size_t at) const;
   /// The line that starts here is empty but for blanks and, in Markdown, for the marks of a quotation.
   [[nodiscard]] bool is_blank_line(std::size_t line) const;
-  /// The start of the first blank line that starts behind `at`; the end of the text without one.
+  /// The start of the first blank line that starts after `at`; the end of the text without one.
   [[nodiscard]] std::size_t blank_line(std::size_t at) const;
-  /// The start of the line behind that blank line.
+  /// The start of the line after that blank line.
   [[nodiscard]] std::size_t after_blank_line(std::size_t at) const { return next_line(blank_line(at)); }
-  /// Behind blanks, comments (LaTeX) and at most one line break; never into a blank line.
+  /// After blanks, comments (LaTeX) and at most one line break; never into a blank line.
   [[nodiscard]] std::size_t skip_gap(std::size_t at) const;
 
   /// From `at` on the prose goes on with "and cyclic permutations", "etc." or the like.
   [[nodiscard]] bool goes_on_cyclically(std::size_t at) const;
 
-  /// Behind the brace that closes the one at `open`; nothing where none does. After eight braces that were
+  /// After the brace that closes the one at `open`; nothing where none does. After eight braces that were
   /// closed nowhere, every search ends at a blank line: a file of open braces is not read to its end for each
   /// of them.
   [[nodiscard]] std::optional<std::size_t> group_end(std::size_t open, bool in_paragraph = false);
-  /// Behind the `]` that closes the `[` at `open`, before the next blank line.
+  /// After the `]` that closes the `[` at `open`, before the next blank line.
   [[nodiscard]] std::optional<std::size_t> bracket_end(std::size_t open) const;
 
  private:

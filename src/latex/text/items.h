@@ -33,7 +33,7 @@ struct Display {
   Span body;
   std::string environment;
   std::uint32_t quotes = 0;  // marks `>` before each line of the body, for `lex`
-  bool cyclic = false;       // the prose right behind it goes on with "and cyclic permutations" or "etc."
+  bool cyclic = false;       // the prose right after it goes on with "and cyclic permutations" or "etc."
 };
 
 /// A definition such as `\newcommand{\v}[1]{\mathbf{#1}}` outside any display: to be run through `expand`.

@@ -70,7 +70,7 @@ class WordSearch {
     return pair || alone || first;
   }
 
-  /// `where a` and `hence, \alpha`: behind a first word that is no name, as in `Kraft = \dots`.
+  /// `where a` and `hence, \alpha`: after a first word that is no name, as in `Kraft = \dots`.
   static bool is_followed_by_letter(std::string_view rest) {
     const std::size_t next = rest.find_first_not_of(" \t\n,");
     return next != std::string_view::npos && next > 0 && is_letter_of_word(rest[next]);

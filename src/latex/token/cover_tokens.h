@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// From a place to the end of the tokens behind it; the place alone where there are none: they have no place.
+/// From a place to the end of the tokens after it; the place alone where there are none: they have no place.
 [[nodiscard]] inline Span cover(Span first, TokenView rest) {
   return rest.empty() ? first : cover(first, span_of(rest));
 }

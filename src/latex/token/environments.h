@@ -13,9 +13,9 @@ namespace rigor {
 /// `align`, `align*`, `equation`…: what stands inside is a displayed equation. The star counts as part of the
 /// name.
 [[nodiscard]] bool is_display_environment(std::string_view name);
-/// `{2}` stands behind `\begin{alignat}`, `{align}` behind `\begin{empheq}`.
+/// `{2}` stands after `\begin{alignat}`, `{align}` after `\begin{empheq}`.
 [[nodiscard]] bool takes_argument(std::string_view name);
-/// `[…]` may stand behind `\begin{dmath}` and `\begin{empheq}`.
+/// `[…]` may stand after `\begin{dmath}` and `\begin{empheq}`.
 [[nodiscard]] bool takes_options(std::string_view name);
 /// `\begin{verbatim}` and its kind, and `filecontents`: nothing inside is read.
 [[nodiscard]] bool is_verbatim_environment(std::string_view name);
@@ -29,17 +29,17 @@ namespace rigor {
 struct OwnDisplay {
   std::string environment;  // `equation`; `displaymath` for `\[`
   std::string meaning;      // how its body is laid out: `align` for an `aligned` that fills the `equation`
-  int parameters = 0;       // arguments behind the own name, which are no part of the body
+  int parameters = 0;       // arguments after the own name, which are no part of the body
   bool optional_first = false;  // the first of them in brackets
 };
 
 /// What `text` opens, if it is the opening of a display and nothing that is displayed: `\begin{equation}`,
-/// `\[`, also with `\label{#1}` or a `\begin{aligned}` behind it.
+/// `\[`, also with `\label{#1}` or a `\begin{aligned}` after it.
 [[nodiscard]] std::optional<OwnDisplay> display_opening(std::string_view text);
 /// The environment in `\end{equation}`, `\end{aligned}\end{equation}`, `\]`; empty for other texts.
 [[nodiscard]] std::string display_closing(std::string_view text);
 
-/// What a definition has behind its name; an environment's has a closing body, too.
+/// What a definition has after its name; an environment's has a closing body, too.
 struct OwnBodies {
   std::string_view opening;
   std::string_view closing = {};

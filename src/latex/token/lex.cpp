@@ -63,7 +63,7 @@ class Lexer {
     }
   }
 
-  /// At the start of a line in a quotation: moves behind the marks, up to the depth of the quotation.
+  /// At the start of a line in a quotation: moves after the marks, up to the depth of the quotation.
   void skip_quotes() {
     for (std::uint32_t left = quotes_; left > 0; --left) {
       std::size_t mark = at_;

@@ -84,7 +84,7 @@ std::string_view control_at(std::string_view text, std::size_t at) {
   return text.substr(at + 1, end - at - 1);
 }
 
-/// The place behind `\eqref{eq:1}`, `\mathbf`, `\,`; `at` itself for the control of a letter.
+/// The place after `\eqref{eq:1}`, `\mathbf`, `\,`; `at` itself for the control of a letter.
 std::size_t behind_silent_control(std::string_view text, std::size_t at) {
   static const WordSet references("eqref ref cite cref autoref");
   static const WordSet styles(R"(

@@ -146,7 +146,7 @@ TokenView trim(TokenView tokens) {
 
 std::string text_of(TokenView tokens) {
   std::string text;
-  bool after_word = false;  // a control word must not run into the letter behind it
+  bool after_word = false;  // a control word must not run into the letter after it
   for (const Token& token : trim(tokens)) {
     if (is_blank(token)) {
       if (!text.empty() && text.back() != ' ') text += ' ';

@@ -24,7 +24,7 @@ using TokenView = std::span<const Token>;
 [[nodiscard]] bool is_blank(const Token& token);     // space or paragraph
 [[nodiscard]] bool is_script(const Token& token);    // `_`, `^` or a prime
 [[nodiscard]] bool is_sum_sign(const Token& token);  // `+`, `-`, `\pm`, `\mp`
-/// What stands at the place; false behind the end.
+/// What stands at the place; false after the end.
 [[nodiscard]] inline bool is_kind_at(TokenView tokens, std::size_t at, TokenKind kind) {
   return at < tokens.size() && tokens[at].kind == kind;
 }
@@ -52,7 +52,7 @@ using TokenView = std::span<const Token>;
 /// The first place at or after `at` that is not blank; the size at the end.
 [[nodiscard]] std::size_t skip_blank(TokenView tokens, std::size_t at);
 
-/// A macro argument: the contents of a brace group, or one token. `next` is the place behind it; nothing
+/// A macro argument: the contents of a brace group, or one token. `next` is the place after it; nothing
 /// left: empty, next = size.
 struct Argument {
   TokenView content;
@@ -68,7 +68,7 @@ struct Argument {
 /// Is the token the argument of a `_` or `^` before it? `A_\perp` holds no relation.
 [[nodiscard]] bool is_script_argument(TokenView tokens, std::size_t at);
 
-/// The place behind an empty group `{}` that stands at `at` and carries no script; `at` itself otherwise.
+/// The place after an empty group `{}` that stands at `at` and carries no script; `at` itself otherwise.
 /// Such a group means nothing.
 [[nodiscard]] std::size_t skip_empty_group(TokenView tokens, std::size_t at);
 

@@ -169,7 +169,7 @@ bool is_asking_mark(std::span<const Token> tokens, std::size_t at) {
   std::size_t behind = at + 1;
   while (behind < tokens.size() && is_empty(behind)) ++behind;
   if (behind == tokens.size()) return false;
-  const TokenKind right = tokens[behind].kind;  // a factor goes on behind it
+  const TokenKind right = tokens[behind].kind;  // a factor goes on after it
   return right == TokenKind::letter || right == TokenKind::control || right == TokenKind::subscript;
 }
 

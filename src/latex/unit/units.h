@@ -29,12 +29,12 @@ enum class UnitNames : std::uint8_t {
 };
 
 /// Nothing where a name is unknown or the text is no product of powers. `problem`, if given, says what is
-/// wrong. Spaces, `.`, `\,`, `\cdot`, `~` multiply; behind `/` stands one factor or bracket, and nothing
+/// wrong. Spaces, `.`, `\,`, `\cdot`, `~` multiply; after `/` stands one factor or bracket, and nothing
 /// follows it.
 [[nodiscard]] std::optional<WrittenUnit> read_unit(std::string_view text, UnitNames names,
                                                    std::string* problem = nullptr);
 
-/// Is a roman word behind a number a unit? A single letter needs a space before it, since `2\mathrm{V}` can
+/// Is a roman word after a number a unit? A single letter needs a space before it, since `2\mathrm{V}` can
 /// be twice a volume; `\mathrm{d}` is a differential.
 [[nodiscard]] bool is_unit_word(std::string_view text, bool spaced);
 

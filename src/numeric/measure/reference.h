@@ -2,7 +2,7 @@
 // What a program's results are for the given doubles, to 40 digits at least: run with 100 decimal digits and
 // a running error bound (`run_bounded_decimal.h`). Samples where the bound is too large are run in rational
 // numbers (where they have them, and these do not grow too long), then with 400 and 1,400 digits. What is not
-// known to 40 digits then is unknown: so is a 0 behind a root or a function that is not rational.
+// known to 40 digits then is unknown: so is a 0 after a root or a function that is not rational.
 #pragma once
 
 #include <cstdint>

@@ -58,7 +58,7 @@ struct PlanStep {
   std::uint8_t minus = 0;    // triples: bit k: triple k is subtracted
   std::uint8_t level = 0;    // loop
   bool over_lanes = false;   // loop: takes as many particles at a time as there are lanes; or a step of one
-  std::uint32_t end = 0;     // loop: the step behind it
+  std::uint32_t end = 0;     // loop: the step after it
   std::uint32_t inputs = 0;  // loop: into Plan::loop_inputs
   std::uint32_t input_count = 0;
   SlotId out = 0;

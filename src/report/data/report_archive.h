@@ -15,7 +15,7 @@ namespace rigor {
 /// All texts of the map are packed with it.
 [[nodiscard]] std::string pack(const FileReport& file, const SourceMap& sources);
 
-/// Its texts are added to the map behind those that are there. Empty, and nothing is added, if these are not
+/// Its texts are added to the map after those that are there. Empty, and nothing is added, if these are not
 /// the bytes of a report.
 [[nodiscard]] std::optional<FileReport> unpack(std::string_view bytes, SourceMap& sources);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A drawing as SVG 1.1 in one file: no script, nothing from the network. The same calls give the same bytes:
-// lengths have two digits behind the point. Lengths are pixels, y points down.
+// lengths have two digits after the point. Lengths are pixels, y points down.
 #pragma once
 
 #include <array>

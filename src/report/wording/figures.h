@@ -11,7 +11,7 @@ namespace rigor {
 [[nodiscard]] std::string short_number(double value);
 /// Six significant digits.
 [[nodiscard]] std::string value_text(double value);
-/// A scalar, or `(x, y, z)`; the rows of a tensor behind semicolons.
+/// A scalar, or `(x, y, z)`; the rows of a tensor after semicolons.
 [[nodiscard]] std::string value_text(std::span<const double> components);
 
 }  // namespace rigor

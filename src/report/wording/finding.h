@@ -18,7 +18,7 @@ enum class Weight : std::uint8_t { wrong, open, warning, expected };
 /// `notes.tex:12:28`
 [[nodiscard]] std::string place_text(Span span, const SourceMap& sources);
 
-/// Behind the message, a line each: notes at other places, help, the sample, the nearest true statements,
+/// After the message, a line each: notes at other places, help, the sample, the nearest true statements,
 /// conditions. Every line ends with a line break.
 [[nodiscard]] std::string details_of(const PlacedDiagnostic& placed, const SourceMap& sources);
 

@@ -73,7 +73,7 @@ struct SceneFile {
   std::string path;
   std::string title;
   SceneText notes;  // relative to the scene's file, or absolute
-  std::string at;   // a tag or heading of the notes behind which letters are meant; empty: their end
+  std::string at;   // a tag or heading of the notes after which letters are meant; empty: their end
   SceneText body;
   SceneAxes axes = SceneAxes::not_said;
   std::optional<Vector3> spin;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_dots = 64;
 
-/// Behind the string that starts at `at`; a string of one line ends with it, closed or not.
+/// After the string that starts at `at`; a string of one line ends with it, closed or not.
 std::size_t end_of_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool is_long = text.substr(at).starts_with(std::string(3, quote));

@@ -11,7 +11,7 @@
 #include "base/utf8.h"
 #include "scene/file/toml_scan.h"
 
-// toml++ asserts what broken files such as `a = [}` violate, and reports them just behind. Without NDEBUG
+// toml++ asserts what broken files such as `a = [}` violate, and reports them just after. Without NDEBUG
 // such a file would end the program, and with it clang takes the assertion for granted: we have neither.
 #undef NDEBUG
 #define TOML_ASSERT(...) static_assert(true)
