@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a value stands in a list.
+// Whether a value is in a list.
 #pragma once
 
 #include <algorithm>

@@ -41,7 +41,7 @@ bool is_in(const std::array<Range, N>& ranges, char32_t c) {
   return std::ranges::any_of(ranges, [c](Range r) { return r.first <= c && c <= r.last; });
 }
 
-/// What to print for the code point that stands at [begin, end) of the text.
+/// What to print for the code point that is at [begin, end) of the text.
 std::string_view printed(std::string_view text, std::size_t begin, std::size_t end, char32_t c) {
   if (c == U'\t' || c == U'\n' || c == U'\r') return " ";
   if (is_in(steering, c) || c == U'?') return "?";

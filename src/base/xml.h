@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Text as it may stand between tags and in quoted attributes of XML 1.0 and HTML. A character that XML
+/// Text as it may be between tags and in quoted attributes of XML 1.0 and HTML. A character that XML
 /// cannot have, and a byte that is not UTF-8, becomes U+FFFD; line breaks and tabs survive in attributes,
 /// too.
 [[nodiscard]] std::string xml_escaped(std::string_view text);

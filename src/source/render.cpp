@@ -44,7 +44,7 @@ Paint paint_of(Severity severity) {
 }
 
 /// The glyphs of the bytes [begin, end) of a line that starts at `line_start`. Tabs become blanks, so that
-/// the marks below stand under what they mark on every terminal.
+/// the marks below are under what they mark on every terminal.
 std::vector<Glyph> read_glyphs(std::string_view line, std::size_t begin, std::size_t end,
                                std::uint32_t line_start) {
   std::vector<Glyph> glyphs;

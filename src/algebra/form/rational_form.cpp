@@ -201,7 +201,7 @@ GiNaC::ex value_of(RationalAtoms& atoms, const std::vector<RationalTerm>& terms)
   return sum;
 }
 
-/// Does a symbol stand in an indeterminate of some terms, other than those in `own`?
+/// Does a symbol occur in an indeterminate of some terms, other than those in `own`?
 bool is_hidden(RationalAtoms& atoms, const std::vector<RationalTerm>& terms, SymbolId symbol,
                const std::vector<std::size_t>& own) {
   const ExprTree& tree = atoms.tree();

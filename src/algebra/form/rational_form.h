@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions written otherwise as rational functions: what is neither a sum, a product, a quotient nor a
-// whole power is an indeterminate, as it stands. A·A and |A|² are one. Terms stand in an order of our own: by
+// whole power is an indeterminate, as it stands. A·A and |A|² are one. Terms are in an order of our own: by
 // the powers of the indeterminates in the order in which the expression names them, so that nothing of the
 // computer algebra's order shows.
 #pragma once
@@ -28,7 +28,7 @@ enum class RationalForm : std::uint8_t {
 [[nodiscard]] std::optional<ExprId> collected_by(ExprTree& tree, ExprId id, std::span<const ExprId> by);
 
 /// The expression of rank 0 without what is of second or higher order in some of its indeterminates together.
-/// Nothing where it is not defined at 0, or where one of them also stands in another indeterminate.
+/// Nothing where it is not defined at 0, or where one of them also is in another indeterminate.
 [[nodiscard]] std::optional<ExprId> to_first_order(ExprTree& tree, ExprId id, std::span<const ExprId> in);
 
 /// What an unknown must be for a difference to vanish.

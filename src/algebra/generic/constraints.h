@@ -10,7 +10,7 @@
 //  4. the residue is a combination of the equations with cofactors of low degree (`membership.h`), or
 //  vanishes in each of several cases (`cases.h`).
 // Where three equations say M n = 0 for a unit vector n, det M = 0 (`kernel.h`).
-// An equation with a single root in it is used squared, too. What stands in a denominator is not 0. A unit
+// An equation with a single root in it is used squared, too. What is in a denominator is not 0. A unit
 // vector that assumptions are about is three coordinates with n·n = 1: the stereographic chart misses a point
 // that they may single out. Everything used is a consequence of the assumptions: sound. Steps 1 and 2 lose
 // nothing (the solutions of such an equation are the graph of a polynomial); the others are bounded.

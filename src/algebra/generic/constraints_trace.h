@@ -42,7 +42,7 @@ struct ConstraintsTrace {
   };
   struct Nonzero {
     GiNaC::ex value;
-    std::optional<std::size_t> assumption = {};  // that says so; none: it stands in a denominator
+    std::optional<std::size_t> assumption = {};  // that says so; none: it is in a denominator
   };
   /// An assumption about each particle that was solved for a number of its own.
   struct OfEachParticle {

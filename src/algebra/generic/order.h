@@ -11,7 +11,7 @@
 //  6. U − V is not negative if U and U² − V² are not, where U has the terms that are not negative: A·B ≤
 //  |A||B|. For U² ≥ V² makes |U| ≥ |V|, and U = |U|, |V| ≥ V. From U² > V² follows U > V in the same way, but
 //  from U² = V² only U = |V|: U − V may be anything that is not negative, 2U where V = −U.
-// A root is positive if what stands under it is.
+// A root is positive if what is under it is.
 // Why each is sound: a sign is the set of signs that a value may have, at every point that meets the
 // assumptions and at which the claim has a value. 1 to 3 and 5 add and multiply such sets (`signs.h`), by
 // positive numbers, by an exact substitution or by exact division; 4 and 6 give a set

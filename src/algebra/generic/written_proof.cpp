@@ -121,7 +121,7 @@ ProofLetter ProofWriter::coordinate(const Indeterminates::Origin& origin) const 
   return named;
 }
 
-/// Factors with negative powers stand in the denominator.
+/// Factors with negative powers are in the denominator.
 void ProofWriter::note_quotient(ProofLetter& letter, const ex& value, int divisor) const {
   SparseArithmetic arithmetic(search_.reader().variables(), largest_meaning);
   try {

@@ -37,7 +37,7 @@ class Scope {
   std::vector<bool> zeroed_;                   // by symbol
 };
 
-/// What evaluating some expressions needs. Symbols stand in the order of their first occurrence.
+/// What evaluating some expressions needs. Symbols are in the order of their first occurrence.
 struct Reach {
   std::vector<SymbolId> symbols;  // free: neither unfolded nor zeroed
   std::vector<SymbolId> unfolded;

@@ -61,7 +61,7 @@ struct NotesOptions {
   bool strict = false;       // warnings count as errors
 };
 
-/// Checks one statement, as it would stand in a display. `context` is LaTeX that stands before it: directives
+/// Checks one statement, as it would be in a display. `context` is LaTeX that is before it: directives
 /// (`% rigor: given ...`), macros, definitions in displays. A chain is as bad as its worst step: it is proved
 /// if all its steps are, and refuted if one is. What is wrong with the context is part of the answer.
 RIGOR_API CheckedStep step(std::string_view statement, std::string_view context = {});

@@ -11,7 +11,7 @@
 namespace rigor {
 namespace {
 
-/// Text as it may stand in a line that does not begin with it: signs that roff would read are escaped.
+/// Text as it may be in a line that does not begin with it: signs that roff would read are escaped.
 std::string roff(std::string_view text) {
   std::string line;
   bool typed = false;

@@ -8,7 +8,7 @@
 
 namespace rigor {
 
-/// What may stand in the place of an option's value, or of a word without an option.
+/// What may be in the place of an option's value, or of a word without an option.
 enum class ValueKind : std::uint8_t { none, file, folder, choice, other };
 
 /// An option, or (without names) a word that stands for itself, such as FILE.

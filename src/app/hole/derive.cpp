@@ -205,7 +205,7 @@ class Deriving {
     return answers;
   }
 
-  /// After the notes, so that their lines keep their numbers, unless the statement stands within them.
+  /// After the notes, so that their lines keep their numbers, unless the statement is within them.
   void add_small_directive(HoleNotes& notes) const {
     const bool latex = format_of(notes.path) == Format::latex;
     std::string directive = latex ? "" : "<!-- rigor:\n";

@@ -29,7 +29,7 @@ struct OpenHole {
   std::size_t tried = 0;
   std::string obstacle = {};
   std::optional<std::string> would_be = {};  // refuted, though anything that fits equals it
-  bool repeats_other = false;                // what stands on the other side was found
+  bool repeats_other = false;                // what is on the other side was found
   bool settled = false;
 
   [[nodiscard]] bool is_trying() const { return !settled && tried < candidates.size(); }
@@ -171,7 +171,7 @@ class Answering {
     }
   }
 
-  /// What stands on the other side already says nothing, unless it is a number.
+  /// What is on the other side already says nothing, unless it is a number.
   static void add(OpenHole& hole, std::string latex, const std::string& other) {
     const bool number = !other.empty() && other.find_first_not_of("0123456789.") == std::string::npos;
     if (hole.written->alone && bare(latex) == other && !number) {

@@ -28,7 +28,7 @@ struct HoleAnswer {
   std::string text = {};  // what is written for the hole: the answer with brackets where it needs them
   std::optional<std::string> freedom = {};  // what can be added to it, of many answers
   std::optional<std::string> other = {};    // what the notes say it is equal to, if it is alone
-  bool written_there = false;               // the hole's own characters stand in the text, not in a macro
+  bool written_there = false;               // the hole's own characters are in the text, not in a macro
   bool impossible = false;                  // no value fits
   bool only_moves_other = false;  // the answer holds what the notes say it is equal to: it says little
   bool among_small = false;       // something is small where it stands

@@ -22,7 +22,7 @@ bool is_sum(const std::string& latex) {
   return false;
 }
 
-/// Bars open and close alike, so that what stands after the first one is looked at as if it were outside.
+/// Bars open and close alike, so that what comes after the first one is looked at as if it were outside.
 bool has_sign_outside(const std::string& latex) {
   std::string without_bars = latex;
   std::erase(without_bars, '|');

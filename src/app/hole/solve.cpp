@@ -81,7 +81,7 @@ class StatementSolver {
     return std::move(result_);
   }
 
-  /// Where the unknown stands in the statement.
+  /// Where the unknown is in the statement.
   void find_places(const WrittenFormChain& chain) {
     const ExprTree& tree = reading_.forms.tree;
     const std::string text = dump(tree, unknown_);

@@ -121,8 +121,8 @@ class DimensionRecorder {
   [[nodiscard]] DimensionRecord finish();
 
  private:
-  /// One relation between two sides; without `compared`, what stands inside the sides only. `inner_left`:
-  /// what stands inside the left side, too.
+  /// One relation between two sides; without `compared`, what is inside the sides only. `inner_left`:
+  /// what is inside the left side, too.
   struct Relation {
     std::size_t step = 0;
     ExprId left{};

@@ -30,7 +30,7 @@ std::vector<Span> DimensionWords::places_of(const Reasons& reasons, DimensionRea
   return places;
 }
 
-/// `M L^2`; what is not known stands in brackets, `[v] T`.
+/// `M L^2`; what is not known is in brackets, `[v] T`.
 std::string DimensionWords::text_of(const DimensionForm& form) const {
   const DimensionForm known = known_.reduce(form).form;
   std::string text = known.fixed.is_none() ? "" : known.fixed.text();

@@ -259,7 +259,7 @@ class DirectiveReader {
     return directive;
   }
 
-  /// The dimension after the colon; what stands before it is left.
+  /// The dimension after the colon; what comes before it is left.
   bool take_dimension(TokenView& part, Directive& directive) {
     const auto colon =
         std::find_if(part.begin(), part.end(), [](const Token& token) { return is_sign(token, ":"); });

@@ -12,7 +12,7 @@ namespace rigor {
 struct Remainder {
   SyntaxId letter{};
   int power = 0;    // n, from 1
-  SyntaxId rest{};  // the side without it: 0 where nothing else stands there
+  SyntaxId rest{};  // the side without it: 0 where nothing else is there
   bool alone = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nothing borrowed refutes. A step that fails is refuted only by what it says itself and by what was said for
 // its place. Where a definition of another section, a word of its sentence ("if", "for an acute angle") or a
-// relation in a line stands in between, it is undecided, and what it rests on is named.
+// relation in a line is in between, it is undecided, and what it rests on is named.
 //
 // What is said elsewhere may help a proof: a relation that a line of prose brings in (`with $\beta = v/c$`)
 // proves what it makes true.
@@ -62,7 +62,7 @@ struct Standpoint {
 /// Is it meant for all values by its author's own words: `for all`, `claim`?
 [[nodiscard]] bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& claim);
 
-/// The judgement of a step that stands there: a proof with the help of what was said, or a refutation taken
+/// The judgement of a step that is there: a proof with the help of what was said, or a refutation taken
 /// back.
 [[nodiscard]] Judgement heed_place(ExprTree& tree, const Names& names, const Claim& claim,
                                    Judgement judgement, const Standpoint& at, DecisionCache* cache);

@@ -33,7 +33,7 @@ class Looking {
   }
 
  private:
-  /// `odd`: as a factor of what stands in an odd power.
+  /// `odd`: as a factor of what is in an odd power.
   void visit(ExprId id, bool odd) {
     const ExprNode& node = tree_[id];
     if (is_plain_length(tree_, id)) {

@@ -14,7 +14,7 @@ namespace rigor {
 /// Is it about an index, a rank, a bracket or an expression that breaks off?
 [[nodiscard]] bool is_malformation(DiagnosticKind kind);
 
-/// Do the same letters stand in the subscripts of both sides of the step, so that they can be labels of
+/// Do the same letters occur in the subscripts of both sides of the step, so that they can be labels of
 /// levels that nothing sums over: `g_iB_{ik} = g_kB_{ki}`?
 [[nodiscard]] bool can_be_labels(const SyntaxTree& syntax, const ParsedChain& parsed, std::size_t which);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a letter is, it is in its whole section, also above the line that says so: declarations are put in
-// front of all else that stands in their section, after a frame that stands above them.
+// front of all else that is in their section, after a frame that is above them.
 #pragma once
 
 #include <vector>

@@ -133,7 +133,7 @@ class CheckedNotesReader {
     return chains;
   }
 
-  /// "For an acute angle $\varphi$": adjectives as relations of the letters that they stand at.
+  /// "For an acute angle $\varphi$": adjectives as relations of the letters that they are at.
   void add_said_kinds() {
     for (const ProseSentence& sentence : notes_.prose.sentences) {
       if (!sentence.has_display || sentence.asks) continue;
@@ -233,7 +233,7 @@ class CheckedNotesReader {
     notes_.events = std::move(events);
   }
 
-  /// `at line 57` reports at line 57, whatever stands there; what holds from the start, at the start.
+  /// `at line 57` reports at line 57, whatever is there; what holds from the start, at the start.
   Span reported_at(const Anchor& anchor, Span place) const {
     if (anchor.kind == AnchorKind::start) return {notes_.file, 0, 0};
     if (anchor.kind != AnchorKind::line) return place;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A diagnostic about a statement that a sidecar makes stands in the sidecar; a label shows which place in the
+// A diagnostic about a statement that a sidecar makes is in the sidecar; a label shows which place in the
 // notes it is about.
 #pragma once
 

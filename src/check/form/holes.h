@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Holes: places of the notes where `\square` stands for what is to be derived, each with what a reader knows
-// there: the statement that it stands in, read in every way in which ranks and indices fit, with the
+// there: the statement that it is in, read in every way in which ranks and indices fit, with the
 // definitions and assumptions in scope, and the names that were proved to fill it.
 #pragma once
 
@@ -25,7 +25,7 @@ struct HoleReading {
   Equation claim;  // left: what the hole's side is equal to; right: the side with the hole
   bool nearly = false;
   SymbolId symbol{};                     // of the hole
-  ExprId node{};                         // the hole as it stands in the claim
+  ExprId node{};                         // the hole as it is in the claim
   std::vector<Question> questions = {};  // exact: one; nearly: of orders 0 and 1; their `tree` is not set
   std::vector<FittingName> names = {};   // the first that fit
   std::vector<ExprId> small = {};        // what is small where it stands
@@ -34,11 +34,11 @@ struct HoleReading {
 
 struct WrittenHole {
   Span span;              // with its subscripts
-  Span statement;         // the chain that it stands in
+  Span statement;         // the chain that it is in
   std::size_t chain = 0;  // its position among all chains
   std::size_t side = 0;   // of the chain
   std::size_t partner = 0;
-  bool alone = false;  // nothing else stands on its side
+  bool alone = false;  // nothing else is on its side
   std::string tag;
   std::string label;
   std::vector<std::string> headings;
@@ -46,7 +46,7 @@ struct WrittenHole {
   Diagnostics troubles;               // why there is no reading
 };
 
-/// The chain that a hole stands in, and what holds there.
+/// The chain that a hole is in, and what holds there.
 struct HoleChain {
   const SyntaxTree& syntax;
   ExprTree& tree;

@@ -120,7 +120,7 @@ class Sighting {
     if (!is_basis_family(symbol) && !axis) ++faces_[{name.base, symbol.face == Face::tensor}][letter];
   }
 
-  /// The letter with its face, as it stands in the tokens.
+  /// The letter with its face, as it is in the tokens.
   static std::string letter_of_tokens(const Tokens& tokens, Span span) {
     Tokens own;
     for (const Token& token : tokens) {

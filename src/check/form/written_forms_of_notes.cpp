@@ -174,7 +174,7 @@ class FormCollector {
   WrittenForms forms_;
 };
 
-/// The headings of the sections that an event stands in, the outermost first.
+/// The headings of the sections that an event is in, the outermost first.
 std::vector<std::string> FormCollector::headings_at(std::size_t event) const {
   std::vector<const Heading*> open;
   for (std::size_t k = 0; k <= event && k < notes_.events.size(); ++k) {

@@ -58,7 +58,7 @@ Findings lint_parity(const LintInput& input);       // mixed-parity
 Findings lint_definitions(const LintInput& input);  // unused-definition
 
 /// Adds all findings that are wanted where they stand to `report`, which `input` refers to: to the step that
-/// they stand in, if there is one.
+/// they are in, if there is one.
 void lint(const LintInput& input, const LintScopes& scopes, FileReport& report);
 
 }  // namespace rigor

@@ -82,7 +82,7 @@ class Products {
         add_sum(id, word);
         for (const ExprId child : children) look(child);
         return;
-      case Op::length:  // `A` where `\vec A` stands in another section
+      case Op::length:  // `A` where `\vec A` is in another section
         if (tree_[children[0]].op != Op::symbol) return look(children[0]);
         if (const NameKey* key = key_of(names_.symbols, tree_[children[0]].symbol);
             key != nullptr && !names_.symbols.evidence->vectors.contains(std::string(letter_of_key(*key))))
@@ -149,7 +149,7 @@ class Products {
     if (!number) word.push_back({symbol, slots_of(id)});
   }
 
-  /// `(1 + A)^{-1}B = B(1 + A)^{-1}`: what stands in the bracket is on its side.
+  /// `(1 + A)^{-1}B = B(1 + A)^{-1}`: what is in the bracket is on its side.
   void add_capitals(ExprId id, std::vector<Factor>& word) const {
     for (const SymbolId symbol : symbols_in(tree_, id)) {
       const NameKey* key = key_of(names_.symbols, symbol);

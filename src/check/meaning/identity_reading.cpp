@@ -102,7 +102,7 @@ void add_terms(const ExprTree& tree, ExprId id, bool negative, std::vector<Signe
   for (const ExprId term : tree.children(id)) add_terms(tree, term, negative, terms);
 }
 
-/// `H + \partial_tF = H`: all terms of one side stand on the other. That the rest vanishes is a condition.
+/// `H + \partial_tF = H`: all terms of one side are on the other. That the rest vanishes is a condition.
 bool says_that_terms_vanish(const ExprTree& tree, const Equation& claim) {
   std::vector<SignedTerm> more;
   std::vector<SignedTerm> fewer;
@@ -179,7 +179,7 @@ std::vector<SymbolId> symbols_below(const Question& question, ExprId root, const
   return primitive;
 }
 
-/// What stands on one side only.
+/// What is on one side only.
 struct OwnSymbols {
   std::set<SymbolId> left;
   std::set<SymbolId> right;

@@ -30,7 +30,7 @@ struct SaidInLine {
   bool at_place = false;                 // after "at the wall", "on the axis": it holds there only
   bool named = false;                    // "is the frequency": it holds only if it brings in its letter
   std::size_t maths = 0;                 // its number among the mathematics of its sentence
-  bool alone = false;                    // no display stands in its sentence, or it stands in a heading
+  bool alone = false;                    // no display is in its sentence, or it is in a heading
   std::vector<ParsedChain> chains = {};  // filled by who parses it
   std::string words = {};                // that say it, where it is no relation: "acute angle `\varphi`"
 };
@@ -41,7 +41,7 @@ struct ProseSentence {
   std::size_t number = 0;
   std::size_t place = 0;
   std::size_t paragraph = 0;
-  std::size_t displays = 0;  // that stand before it
+  std::size_t displays = 0;  // that are before it
   bool has_display = false;
   bool asks = false;             // it ends with a question mark
   std::vector<Span> maths = {};  // in its lines

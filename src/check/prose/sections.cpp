@@ -39,7 +39,7 @@ bool begins_named(std::string_view line) {
          (is_digit(rest.front()) || std::string_view(".:*_}(").find(rest.front()) != std::string_view::npos);
 }
 
-/// The column after the marker `- `, `* `, `3. `, `b) `, `(iv) ` of a list item; 0 where none stands.
+/// The column after the marker `- `, `* `, `3. `, `b) `, `(iv) ` of a list item; 0 where there is none.
 std::size_t behind_marker(std::string_view line, std::size_t at) {
   std::size_t end = at;
   if (end < line.size() && (line[end] == '-' || line[end] == '*' || line[end] == '+')) {

@@ -96,7 +96,7 @@ bool speaks_of_any(const ExprTree& tree, const Names& names, const Equation& equ
          speaks_of(tree, names, equation.right, By::space);
 }
 
-/// Does the symbol stand in the argument of a function?
+/// Does the symbol occur in the argument of a function?
 bool is_argument(const ExprTree& tree, ExprId root, SymbolId symbol) {
   const std::vector<SymbolId> inside = symbols_in(tree, root);
   if (!is_one_of(symbol, inside)) return false;

@@ -12,7 +12,7 @@ namespace rigor {
 
 class DecisionCache;
 
-/// The letter, C, c or K, that stands on both sides and absorbs a number or a factor: with one number for it
+/// The letter, C, c or K, that is on both sides and absorbs a number or a factor: with one number for it
 /// on the left and another one on the right the step is proved. Where numbers that differ are not needed, or
 /// none of a few small ones do, nothing. It works on copies. Cost: a few decisions.
 [[nodiscard]] std::optional<std::string> absorbing_constant(const ExprTree& tree, const Names& names,

@@ -86,7 +86,7 @@ RepairCandidate RepairCandidates::made(std::size_t which, Slip slip, Tokens toke
   return {slip, which, std::move(tokens), std::move(change), distance};
 }
 
-/// A sign or factor inside of brackets is less likely than one before a term, and factors stand in the order
+/// A sign or factor inside of brackets is less likely than one before a term, and factors are in the order
 /// of the alphabet as a rule.
 RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& rewriting) const {
   Rewriting change = rewriting;

@@ -57,7 +57,7 @@ void report_unused(const Ledger& ledger, const Notes& notes, const Directives& u
     const bool is_used = asks_for_nothing_yet(directive.kind)
                              ? !is_one_of(&directive, ledger.unmatched)
                              : used.contains(directive.number) || ledger.used.contains(directive.number);
-    // what it is about may stand in a step that is not read
+    // what it is about may be in a step that is not read
     if (is_used || (directive.kind == DirectiveKind::units && some_unread)) continue;
     report.diagnostics.push_back({DiagnosticKind::unused_directive,
                                   directive.span,

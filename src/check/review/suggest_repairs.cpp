@@ -20,7 +20,7 @@ bool is_malformed(const Step& step) {
          });
 }
 
-/// What stands in the lines before and after a chain.
+/// What is in the lines before and after a chain.
 std::vector<TokenView> sides_near(const Notes& notes, const ParsedChain& parsed) {
   constexpr std::size_t before = 6;
   constexpr std::size_t behind = 2;

@@ -13,7 +13,7 @@
 namespace rigor {
 namespace {
 
-/// Does "or" stand there, and no other word?
+/// Does "or" occur there, and no other word?
 bool says_or_alone(std::string_view text) {
   bool found = false;
   for (std::size_t at = 0; at < text.size();) {
@@ -32,7 +32,7 @@ bool says_or_alone(std::string_view text) {
   return found;
 }
 
-/// The alternatives that the chain is one of, in order; empty if something else stands between them, or one
+/// The alternatives that the chain is one of, in order; empty if something else is between them, or one
 /// of them is a chain of several steps or not an equation.
 std::vector<const ParsedChain*> alternatives_with(const RowPlace& place, const ParsedChain& parsed) {
   std::vector<const ParsedChain*> all;

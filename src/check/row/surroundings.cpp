@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t most_laws = 12;  // the last ones are looked at
 
-/// The letters that stand in these expressions themselves, not in subscripts.
+/// The letters that are in these expressions themselves, not in subscripts.
 std::set<std::string> letters_in(const SyntaxTree& syntax, std::vector<SyntaxId> pending) {
   std::set<std::string> letters;
   while (!pending.empty()) {

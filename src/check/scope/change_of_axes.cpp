@@ -16,7 +16,7 @@ namespace {
 
 using Slots = std::vector<Slot>;
 
-/// What both directions share: a symbol as it stands in an expression, and its derivatives.
+/// What both directions share: a symbol as it is in an expression, and its derivatives.
 class Axes {
  public:
   explicit Axes(Turning& turning)

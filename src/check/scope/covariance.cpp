@@ -8,7 +8,7 @@
 namespace rigor {
 namespace {
 
-/// How often each letter stands in a term, the summed ones left out; nothing where axes matter.
+/// How often each letter is in a term, the summed ones left out; nothing where axes matter.
 using LettersOfClaim = std::optional<std::map<IndexId, int>>;
 
 class Counting {

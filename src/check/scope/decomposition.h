@@ -14,7 +14,7 @@ namespace rigor {
 struct Decomposition {
   Definition whole;           // its body is the sum
   Origin origin;              // of the sum
-  std::vector<ExprId> parts;  // as they stand there: bare symbols with the letters of the whole
+  std::vector<ExprId> parts;  // as they are there: bare symbols with the letters of the whole
 };
 
 /// The sum that an equation of the notes in the same section, `place`, says with the bare symbol `part` among

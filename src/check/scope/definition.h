@@ -16,7 +16,7 @@ namespace rigor {
 /// it does not carry.
 [[nodiscard]] std::optional<Definition> as_definition(ExprTree& tree, const NameScope& scope,
                                                       const Typed& left, const Typed& right);
-/// Would the equation define what stands on its left side, if it had one reading?
+/// Would the equation define what is on its left side, if it had one reading?
 [[nodiscard]] bool would_define(ExprTree& tree, const NameScope& scope, const Typed& left,
                                 const Typed& right);
 /// Does the right side lead back to the symbol on the left?

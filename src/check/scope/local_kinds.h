@@ -25,7 +25,7 @@ class LocalKinds {
   LocalKinds(const LocalKinds&) = delete;
   LocalKinds& operator=(const LocalKinds&) = delete;
 
-  /// The directives that say what the subscripts in these sections are: what they are for may stand in a row
+  /// The directives that say what the subscripts in these sections are: what they are for may be in a row
   /// that is not read.
   [[nodiscard]] const Directives& used() const { return used_; }
 

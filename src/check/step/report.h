@@ -37,11 +37,11 @@ struct Counterexample {
   std::vector<Axis> component;
   std::string left;
   std::string right;
-  std::vector<Value> follows = {};  // what the values make of the defined symbols that stand in the step
+  std::vector<Value> follows = {};  // what the values make of the defined symbols that are in the step
   bool squared_distance = false;  // `left` is |left − right|², of vectors or tensors that are to be unequal
 };
 
-/// Where a refuted step stands in its chain of equalities. Steps count from 0.
+/// Where a refuted step is in its chain of equalities. Steps count from 0.
 struct ChainPlace {
   bool first_wrong = false;    // what comes before holds, or was put right again
   bool undoes = false;         // it takes back the slip of the first wrong step
@@ -57,7 +57,7 @@ struct Repair {
   std::string change;            // in words
   std::string replaced = {};     // the changed side as it was read, blanks folded, macros replaced
   std::string replacement = {};  // the same side of the statement
-  bool adds_a_term = false;      // rather than changing what stands there
+  bool adds_a_term = false;      // rather than changing what is there
 };
 
 /// Diagnostics that are mended by a true statement near by: a refutation, indices or ranks that do not fit.

@@ -93,7 +93,7 @@ void add_definition(Walk& walk, const Typed& left, const Typed& right, const Par
 }
 
 /// "Hence", "this gives" conclude from the earlier meaning; "going down, so", "the plate then gives" and,
-/// above it, "**Plate.**" speak of another case, unless both stand in one sentence.
+/// above it, "**Plate.**" speak of another case, unless both are in one sentence.
 bool concludes(const Walk& walk, const NamedDefinition& earlier) {
   const ProseBeside& beside = walk.notes.prose.beside[walk.event];
   if (!announces_a_conclusion(beside.lead)) return false;

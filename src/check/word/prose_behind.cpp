@@ -46,7 +46,7 @@ std::vector<std::string> index_letters(std::string_view text) {
   return letters;
 }
 
-/// What stands in the subscripts.
+/// What is in the subscripts.
 std::string subscripts_of(std::string_view text) {
   std::string all;
   for (std::size_t at = text.find('_'); at != std::string_view::npos; at = text.find('_', at + 1)) {

@@ -2,7 +2,7 @@
 // Is a relation in a line a fact of its sentence? "With $v = 0$ the energy is" says so of what follows; "with
 // $v = 0$ at the top", "if $a_i = 0$ for some $i$", "where $n = 1$ is the ground state" and "$x > 0$ or $y >
 // 0$" speak of a time, a place, a case or a name. Nothing says how far such words reach, so that only what is
-// known to restrict nothing may stand after the relation. The lists are closed, and stand in
+// known to restrict nothing may be after the relation. The lists are closed, and are in
 // docs/notation.md.
 #pragma once
 

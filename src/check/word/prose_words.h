@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the words of its sentence do to the equations of a display. The lists are closed, and stand in
+// What the words of its sentence do to the equations of a display. The lists are closed, and are in
 // docs/notation.md.
 #pragma once
 
@@ -23,7 +23,7 @@ namespace rigor {
 
 /// "if", "suppose", "let", "require", "solve" …: what follows is no claim. The first such word.
 [[nodiscard]] std::optional<std::string> word_that_demands(std::string_view lead);
-/// "wrong", "incorrect", "a common error", "often write", "contradicts": what stands there is said not to
+/// "wrong", "incorrect", "a common error", "often write", "contradicts": what is there is said not to
 /// hold. Not "it is wrong to think", "no mistake". The first such word.
 [[nodiscard]] std::optional<std::string> word_that_denies(std::string_view words);
 /// "plane", "acute", "constant", "for a sphere": a case that even an equation without definitions may be

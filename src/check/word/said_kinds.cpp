@@ -83,7 +83,7 @@ class KindReader {
   }
 
  private:
-  /// "positive constants $m$, $k$ and $l$": the place after a noun, if one stands there.
+  /// "positive constants $m$, $k$ and $l$": the place after a noun, if one is there.
   [[nodiscard]] std::size_t behind_nouns(std::size_t at) const {
     while (at < words_.size() && (is_filler(words_[at]) || is_noun(words_[at]))) ++at;
     return at;
@@ -166,7 +166,7 @@ class KindReader {
   }
 
   const Words& words_;
-  std::size_t maths_ = 0;  // that stand before the word at hand
+  std::size_t maths_ = 0;  // that are before the word at hand
   std::vector<SaidKind> said_;
 };
 

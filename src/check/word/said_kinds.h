@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Adjectives that are conditions: "for an acute angle $\varphi$", "where $m$, $k$ are positive constants",
-// "with nonzero $b$". The lists are closed, and stand in docs/notation.md.
+// "with nonzero $b$". The lists are closed, and are in docs/notation.md.
 #pragma once
 
 #include <optional>

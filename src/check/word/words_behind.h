@@ -27,7 +27,7 @@ namespace rigor {
 /// "the", "this", "previous": which equation.
 [[nodiscard]] bool points_into_text(std::string_view word);
 
-/// After a comma they belong to what stands before it.
+/// After a comma they belong to what comes before it.
 [[nodiscard]] bool restricts_behind_comma(std::string_view word);
 
 /// Directly before the relation they make a beginning, an end or a bound of it.

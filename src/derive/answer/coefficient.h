@@ -10,7 +10,7 @@
 
 namespace rigor {
 
-/// The hole stands on the right side of the claim, at letters, once, in one product with numbers, scalars and
+/// The hole is on the right side of the claim, at letters, once, in one product with numbers, scalars and
 /// components of vectors at its letters. Each term of the left side must have these vectors as factors. An
 /// expression of rank 0 with the hole's letters free; nothing where this is not so. That it fits is not said.
 [[nodiscard]] std::optional<ExprId> coefficient_of_vectors(ExprTree& tree, const Equation& claim,

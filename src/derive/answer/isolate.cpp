@@ -204,7 +204,7 @@ class Isolating {
     });
   }
 
-  /// The claim's free letters that stand in an expression and not on the hole.
+  /// The claim's free letters that are in an expression and not on the hole.
   std::vector<IndexId> leftover(ExprId root) const {
     std::set<IndexId> present;
     each_node(tree_, root, [&](ExprId id) { note_letters_on(id, present); });

@@ -10,20 +10,20 @@
 namespace rigor {
 
 /// The hole's worth as the equation gives it, not simplified; or why there is none. That it fits is not said:
-/// of several components, and after a root, only the product with what stands before the hole is compared.
+/// of several components, and after a root, only the product with what comes before the hole is compared.
 struct Isolation {
   std::optional<ExprId> value = {};
   bool squared = false;  // both sides were squared: the value fits only where their signs agree
   std::string obstacle = {};
 };
 
-/// The hole stands on the right side of the claim. Undone are sums, products, quotients and a root; a product
+/// The hole is on the right side of the claim. Undone are sums, products, quotients and a root; a product
 /// with a vector, or with components that are not the hole's own, by multiplying with it once more: x from a
-/// = x b is (a·b)/(b·b). A number that stands under sums is found from the values at 0 and 1. Cost: linear in
+/// = x b is (a·b)/(b·b). A number under sums is found from the values at 0 and 1. Cost: linear in
 /// the sides.
 [[nodiscard]] Isolation isolated(ExprTree& tree, const Equation& claim, SymbolId hole);
 
-/// How often a symbol stands below a node, at most 2.
+/// How often a symbol is below a node, at most 2.
 [[nodiscard]] int occurrences_of(const ExprTree& tree, ExprId root, SymbolId symbol);
 
 /// The expression with the symbol, wherever it stands and at whatever slots, replaced.

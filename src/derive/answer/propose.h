@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What may stand in a hole: expressions that are likely answers, the best first. They are proposals: whoever
+// What may be in a hole: expressions that are likely answers, the best first. They are proposals: whoever
 // prints one puts it in and proves it.
 #pragma once
 
@@ -43,7 +43,7 @@ struct Proposals {
   std::string obstacle = {};                // why there are none
   std::optional<ExprId> may_be_added = {};  // any multiple of it can be added to an answer: there are many
   bool any_vector = false;                  // in `may_be_added` stands a symbol for any vector
-  bool impossible = false;                  // the claim is refuted, whatever stands in the hole
+  bool impossible = false;                  // the claim is refuted, whatever is in the hole
 };
 
 /// To first order nothing is said of freedom or impossibility, which the order 0 alone does not show.

@@ -39,7 +39,7 @@ std::vector<std::vector<std::uint8_t>> axes_of(std::size_t letters) {
   return all;
 }
 
-/// How deep roots, quotients and functions stand within each other.
+/// How deep roots, quotients and functions are within each other.
 int depth_of(const IndexPolynomial& polynomial) {
   int depth = 0;
   for (const IndexMonomial& term : polynomial.terms) {

@@ -224,7 +224,7 @@ class Explaining {
     return chain;
   }
 
-  /// A line and what it has left out; `instead`: the line that stands in its place.
+  /// A line and what it has left out; `instead`: the line that is in its place.
   Line with_left_out(const Line& line, const Line* instead) {
     Line whole = instead != nullptr ? *instead : line;
     for (std::size_t k = 0; k < whole.parts.size(); ++k)

@@ -9,7 +9,7 @@ namespace rigor {
 /// Fills `shape` and `terms`. `open`: letters for the axes of a line in direct notation.
 void describe(ExprTree& tree, Line& line, const std::vector<IndexId>& open);
 
-/// Does an operation stand anywhere in an expression?
+/// Does an operation occur anywhere in an expression?
 [[nodiscard]] bool contains(const ExprTree& tree, ExprId root, Op op);
 
 /// Do two lines say the same but for letters and order?

@@ -157,7 +157,7 @@ class Reading {
   Traits traits_;
 };
 
-/// Where the same factors stand on both sides.
+/// Where the same factors are on both sides.
 RuleKind of_same_factors(const Traits& a, const Traits& b) {
   if (a.products != b.products) return RuleKind::products_turned;
   if (a.names == b.names) {

@@ -42,7 +42,7 @@ class Shape {
       ExprId inner = child;
       std::vector<IndexId> opened;
       while (op == Op::multiply &&
-             tree_[inner].op == Op::index_sum) {  // sums in a product stand in front of it
+             tree_[inner].op == Op::index_sum) {  // sums in a product are in front of it
         if (summed_.insert(tree_[inner].index).second) opened.push_back(tree_[inner].index);
         inner = tree_.children(inner)[0];
       }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int most_contractions = 60;
 
-/// Letters that stand in an expression and that no sum in it binds.
+/// Letters that are in an expression and that no sum in it binds.
 void note_free(const ExprTree& tree, ExprId root, LetterChoice& choice) {
   std::set<IndexId> bound;
   std::set<IndexId> present;

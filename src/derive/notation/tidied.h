@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// The same value: a product in a product is one product, sums over components stand in front of products, a
+/// The same value: a product in a product is one product, sums over components are in front of products, a
 /// number stands first, no factor is 1, δ and ε with numbers are numbers, and what is 0 by that is no term.
 /// Cost: linear, but for sums in products, which are copied.
 [[nodiscard]] ExprId tidied(ExprTree& tree, ExprId root);

@@ -122,7 +122,7 @@ class Canonical {
     return ranks;
   }
 
-  /// All factors that a letter stands in, with the letter itself marked.
+  /// All factors that a letter is in, with the letter itself marked.
   std::string color_of(const IndexMonomial& term, const Calling& outer, const std::vector<std::string>& color,
                        std::size_t which, int depth) {
     Calling calling = outer;

@@ -182,7 +182,7 @@ class Folding {
     return false;
   }
 
-  /// Slots that are not open stay written as components; the open ones must stand in their order.
+  /// Slots that are not open stay written as components; the open ones must be in their order.
   bool close() {
     std::vector<IndexId> seen;
     for (Piece& each : pieces_) {

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = IndexFactor::Kind;
 
-/// Numbers and scalars stand in front, then δ and ε, then components.
+/// Numbers and scalars are in front, then δ and ε, then components.
 int place_of(const IndexFactor& factor) {
   if (factor.kind == Kind::delta || factor.kind == Kind::epsilon) return 1;
   if (factor.kind == Kind::component) return factor.slots.empty() ? 0 : 2;

@@ -20,7 +20,7 @@ struct Evidence {
   std::set<std::string> hatted;    // `\hat x`: a unit vector or an operator
   std::set<std::string> real;      // in an order, in a sine, or said to be real
   std::set<std::string> complex;   // conjugated somewhere: `\bar z`, `\psi^*`
-  std::set<std::string> letters;   // all that stand in equations, without faces and accents; `i` among them
+  std::set<std::string> letters;   // all that are in equations, without faces and accents; `i` among them
   std::set<std::string> points;    // of names such as `ABC` in the prose
   std::set<std::string> components;                        // u, v, w of `\mathbf u = (u, v, w)`: no lengths
   std::set<std::string> units;                             // "the unit matrix $I$": 1 among matrices

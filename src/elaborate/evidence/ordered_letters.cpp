@@ -45,7 +45,7 @@ bool is_subscript_at(TokenView tokens, std::size_t at) {
 
 struct FoundLetter {
   std::string name;
-  bool labelled;  // a subscript stands on it
+  bool labelled;  // a subscript is on it
 };
 
 std::vector<FoundLetter> letters_in(TokenView tokens) {
@@ -119,7 +119,7 @@ std::vector<std::size_t> closing_brackets(TokenView tokens) {
   return closing;
 }
 
-/// `[x, p]`: what stands in it, unless it is an interval or has limits.
+/// `[x, p]`: what is in it, unless it is an interval or has limits.
 TokenView commutator_at(TokenView tokens, std::size_t at, std::size_t end) {
   constexpr std::size_t longest = 500;  // tokens
   if (end >= tokens.size() || end - at > longest || !is_sign(tokens[end], "]")) return {};

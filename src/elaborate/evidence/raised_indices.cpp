@@ -51,7 +51,7 @@ Scripts scripts_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides)
   return scripts;
 }
 
-/// The letters of `ij`, `\mu`; nothing where more stands there.
+/// The letters of `ij`, `\mu`; nothing where more is there.
 std::vector<std::string> letters_of_exponent(const SyntaxTree& syntax, SyntaxId exponent) {
   const auto plain = [&](SyntaxId id) {
     if (syntax[id].kind != SyntaxKind::symbol) return false;

@@ -152,7 +152,7 @@ struct Phrase {
   std::string words;
 };
 
-/// The letters of `$a, b \in G$` before a relation, with whether a subscript stands there; nothing where it
+/// The letters of `$a, b \in G$` before a relation, with whether a subscript is there; nothing where it
 /// is more than a list.
 std::vector<std::pair<std::string, bool>> listed(std::string_view formula) {
   std::vector<std::pair<std::string, bool>> letters;

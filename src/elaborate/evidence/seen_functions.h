@@ -17,7 +17,7 @@ void see_functions(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
 void see_inline_functions(std::string_view text, Evidence& evidence);
 
 /// Can the symbol, which `functions` has with its arguments, be applied to this bracket? Not to one that it
-/// stands in itself, `n(n + 1)`, and a vector only to its own arguments.
+/// is in itself, `n(n + 1)`, and a vector only to its own arguments.
 [[nodiscard]] const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId symbol,
                                                         SyntaxId bracket, const Evidence& evidence);
 

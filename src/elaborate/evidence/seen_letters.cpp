@@ -117,7 +117,7 @@ constexpr std::array<std::string_view, 3> real_words{"real", "integer", "positiv
 constexpr std::array<std::string_view, 8> other_words{"matri",     "operator", "vector",    "tensor",
                                                       "generator", "complex",  "real part", "constant of"};
 
-/// The letters of `a`, `a, b`, `a, b > 0`, `x \in \mathbb R`; `ordered`: what stands after says that they
+/// The letters of `a`, `a, b`, `a, b > 0`, `x \in \mathbb R`; `ordered`: what comes after says that they
 /// are real. Nothing for any other formula.
 struct ListedLetters {
   std::vector<std::string> letters;

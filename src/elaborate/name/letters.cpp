@@ -154,16 +154,16 @@ bool holds_a_vector(const SyntaxTree& syntax, SyntaxId root) {
   return found;
 }
 
-/// How often each letter stands in a subscript.
+/// How often each letter is in a subscript.
 using IndexCounts = std::map<std::string, int>;
 
-/// `a_n` and `\mathbf a`: the normal component as well as one of three, unless n stands there twice.
+/// `a_n` and `\mathbf a`: the normal component as well as one of three, unless n is there twice.
 bool may_label(const std::string& letter, const IndexCounts& counts) {
   const auto found = counts.find(letter);
   return letter != "i" && letter != "j" && letter != "k" && found != counts.end() && found->second == 1;
 }
 
-/// Letters that are indices by what they stand on alone.
+/// Letters that are indices by what they are on alone.
 void find_sure(const SyntaxTree& syntax, SyntaxId id, const Names& names, const IndexCounts& counts,
                std::set<std::string>& sure) {
   const SyntaxKind kind = syntax[id].kind;

@@ -56,7 +56,7 @@ struct WrittenName {
 /// The base when the axes are labels after all: `m_1`, `v_{x}`.
 [[nodiscard]] std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels);
 
-/// Is it a letter without face, accent, primes, dots and a change before it? Subscripts may stand on it.
+/// Is it a letter without face, accent, primes, dots and a change before it? Subscripts may be on it.
 [[nodiscard]] bool is_undecorated(const WrittenSymbol& symbol);
 /// The time `t`; `t'` and `t_0` are quantities.
 [[nodiscard]] bool is_time(const WrittenSymbol& symbol);

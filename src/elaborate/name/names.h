@@ -45,7 +45,7 @@ struct KnownChange {
 [[nodiscard]] bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, By by);
 /// Is it the time, or the place where the notes speak of places and not of a body that moves?
 [[nodiscard]] bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol, By by);
-/// Does a ∂ or ∇ stand before it, or in what defines it, somewhere in the file?
+/// Does a ∂ or ∇ occur before it, or in what defines it, somewhere in the file?
 [[nodiscard]] bool is_field(const Names& names, const ExprTree& tree, SymbolId symbol);
 /// Is the scalar of this name small by a directive?
 [[nodiscard]] bool is_small_scalar(const Names& names, const ExprTree& tree, const std::string& base);

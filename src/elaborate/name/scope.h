@@ -31,7 +31,7 @@ struct Origin {
   std::string expanded = {};               // of an assumption: `text` without macros of the notes
   std::size_t place = 0;                   // of an equation: its section, as `Sections` counts them
   std::size_t event = 0;                   // and its display
-  bool conditional = false;                // it stands after "if", "suppose", "for small …"
+  bool conditional = false;                // it is after "if", "suppose", "for small …"
   bool on_its_line = false;                // its own line says when: `y = x \quad (x < 1)`
   bool of_a_case = false;                  // its heading is of a special case
 };

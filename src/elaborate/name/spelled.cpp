@@ -14,7 +14,7 @@
 namespace rigor {
 namespace {
 
-/// What acts on all that stands after it, with or without a bracket.
+/// What acts on all that is after it, with or without a bracket.
 constexpr std::array<std::string_view, 22> acting{
     "det", "div", "rot", "grad", "curl", "rank", "sin",  "cos", "tan", "cot",    "log",
     "exp", "lim", "sgn", "arg",  "ker",  "cov",  "sinh", "erf", "Div", "arctan", "tanh"};
@@ -27,7 +27,7 @@ SyntaxId base_of(const SyntaxTree& syntax, SyntaxId id) {
   return syntax[id].kind == SyntaxKind::power ? syntax.child(id, 0) : id;
 }
 
-/// A plain Latin letter; scripts may stand on it.
+/// A plain Latin letter; scripts may be on it.
 const WrittenSymbol* plain_letter(const SyntaxTree& syntax, SyntaxId id) {
   const SyntaxId base = base_of(syntax, id);
   if (syntax[base].kind != SyntaxKind::symbol) return nullptr;

@@ -29,7 +29,7 @@ namespace rigor {
 /// What declares a key, or a letter that labels particles.
 struct Declaration {
   std::size_t directive = 0;
-  int depth = 0;  // of the section that it stands in
+  int depth = 0;  // of the section that it is in
 };
 
 /// From here to the end of the section, vectors, tensors and indices belong to it.

@@ -10,7 +10,7 @@
 namespace rigor {
 
 /// For each of the 3^n tuples of the letters (first letter most significant, axes 1..3) whether the condition
-/// holds; nothing if the words are not understood. Letters may stand in any order in the condition.
+/// holds; nothing if the words are not understood. Letters may be in any order in the condition.
 [[nodiscard]] std::optional<std::vector<bool>> read_index_condition(const std::string& words,
                                                                     const std::vector<std::string>& letters);
 

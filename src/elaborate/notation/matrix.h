@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// Of a second-rank tensor, or of what stands at `id` with two free indices: row by row, each entry read with
+/// Of a second-rank tensor, or of what is at `id` with two free indices: row by row, each entry read with
 /// the indices at its place.
 [[nodiscard]] MaybeTyped determinant_of(Reading& reading, SyntaxId id, const Typed& inside, Span span,
                                         const Around& around);

@@ -48,7 +48,7 @@ struct Around {
   std::span<const FreeIndex> slots = {};          // letters of the left side, for cases on the right
   std::map<std::string, std::uint8_t> axes = {};  // a determinant's letters, which stand for one axis each
   std::optional<ParticleId> body_point = {};      // of an integral over the body
-  bool squared = false;                           // the part is a symbol, and the exponent 2 stands on it
+  bool squared = false;                           // the part is a symbol, and the exponent 2 is on it
 };
 
 /// All sides of the statement share their free letters, and what one side says about a letter holds for all.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums, quotients, powers, brackets and what stands in them.
+// Sums, quotients, powers, brackets and what is in them.
 #include "expr/print/latex_printer.h"
 
 #include <fmt/format.h>
@@ -155,7 +155,7 @@ bool LatexPrinter::has_letter_e() const {
   return false;
 }
 
-/// Arguments stand in brackets, but for a lone letter.
+/// Arguments are in brackets, but for a lone letter.
 LatexPrinter::Piece LatexPrinter::function(ExprId id, int exponent) {
   const ExprNode& node = tree_[id];
   const ExprId argument = child(id);

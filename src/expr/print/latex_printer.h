@@ -22,13 +22,13 @@ class LatexPrinter {
   [[nodiscard]] std::string print(ExprId root);
 
  private:
-  /// What the text is: a + b or −a, a product, a factor, or what scripts may stand on.
+  /// What the text is: a + b or −a, a product, a factor, or what scripts may be on.
   enum class Level : std::uint8_t { sum, term, factor, base };
   struct Piece {
     std::string text;
     Level level = Level::base;
     bool open = false;       // takes in the factors that follow
-    bool bracketed = false;  // stands in round brackets
+    bool bracketed = false;  // is in round brackets
     bool headed = false;     // a sum or integral sign stands first, so that it may be a last factor
   };
   enum class Sign : std::uint8_t { side_by_side, dot, cross };

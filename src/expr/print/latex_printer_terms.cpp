@@ -13,7 +13,7 @@ bool starts_with_digit(const std::string& text) { return !text.empty() && is_dig
 
 }  // namespace
 
-/// Scalars stand before vectors. A dot or cross product at the end needs no bracket.
+/// Scalars are before vectors. A dot or cross product at the end needs no bracket.
 std::vector<LatexPrinter::Operand> LatexPrinter::operands_of(ExprId id) const {
   std::vector<Operand> operands;
   const Op op = tree_[id].op;

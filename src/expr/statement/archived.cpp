@@ -137,7 +137,7 @@ bool is_below(Id id, std::size_t count) {
   return static_cast<std::size_t>(id) < count;
 }
 
-/// Do all ids name something that is there? Children stand before their parents.
+/// Do all ids name something that is there? Children are before their parents.
 bool fits(const ArchivedQuestion& all) {
   if (all.spaces.size() != all.indices.size()) return false;
   const auto particle = [&](ParticleId id) {

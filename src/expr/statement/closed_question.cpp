@@ -30,7 +30,7 @@ class Numbering {
   std::vector<Id> ids_;
 };
 
-/// Derivatives stand after what they are derivatives of: when they were first asked for does not count.
+/// Derivatives are after what they are derivatives of: when they were first asked for does not count.
 auto place_of(const SymbolTable& symbols, SymbolId symbol) {
   const Derivation derivation = symbols[symbol].derivation.value_or(Derivation{.base = symbol});
   return std::tuple(derivation.base, derivation.time, derivation.space, derivation.small);

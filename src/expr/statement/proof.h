@@ -71,7 +71,7 @@ struct ProofEquation {
   std::optional<std::uint32_t> solved_for = {};  // the letter that it was solved for
 };
 
-/// A polynomial that is not 0: it stands in a denominator, or an assumption says so.
+/// A polynomial that is not 0: it is in a denominator, or an assumption says so.
 struct ProofNonzero {
   ProofPolynomial polynomial;
   std::optional<std::size_t> assumption = {};

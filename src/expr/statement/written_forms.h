@@ -36,12 +36,12 @@ struct WrittenStep {
   std::optional<Sample> sample = {};                   // refuted: where the sides differ
 };
 
-/// a = b = c, as it stands in the notes. All forms share their free letters.
+/// a = b = c, as it is in the notes. All forms share their free letters.
 struct WrittenFormChain {
   std::string tag;                         // `(6)`, or empty
   std::string label;                       // of \label
   std::string section;                     // its heading
-  std::vector<std::string> headings = {};  // of the sections that it stands in, the outermost first
+  std::vector<std::string> headings = {};  // of the sections that it is in, the outermost first
   Span span = {};
   bool assumed = false;  // said by `given` or `where`: not a claim
   int image = 0;         // of "and cyclic permutations"

@@ -31,7 +31,7 @@ constexpr std::string_view faces[] = {"mathbf",
                                       "mathsf",
                                       "mathbfsf"};
 
-/// After the control word whose backslash stands at `at`.
+/// After the control word whose backslash is at `at`.
 std::size_t behind_word(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   while (end < text.size() && is_letter(text[end])) ++end;

@@ -12,7 +12,7 @@ struct LatexName {
   std::string letter;  // with its face and accent
   std::string primes;  // `'`, `''`
   std::string labels;  // of the subscript, without its braces
-  std::string behind;  // labels that stand after the indices: `{}_{\text{x}}`
+  std::string behind;  // labels that are after the indices: `{}_{\text{x}}`
 
   /// Is a label a lone digit or letter, which index letters next to it would run into?
   [[nodiscard]] bool has_bare_label() const;

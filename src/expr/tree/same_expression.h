@@ -9,7 +9,7 @@ namespace rigor {
 /// The same operations in the same order, but for
 /// * the names of bound indices and particles, and the order of index sums that stand directly in one
 /// another,
-/// * what the notation cannot say: scalars stand before vectors in a product, a product in a product is one
+/// * what the notation cannot say: scalars are before vectors in a product, a product in a product is one
 ///   product, and so is a component of a lone symbol its component in brackets,
 /// * a first power, which is its base, a written 0, which is that of any rank, and spans.
 /// Free indices, free particles and, between different trees, symbols (but for their faces) are compared by

@@ -186,7 +186,7 @@ class LatexReader : NotesReader {
     return true;
   }
 
-  /// `\lstnewenvironment{code}…`, `\excludecomment{name}`: what stands in such an environment is not
+  /// `\lstnewenvironment{code}…`, `\excludecomment{name}`: what is in such an environment is not
   /// displayed.
   bool read_own_verbatim(std::string_view word) {
     static constexpr auto declaring = std::to_array<std::string_view>(

@@ -106,7 +106,7 @@ class MarkdownReader : NotesReader {
     read_display({delimiter, at_, at_ + length, {}, quotes_, nullptr, limit_});
   }
 
-  /// Markdown writes `\[` for a plain bracket: inside a line that is what stands there, unless it is closed.
+  /// Markdown writes `\[` for a plain bracket: inside a line that is what is there, unless it is closed.
   void read_bracket(DisplayDelimiter delimiter, std::size_t length) {
     if (at_ == line_.at) return read_text_display(delimiter, length);
     std::size_t& not_before = no_bracket_before_[delimiter == DisplayDelimiter::bracket ? 0 : 1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of LaTeX and of Markdown have in common: the place where one stands, displays, macro
+// What the readers of LaTeX and of Markdown have in common: the place where there is one, displays, macro
 // definitions and what is said about what does not close.
 #pragma once
 
@@ -41,7 +41,7 @@ class NotesReader {
     std::string environment = {};
     std::uint32_t quotes = 0;
     const OwnDisplay* own = nullptr;                   // what the author's own name for it means
-    std::size_t limit = static_cast<std::size_t>(-1);  // where the text that it stands in ends
+    std::size_t limit = static_cast<std::size_t>(-1);  // where the text that it is in ends
   };
   /// Adds the display and stands after it, or says that it is not closed and stands where reading goes on.
   void read_display(const Opening& opening);

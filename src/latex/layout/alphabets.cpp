@@ -63,7 +63,7 @@ std::optional<char32_t> earlier_letter(char32_t letter, Typeface face) {
   return std::nullopt;
 }
 
-/// ϵ, ϑ, ϰ, ϕ, ϱ, ϖ stand after ω in the alphabets, ∂ before them.
+/// ϵ, ϑ, ϰ, ϕ, ϱ, ϖ are after ω in the alphabets, ∂ before them.
 char32_t greek_letter(char32_t letter, char32_t small) {
   if (letter >= U'α' && letter <= U'ω') return small + (letter - U'α');
   static constexpr std::array<char32_t, 7> behind{U'∂', U'ϵ', U'ϑ', U'ϰ', U'ϕ', U'ϱ', U'ϖ'};

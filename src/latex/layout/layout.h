@@ -40,9 +40,9 @@ enum class SignRole : std::uint8_t {
   closing,
   bar,  // | of an absolute value: opens or closes
   punctuation,
-  big,       // ∑: scripts stand below and above
+  big,       // ∑: scripts are below and above
   integral,  // ∫: scripts are next to it
-  word,      // lim, max: scripts stand below
+  word,      // lim, max: scripts are below
 };
 
 enum class Typeface : std::uint8_t {

@@ -72,7 +72,7 @@ Box LayoutReader::table(TokenView tokens, TableAlignment alignment, LayoutContex
   TableNesting nesting;
   std::string tag;
   std::size_t begin = 0;
-  bool filled = false;  // something stands in the row
+  bool filled = false;  // something is in the row
   const auto finish_cell = [&](std::size_t end) {
     LayoutReader reader(tokens.subspan(begin, end - begin), {context.depth + 1, context.face});
     box.parts.push_back(reader.read());

@@ -129,7 +129,7 @@ class UnitPrinter {
   std::string power_;
   bool inverse_ = false;
   bool prefixed_ = false;
-  bool apart_ = false;  // the next unit stands after another
+  bool apart_ = false;  // the next unit is after another
 };
 
 /// `1.5e-3`: with × 10 to a power.

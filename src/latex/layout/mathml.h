@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mathematics as MathML Core, which browsers draw themselves. Well-formed XML whatever was typed; no network,
-// no class but `struck` and `framed`. It stands in HTML as it is (XHTML wants its namespace). Typefaces are
+// no class but `struck` and `framed`. HTML takes it as it is (XHTML wants its namespace). Typefaces are
 // written as Unicode's mathematical letters.
 #pragma once
 

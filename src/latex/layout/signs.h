@@ -20,7 +20,7 @@ struct PrintedSign {
 /// Of one character that is typed as it is: `+`, `∑`, `·`.
 [[nodiscard]] std::optional<PrintedSign> sign_of_character(std::string_view character);
 
-/// `\hat`: what stands over (or under) its argument.
+/// `\hat`: what is over (or under) its argument.
 struct PrintedAccent {
   std::string_view text;
   bool wide = false;

@@ -76,7 +76,7 @@ class TypesetWriter {
     }
   }
 
-  /// What stands in the box without braces around it, so that its signs keep their spaces.
+  /// What is in the box without braces around it, so that its signs keep their spaces.
   void open(const Box& box) {
     if (box.kind != BoxKind::row) return write(box);
     for (const Box& part : box.parts) write(part);

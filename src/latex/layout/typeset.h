@@ -18,11 +18,11 @@ namespace rigor {
 [[nodiscard]] double typeset_width(const Box& box);
 
 /// The parts of a row in lines of at most about `width` em where there is a sign at which it can be cut:
-/// before relations, and before + and − where what stands between two relations is too wide. Nothing inside a
+/// before relations, and before + and − where what is between two relations is too wide. Nothing inside a
 /// part is cut.
 [[nodiscard]] std::vector<Box> broken_lines(const Box& box, double width);
 
-/// Words as they may stand in a paragraph of LaTeX; a character that its fonts lack is named by its number.
+/// Words as they may be in a paragraph of LaTeX; a character that its fonts lack is named by its number.
 [[nodiscard]] std::string typeset_words(std::string_view words);
 
 /// The same in a typewriter face, blanks kept: for source that cannot be set.

@@ -30,9 +30,9 @@ class MacroStream {
   void skip_spaces();
 
   /// A brace group or one token, spaces skipped. Nothing at the end of the stream, of a paragraph or of the
-  /// group that the call stands in, and for a group that is never closed.
+  /// group that the call is in, and for a group that is never closed.
   std::optional<TakenArgument> take_argument();
-  /// What stands in `[…]`, spaces skipped. Needs that the next token is `[`; nothing where it is never
+  /// What is in `[…]`, spaces skipped. Needs that the next token is `[`; nothing where it is never
   /// closed.
   std::optional<TakenArgument> take_optional();
 

@@ -174,7 +174,7 @@ class Expander {
     return result;
   }
 
-  /// A default value was written in the definition: to the reader it stands at the call.
+  /// A default value was written in the definition: to the reader it is at the call.
   static void place(Tokens& tokens, std::size_t from, Span written) {
     for (std::size_t i = from; i < tokens.size(); ++i) tokens[i].span = written;
   }

@@ -20,7 +20,7 @@ namespace rigor {
 enum class MacroUse : std::uint8_t {
   expands,     // the body takes the place of the call, and is expanded in its turn
   stands_for,  // \let to what is no macro: the body is one token, which is never expanded again
-  delimiters,  // \DeclarePairedDelimiter: `*` or `[\big]` may stand between the control and the argument
+  delimiters,  // \DeclarePairedDelimiter: `*` or `[\big]` may be between the control and the argument
   unreadable,  // the definition could not be read: a call is `bad_macro`
 };
 

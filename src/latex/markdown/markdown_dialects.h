@@ -13,7 +13,7 @@
 
 namespace rigor {
 
-/// Changes `shape` until no marks are left: what stands in them shows only then. Fences that nothing closes
+/// Changes `shape` until no marks are left: what is in them shows only then. Fences that nothing closes
 /// are added to `open_fences` by their lines, and what is below them is read as if they were not there.
 [[nodiscard]] std::vector<MarkdownBlock> blocks_of_dialects(const NotesText& text, const LineStarts& lines,
                                                             MarkdownShape& shape,

@@ -34,10 +34,10 @@ struct Fence {
 /// After `---` … `---` at the start of the text.
 [[nodiscard]] std::size_t front_matter_end(const NotesText& text);
 
-/// The HTML element that opens at `at`, if it shows what stands inside as it is typed, or not at all: `pre`,
+/// The HTML element that opens at `at`, if it shows what is inside as it is typed, or not at all: `pre`,
 /// `code`, `script`, `style`, `textarea`. Empty for others.
 [[nodiscard]] std::string_view raw_element_at(const NotesText& text, std::size_t at);
-/// Where `closing`, as `</pre`, stands between the places, in letters of any size; npos if nowhere.
+/// Where `closing`, as `</pre`, is between the places, in letters of any size; npos if nowhere.
 [[nodiscard]] std::size_t find_element_end(const NotesText& text, std::string_view closing, std::size_t from,
                                            std::size_t until);
 

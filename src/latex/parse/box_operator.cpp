@@ -12,7 +12,7 @@ namespace {
 
 bool is_box(const Token& token) { return is_control(token, "square") || is_control(token, "Box"); }
 
-/// What stands after a factor and is multiplied by it, or what an operator acts on.
+/// What comes after a factor and is multiplied by it, or what an operator acts on.
 bool starts_operand(TokenView tokens, std::size_t at) {
   static constexpr auto closing = std::to_array<std::string_view>(
       {"right", "rangle", "rvert", "rVert", "middle", "bigr", "Bigr", "biggr", "Biggr"});

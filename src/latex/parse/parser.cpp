@@ -284,7 +284,7 @@ SyntaxId Parser::primary(Cursor& cursor) {
 }
 
 SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
-  bool below = false;  // a subscript stands there already
+  bool below = false;  // a subscript is there already
   bool above = false;
   const std::size_t before = cursor.at;
   while (true) {

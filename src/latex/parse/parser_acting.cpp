@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words inside an expression, and letters that act on what stands after them.
+// Words inside an expression, and letters that act on what comes after them.
 #include <fmt/format.h>
 
 #include <utility>
@@ -68,7 +68,7 @@ SyntaxId Parser::material_of(SyntaxId operand, Span span) {
   return tree_.add_named(SyntaxKind::function, span, "D/Dt", operand);
 }
 
-/// `\frac{Df}{Dt}`, `\frac{D}{Dt}(fg)`: a function of that name. The cursor stands after the fraction.
+/// `\frac{Df}{Dt}`, `\frac{D}{Dt}(fg)`: a function of that name. The cursor is after the fraction.
 SyntaxId Parser::material(Cursor& cursor, TokenView above, TokenView below, Span span) {
   const auto operand = material_operand(above, below);
   if (!operand) return opaque(span, "this derivative along a motion is not decided");

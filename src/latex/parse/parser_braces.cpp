@@ -28,7 +28,7 @@ bool Parser::lifts_braces_of_argument(const Cursor& cursor, std::size_t begin) {
   return holds_unseen_sum(cursor.tokens, cursor.at) && lifts(cursor, begin);
 }
 
-/// `begin`: where what stands before the braces begins. A blank takes the place of a brace, so that no token
+/// `begin`: where what comes before the braces begins. A blank takes the place of a brace, so that no token
 /// moves.
 bool Parser::lifts(const Cursor& cursor, std::size_t begin) {
   const Argument group = argument_at(cursor.tokens, cursor.at);

@@ -19,7 +19,7 @@
 namespace rigor {
 namespace {
 
-/// What stands at a brace: a name, `F`, `\mathbf L_{\text{orb}}`, `\text{kinetic energy}`; words that may say
+/// What is at a brace: a name, `F`, `\mathbf L_{\text{orb}}`, `\text{kinetic energy}`; words that may say
 /// more, `\text{dropped below}`; or a number or a relation, which do.
 enum class BraceLabel : std::uint8_t { name, words, statement };
 

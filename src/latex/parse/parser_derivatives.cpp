@@ -35,7 +35,7 @@ bool goes_on_with_operand(TokenView rest) {
   return !is_sign_of(token, "+-") && token.text != "−" && factor_joint(token) == Joint::none;
 }
 
-/// What stands after the `d` of the numerator.
+/// What comes after the `d` of the numerator.
 TokenView operand_above(TokenView above) {
   const TokenView rest = above.subspan(differential_at(above, skip_narrow(above, 0))->next);
   return rest.subspan(skip_narrow(rest, 0));
@@ -154,7 +154,7 @@ SyntaxId Parser::unclear_operand(Span span) {
                 {"put brackets around what is differentiated"});
 }
 
-/// An operator that stands before what it acts on: the rest of the term.
+/// An operator that is before what it acts on: the rest of the term.
 SyntaxId Parser::operate(Cursor& cursor, WrittenDerivative derivative, Span span) {
   const bool partial = derivative.partial;
   std::optional<EvaluationBar> bar = evaluation_bar(cursor);

@@ -182,7 +182,7 @@ bool Parser::argument_ends(const Cursor& cursor, const Application& application)
 }
 
 /// `\cos\omega(t - t_0)`: is the bracket after the letters part of the argument? Not where functions,
-/// vectors or commas stand in it.
+/// vectors or commas are in it.
 bool Parser::bracket_belongs(const Cursor& cursor, const Application& application) {
   const TokenView tokens = cursor.tokens;
   const std::size_t open = skip_narrow(tokens, cursor.at);

@@ -27,7 +27,7 @@ bool acts(const Token& token) {
          (token.kind == TokenKind::control && !function_name(token.text).empty());
 }
 
-/// What stands in a group, outside its own brackets and arguments.
+/// What is in a group, outside its own brackets and arguments.
 struct Contents {
   int operands = 0;
   bool sum = false;     // several terms
@@ -48,7 +48,7 @@ std::size_t behind_enclosed(TokenView tokens, std::size_t at) {
   return tokens.size();
 }
 
-/// After a control with the arguments that stand there: groups, or one token where it takes one.
+/// After a control with the arguments that are there: groups, or one token where it takes one.
 std::size_t behind_control(TokenView tokens, std::size_t at) {
   const Token& control = tokens[at];
   std::size_t next = at + 1;

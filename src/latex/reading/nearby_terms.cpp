@@ -51,7 +51,7 @@ Tokens joined(std::initializer_list<TokenView> parts) {
 
 bool has_face(TokenView letter) { return letter.size() > 1; }
 
-/// What stands before the first vector of each term, without its number; nothing, too.
+/// What comes before the first vector of each term, without its number; nothing, too.
 std::vector<Tokens> prefixes_of(const std::vector<TokenView>& chain) {
   constexpr std::size_t most = 3;
   std::vector<Tokens> prefixes{{}};

@@ -287,7 +287,7 @@ class Rewriter {
   std::set<std::tuple<std::size_t, std::size_t, std::string>> known_;
 };
 
-/// `\mathbf`, `\dot`, `_`: what stands after it without braces is one token.
+/// `\mathbf`, `\dot`, `_`: what comes after it without braces is one token.
 bool takes_one_token(const Token& token) {
   return token.kind == TokenKind::superscript || token.kind == TokenKind::subscript || is_fraction(token) ||
          is_control(token, "sqrt") || dots_of(token) > 0 || style_of(token).has_value();

@@ -45,7 +45,7 @@ struct Rewriting {
 /// What is shown of the side, after the rewriting.
 [[nodiscard]] Tokens shown_after(TokenView side, const Rewriting& rewriting);
 
-/// A rational number as it stands before a term.
+/// A rational number as it is before a term.
 struct Coefficient {
   long numerator = 1;
   long denominator = 1;
@@ -84,11 +84,11 @@ struct SideTerm {
 /// X·Y, X×Y, XY and X² of these: the simplest terms that can be missing.
 [[nodiscard]] std::vector<Tokens> products_of(const std::vector<TokenView>& letters);
 
-/// Products of up to three vectors of a chain, after what stands before vectors in it:
+/// Products of up to three vectors of a chain, after what comes before vectors in it:
 /// m\mathbf{a}\times\mathbf{b}, (A·B)C, A×(B×C).
 [[nodiscard]] std::vector<Tokens> vector_products_of(const std::vector<TokenView>& chain);
 
-/// Where the letter of a symbol with its face ends: `\mathbf{A}`, `m`, `\omega`; 0 if no symbol stands there.
+/// Where the letter of a symbol with its face ends: `\mathbf{A}`, `m`, `\omega`; 0 if no symbol is there.
 [[nodiscard]] std::size_t end_of_letter(TokenView tokens);
 /// \frac, \nabla, \cos…: a power of it alone means nothing.
 [[nodiscard]] bool takes_what_follows(const Token& token);

@@ -113,7 +113,7 @@ bool is_index_token(const Token& token) {
   return token.kind == TokenKind::letter || token.kind == TokenKind::digit;
 }
 
-/// Which tokens of a term are letters of its own, which stand on subscripts.
+/// Which tokens of a term are letters of its own, which are on subscripts.
 enum class Role : std::uint8_t { none, letter, index };
 
 std::vector<Role> roles_of(TokenView term) {
@@ -167,7 +167,7 @@ void add_turns(std::vector<Exchange>& exchanges, TokenKind kind,
   }
 }
 
-/// Up to five names that stand in this role, but for digits.
+/// Up to five names that are in this role, but for digits.
 std::vector<Token> names_in(TokenView tokens, Role role) {
   const std::vector<Role> roles = roles_of(tokens);
   std::vector<Token> names;

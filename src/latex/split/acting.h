@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words and letters that act on what stands after them, or stand for something else than a quantity:
+// Words and letters that act on what comes after them, or stand for something else than a quantity:
 // `\text{grad}`, `\mathop{\rm rot}`, `O(x^2)`, `\frac{Df}{Dt}`. To read one as a factor proves what is false.
 #pragma once
 
@@ -19,7 +19,7 @@ struct UprightWord {
 };
 [[nodiscard]] std::optional<UprightWord> upright_word_at(TokenView tokens, std::size_t at);
 
-/// `\text{$a$}`: what stands between the two signs; nothing if there is more or less in the words.
+/// `\text{$a$}`: what is between the two signs; nothing if there is more or less in the words.
 [[nodiscard]] std::optional<TokenView> mathematics_in(TokenView words);
 /// `\textbf{a}`, `\text{$a + b$}`, `\text{sin}`, `\operatorname{grad}`: part of an expression, whatever is
 /// next to it.
@@ -28,12 +28,12 @@ struct UprightWord {
 /// `O(x^2)`, `\mathcal O(\epsilon)`, `\order{x}`: the place after it; `at` itself for anything else.
 [[nodiscard]] std::size_t landau_end(TokenView tokens, std::size_t at);
 
-/// What stands in the bracket of such an O, which ends at `end`; nothing for a small o.
+/// What is in the bracket of such an O, which ends at `end`; nothing for a small o.
 [[nodiscard]] std::optional<TokenView> landau_argument(TokenView tokens, std::size_t at, std::size_t end);
 
 /// `\frac{Df}{Dt}`, `\frac{\mathrm D}{\mathrm Dt}`, for the two parts of the fraction.
 [[nodiscard]] bool is_material(TokenView above, TokenView below);
-/// What a material derivative of the first order by the time t acts on as far as it stands above, perhaps
+/// What a material derivative of the first order by the time t acts on as far as it is above, perhaps
 /// nothing; no value for another one.
 [[nodiscard]] std::optional<TokenView> material_operand(TokenView above, TokenView below);
 /// `Df/Dt`, `D/Dt`: the place after it; `at` itself for anything else.

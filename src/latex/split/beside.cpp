@@ -18,7 +18,7 @@ bool is_visible_space(const Token& token) {
   return is_sign(token, "~") || is_control(token, " ") || is_control(token, "enspace");
 }
 
-/// `\sin~x`: what stands after the space belongs to the sign before it.
+/// `\sin~x`: what comes after the space belongs to the sign before it.
 bool awaits_argument(const Token& token) {
   return token.kind == TokenKind::control && letter_of(token).empty();
 }

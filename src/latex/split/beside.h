@@ -11,10 +11,10 @@
 
 namespace rigor {
 
-/// The words with what stands between them, without the controls around them.
+/// The words with what is between them, without the controls around them.
 [[nodiscard]] std::string spoken(TokenView tokens);
 
-/// The letters and signs with a name that stand outside of words: `i`, `alpha`.
+/// The letters and signs with a name that are outside of words: `i`, `alpha`.
 [[nodiscard]] std::set<std::string> symbols_in(TokenView tokens);
 
 /// Nothing but symbols with commas between, as after `\forall`.
@@ -27,10 +27,10 @@ namespace rigor {
 /// permutations"; `at` itself for any other.
 [[nodiscard]] std::size_t bracketed_remark_end(TokenView tokens, std::size_t at);
 
-/// What a symbol does that stands after a visible space (`~`, `\ `, `\enspace`) and directly before a
+/// What a symbol does that is after a visible space (`~`, `\ `, `\enspace`) and directly before a
 /// relation.
 enum class Beside : std::uint8_t {
-  goes_on,  // no such symbol: it belongs to what stands before it
+  goes_on,  // no such symbol: it belongs to what comes before it
   begins,   // `\dot\omega_1 = a~\dot\omega_2 = b`: the letter on the left side again, so the next equation
   unclear,  // `a = b~c = d` is `a = b` and `c = d`, or `a = bc = d`
 };

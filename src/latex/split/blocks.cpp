@@ -19,7 +19,7 @@ namespace {
 
 struct Block {
   Tokens tokens;
-  bool related = false;  // a relation stands outside all brackets
+  bool related = false;  // a relation is outside all brackets
   Span span() const { return span_of(trim(tokens)); }
 };
 
@@ -238,7 +238,7 @@ class StatementSplitter {
            !is_stacked_relation(tokens_, at);
   }
 
-  /// Do the words belong to the expression that they stand in? At the left end and within a side, what is no
+  /// Do the words belong to the expression that they occur in? At the left end and within a side, what is no
   /// remark does; so does what could be a factor after the equation: `E = 2\,\text{energy}`.
   bool is_inside(const Block& block, std::size_t at, const Argument& words) const {
     if (writes_mathematics(tokens_, at) || is_unit_behind(block.tokens, words.content)) return true;
@@ -289,7 +289,7 @@ class StatementSplitter {
     return std::includes(known.begin(), known.end(), symbols.begin(), symbols.end());
   }
 
-  /// `\text{for all } a, b` to the end of the statement, with symbols that stand before it.
+  /// `\text{for all } a, b` to the end of the statement, with symbols that are before it.
   bool quantifies(std::size_t at) const {
     const Argument words = argument_at(tokens_, at + 1);
     const TokenView rest = tokens_.subspan(words.next);
@@ -357,7 +357,7 @@ class StatementSplitter {
                                       text_of(tokens)));
   }
 
-  /// Of `i, j = 1, 2, 3`: do the letters stand in the statement elsewhere, too?
+  /// Of `i, j = 1, 2, 3`: do the letters occur in the statement elsewhere, too?
   bool ranges_over_known(TokenView range) const {
     const auto equal = std::ranges::find_if(range, [](const Token& token) { return is_sign(token, "="); });
     std::size_t known = 0;
@@ -391,7 +391,7 @@ class StatementSplitter {
     std::erase_if(pieces, [](TokenView piece) { return is_ornament(piece); });
     const bool separate = std::ranges::all_of(pieces, has_relation);
     if (!separate) pieces = {tokens};
-    uses_.mark(tokens, TokenUse::layout);  // commas between; what stands between them follows
+    uses_.mark(tokens, TokenUse::layout);  // commas between; what is between them follows
     for (const TokenView piece : pieces) {
       if (!chains_.empty() && relates_index_letters(piece)) {
         if (assume(piece, conditions_in)) continue;

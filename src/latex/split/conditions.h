@@ -19,10 +19,10 @@ namespace rigor {
 /// "where" and "with" it is an order, since an equation there defines a letter.
 [[nodiscard]] std::optional<std::vector<Tokens>> conditions_behind_words(TokenView tokens);
 
-/// Of what stands in `\tag{…}`: `for $x > 0$`, `3, $x > 0$`.
+/// Of what is in `\tag{…}`: `for $x > 0$`, `3, $x > 0$`.
 [[nodiscard]] std::optional<std::vector<Tokens>> conditions_in_tag(TokenView tokens);
 
-/// `m, k`: each of the symbols; none where something else stands there.
+/// `m, k`: each of the symbols; none where something else is there.
 [[nodiscard]] std::vector<Tokens> listed_letters(TokenView tokens);
 
 /// What `\underbrace{part}_{label}` says: `part = 0` for `0`, `part > 0` for `> 0`, `part = Y` for `= Y`.

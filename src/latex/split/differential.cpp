@@ -9,7 +9,7 @@ namespace {
 
 bool is_d(const Token& token) { return token.kind == TokenKind::letter && token.text == "d"; }
 
-/// The place after the sign itself; `at` where none stands.
+/// The place after the sign itself; `at` where there is none.
 std::size_t behind_sign(TokenView tokens, std::size_t at) {
   if (is_d(tokens[at]) || is_partial(tokens[at]) || is_control(tokens[at], "dd") ||
       is_control(tokens[at], "differential"))

@@ -23,7 +23,7 @@ struct Differential {
 /// The place after one symbol with its accents and scripts, `\dot{\mathbf r}_\alpha^2`; `at` itself where
 /// none stands.
 [[nodiscard]] std::size_t symbol_end(TokenView tokens, std::size_t at);
-/// The same for one bracket `(…)` or `[…]`; `at` where none stands or it is not closed.
+/// The same for one bracket `(…)` or `[…]`; `at` where there is none or it is not closed.
 [[nodiscard]] std::size_t bracket_end(TokenView tokens, std::size_t at);
 
 /// The place after blanks and narrow spacing.

@@ -29,7 +29,7 @@ int change_of_depth(const Token& token) {
   return 0;
 }
 
-/// What stands inside of something, to be cut in its turn.
+/// What is inside of something, to be cut in its turn.
 struct Inner {
   TokenView tokens;
   bool may_be_sum = false;

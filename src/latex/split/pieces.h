@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One side of a statement as tokens: which tokens are signs, products and
-// factors, and what stands inside what. Independent of the parser, so that edits of the text test it, and
+// factors, and what is inside what. Independent of the parser, so that edits of the text test it, and
 // serve the search for what was meant.
 #pragma once
 
@@ -40,11 +40,11 @@ struct PieceTerm {
   TokenView tokens;
 };
 
-/// The side itself, then what stands in its brackets, bars and arguments.
+/// The side itself, then what is in its brackets, bars and arguments.
 [[nodiscard]] std::vector<PieceLevel> levels_of(TokenView side);
 [[nodiscard]] std::vector<PieceTerm> terms_of(const PieceLevel& level);
 
-/// What stands in each subscript, those of `\sum` left out.
+/// What is in each subscript, those of `\sum` left out.
 [[nodiscard]] std::vector<TokenView> subscripts_of(TokenView side);
 /// Each `^2`, both tokens (and braces), but for those of `\nabla^2` and `\partial^2`.
 [[nodiscard]] std::vector<TokenView> squares_of(TokenView side);

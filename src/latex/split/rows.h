@@ -16,9 +16,9 @@ namespace rigor {
 struct Row {
   std::vector<Tokens> cells{1};  // what `&` separates; at least one
   std::string tag;               // `(6)` as it would be printed; empty: none
-  Tokens in_tag;                 // what stands in its braces
+  Tokens in_tag;                 // what is in its braces
   std::string label;
-  bool after_text = false;  // \intertext stands above: no chain runs across
+  bool after_text = false;  // \intertext is above: no chain runs across
 };
 
 /// Rows of `aligned`, `split` and their kind inside the display become rows of the display, and so does a

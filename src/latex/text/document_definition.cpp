@@ -79,7 +79,7 @@ class ArgumentWalk {
     return true;
   }
 
-  /// `#1#2` and whatever else stands before the brace of a \def.
+  /// `#1#2` and whatever else comes before the brace of a \def.
   bool parameter_text() {
     std::size_t at = next();
     for (; at < text_.size() && text_[at] != '{'; at = text_.skip_gap(at)) {

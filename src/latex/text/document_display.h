@@ -23,7 +23,7 @@ struct DisplayEnd {
   enum class Outcome : std::uint8_t {
     closed,  // by [begin, end)
     wrong,   // [begin, end) is the end of an environment that was not opened here
-    open,    // no end before `begin`, where something starts that cannot stand in a display
+    open,    // no end before `begin`, where something starts that cannot be in a display
   };
   Outcome outcome = Outcome::open;
   std::size_t begin = 0;

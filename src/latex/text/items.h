@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notes as a list of what matters to a checker, in the order in which it stands in the text: headings,
+// Notes as a list of what matters to a checker, in the order in which it is in the text: headings,
 // displayed equations, directive lines, macro definitions. Prose and inline mathematics (`$…$`, `\(…\)`) are
 // passed over.
 #pragma once
@@ -20,12 +20,12 @@ struct Heading {
 };
 
 /// One line of a directive, without the comment mark and the word `rigor:`, blanks trimmed, e.g. `vector
-/// \mathbf{A}`; never empty. Those that stand inside a display come before it.
+/// \mathbf{A}`; never empty. Those that are inside a display come before it.
 struct DirectiveLine {
   Span span;
 };
 
-/// A displayed equation, never empty. `body` is what stands between the delimiters; for
+/// A displayed equation, never empty. `body` is what is between the delimiters; for
 /// `\begin{align}…\end{align}` the environment's name is kept (`align*` with its star), for `$$`, `\[` and a
 /// math fence it is empty. An argument of the environment, as in `alignat`, is not part of the body.
 struct Display {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words or mathematics? Where a display is not closed before a blank line, what stands after that line says
+// Words or mathematics? Where a display is not closed before a blank line, what comes after that line says
 // whether it goes on.
 #pragma once
 

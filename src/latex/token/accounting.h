@@ -43,7 +43,7 @@ class TokenUses {
 /// The tokens with their places; from then on copies of them can be told apart.
 [[nodiscard]] Tokens counted(TokenView tokens);
 
-/// Which tokens of one side stand in its syntax tree.
+/// Which tokens of one side are in its syntax tree.
 class SideAccount {
  public:
   explicit SideAccount(TokenView side) : side_(side), read_(side.size(), false) {}

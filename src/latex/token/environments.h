@@ -10,12 +10,12 @@
 
 namespace rigor {
 
-/// `align`, `align*`, `equation`…: what stands inside is a displayed equation. The star counts as part of the
+/// `align`, `align*`, `equation`…: what is inside is a displayed equation. The star counts as part of the
 /// name.
 [[nodiscard]] bool is_display_environment(std::string_view name);
-/// `{2}` stands after `\begin{alignat}`, `{align}` after `\begin{empheq}`.
+/// `{2}` is after `\begin{alignat}`, `{align}` after `\begin{empheq}`.
 [[nodiscard]] bool takes_argument(std::string_view name);
-/// `[…]` may stand after `\begin{dmath}` and `\begin{empheq}`.
+/// `[…]` may be after `\begin{dmath}` and `\begin{empheq}`.
 [[nodiscard]] bool takes_options(std::string_view name);
 /// `\begin{verbatim}` and its kind, and `filecontents`: nothing inside is read.
 [[nodiscard]] bool is_verbatim_environment(std::string_view name);

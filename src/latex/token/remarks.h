@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words in displays. Only what stands in the lists of remarks.cpp is a remark; docs/notation.md shows them.
+// Words in displays. Only what is in the lists of remarks.cpp is a remark; docs/notation.md shows them.
 #pragma once
 
 #include <cstdint>

@@ -20,7 +20,7 @@ enum class SyntaxKind : std::uint8_t {
   number,     // 2, 0.25
   symbol,     // a decorated letter with its scripts
   sum,        // a + b - c: children joined by plus or minus (the first one too)
-  term,       // a b · c × d / e: children joined by what stands before each
+  term,       // a b · c × d / e: children joined by what comes before each
   fraction,   // \frac{a}{b}
   root,       // \sqrt{a}
   power,      // base, exponent
@@ -42,7 +42,7 @@ enum class SyntaxKind : std::uint8_t {
   opaque,      // not read: `message` says why
 };
 
-/// How a child is joined to what stands before it.
+/// How a child is joined to what comes before it.
 enum class Joint : std::uint8_t { none, plus, minus, juxtaposed, dot, cross, slash, comma };
 
 enum class Face : std::uint8_t { plain, vector, tensor };  // italic; bold or arrow; double arrow

@@ -24,7 +24,7 @@ using TokenView = std::span<const Token>;
 [[nodiscard]] bool is_blank(const Token& token);     // space or paragraph
 [[nodiscard]] bool is_script(const Token& token);    // `_`, `^` or a prime
 [[nodiscard]] bool is_sum_sign(const Token& token);  // `+`, `-`, `\pm`, `\mp`
-/// What stands at the place; false after the end.
+/// What is at the place; false after the end.
 [[nodiscard]] inline bool is_kind_at(TokenView tokens, std::size_t at, TokenKind kind) {
   return at < tokens.size() && tokens[at].kind == kind;
 }
@@ -62,13 +62,13 @@ struct Argument {
 /// The argument of `_` or `^`: as above, but a control that takes arguments comes with them (`_\mathrm{c}`,
 /// `^\frac12`).
 [[nodiscard]] Argument script_argument_at(TokenView tokens, std::size_t at);
-/// The contents of `[…]` if one stands there (blanks skipped), else nothing and next = at.
+/// The contents of `[…]` if one is there (blanks skipped), else nothing and next = at.
 [[nodiscard]] Argument optional_argument_at(TokenView tokens, std::size_t at);
 
 /// Is the token the argument of a `_` or `^` before it? `A_\perp` holds no relation.
 [[nodiscard]] bool is_script_argument(TokenView tokens, std::size_t at);
 
-/// The place after an empty group `{}` that stands at `at` and carries no script; `at` itself otherwise.
+/// The place after an empty group `{}` that is at `at` and carries no script; `at` itself otherwise.
 /// Such a group means nothing.
 [[nodiscard]] std::size_t skip_empty_group(TokenView tokens, std::size_t at);
 

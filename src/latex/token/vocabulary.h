@@ -47,7 +47,7 @@ enum class RelationKind : std::uint8_t {
 [[nodiscard]] bool is_spacing(const Token& token);
 /// Sizes before a bracket: `\left`, `\bigl`, `\Big`…; nothing but the bracket matters.
 [[nodiscard]] bool is_bracket_size(const Token& token);
-/// `\quad` and wider: what stands after it is another equation, a tag or a remark.
+/// `\quad` and wider: what comes after it is another equation, a tag or a remark.
 [[nodiscard]] bool is_wide_space(const Token& token);
 /// Controls whose braces hold words: `\text`, `\mbox`, `\textrm`…
 [[nodiscard]] bool is_words(const Token& token);

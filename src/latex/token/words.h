@@ -16,7 +16,7 @@
 
 namespace rigor {
 
-/// What stands between blanks and line breaks.
+/// What is between blanks and line breaks.
 [[nodiscard]] inline std::vector<std::string_view> words_in(std::string_view text) {
   std::vector<std::string_view> words;
   for (std::size_t at = 0; at < text.size();) {

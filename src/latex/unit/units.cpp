@@ -50,7 +50,7 @@ class UnitReader {
     return true;
   }
 
-  /// What stands between factors and says nothing.
+  /// What is between factors and says nothing.
   void skip() {
     static constexpr std::array<std::string_view, 10> between{" ", "\t",  "\n",  ".",   "~",
                                                               "*", "\\,", "\\;", "\\ ", "·"};

@@ -5,7 +5,7 @@
 
 namespace rigor {
 
-/// What is known of a tensor's results; numbers, as they stand in a column of doubles.
+/// What is known of a tensor's results; numbers, as they are in a column of doubles.
 struct MomentsState {
   static constexpr double good = 0;
   // From the lane kernel, and nowhere else: what is too small compared with the rounding errors. Both: their

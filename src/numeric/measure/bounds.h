@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program in double with a running error bound: every value carries a bound of its distance from what it
 // would be without any rounding, for inputs that are exact or known to a relative uncertainty. Infinite where
-// no bound is known: a divisor, or what stands under a root, that may be 0; what overflows. With u = 2^-53, η
+// no bound is known: a divisor, or what is under a root, that may be 0; what overflows. With u = 2^-53, η
 // = 2^-1074 and operands x ± d, y ± e (Higham, Accuracy and Stability of Numerical Algorithms, 3.3):
 //   x + y:  d + e + u|x + y|                 x y:  |x|e + |y|d + d e + u|x y| + η
 //   x / y:  (d + |x/y|e) / (|y| − e) + u|x/y| + η          √x:  d / (√x + √(x − d)) + u√x

@@ -34,7 +34,7 @@ class ObjReader {
   }
 
  private:
-  /// What stands after the three coordinates, a weight or a colour, is ignored.
+  /// What comes after the three coordinates, a weight or a colour, is ignored.
   Result<void> read_vertex() {
     Position vertex{};
     for (double& x : vertex) {

@@ -16,7 +16,7 @@ namespace {
 /// `once` has no sample; `each` may use what `once` left in registers.
 enum class Phase : std::uint8_t { once, each };
 
-/// Where it stands in the list, at whose end it is put if it does not.
+/// Where it is in the list, at whose end it is put if it does not.
 template <class Value>
 [[nodiscard]] std::uint32_t place_in(std::vector<Value>& list, const Value& value) {
   const auto found = std::find(list.begin(), list.end(), value);

@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Ends with a line break. Keys stand in a fixed order; only `milliseconds` differs between two runs on the
+/// Ends with a line break. Keys are in a fixed order; only `milliseconds` differs between two runs on the
 /// same notes. Bytes that are not UTF-8 (in a path, say) become U+FFFD.
 [[nodiscard]] std::string to_json(const Report& report, const SourceMap& sources);
 

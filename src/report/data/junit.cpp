@@ -14,7 +14,7 @@
 namespace rigor {
 namespace {
 
-/// What stands inside a test case; at most one failure, since most readers show only one.
+/// What is inside a test case; at most one failure, since most readers show only one.
 struct JunitCase {
   std::string class_name;
   std::string name;

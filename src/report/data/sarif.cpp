@@ -65,7 +65,7 @@ Span without_outer_blanks(Span span, const SourceMap& sources) {
           span.begin + static_cast<std::uint32_t>(last) + 1};
 }
 
-/// Where the side stands that a repair changes: only if the very text stands there that was read.
+/// Where the side stands that a repair changes: only if the very text is there that was read.
 std::optional<Span> replaced_by(const Repair& repair, const Step& step, const SourceMap& sources) {
   const Span relation = step.relation_span;
   if (relation.file != step.span.file || relation.begin < step.span.begin || relation.end > step.span.end)

@@ -9,7 +9,7 @@
 
 namespace rigor {
 
-/// Ends with a line break; keys stand in a fixed order; numbers as they are, what is not finite as `null`.
+/// Ends with a line break; keys are in a fixed order; numbers as they are, what is not finite as `null`.
 /// `times`: with the milliseconds of what was computed, which differ from run to run.
 [[nodiscard]] std::string to_json(const SceneResult& result, const SourceMap& sources, bool times = false);
 

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> outcome_names{"passed", "failed", "open"};
 
-/// The notes' name, with the path of the file that the step stands in if that is another one.
+/// The notes' name, with the path of the file that the step is in if that is another one.
 std::string name_of_file(const FileReport& file, FileId where, const SourceMap& sources,
                          const std::string& name) {
   if (where == file.file || sources.path(where) == file.path) return name;

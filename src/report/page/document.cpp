@@ -228,7 +228,7 @@ class NotesWriter {
     return "\\rigorinline{" + to_typeset(*box) + "}";
   }
 
-  /// What stands between back-ticks is set as mathematics, or as source.
+  /// What is between back-ticks is set as mathematics, or as source.
   std::string message(std::string_view text, bool as_math) {
     std::string all;
     for (bool code = false; true; code = !code) {

@@ -45,7 +45,7 @@ constexpr std::array<std::string_view, 14> harmless_words{"cite",  "emph",     "
                                                           "label", "noindent", "par",    "quad",     "qquad",
                                                           "ref",   "text",     "textbf", "textit"};
 
-/// What stands before and after a display on its lines can neither leave it out nor typeset another one
+/// What comes before and after a display on its lines can neither leave it out nor typeset another one
 /// there: words, inline math and harmless commands, with braces that are closed where they are opened.
 bool is_harmless(std::string_view text) {
   int depth = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LaTeX that stands in a report as boxes: what the author wrote (a side, a repair, a value of a sample) with
+// LaTeX that is in a report as boxes: what the author wrote (a side, a repair, a value of a sample) with
 // the macros of the notes, what rigor printed (a line of a derivation) without.
 #pragma once
 

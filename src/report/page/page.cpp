@@ -26,7 +26,7 @@ class FileWriter {
         page_{sources, math_, notes.link, notes.shown.report->file, notes.shown.derivations},
         number_(number) {}
 
-  /// `below`: how many levels of heading stand above those of the notes; 2 with the path as the first of
+  /// `below`: how many levels of heading are above those of the notes; 2 with the path as the first of
   /// them.
   void write(int below) {
     const bool titled = below == 2;
@@ -113,7 +113,7 @@ class FileWriter {
     return html + "</ol>\n";
   }
 
-  /// The chains that stand in the display.
+  /// The chains that are in the display.
   std::string forms_of(const ShownEquation& equation) {
     std::string html;
     for (const EvaluatedChain& chain : notes_.evaluated.chains) {
@@ -194,7 +194,7 @@ std::string legend(const ShownTotals& totals) {
   return html + "</dl>\n";
 }
 
-/// The heading that stands above all others of the only file, taken out of its items, with its macros put in
+/// The heading that is above all others of the only file, taken out of its items, with its macros put in
 /// force; else the paths.
 std::string take_title(NotesMath& math, std::vector<PageNotes>& notes) {
   if (notes.size() == 1) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Notes with their verdicts as one HTML page: no network, no font, script and style inside, mathematics as
-// MathML. What stands in the notes cannot leave its element. The same input gives the same bytes.
+// MathML. What is in the notes cannot leave its element. The same input gives the same bytes.
 #pragma once
 
 #include <map>

@@ -34,7 +34,7 @@ std::string term_html(std::string_view term, std::string_view what) {
   return fmt::format("<div class=\"row\"><dt>{}</dt><dd>{}</dd></div>\n", term, what);
 }
 
-/// What stands between back-ticks is mathematics.
+/// What is between back-ticks is mathematics.
 std::string ticked_math_html(const PageContext& page, std::string_view text) {
   std::string html;
   for (bool code = false; true; code = !code) {

@@ -28,7 +28,7 @@ struct PageContext {
 [[nodiscard]] std::string math_html(const PageContext& page, const std::string& latex, MathStyle style);
 /// A line with mathematics between dollar signs.
 [[nodiscard]] std::string line_html(const PageContext& page, const std::string& prose);
-/// A message: what stands between back-ticks is code.
+/// A message: what is between back-ticks is code.
 [[nodiscard]] std::string message_html(std::string_view message);
 /// `notes.md:12`, as a link if the page has one to the notes.
 [[nodiscard]] std::string place_html(const PageContext& page, Span span);

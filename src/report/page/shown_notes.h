@@ -24,7 +24,7 @@ struct ShownHeading {
 struct ShownEquation {
   Span span;
   bool displayed = true;              // false: a directive says it
-  std::string source;                 // of a display: what stands between its delimiters, as written
+  std::string source;                 // of a display: what is between its delimiters, as written
   std::optional<ShownDisplay> shown;  // of a display; nothing where its macros never end
   std::vector<const Step*> steps;     // of the report
   std::size_t macros = 0;             // see `ShownNotes`; what the display itself defines is in force
@@ -40,7 +40,7 @@ struct ShownNotes {
 };
 
 /// `report` was made of a file in `sources`, and outlives the answer. Displays without a step are there, too.
-/// A step that a directive states stands before the next display that comes after it in the report. Cost:
+/// A step that a directive states is before the next display that comes after it in the report. Cost:
 /// reading the notes again.
 [[nodiscard]] ShownNotes show_notes(SourceMap& sources, const FileReport& report);
 

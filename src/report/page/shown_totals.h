@@ -22,7 +22,7 @@ struct ShownTotals {
 void add_to(ShownTotals& totals, const FileReport& report);
 
 /// `3 steps: 1 needs attention, and there are 2 problems with the notes as a whole`, without a full stop;
-/// what must be looked at stands between `open` and `close`. Nothing is said to be well where the exit code
+/// what must be looked at is between `open` and `close`. Nothing is said to be well where the exit code
 /// says otherwise.
 [[nodiscard]] std::string attention_words(const ShownTotals& totals, std::string_view open = {},
                                           std::string_view close = {});

@@ -41,7 +41,7 @@ constexpr std::array signs{
     LabelSign{"quad", "  "},    LabelSign{"prime", "′"},   LabelSign{"left", ""},
     LabelSign{"right", ""},     LabelSign{"{", "{"},       LabelSign{"}", "}"},
 };
-/// What stands over the letter before it: combining marks.
+/// What is over the letter before it: combining marks.
 constexpr std::array accents{
     LabelSign{"dot", "\u0307"},
     LabelSign{"ddot", "\u0308"},

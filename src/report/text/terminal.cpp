@@ -100,7 +100,7 @@ std::string padded(const std::string& text, std::size_t width) {
   return used < width ? text + std::string(width - used, ' ') : text;
 }
 
-/// Steps of another file, such as one that `\input` names, stand below that file's path.
+/// Steps of another file, such as one that `\input` names, are below that file's path.
 std::string print_steps(const FileReport& file, const SourceMap& sources, const TerminalOptions& options) {
   const auto [rows, widths] = rows_of(file, sources, options.width);
   const std::string between(gap, ' ');

@@ -10,7 +10,7 @@
 //     particle 2: m_{\alpha} = 2, \mathbf{r}_{\alpha} = (0, 0, 0)
 //     component i = 1, j = 2: left 1, right -1
 //
-// What the values make of defined symbols in the step stands after them: `m = 1; hence M = 1`. Derivatives
+// What the values make of defined symbols in the step is after them: `m = 1; hence M = 1`. Derivatives
 // that only derivatives of assumptions speak of are left out; the JSON has them.
 #pragma once
 

@@ -85,7 +85,7 @@ class TomlConverter {
   FileId file_;
 };
 
-/// How many tables and arrays stand in one another; a loop, since it is asked before anything recurses.
+/// How many tables and arrays are in one another; a loop, since it is asked before anything recurses.
 bool is_too_deep(const toml::node& root) {
   std::vector<std::pair<const toml::node*, int>> open{{&root, 0}};
   while (!open.empty()) {

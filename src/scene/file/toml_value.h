@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A TOML file as a tree of values, each with its place. Entries of a table stand in the order of the file.
+// A TOML file as a tree of values, each with its place. Entries of a table are in the order of the file.
 #pragma once
 
 #include <cstdint>
