@@ -32,7 +32,7 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {bad_syntax, "bad-syntax", error,
      "an expression breaks off or has a sign in a place where it cannot stand"},
     {unsupported, "unsupported", not_understood, "a notation that is not read yet"},
-    {passed_over, "passed-over", not_understood, "a word or sign that is no part of what was read"},
+    {passed_over, "passed-over", not_understood, "a word or sign that is not part of what was read"},
 
     {unknown_directive, "unknown-directive", error, "a directive starts with an unknown word"},
     {bad_directive, "bad-directive", error, "a directive's text cannot be read"},
@@ -78,12 +78,12 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {mixed_parity, "mixed-parity", warning, "an axial quantity is set equal to a polar one", true},
     {unused_definition, "unused-definition", warning, "nothing uses a definition", true},
 
-    {bad_toml, "bad-toml", error, "a body or scene file is no TOML, or a value in it is missing or wrong"},
+    {bad_toml, "bad-toml", error, "a body or scene file is not TOML, or a value in it is missing or wrong"},
     {unknown_key, "unknown-key", error, "a body or scene file has a key that is not known"},
     {wrong_unit, "wrong-unit", error, "a quantity's unit is not read, or measures something else"},
     {bad_body, "bad-body", error, "a sample body cannot exist"},
     {bad_mesh, "bad-mesh", error, "a mesh cannot be read, or encloses no body"},
-    {bad_cloud, "bad-cloud", error, "a cloud of points cannot be read, or is no body"},
+    {bad_cloud, "bad-cloud", error, "a cloud of points cannot be read, or is not a body"},
     {bad_scene, "bad-scene", error, "a scene asks for what does not follow from it"},
 
     {refuted, "refuted", Severity::refuted, "the sides differ on an exact sample"},

@@ -163,7 +163,7 @@ TEST_CASE("page and document show a problem of the file as a whole") {
   const Outcome document = run_program({"report", folder.path("n.md"), "--latex", "-"});
   CHECK(document.code == 1);
   CHECK(document.text.find("1 problem of the notes as a whole.") != std::string::npos);
-  CHECK(document.text.find("error: \\texttt{nonsense} is no directive") != std::string::npos);
+  CHECK(document.text.find("error: \\texttt{nonsense} is not a directive") != std::string::npos);
 }
 
 TEST_CASE("the same notes make the same page") {

@@ -26,7 +26,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   Grammar grammar;
   if (!first.empty() && first[0] != '-' && !grammar.has(first)) {
     const std::string meant = suggest(first, grammar.names()).value_or("check");
-    return usage_error(fmt::format("`{}` is no command; did you mean `{}`?", first, meant), meant);
+    return usage_error(fmt::format("`{}` is not a command; did you mean `{}`?", first, meant), meant);
   }
   try {
     grammar.app().parse(argc, argv);

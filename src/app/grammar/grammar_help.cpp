@@ -19,7 +19,7 @@ void add_help(Grammar& grammar) {
       });
   const auto known = [&grammar](const std::string& name) {
     if (grammar.has(name)) return std::string();
-    return fmt::format("`{}` is no command; did you mean `{}`?", name,
+    return fmt::format("`{}` is not a command; did you mean `{}`?", name,
                        suggest(name, grammar.names()).value_or("check"));
   };
   app.add_option("COMMAND", *topic, "One of the commands; without it, all are listed")

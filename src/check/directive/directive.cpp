@@ -118,7 +118,7 @@ class DirectiveReader {
     if (directive.kind == DirectiveKind::skip) return directive;
     if (directive.kind == DirectiveKind::first_order) {
       if (opening.words.front() == "first") return directive;
-      return bad(line, "`order` is no directive by itself",
+      return bad(line, "`order` is not a directive by itself",
                  "`first order` says how the next statement is meant");
     }
     if (directive.kind == DirectiveKind::allow || directive.kind == DirectiveKind::warn)
@@ -154,7 +154,7 @@ class DirectiveReader {
     const Span place{line.file, line.begin,
                      std::min(line.end, line.begin + static_cast<std::uint32_t>(unknown.size()))};
     Diagnostic diagnostic{DiagnosticKind::unknown_directive, place,
-                          fmt::format("`{}` is no directive", unknown)};
+                          fmt::format("`{}` is not a directive", unknown)};
     std::vector<std::string> known;
     for (const DirectiveWord& entry : directive_words) known.emplace_back(entry.word);
     if (const auto near = suggest(unknown, known)) {
@@ -237,7 +237,7 @@ class DirectiveReader {
       }
       const SyntaxId symbol = parse_side(part, span_of(part), syntax_);
       if (syntax_[symbol].kind != SyntaxKind::symbol)
-        return bad(span_of(part), fmt::format("`{}` is no tag, no label, no line and no symbol", text),
+        return bad(span_of(part), fmt::format("`{}` is not a tag, a label, a line or a symbol", text),
                    "e.g. `use (2.1), line 12, label hooke, \\mathbf{p}`");
       directive.symbols.push_back(symbol);
     }
@@ -264,7 +264,7 @@ class DirectiveReader {
     const auto colon =
         std::find_if(part.begin(), part.end(), [](const Token& token) { return is_sign(token, ":"); });
     if (colon == part.end()) {
-      bad(span_of(part), fmt::format("`{}` has no dimension behind a colon", text_of(part)),
+      bad(span_of(part), fmt::format("`{}` has no dimension after a colon", text_of(part)),
           "e.g. `units m: M, v: L/T, F: N`");
       return false;
     }

@@ -14,7 +14,7 @@ namespace {
 bool in_name(char c) { return is_letter(c) || c == '-' || c == '_'; }
 
 Diagnostic no_warning(const std::string& name, Span place) {
-  Diagnostic diagnostic{DiagnosticKind::bad_directive, place, fmt::format("`{}` is no warning", name)};
+  Diagnostic diagnostic{DiagnosticKind::bad_directive, place, fmt::format("`{}` is not a warning", name)};
   const auto table = diagnostic_table();
   const auto known = std::find_if(table.begin(), table.end(),
                                   [&](const DiagnosticInfo& entry) { return entry.name == name; });

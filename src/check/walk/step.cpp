@@ -34,7 +34,7 @@ std::optional<Diagnostic> why_not_decided(const WrittenRelation& relation) {
     case RelationKind::much_greater:
       return Diagnostic{DiagnosticKind::unsupported,
                         relation.span,
-                        fmt::format("`{}` is no claim that can be decided", relation.text),
+                        fmt::format("`{}` is not a claim that can be decided", relation.text),
                         {},
                         {"`rigor: small …` says what is small"}};
     case RelationKind::demanded:

@@ -56,7 +56,7 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
   const fs::path path = find(asked);
   const fs::path real = real_path(path);
   if (real.empty())
-    return report(DiagnosticKind::missing_input, place, fmt::format("`{}` is no path", shown));
+    return report(DiagnosticKind::missing_input, place, fmt::format("`{}` is not a path", shown));
   if (!is_inside(real)) {
     return report(DiagnosticKind::input_outside, place,
                   fmt::format("`{}` is outside the folder of the notes", shown));

@@ -103,7 +103,7 @@ class DefinitionReader {
     if (digits.size() == 1 && digits[0].kind == TokenKind::digit) {
       macro_.parameters = static_cast<std::uint8_t>(digits[0].text[0] - '0');
     } else {
-      reject(fmt::format("is defined with `[{}]`, which is no number of arguments", text_of(digits)));
+      reject(fmt::format("is defined with `[{}]`, which is not a number of arguments", text_of(digits)));
     }
     return true;
   }

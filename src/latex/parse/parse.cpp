@@ -31,7 +31,7 @@ SyntaxId parse_side(TokenView tokens, Span place, SyntaxTree& tree, Choices* cho
   if (left_over == nullptr || holds_opaque(tree, side)) return side;
   return tree.add_opaque(left_over->span,
                          {DiagnosticKind::passed_over,
-                          fmt::format("`{}` is no part of what was read", text_of({left_over, 1}))});
+                          fmt::format("`{}` is not part of what was read", text_of({left_over, 1}))});
 }
 
 }  // namespace rigor

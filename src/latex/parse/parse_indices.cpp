@@ -124,7 +124,7 @@ class IndexReader {
       return;
     }
     if (letter == hole_letter) {
-      refuse("a hole is no index");
+      refuse("a hole is not an index");
       return;
     }
     if (letter.empty()) {

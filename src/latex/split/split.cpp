@@ -222,7 +222,7 @@ void refuse(std::vector<WrittenChain>& chains, const Token& left_over) {
   for (WrittenChain& chain : chains) {
     if (chain.condition) continue;
     chain.condition = Obstacle{DiagnosticKind::passed_over,
-                               fmt::format("`{}` is no part of what was read", text_of({&left_over, 1})),
+                               fmt::format("`{}` is not part of what was read", text_of({&left_over, 1})),
                                {}};
     chain.condition_span = left_over.span;
   }

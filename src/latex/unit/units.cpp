@@ -160,8 +160,8 @@ class UnitReader {
       if (const auto dimension = dimension_by_letter(sign)) return dimension;
     }
     if (const auto unit = unit_by_sign(sign)) return unit;
-    return fail(sign.empty() ? fmt::format("`{}` is no unit", text_.substr(at_))
-                             : fmt::format("`{}` is no unit", sign));
+    return fail(sign.empty() ? fmt::format("`{}` is not a unit", text_.substr(at_))
+                             : fmt::format("`{}` is not a unit", sign));
   }
 
   std::optional<WrittenUnit> word() {
@@ -170,7 +170,7 @@ class UnitReader {
     const auto unit = take_unit_words(rest);
     at_ += before - rest.size();
     if (unit) return unit;
-    return fail(fmt::format("`{}` is no unit", text_.substr(at_)));
+    return fail(fmt::format("`{}` is not a unit", text_.substr(at_)));
   }
 
   bool multiply(const WrittenUnit& unit, const SmallRational& exponent) {

@@ -22,8 +22,9 @@ Result<PointColumns> records_of(std::string_view bytes) {
   if constexpr (std::endian::native != std::endian::little)
     return refuse("a binary cloud is little-endian, and this machine is not: give it as text");
   if (bytes.size() % record_size != 0)
-    return refuse(fmt::format("its {} bytes are no multiple of {}, four doubles x, y, z and m a point",
-                              bytes.size(), record_size));
+    return refuse(
+        fmt::format("its {} bytes are not a multiple of {}: each point has four doubles x, y, z and m",
+                    bytes.size(), record_size));
   const std::size_t count = bytes.size() / record_size;
   if (count > most_particles)
     return refuse(fmt::format("it has {} points, at most {}", count, most_particles));

@@ -35,7 +35,7 @@ Result<std::optional<std::array<double, 4>>> parse_line(std::string_view line) {
     if (*at == ',') return refuse("there is no number before a comma");
     const std::string_view word = word_at(at, end);
     const auto number = finite_number(word);
-    if (!number) return refuse(fmt::format("`{}` is no finite number", shown(word)));
+    if (!number) return refuse(fmt::format("`{}` is not a finite number", shown(word)));
     numbers[count++] = *number;
     const char* const after = after_separators(at + word.size(), end);
     const auto commas = std::count(at + word.size(), after, ',');

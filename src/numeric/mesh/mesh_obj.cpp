@@ -25,7 +25,7 @@ class ObjReader {
       const std::string_view word = words_.next_on_line();
       if (word.empty() || is_one_of(word, ignored)) continue;
       if (word != "v" && word != "f")
-        return words_.refuse(fmt::format("`{}` is no statement of an OBJ file", shown(word)));
+        return words_.refuse(fmt::format("`{}` is not a statement of an OBJ file", shown(word)));
       const auto done = word == "v" ? read_vertex() : read_face();
       if (!done) return tl::unexpected(done.error());
     } while (words_.next_line());
@@ -41,7 +41,7 @@ class ObjReader {
       const std::string_view word = words_.next_on_line();
       if (word.empty()) return words_.refuse("a vertex has fewer than three coordinates");
       const auto number = finite_number(word);
-      if (!number) return words_.refuse(fmt::format("`{}` is no finite number", shown(word)));
+      if (!number) return words_.refuse(fmt::format("`{}` is not a finite number", shown(word)));
       x = *number;
     }
     mesh_.vertices.push_back(vertex);
@@ -68,7 +68,7 @@ class ObjReader {
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(index.data(), index.data() + index.size(), number);
     if (error != std::errc() || end != index.data() + index.size())
-      return words_.refuse(fmt::format("`{}` is no corner of a face", shown(word)));
+      return words_.refuse(fmt::format("`{}` is not a corner of a face", shown(word)));
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t from_zero = number < 0 ? count + number : number - 1;
     if (number == 0 || from_zero < 0 || from_zero >= count)

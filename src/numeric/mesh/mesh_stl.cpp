@@ -106,7 +106,7 @@ class AsciiStl {
       const std::string_view word = words_.next();
       const auto number = finite_number(word);
       if (word.empty()) return words_.refuse("the file ends inside a vertex");
-      if (!number) return words_.refuse(fmt::format("`{}` is no finite number", shown(word)));
+      if (!number) return words_.refuse(fmt::format("`{}` is not a finite number", shown(word)));
       x = *number;
     }
     mesh_.vertices.push_back(vertex);
@@ -125,11 +125,12 @@ Result<Mesh> read_stl(std::string_view bytes) {
   MeshWords words(bytes.substr(0, header_bytes));
   if (words.next() == "solid") return AsciiStl(bytes).read();
   if (!has_count)
-    return refuse(fmt::format(
-        "this is no STL file: it does not begin with `solid`, and has {} bytes, too few for the header",
-        bytes.size()));
+    return refuse(
+        fmt::format("this is not an STL file: it does not begin with `solid`, and its {} bytes are too few "
+                    "for the header",
+                    bytes.size()));
   return refuse(fmt::format(
-      "a binary STL file of {} triangles has {} bytes, but this one has {}: it is truncated, or no STL",
+      "a binary STL file of {} triangles has {} bytes, but this one has {}: it is truncated, or not STL",
       little_endian(bytes, header_bytes), binary_size(bytes), bytes.size()));
 }
 

@@ -92,7 +92,7 @@ class BodyReader {
       if (*along == std::string_view("xyz").substr(axis, 1)) return axis;
     }
     report(DiagnosticKind::bad_body, reader_.find("along")->span,
-           fmt::format("`{}` is no axis: `along` must be `x`, `y` or `z`", *along));
+           fmt::format("`{}` is not an axis: `along` must be `x`, `y` or `z`", *along));
     return 2;
   }
 

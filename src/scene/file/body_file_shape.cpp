@@ -165,7 +165,7 @@ std::optional<Body> read_shape(TomlReader& reader, std::string name) {
   const auto near = suggest(*asked, names);
   reader.diagnostics().push_back({DiagnosticKind::bad_body,
                                   reader.find("shape")->span,
-                                  fmt::format("`{}` is no shape that is known", *asked),
+                                  fmt::format("`{}` is not a known shape", *asked),
                                   {},
                                   {near ? fmt::format("did you mean `{}`?", *near)
                                         : fmt::format("the shapes are {}", fmt::join(names, ", "))}});

@@ -297,7 +297,7 @@ void read_top(TomlReader& reader, SceneFile& scene) {
                                   [](const SceneAsk& ask) { return ask.kind == SceneAskKind::over_time; });
   if (timed != scene.asked.end() && !scene.motion) {
     report(diagnostics, DiagnosticKind::bad_scene, timed->name.span,
-           fmt::format("`{}` needs a motion, and the scene has none", timed->name.text),
+           fmt::format("`{}` needs a motion, but the scene has none", timed->name.text),
            {"add [motion] with `equations` and `duration`"});
   }
   reader.report_unknown();

@@ -111,7 +111,7 @@ std::string message_of(std::string_view description) {
   }
   constexpr std::string_view opening = "Error while parsing ";
   if (description.starts_with(opening)) description.remove_prefix(opening.size());
-  return fmt::format("this is no TOML: {}", description);
+  return fmt::format("this is not TOML: {}", description);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ void SceneEvaluation::add_to_law(const WrittenFormChain& chain, std::size_t step
 void SceneEvaluation::make_law() {
   if (!scene_.motion) {
     return report(DiagnosticKind::bad_scene, scene_.span,
-                  "the rates of the spin are needed, and the scene has no motion",
+                  "the rates of the spin are needed, but the scene has no motion",
                   "add [motion] with `equations` and `duration`");
   }
   const SceneText& name = scene_.motion->equations;

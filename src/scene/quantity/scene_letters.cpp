@@ -68,8 +68,9 @@ std::optional<std::string> SceneLetters::name_of(const SceneText& letter, const 
   if (form == nullptr) return std::nullopt;
   const ExprNode& node = forms_.tree[form->expr];
   if (node.op != Op::symbol) {
-    diagnostics_.push_back({DiagnosticKind::bad_scene, letter.span,
-                            fmt::format("`{}` is no letter of the notes, but an expression", letter.text)});
+    diagnostics_.push_back(
+        {DiagnosticKind::bad_scene, letter.span,
+         fmt::format("`{}` is not a letter of the notes, but an expression", letter.text)});
     return std::nullopt;
   }
   const Symbol& symbol = forms_.tree.symbols[node.symbol];

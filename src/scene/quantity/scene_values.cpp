@@ -38,7 +38,7 @@ std::optional<MissingValue> SceneValues::settle_axes(const std::set<SceneRole>& 
   if (*along) return std::nullopt;
   if (oriented && scene_.axes == SceneAxes::not_said) {
     return MissingValue{
-        "principal moments are needed, and the body does not lie along its principal axes",
+        "principal moments are needed, but the body's axes are not its principal axes",
         "say with `axes = \"principal\"` or `axes = \"body\"` along which the components are given"};
   }
   turn_places_ = true;
@@ -66,7 +66,7 @@ std::optional<MissingValue> SceneValues::provide(const Program& program) {
 Result<LetterValue> SceneValues::spin_value() {
   if (!scene_.spin) {
     return tl::unexpected(
-        Error{fmt::format("`{}` is needed, and the scene has no spin", scene_.symbols.spin.text)});
+        Error{fmt::format("`{}` is needed, but the scene has no spin", scene_.symbols.spin.text)});
   }
   return turned_value({scene_.spin->begin(), scene_.spin->end()});
 }
@@ -182,7 +182,7 @@ Result<LetterValue> SceneValues::turned_value(std::vector<double> components) {
 
 MissingValue SceneValues::missing(SymbolId symbol) const {
   const std::string& name = tree_.symbols[symbol].name;
-  return {fmt::format("`{}` is needed, and has no value", name),
+  return {fmt::format("`{}` is needed, but has no value", name),
           fmt::format(
               "give it one under [values], or say under [symbols] that `{}` is the mass, the position, the "
               "spin or a principal moment",

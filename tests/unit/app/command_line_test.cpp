@@ -85,7 +85,7 @@ TEST_CASE("a replay is of one report") {
   CHECK(usage_error({"replay"}) == "rigor: REPORT is required");
   CHECK(usage_error({"replay", "a.json", "b.json"}) ==
         "rigor: the following argument was not expected: b.json");
-  CHECK(usage_error({"rplay", "a.json"}) == "rigor: `rplay` is no command; did you mean `replay`?");
+  CHECK(usage_error({"rplay", "a.json"}) == "rigor: `rplay` is not a command; did you mean `replay`?");
 }
 
 TEST_CASE("forms are of one file, on bodies and at places that may be repeated") {
@@ -112,7 +112,7 @@ TEST_CASE("scenes are read from files") {
   CHECK(line.scene->files == std::vector<std::string>{"book.toml", "coin.toml"});
   CHECK(line.scene->explain);
   CHECK_FALSE(line.scene->json);
-  CHECK(usage_error({"scence", "a.toml"}) == "rigor: `scence` is no command; did you mean `scene`?");
+  CHECK(usage_error({"scence", "a.toml"}) == "rigor: `scence` is not a command; did you mean `scene`?");
 }
 
 TEST_CASE("what is wrong with a command line is said in one line") {
@@ -141,7 +141,7 @@ TEST_CASE("help of a command is what the command itself says") {
   CHECK(parse({"help", "check"}).text == parse({"check", "--help"}).text);
   CHECK(parse({"help"}).text == parse({"--help"}).text);
   CHECK(parse({"help", "help"}).text == parse({"help", "--help"}).text);
-  CHECK(usage_error({"help", "chekc"}) == "rigor: COMMAND: `chekc` is no command; did you mean `check`?");
+  CHECK(usage_error({"help", "chekc"}) == "rigor: COMMAND: `chekc` is not a command; did you mean `check`?");
   CHECK(usage_error({"help", "check", "eval"}) == "rigor: the following argument was not expected: eval");
 }
 

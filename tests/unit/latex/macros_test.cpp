@@ -182,7 +182,7 @@ TEST_CASE("a call without its arguments is reported at the call") {
 TEST_CASE("a definition that cannot be read is said to be so") {
   CHECK(expanded("\\def\\v#1.{#1}") == "`\\v` is defined with delimited parameters, which are not read");
   CHECK(expanded("\\newcommand{\\v}[x]{a}") ==
-        "`\\v` is defined with `[x]`, which is no number of arguments");
+        "`\\v` is defined with `[x]`, which is not a number of arguments");
   CHECK(expanded("\\newcommand{\\v}[1]{#2}") == "`\\v` uses `#2` and has 1 parameter");
   CHECK(expanded("\\newcommand{\\v}") == "`\\v` is not closed or has no body");
   CHECK(expanded("\\newcommand v{a}") == "`\\newcommand` is not followed by the name of a macro");

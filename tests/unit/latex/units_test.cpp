@@ -55,14 +55,14 @@ TEST_CASE("M, L and T are dimensions where these are meant, and units elsewhere"
   CHECK(unit("kg/m^3", UnitNames::dimensions) == "1 kg m^-3");
   CHECK(unit("1", UnitNames::dimensions) == "1");
   CHECK(unit("T") == "1 kg s^-2 A^-1");
-  CHECK(unit("M") == "`M` is no unit");
+  CHECK(unit("M") == "`M` is not a unit");
 }
 
 TEST_CASE("what is no unit is not read") {
   CHECK(unit("") == "a unit is missing");
-  CHECK(unit("kk") == "`kk` is no unit");
-  CHECK(unit("kmin") == "`kmin` is no unit");
-  CHECK(unit("\\foo") == "`\\foo` is no unit");
+  CHECK(unit("kk") == "`kk` is not a unit");
+  CHECK(unit("kmin") == "`kmin` is not a unit");
+  CHECK(unit("\\foo") == "`\\foo` is not a unit");
   CHECK(unit("m^") == "an exponent is missing");
   CHECK(unit("m^{1/0}") == "an exponent is missing");
   CHECK(unit("(m") == "a bracket is not closed");

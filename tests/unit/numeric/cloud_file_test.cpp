@@ -67,13 +67,13 @@ TEST_CASE("numbers of a cloud's text stand between blanks or single commas") {
 
 TEST_CASE("a cloud's number has one sign, is followed by another after a comma, and may be too small") {
   const auto reason = [](const std::string& text) { return parse_cloud(text).error().reason; };
-  CHECK(reason("1 2 3 4\n+-1 2 3 4") == "line 2: `+-1` is no finite number");
-  CHECK(reason("++1 2 3 4") == "line 1: `++1` is no finite number");
-  CHECK(reason("+ 2 3 4") == "line 1: `+` is no finite number");
+  CHECK(reason("1 2 3 4\n+-1 2 3 4") == "line 2: `+-1` is not a finite number");
+  CHECK(reason("++1 2 3 4") == "line 1: `++1` is not a finite number");
+  CHECK(reason("+ 2 3 4") == "line 1: `+` is not a finite number");
   CHECK(reason("1,2,3,4,") == "line 1: there is no number after the last comma");
   CHECK(reason("1,2,3,4 , # five\n") == "line 1: there is no number after the last comma");
   CHECK(reason("1,2, ,4") == "line 1: there is no number between two commas");
-  CHECK(reason("1 2 3 1e400") == "line 1: `1e400` is no finite number");
+  CHECK(reason("1 2 3 1e400") == "line 1: `1e400` is not a finite number");
   const auto small = parse_cloud("1e-400 -1e-5000 4.9e-324 1 \r\n");
   REQUIRE(small);
   CHECK((*small)[0][0] == 0);

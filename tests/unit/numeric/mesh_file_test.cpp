@@ -77,11 +77,12 @@ TEST_CASE("a truncated STL file is refused with what is missing") {
         "line 4: the file ends inside a vertex");
   const std::string binary = binary_stl(tetrahedron_mesh(), "made by hand");
   CHECK(reason(read_stl(binary.substr(0, 200))) ==
-        "a binary STL file of 4 triangles has 284 bytes, but this one has 200: it is truncated, or no STL");
+        "a binary STL file of 4 triangles has 284 bytes, but this one has 200: it is truncated, or not STL");
   CHECK(reason(read_stl(binary + "x")) ==
-        "a binary STL file of 4 triangles has 284 bytes, but this one has 285: it is truncated, or no STL");
-  CHECK(reason(read_stl("")) ==
-        "this is no STL file: it does not begin with `solid`, and has 0 bytes, too few for the header");
+        "a binary STL file of 4 triangles has 284 bytes, but this one has 285: it is truncated, or not STL");
+  CHECK(
+      reason(read_stl("")) ==
+      "this is not an STL file: it does not begin with `solid`, and its 0 bytes are too few for the header");
   // Every prefix ends in a reason.
   for (std::size_t size = 0; size < binary.size(); ++size) CHECK_FALSE(read_stl(binary.substr(0, size)));
   for (std::size_t size = 0; size + 13 < ascii.size(); ++size) CHECK_FALSE(read_stl(ascii.substr(0, size)));
@@ -91,7 +92,7 @@ TEST_CASE("an STL file with a wrong word or number is refused with the line") {
   CHECK(reason(read_stl("solid a\nfacet normal 0 0 0\nouter lop\n")) ==
         "line 3: `lop` was found where `loop` was expected");
   CHECK(reason(read_stl("solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 nan 0\n")) ==
-        "line 4: `nan` is no finite number");
+        "line 4: `nan` is not a finite number");
   CHECK(reason(read_stl("solid a\n\x01\x02\x7f garbage\n")) ==
         "line 2: `???` was found where `facet` was expected");
   Mesh mesh = tetrahedron_mesh();
@@ -119,14 +120,15 @@ TEST_CASE("a wrong OBJ file is refused with the line") {
   CHECK(reason(read_obj("v 0 0 0\nf 1 1 -2\n")) ==
         "line 2: a face names vertex -2, but 1 are defined above it");
   CHECK(reason(read_obj("v 0 0 0\nf 1 1 99999999999999999999\n")) ==
-        "line 2: `99999999999999999999` is no corner of a face");
+        "line 2: `99999999999999999999` is not a corner of a face");
   CHECK(reason(read_obj("v 0 0\n")) == "line 1: a vertex has fewer than three coordinates");
-  CHECK(reason(read_obj("v 0 0 inf\n")) == "line 1: `inf` is no finite number");
+  CHECK(reason(read_obj("v 0 0 inf\n")) == "line 1: `inf` is not a finite number");
   CHECK(reason(read_obj("v 0 0 0\nf 1 1\n")) == "line 2: a face has 2 corners, fewer than three");
-  CHECK(reason(read_obj(std::string("\0\x01PNG\n", 6))) == "line 1: `??PNG` is no statement of an OBJ file");
+  CHECK(reason(read_obj(std::string("\0\x01PNG\n", 6))) ==
+        "line 1: `??PNG` is not a statement of an OBJ file");
   CHECK(reason(read_obj("")) == "the file has no faces");
   CHECK(reason(read_obj("wiggle-wiggle-wiggle-wiggle 3\n")) ==
-        "line 1: `wiggle-wiggle-wiggle-wig…` is no statement of an OBJ file");
+        "line 1: `wiggle-wiggle-wiggle-wig…` is not a statement of an OBJ file");
 }
 
 TEST_CASE("the kind of a mesh file follows from its name") {

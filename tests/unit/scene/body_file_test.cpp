@@ -111,7 +111,7 @@ TEST_CASE("`along` turns the z axis, and parts are placed by their centres of ma
   CHECK(cross->known->mass == 6);
   CHECK(cross->known->inertia[0][0] == Approx(1 + 1 + 6));
   CHECK(wrong("shape = \"rod\"\nmass = 3\nlength = 2\nalong = \"w\"\n") ==
-        "b.toml:4:9: error: `w` is no axis: `along` must be `x`, `y` or `z` [bad-body]");
+        "b.toml:4:9: error: `w` is not an axis: `along` must be `x`, `y` or `z` [bad-body]");
 }
 
 TEST_CASE("parts are counted while they are read") {
@@ -160,7 +160,7 @@ TEST_CASE("a body without particles, mass or extent is refused at the place") {
 
 TEST_CASE("an unknown shape is answered with the nearest, or with all of them") {
   CHECK(read("shape = \"spere\"\nmass = 1\nradius = 1\n").printed ==
-        "b.toml:1:9: error: `spere` is no shape that is known [bad-body]\n"
+        "b.toml:1:9: error: `spere` is not a known shape [bad-body]\n"
         "    1 | shape = \"spere\"\n"
         "      |         ^~~~~~~\n"
         "help: did you mean `sphere`?\n");
@@ -248,10 +248,9 @@ TEST_CASE("a truncated, binary or open mesh is refused with its reason") {
   };
   CHECK(of("short.stl") ==
         "b.toml:1:8: error: `short.stl`: a binary STL file of 4 triangles has 284 bytes, but this one has "
-        "144: it "
-        "is truncated, or no STL [bad-mesh]");
+        "144: it is truncated, or not STL [bad-mesh]");
   CHECK(of("binary.obj") ==
-        "b.toml:1:8: error: `binary.obj`: line 1: `?ELF???` is no statement of an OBJ file [bad-mesh]");
+        "b.toml:1:8: error: `binary.obj`: line 1: `?ELF???` is not a statement of an OBJ file [bad-mesh]");
   CHECK(
       of("open.obj") ==
       "b.toml:1:8: error: `open.obj`: the edge from (0, 0, 1) to (0, 1, 0) belongs to one triangle only: the "
@@ -295,20 +294,19 @@ TEST_CASE("a cloud that is no body is refused with its point or line") {
   folder.write("cloud.ply", "1 2 3 4\n");
   const std::string place = "b.toml:1:9: error: ";
   CHECK(of("nan.bin") == place + "`nan.bin`: particle 2 has y = nan m, which must be finite [bad-cloud]");
-  CHECK(
-      of("short.bin") ==
-      place +
-          "`short.bin`: its 60 bytes are no multiple of 32, four doubles x, y, z and m a point [bad-cloud]");
+  CHECK(of("short.bin") == place +
+                               "`short.bin`: its 60 bytes are not a multiple of 32: each point has four "
+                               "doubles x, y, z and m [bad-cloud]");
   CHECK(of("empty.bin") == place + "`empty.bin`: the file is empty [bad-cloud]");
   CHECK(of("comment.txt") == place + "`comment.txt`: the body has no particles [bad-cloud]");
-  CHECK(of("word.txt") == place + "`word.txt`: line 2: `three` is no finite number [bad-cloud]");
+  CHECK(of("word.txt") == place + "`word.txt`: line 2: `three` is not a finite number [bad-cloud]");
   CHECK(of("line.txt") ==
         place + "`line.txt`: line 2: the line has 3 of the 4 numbers x, y, z and m [bad-cloud]");
   CHECK(of("long.txt") ==
         place + "`long.txt`: line 1: more than the 4 numbers x, y, z and m are on the line [bad-cloud]");
   CHECK(of("commas.csv") ==
         place + "`commas.csv`: line 1: there is no number between two commas [bad-cloud]");
-  CHECK(of("infinite.csv") == place + "`infinite.csv`: line 1: `inf` is no finite number [bad-cloud]");
+  CHECK(of("infinite.csv") == place + "`infinite.csv`: line 1: `inf` is not a finite number [bad-cloud]");
   CHECK(of("mass.csv") == place +
                               "`mass.csv`: particle 1 has the mass -4 kg, which must be finite and not "
                               "negative [bad-cloud]");

@@ -41,7 +41,7 @@ TEST_CASE("what is no finite number with a unit is refused with the reason") {
   CHECK(reason("1e308 t") == "`1e308 t` does not begin with a finite number");
   CHECK(reason("1-2 kg") == "`1-2 kg` does not begin with a finite number");
   CHECK(reason("1e99999999999999 km") == "`1e99999999999999 km` does not begin with a finite number");
-  CHECK(reason("3 furlong") == "the unit of `3 furlong` is not read: `furlong` is no unit");
+  CHECK(reason("3 furlong") == "the unit of `3 furlong` is not read: `furlong` is not a unit");
 }
 
 TEST_CASE("dimensions have names") {

@@ -125,7 +125,7 @@ TEST_CASE("an orientation is a quaternion, or an axis and an angle", "[scene fil
 
 TEST_CASE("what a scene cannot mean is a diagnostic at its place", "[scene file]") {
   CHECK(ReadScene(head + "[ask]\nquantities = ['L(t)']\n").messages() ==
-        "4: bad-scene: `L(t)` needs a motion, and the scene has none\n");
+        "4: bad-scene: `L(t)` needs a motion, but the scene has none\n");
   CHECK(ReadScene(head + "[ask]\nquantities = []\n").messages() ==
         "4: bad-scene: the scene asks for nothing\n");
   for (const char* blank : {"''", "'  '"}) {

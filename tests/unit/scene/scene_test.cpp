@@ -138,7 +138,7 @@ TEST_CASE("where it is open along which axes a spin is meant, the scene says so"
   const Played played(std::string(racket) + "spin = [1, 2, 3]\n[ask]\nquantities = ['(\\Omega_2)^2']\n",
                       turned_cross(3, 2, 1));
   CHECK(played.messages() ==
-        "bad-scene: principal moments are needed, and the body does not lie along its principal axes\n"
+        "bad-scene: principal moments are needed, but the body's axes are not its principal axes\n"
         "help: say with `axes = \"principal\"` or `axes = \"body\"` along which the components are given\n");
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("an energy without a spin is refused, the tensor beside it is not", "[
   const Played played("[ask]\nquantities = ['T_{rot}', 'I_{ij}']\n", sample());
   CHECK(
       played.messages() ==
-      "bad-scene: `T_{rot}` is not evaluated: `\\boldsymbol{\\omega}` is needed, and the scene has no spin\n"
+      "bad-scene: `T_{rot}` is not evaluated: `\\boldsymbol{\\omega}` is needed, but the scene has no spin\n"
       "help: add `spin = [\"1 rad/s\", 0, 0]`, say\n");
   CHECK(played.value("I_{ij}", 8) == 26);
 }
@@ -210,7 +210,7 @@ TEST_CASE("an energy without a spin is refused, the tensor beside it is not", "[
 TEST_CASE("a letter without a value is named, with where to give it one", "[scene]") {
   const Played played("[ask]\nquantities = ['T_{trans}']\n", sample());
   CHECK(played.messages() ==
-        "bad-scene: `T_{trans}` is not evaluated: `\\mathbf{V}` is needed, and has no value\n"
+        "bad-scene: `T_{trans}` is not evaluated: `\\mathbf{V}` is needed, but has no value\n"
         "help: give it one under [values], or say under [symbols] that `\\mathbf{V}` is the mass, the "
         "position, the "
         "spin or a principal moment\n");

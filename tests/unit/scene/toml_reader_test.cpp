@@ -48,7 +48,7 @@ TEST_CASE("values of all types are read, each with its place, in the order of th
 
 TEST_CASE("what is no TOML is reported where it stops being TOML") {
   CHECK(first_line(reported("mass = \"1 kg\"\nshape = \"box\n"))
-            .starts_with("a.toml:2:13: error: this is no TOML: "));
+            .starts_with("a.toml:2:13: error: this is not TOML: "));
   CHECK(first_line(reported("mass = 1\nsize = 2\nmass = 3\n")) ==
         "a.toml:3:8: error: `mass` is given twice [bad-toml]");
 }
@@ -80,8 +80,8 @@ TEST_CASE("characters beyond ASCII are for strings and comments") {
 }
 
 TEST_CASE("what toml++ asserts is reported") {
-  CHECK(first_line(reported("a = [}\n")).starts_with("a.toml:1:6: error: this is no TOML: "));
-  CHECK(first_line(reported("a = [1,,2]\n")).starts_with("a.toml:1:8: error: this is no TOML: "));
+  CHECK(first_line(reported("a = [}\n")).starts_with("a.toml:1:6: error: this is not TOML: "));
+  CHECK(first_line(reported("a = [1,,2]\n")).starts_with("a.toml:1:8: error: this is not TOML: "));
 }
 
 TEST_CASE("an unknown key is reported with the nearest that was asked for") {
