@@ -13,7 +13,7 @@ namespace rigor {
 [[nodiscard]] CheckedStep checked_step(const FileReport& file, const Step& step, const SourceMap& sources,
                                        bool strict);
 
-/// What is said of no step, as text; `wrong` if it has an error.
+/// The diagnostics of no step, as text; `wrong` if it has an error.
 struct RestOfNotes {
   bool wrong = false;
   std::string message;

@@ -32,7 +32,7 @@ std::size_t rank_of(StepVerdict verdict) {
   return static_cast<std::size_t>(std::ranges::find(order, verdict) - order.begin());
 }
 
-/// The worst step of the statement, with all that is said of the others and of the context.
+/// The worst step of the statement, with all diagnostics of the others and of the context.
 CheckedStep worst_of(const FileReport& file, const SourceMap& sources, std::size_t statement_begin,
                      std::string_view statement) {
   CheckedStep worst;

@@ -4,7 +4,7 @@
 // A proof takes every symbol at its generic point, where its components are indeterminates. There each
 // component of left − right is a fraction, and its numerator is a polynomial. A polynomial that is 0 for all
 // values is the polynomial 0, so expanding decides the question without rewriting rules, and one proof covers
-// every number of particles (`ring/moments.h`). Assumptions are solved before (`generic/constraints.h`).
+// every number of particles (`ring/moments.h`). Assumptions are solved first (`generic/constraints.h`).
 // A proof that fails refutes nothing: an assumption may not have been solved, or roots and functions may be
 // related in ways that are not known here. So a refutation is an exact sample, which is put into the question
 // again before it is returned. A few samples come first, since they refute most false claims within

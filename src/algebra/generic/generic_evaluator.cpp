@@ -118,7 +118,7 @@ ex GenericDomain::with_sign_of(const Fraction& value) {
   return radicals_.reduced(same.numerator);
 }
 
-/// By its parts, or as that of a sum that has been noted.
+/// Found by its parts, or as the sign of a sum that has been noted.
 Sign GenericDomain::sign_as_written(const Fraction& value) const {
   if (!notes_signs_) return Sign::any;
   const Sign sign = signs_.of(value);

@@ -32,8 +32,8 @@ constexpr double largest_ordered = 4000;        // terms, by the estimate
   return is_number(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_positive();
 }
 
-/// By what a fact may be multiplied so that a term cancels, one of unknown sign if signs are given: positive
-/// numbers, in rising order.
+/// The positive numbers, in rising order, that a fact may be multiplied by so that a term cancels; with signs
+/// given, a term of unknown sign.
 [[nodiscard]] std::vector<GiNaC::numeric> multiples(const ex& value, const ex& fact, const Signs* signs) {
   std::map<ex, ex, GiNaC::ex_is_less> coefficients;
   for (const ex& term : terms_of(value)) {

@@ -78,7 +78,7 @@ Scope::Scope(const Question& question, Definitions definitions)
   }
 }
 
-/// By what a symbol is seen: a bit for each.
+/// What sees a symbol, a bit for each.
 enum Seen : std::uint8_t { plainly = 1, by_angle_functions = 2, by_exponential = 4 };
 
 /// Goes through all expressions with the innermost function around them, definitions once for each such.

@@ -20,8 +20,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// By degree, as GiNaC has them, and then by their creation, which their names' numbers count: what sqrfree
-/// takes apart depends on the order, and GiNaC's own differs from run to run.
+/// Sorted by degree, as GiNaC has them, then by creation, which the numbers in their names count. The result
+/// of sqrfree depends on the order, and GiNaC's own differs from run to run.
 [[nodiscard]] GiNaC::lst letters_in_order(const ex& expanded) {
   std::map<std::string, std::pair<int, ex>> degrees;  // by name
   for (const ex& term : terms_of(expanded)) {

@@ -56,7 +56,7 @@ constexpr double expand_above =
                       [&](const Divisor& each) { return each.base.is_equal(base); });
 }
 
-/// The product of what `wanted` has and `present` has not, and its number of terms.
+/// The product of the factors of `wanted` that `present` lacks, and its number of terms.
 [[nodiscard]] Fraction missing_factor(const std::vector<Divisor>& wanted, std::vector<Divisor>& present) {
   Fraction factor{.numerator = 1, .divisors = {}, .terms = 1, .bits = 0};
   for (const Divisor& each : wanted) {

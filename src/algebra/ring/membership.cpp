@@ -71,7 +71,7 @@ class Multiples {
     }
     return std::move(rows_);
   }
-  /// Of each row: which equation, times which monomial.
+  /// For each row: which equation, times which monomial.
   [[nodiscard]] const std::vector<std::pair<std::size_t, Exponents>>& multiples() const { return multiples_; }
 
  private:

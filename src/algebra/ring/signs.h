@@ -43,8 +43,8 @@ class Signs {
  public:
   explicit Signs(Indeterminates& indeterminates) : indeterminates_(indeterminates) {}
 
-  /// From now on an indeterminate has this sign. Of a particle's number it is known for that particle alone,
-  /// but of the template's for all: what is said of each particle is learnt there.
+  /// From now on an indeterminate has this sign. A sign of one particle's number is known for that particle
+  /// only, one of the template's for all particles: that is where signs for each particle are entered.
   void know(const GiNaC::ex& indeterminate, Sign sign);
   /// p has this sign, for a polynomial p. It is expanded.
   void add_fact(const GiNaC::ex& value, Sign sign);

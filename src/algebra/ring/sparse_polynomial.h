@@ -26,7 +26,7 @@ class SparseReader {
   explicit SparseReader(std::span<const GiNaC::ex> variables);
 
   [[nodiscard]] std::size_t variables() const { return positions_.size(); }
-  /// Empty if it is none, or an exponent is too large.
+  /// Empty if it is not a polynomial, or an exponent is too large.
   [[nodiscard]] std::optional<SparsePolynomial> read(const GiNaC::ex& value) const;
 
  private:

@@ -26,7 +26,7 @@ constexpr std::uint32_t order_passes = 4;
 constexpr int equation_passes = 4;
 constexpr double largest_solved = 200;  // bits: a sample is to be read, and to be checked fast
 
-/// Of sides that an order holds apart.
+/// Distances between sides that an order keeps apart.
 [[nodiscard]] const std::vector<Rational>& distances() {
   static const std::vector<Rational> all{1, 2, 1, Rational(1) / 2, 3};
   return all;

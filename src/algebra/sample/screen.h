@@ -23,8 +23,8 @@ class SampleScreen {
   SampleScreen(const SampleScreen&) = delete;
   SampleScreen& operator=(const SampleScreen&) = delete;
 
-  /// For each claim: was it compared, and does it hold wherever it was? Claims are compared that speak only
-  /// of symbols which the samples have.
+  /// For each claim: was it compared, and does it hold wherever it was? A claim is compared only if the
+  /// samples have all its symbols.
   [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims);
   /// For each term, given as `term = 0` with the free indices of the claim: the number c ≠ 0 for which
   /// left − right = c · term on all samples; as exact text; none if there is none.

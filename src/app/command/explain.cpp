@@ -68,7 +68,7 @@ class Chooser {
     return chosen;
   }
 
-  /// False, with a message, where a place is none of the notes.
+  /// False, with a message, if the notes do not have a place.
   [[nodiscard]] bool knows_all_places(std::ostream& err) const {
     std::vector<std::string> names;
     for (const WrittenFormChain& chain : reading_.forms.chains) {

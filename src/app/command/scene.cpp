@@ -54,7 +54,7 @@ std::string from_scene(const std::string& body, const std::string& scene) {
   return folder.empty() ? body : (folder / body).string();
 }
 
-/// What is said of an expression that the scene asks for is said at its place in the scene.
+/// A diagnostic about an expression that the scene asks for is reported at its place in the scene.
 void move_to_scene(const SceneFile& scene, const FormRequest& request, FormsReading& reading) {
   for (Diagnostic& diagnostic : reading.report.diagnostics) {
     for (std::size_t k = 0; k < reading.asked.size(); ++k) {

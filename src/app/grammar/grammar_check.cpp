@@ -47,7 +47,7 @@ ReportFormat format_of_name(const std::string& name) {
       ->format;
 }
 
-/// A number of processes; what is wrong with it, if it is none.
+/// Reads a number of processes; returns what is wrong with it, if anything is.
 std::string jobs_from(const std::string& word, std::size_t& jobs) {
   constexpr std::size_t most = 1024;
   const auto read = std::from_chars(word.data(), word.data() + word.size(), jobs);
@@ -55,7 +55,7 @@ std::string jobs_from(const std::string& word, std::size_t& jobs) {
   return fmt::format("`--jobs` is a number from 0 to {}, not `{}`", most, word);
 }
 
-/// Units of work; what is wrong with them, if they are none.
+/// Reads units of work; returns what is wrong with them, if anything is.
 std::string effort_from(const std::string& word, std::uint64_t& effort) {
   constexpr std::uint64_t most = 1'000'000'000'000;
   const auto read = std::from_chars(word.data(), word.data() + word.size(), effort);

@@ -13,7 +13,7 @@ namespace rigor {
 
 /// How a statement entered.
 enum class DimensionSource : std::uint8_t {
-  law,    // a display, or by `let` or `given`: what it says of dimensions holds for the whole file
+  law,    // a display, or by `let` or `given`: what it says about dimensions holds for the whole file
   local,  // by `where` or `claim`: its letters can mean something else elsewhere
 };
 

@@ -196,14 +196,14 @@ class Heeding {
     }
   }
 
-  /// By what is not among the closed lists of words: it is asked last, since the others say more.
+  /// Restricted by words outside the closed lists: asked last, since the others say more.
   bool restricted_by_what_stands_around() {
     if (auto word = restriction_in_sentence(sentence_)) return restricted_by(*word, "its sentence");
     if (at_.around && !is_meant_for_all()) return restricted_by(at_.around->word, at_.around->where);
     return false;
   }
 
-  /// By nothing that is said: by how vectors are written without a figure.
+  /// Restricted by no words, but by how vectors are written where there is no figure.
   bool restricted_to_one_direction() {
     if (is_meant_for_all()) return false;
     const std::vector<SymbolId> vectors = lengths_or_components(tree_, claim_.equation);

@@ -27,7 +27,7 @@ struct Fact {
   std::size_t place = 0;
   Span span = {};
   bool elsewhere = false;   // in another section: it makes a refutation undecided if it proves the row
-  bool at_instant = false;  // a condition: it may hold now only, so that nothing is said of its rates
+  bool at_instant = false;  // a condition: it may hold now only, so that it says nothing about its rates
 };
 
 /// `use (2.1), \mathbf{p}`: these definitions hold from there to the end of the section.

@@ -88,7 +88,7 @@ class Comparison {
              DecisionCache* cache)
       : tree_(tree), names_(names), value_(value), side_(side), shown_(shown), cache_(cache) {}
 
-  /// Does the value lie within so many halves of the digit with `unsure` zeros after it?
+  /// Does the value lie within that many halves of the digit with `unsure` zeros after it?
   std::optional<bool> lies_within(int halves, int unsure) {
     std::int64_t reach = 5 * halves;
     for (int k = 0; k < unsure; ++k) reach *= 10;
@@ -249,7 +249,7 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     const auto shown = shown_in(tree, side, claim.nearly || has_decimal(tree, names, value));
     if (!shown || !is_a_number(tree, names, value)) continue;
     Comparison comparison(tree, names, value, side, *shown, cache);
-    // Of 1000 after ≈, two digits must be right, and one may be all that is meant.
+    // In 1000 after ≈, two digits must be right, though one may be all that is meant.
     const bool two_are_sure = shown->digits - shown->unsure >= 2;
     const auto rounds =
         comparison.lies_within(1, two_are_sure ? shown->unsure : std::max(shown->unsure - 1, 0));

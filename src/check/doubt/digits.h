@@ -24,7 +24,7 @@ struct DigitComparison {
   std::string bound = {};  // where it differs: `less than 1.415`
 };
 
-/// π where nothing else is said of it.
+/// π, unless the notes say something else about it.
 [[nodiscard]] bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol);
 
 /// `\pi = 3.14`: such a row says what π is worth, and defines nothing.

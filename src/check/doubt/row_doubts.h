@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// That a row is malformed is a claim: it is made only where every reading of the row fails and nothing in it
-// was left open. Otherwise the row is not understood.
+// A row is called malformed only if every reading of it fails and nothing in it was left open. Otherwise the
+// row is not understood.
 #pragma once
 
 #include <cstddef>

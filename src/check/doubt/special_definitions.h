@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proofs that rest on what a definition says of a case: `y = x \quad (x < 1)`, `I = ml^2/3` after "if the
+// Proofs that rest on a definition for one case: `y = x \quad (x < 1)`, `I = ml^2/3` after "if the
 // rod is thin", `n = 1` below "In vacuum", `a = 2b` in an example.
 #pragma once
 

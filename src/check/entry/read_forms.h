@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// What is asked for and cannot be read, or has a letter that is nowhere in the notes, is a diagnostic of the
-/// file, and then `forms.asked` is empty. Never throws for anything in the notes or the request.
+/// An expression that cannot be read, or has a letter that is nowhere in the notes, is a diagnostic of the
+/// file, and `forms.asked` is then empty. Never throws for anything in the notes or the request.
 [[nodiscard]] FormsReading read_forms(SourceMap& sources, const std::string& path,
                                       const FormRequest& request);
 /// The same for text in memory.

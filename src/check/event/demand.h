@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which chains of notes are needed for what is asked: found on the syntax, before anything is elaborated.
+// Which chains of the notes a request needs: found on the syntax, before anything is elaborated.
 #pragma once
 
 #include <optional>

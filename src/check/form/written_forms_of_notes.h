@@ -10,14 +10,14 @@
 
 namespace rigor {
 
-/// The chains that are to be read for a request with `only`: those that it names and those that define what
-/// they, or what is asked, need. `names`: what is known of the letters where the notes begin. A name of a
-/// place that the notes do not have is a diagnostic.
+/// The chains to be read for a request with `only`: those that it names, and those that define what these or
+/// its expressions need. `names`: what is known of the letters where the notes begin. A name of a place that
+/// the notes do not have is a diagnostic.
 [[nodiscard]] std::set<const ParsedChain*> chains_of_request(const FormRequest& request, const Notes& notes,
                                                              const Names& names, Diagnostics& diagnostics);
 
-/// The forms, what is asked, and the holes, in the tree of the ledger, which grows. `start`: what is known of
-/// the letters where the notes begin.
+/// The forms, the expressions asked for, and the holes, in the tree of the ledger, which grows. `start`: what
+/// is known of the letters where the notes begin.
 [[nodiscard]] FormsReading written_forms_of_notes(Ledger& ledger, const FormRequest& request,
                                                   const Notes& notes, const Names& start,
                                                   const SourceMap& sources, FileReport& report);

@@ -50,7 +50,7 @@ struct Constraint {
 /// Elimination modulo 2, one constraint after the other.
 class Elimination {
  public:
-  /// Where the constraint contradicts those before it, the equations that do so; it is then left out.
+  /// If the constraint contradicts earlier ones, it is left out, and their equations are returned.
   std::optional<std::set<std::size_t>> add(Constraint constraint) {
     while (!constraint.parity.symbols.empty()) {
       const SymbolId leading = *constraint.parity.symbols.begin();

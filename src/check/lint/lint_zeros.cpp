@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `\mathbf A = 0`, where the zero vector is meant. Most notes write it so; those that write `\mathbf 0`
-// somewhere do not, and only for them, or where it is asked for, is it a slip.
+// `\mathbf A = 0`, where the zero vector is meant. Most notes write it so. It is a slip only in notes that
+// write `\mathbf 0` somewhere, or that ask for this warning.
 #include <algorithm>
 
 #include "check/event/written_statements.h"

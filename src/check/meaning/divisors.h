@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// Those of a sample's scalars that are a factor of a divisor in a definition or assumption in force, in the
-/// order of the sample; empty unless one of them is 0 there.
+/// The sample's scalars that are a factor of a divisor in a definition or assumption in force, in the order
+/// of the sample; empty unless one of them is 0 there.
 [[nodiscard]] std::vector<SymbolId> divisors_of_sample(const ExprTree& tree, const Names& names,
                                                        const Sample& sample);
 

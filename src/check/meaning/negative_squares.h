@@ -15,7 +15,7 @@ struct NegativeSquare {
   Equation negative;      // k < 0
 };
 
-/// Of the definitions in force, those whose square the sample makes negative. Cost: one evaluation each.
+/// The definitions in force whose square the sample makes negative. Cost: one evaluation each.
 [[nodiscard]] std::vector<NegativeSquare> negative_squares_of_sample(ExprTree& tree, const Names& names,
                                                                      const Question& question,
                                                                      const Sample& sample);

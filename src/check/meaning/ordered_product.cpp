@@ -230,8 +230,7 @@ bool equal_with_units(const ExprTree& tree, ExprId left, ExprId right, const std
 
 namespace {
 
-/// A letter that only may be a matrix, since it is a capital where matrices are about, is none if it is
-/// defined by what is none: `M = \sum_\alpha m_\alpha`.
+/// A capital near matrices may be a matrix, but not if it is defined by numbers: `M = \sum_\alpha m_\alpha`.
 void remove_defined_numbers(const ExprTree& tree, const Names& names, const Question& question,
                             std::set<SymbolId>& found) {
   const auto is_number = [&](const Definition& definition) {

@@ -32,7 +32,7 @@ namespace rigor {
 [[nodiscard]] std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names,
                                                  const Question& question);
 
-/// Those of them that the words call the unit matrix.
+/// Those among them that the words call the unit matrix.
 [[nodiscard]] std::set<SymbolId> unit_matrices(const Names& names, const Question& question,
                                                const std::set<SymbolId>& ordered);
 

@@ -17,9 +17,9 @@ struct SignDoubt {
   std::string reason;  // why its values do not refute
 };
 
-/// `|m\mathbf v| = mv` fails for negative m, and a mass is none; `\cos\varphi = \sqrt{1 - \sin^2\varphi}`
-/// fails by a sign alone (the squares are proved to be equal), where the cosine is negative. `sample`: on
-/// which the question's claim fails. Its tree grows.
+/// `|m\mathbf v| = mv` fails for negative m, but a mass is not negative; `\cos\varphi = \sqrt{1 -
+/// \sin^2\varphi}` fails by a sign alone (the squares are proved to be equal), where the cosine is negative.
+/// `sample`: on which the question's claim fails. Its tree grows.
 [[nodiscard]] std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question,
                                                       const NameScope& scope, const Sample& sample,
                                                       DecisionCache* cache);

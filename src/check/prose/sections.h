@@ -18,9 +18,9 @@ class Sections {
  public:
   Sections() = default;
 
-  /// Is what is said at `from` said for `at`: is `from` the same section, or one around it?
+  /// Does a statement at `from` hold at `at`: is `from` the same section, or one around it?
   [[nodiscard]] bool reaches(std::size_t from, std::size_t at) const;
-  /// Does an example or an exercise occur between: what is said at `from`, in it, is said for it alone?
+  /// Is `from` inside an example or an exercise, so that a statement there holds for it alone?
   [[nodiscard]] bool leaves_an_example(std::size_t from, std::size_t at) const;
   /// A new section inside another.
   std::size_t open_in(std::size_t parent, bool example = false);

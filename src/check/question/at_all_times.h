@@ -19,8 +19,8 @@ namespace rigor {
 [[nodiscard]] std::optional<Equation> at_time_zero(ExprTree& tree, const Names& names,
                                                    const Equation& equation);
 
-/// An assumption of the question that speaks of the time or place itself and for which no quantity is left
-/// that could follow it; null if there is none. Each equation takes one changing quantity of its own.
+/// An assumption of the question that contains the time or place itself, while no quantity is left that could
+/// follow it; null if there is none. Each equation takes one changing quantity of its own.
 [[nodiscard]] const NamedAssumption* unmatched_assumption(const ExprTree& tree, const Names& names,
                                                           const Prepared& prepared);
 

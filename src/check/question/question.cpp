@@ -396,7 +396,7 @@ class Preparation {
     return grew;
   }
 
-  /// By the claim, so far as was followed, or by an assumption other than this one.
+  /// Mentioned by the claim, as far as it was followed, or by another assumption than this one.
   bool is_spoken_of(SymbolId symbol, const NamedAssumption* by_this) {
     return is_reached(symbol) || is_assumed_of(symbol, by_this);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a claim to the question that the exact side is asked: with the definitions behind its symbols, those
-// of derivatives made on demand, and the assumptions that share a symbol with it. What is assumed holds at
-// all times and places, so that derivatives of assumptions are assumptions.
+// of derivatives made on demand, and the assumptions that share a symbol with it. An assumption holds at all
+// times and places, so its derivatives are assumptions, too.
 #pragma once
 
 #include <set>

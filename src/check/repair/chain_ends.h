@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where in a chain a = b = c = d it goes wrong: the first wrong step is the error, and a later one takes its
-// slip back, or is a slip of its own.
+// Where a chain a = b = c = d goes wrong: the first wrong step is the error; a later one takes its slip back,
+// or is a slip of its own.
 #pragma once
 
 #include <cstddef>

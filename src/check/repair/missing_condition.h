@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Under which usual condition would a refuted step hold? The centre of mass, a symmetric tensor, a unit
+// Which usual condition would make a refuted step true? The centre of mass, a symmetric tensor, a unit
 // vector, something constant, principal axes, equal or ordered numbers, vectors at right angles, what is
 // small.
 #pragma once
@@ -16,9 +16,9 @@ class DecisionCache;
 inline constexpr std::size_t most_conditions = 2;
 
 /// The conditions, in the notes' own symbols, as they can be given: `\sum_\alpha m_\alpha\mathbf{r}_\alpha =
-/// 0`; the usual ones first. Method: each condition that can be said of the symbols behind the step is
-/// assumed, and the step is decided again. One that no sample meets together with what is assumed already,
-/// and one under which both sides vanish, say nothing and are left out. It works on copies.
+/// 0`; the usual ones first. Method: each condition that the symbols behind the step allow is assumed, and
+/// the step is decided again. One that no sample meets together with what is assumed already, and one under
+/// which both sides vanish, say nothing and are left out. It works on copies.
 [[nodiscard]] std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& names,
                                                           const WrongStep& wrong,
                                                           DecisionCache* cache = nullptr);

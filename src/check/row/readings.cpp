@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chain with places that can be read in two ways. A reading that is malformed is none; if several are left,
-// a step is proved where all of them prove it, and refuted where all of them refute it.
+// A chain with places that can be read in two ways. A malformed reading does not count. Of the others, all
+// must prove a step, or all must refute it.
 #include "check/row/readings.h"
 
 #include <fmt/format.h>

@@ -31,7 +31,7 @@ struct SeriesEquation {
 
 constexpr int most_poles = 4;  // x^4 may divide
 
-/// As a polynomial in the symbol; more than any order where it is none.
+/// The degree as a polynomial in the symbol; more than any order if it is not one.
 int degree(const ExprTree& tree, ExprId id, SymbolId symbol) {
   constexpr int none = 1000;
   const std::vector<SymbolId> inside = symbols_in(tree, id);
@@ -238,7 +238,7 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
   if (!held) return open(fmt::format("other statements about `{}` keep it from going to 0 by itself", name));
   const auto equations = coefficients(place, *held, node.symbol, right_end->power);
   if (!equations) return open(fmt::format("a side has no known expansion in powers of `{}`", name));
-  // What is no identity as it stands, but a law, is none up to an order either.
+  // An equation that is a law and no identity is no identity up to an order, either.
   std::optional<Judgement> whole;
   if (row.recorded == nullptr) whole = judge_here(place, *claim);
   if (whole && whole->verdict == Verdict::proved) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an equation would say of the symbol on its left side, if it were a definition or a rule for a
-// derivative. Nothing is asked here, and nothing is brought into scope.
+// What an equation would say about the symbol on its left side, if it were a definition or a rule for a
+// derivative. This file decides nothing and brings nothing into scope.
 #pragma once
 
 #include <optional>

@@ -157,9 +157,8 @@ class Judging {
     return decision;
   }
 
-  /// `(\Omega)^2 = k`: where k is negative, Ω is no number that the notes need mean. For an order, a sample
-  /// of that kind refutes only what fails without it as well, or what is said of a square that is negative in
-  /// any case.
+  /// `(\Omega)^2 = k`: where k is negative, the notes need not mean that number Ω. Such a sample refutes an
+  /// order only if the order fails without such samples, too, or if the square is negative in any case.
   Decision where_squares_are_squares(Decision refuted) {
     if (claim_.recorded != nullptr || claim_.equation.relation == Relation::equal) return refuted;
     const std::vector<NegativeSquare> negative =
@@ -188,7 +187,7 @@ class Judging {
     return decision;
   }
 
-  /// Of a step that is nearly equal, only the order that the recorded sample is about.
+  /// For a step with ≈, only the order that the recorded sample is about.
   bool answers_by_record() const {
     if (claim_.recorded == nullptr) return false;
     return !claim_.nearly || first_order_ == is_of_first_order(claim_.recorded->example);

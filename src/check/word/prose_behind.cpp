@@ -281,7 +281,7 @@ class Restrictions {
       return;
     }
     said_of_[k] = SaidOf::something;
-    // "$v = 0$ at $t = 0$": neither of them is said of what follows.
+    // "$v = 0$ at $t = 0$": neither of them restricts what follows.
     if (is_next && !has_sign_between(place, places_[next])) said_of_[next] = SaidOf::something;
   }
 

@@ -28,15 +28,15 @@ enum class SaidOf {
   something,  // restricted by the words around it
 };
 
-/// Of what each of `maths`, the `$` of the sentence in order, is said.
+/// What each of `maths`, the `$` of the sentence in order, is said about.
 [[nodiscard]] std::vector<SaidOf> said_of(std::string_view sentence, const std::vector<MathsInLine>& maths);
 
 /// The part of a sentence up to its next display, from `begin` on, with "or", "iff", "unless", "only", …: it
-/// chooses or doubts, and says nothing of any part of it.
+/// chooses or doubts, and asserts no part of it.
 [[nodiscard]] bool has_doubt(const std::vector<std::string_view>& parts, std::size_t begin = 0);
 
-/// Do the words after the `$` at `parts[at]` leave what is said of it as it is? A relation after it is not
-/// looked at.
+/// Do the words after the `$` at `parts[at]` leave what is said about it unchanged? A relation after it is
+/// not looked at.
 [[nodiscard]] bool stands_free(const std::vector<std::string_view>& parts, std::size_t at);
 
 }  // namespace rigor

@@ -13,7 +13,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// What an adjective says of a letter; nothing for other words.
+/// What an adjective says about a letter; nothing for other words.
 std::vector<std::string_view> relations_of(std::string_view word) {
   if (word == "positive") return {"$ > 0"};
   if (word == "negative") return {"$ < 0"};
@@ -46,7 +46,7 @@ bool is_noun(std::string_view word) {
   return is_one_of(word, nouns);
 }
 
-/// Of one letter: "positive mass $m$ and $q$" says nothing of q.
+/// About one letter: "positive mass $m$ and $q$" says nothing about q.
 bool is_of_one(std::string_view word) {
   static constexpr std::array<std::string_view, 20> singular{
       "a",         "an",    "number", "constant", "integer",  "quantity",   "value",

@@ -6,7 +6,7 @@
 
 namespace rigor {
 
-/// "always", "immediately", "constant": they change nothing of what is said.
+/// "always", "immediately", "constant": they do not change what is said.
 [[nodiscard]] bool is_filler_behind(std::string_view word);
 
 /// The main clause begins: "so", "we find", "this becomes".

@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// The hole's worth as the equation gives it, not simplified; or why there is none. That it fits is not said:
-/// of several components, and after a root, only the product with what comes before the hole is compared.
+/// The hole's value as the equation gives it, not simplified; or why there is none. It need not fit: of
+/// several components, and after a root, only the product with what comes before the hole is compared.
 struct Isolation {
   std::optional<ExprId> value = {};
   bool squared = false;  // both sides were squared: the value fits only where their signs agree

@@ -143,7 +143,7 @@ class Proposing {
     }
   }
 
-  /// Of a tensor at its letters, the left side unfolded as far as it takes.
+  /// For a tensor at its letters; the left side is unfolded as far as needed.
   void compare_coefficients() {
     if (tree_[problem_.node].slot_count == 0) return;
     Equation claim = problem_.claim;

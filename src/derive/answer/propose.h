@@ -46,7 +46,7 @@ struct Proposals {
   bool impossible = false;                  // the claim is refuted, whatever is in the hole
 };
 
-/// To first order nothing is said of freedom or impossibility, which the order 0 alone does not show.
+/// To first order, freedom and impossibility are not reported, since the order 0 alone does not show them.
 /// Deterministic. Cost: a few decisions of the exact side.
 [[nodiscard]] Proposals propose(ExprTree& tree, const HoleProblem& problem, const WantedForm& wanted);
 

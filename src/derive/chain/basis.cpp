@@ -46,7 +46,7 @@ void drop_needless(SmallProofs& proofs, const Question& question, Basis& basis, 
   drop_needless(proofs, question, basis, list, from, middle);
 }
 
-/// What an equation says of the symbol alone on its left: for all its components.
+/// What an equation says about the symbol alone on its left: for all its components.
 std::optional<Definition> as_definition(const ExprTree& tree, const Equation& equation) {
   const ExprNode& left = tree[equation.left];
   if (left.op != Op::symbol || equation.relation != Relation::equal) return std::nullopt;

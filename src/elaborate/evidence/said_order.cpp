@@ -31,7 +31,7 @@ bool has_any(std::string_view text, const std::array<std::string_view, n>& words
 // -- what does not commute --
 
 /// "Position and momentum do not commute", "the order matters"; not "rotations do not commute", which says
-/// nothing of letters that are no rotations.
+/// nothing about letters that are not rotations.
 bool denies_commuting(std::string_view sentence) {
   static constexpr std::array<std::string_view, 5> outright{"noncommut", "non-commut", "anticommut",
                                                             "anti-commut", "order matters"};
@@ -74,7 +74,7 @@ bool speaks_of_group(std::string_view sentence) {
   return has_any(sentence, words);
 }
 
-/// Where sums or products are not those of numbers.
+/// Words for sums and products that are not those of numbers.
 constexpr std::array<std::string_view, 26> other_arithmetics{"\\mathbb{z}_",
                                                              "\\mathbb z_",
                                                              "\\mathbb{f}_",

@@ -10,7 +10,7 @@
 namespace rigor {
 namespace {
 
-/// Of another number of dimensions.
+/// Words for another number of dimensions.
 constexpr std::array<std::string_view, 16> other_dimensions{
     "two dimension",    "two-dimension",  "2-dimension",         "2 dimension",
     "four dimension",   "four-dimension", "4-dimension",         "4 dimension",
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 16> other_dimensions{
 constexpr std::array<std::string_view, 6> other_metrics{"spacetime",   "space-time", "minkowski",
                                                         "four-vector", "4-vector",   "four-moment"};
 
-/// Of three dimensions, but its components do not belong to right-handed Cartesian axes.
+/// Words for three dimensions whose components do not belong to right-handed Cartesian axes.
 constexpr std::array<std::string_view, 12> other_axes{"curvilinear",
                                                       "non-orthogonal",
                                                       "oblique",

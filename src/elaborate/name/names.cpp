@@ -7,7 +7,7 @@
 namespace rigor {
 namespace {
 
-/// By what a directive says: of this symbol, or of one that has the same key.
+/// Known from a directive about this symbol, or about one with the same key.
 std::optional<KnownChange> declared_change(const Names& names, const SymbolTable& table, SymbolId base,
                                            By by) {
   const NameKey* key = key_of(names.symbols, base);
@@ -23,7 +23,7 @@ std::optional<KnownChange> declared_change(const Names& names, const SymbolTable
   return std::nullopt;
 }
 
-/// By its letter: π, the time t, the position.
+/// Known from its letter: π, the time t, the position.
 Dependence usual_change(const NameKey& key, bool declared, By by) {
   using Kind = Dependence::Kind;
   if (key == NameKey{"\\pi", 0, false} && !declared) return {Kind::constant};

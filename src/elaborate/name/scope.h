@@ -93,7 +93,7 @@ struct DeclaredConstant {
   std::size_t frames = 0;  // in force where it stands
 };
 
-/// What is said of symbols: the depth of the outermost section that says so.
+/// For each symbol that something is said about, the depth of the outermost section that says it.
 using SaidOfSymbols = std::map<SymbolId, int>;
 
 struct NameScope {
@@ -134,16 +134,16 @@ void note_other_order(NameScope& scope, SymbolId small);
   return scope.of_other_order->contains(small);
 }
 void mean_for_all(NameScope& scope, SymbolId symbol);
-/// Are statements meant for all its values? That says nothing of its derivatives.
+/// Are statements meant for all its values? That says nothing about its derivatives.
 [[nodiscard]] inline bool is_for_all(const NameScope& scope, SymbolId symbol) {
   return scope.for_all->contains(symbol);
 }
 
 /// From here on components are along turning axes.
 void enter_frame(NameScope& scope, Frame frame);
-/// As if the last frame had not been entered; its definitions stay.
+/// Undoes entering the last frame, but keeps its definitions.
 void withdraw_frame(NameScope& scope);
-/// By an equation, and not before the frame in force.
+/// Was it made by an equation since the frame in force began?
 [[nodiscard]] bool is_made_in_frame(const NameScope& scope, const NamedDefinition& definition);
 
 /// Was the symbol part of an equation before, in this section or one around it? (A declaration alone is not.)

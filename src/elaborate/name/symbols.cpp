@@ -19,8 +19,8 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   symbol.axes = AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
   symbol.per_particle = key.per_particle;
   symbol.first_seen = span;
-  // A declaration whose section is over leaves the same symbol, for which nothing is said any more; one with
-  // properties of its own is another symbol.
+  // After its section, a declared letter is the same symbol, undeclared; if the declaration gave it
+  // properties (symmetric, unit, rotation), it is another symbol.
   const auto before = symbols.declared_before->find(key);
   const bool same = before != symbols.declared_before->end() && !tree.symbols[before->second].symmetric &&
                     !tree.symbols[before->second].unit && !tree.symbols[before->second].rotation;

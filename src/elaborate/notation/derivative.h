@@ -13,8 +13,8 @@ namespace rigor {
 /// fixed axes: (dA/dt)_in = Rᵀ d(R A)/dt, with the rotation R of `frame` (see check/scope/frame.h).
 [[nodiscard]] MaybeTyped frame_derivative(Reading& reading, SyntaxId id, const Frame& frame, bool fixed,
                                           const Around& around);
-/// Df/Dt = ∂f/∂t + (u·∇)f along a motion u that nothing is said about: what holds for every u is proved, and
-/// nothing is refuted.
+/// Df/Dt = ∂f/∂t + (u·∇)f along an unknown motion u: what holds for every u is proved, and nothing is
+/// refuted.
 [[nodiscard]] MaybeTyped material_rate(Reading& reading, SyntaxId operand, Span span, const Around& around);
 
 }  // namespace rigor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What notes hand to the floating-point side: every chain with its sides as they were written, the
-// definitions and assumptions in force there, and what the exact side says of each step.
+// definitions and assumptions in force there, and what the exact side says about each step.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of LaTeX and of Markdown have in common: the place where there is one, displays, macro
-// definitions and what is said about what does not close.
+// What the readers of LaTeX and of Markdown have in common: the position of the reader, displays, macro
+// definitions, and diagnostics about what does not close.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,7 @@ class MarkdownShape {
   explicit MarkdownShape(std::string_view text);
 
   [[nodiscard]] std::size_t line_count() const { return lines_.size(); }
-  /// The line opens or closes a container, or is none of what is shown. False: it is blank already.
+  /// The line opens or closes a container, or is not shown. False: it is blank already.
   bool blank(std::size_t line);
   /// The line begins a container whose other lines are indented by four, as in `!!! note`, `[^1]: …`. False:
   /// it was made one before.

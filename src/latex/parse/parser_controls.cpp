@@ -89,9 +89,9 @@ SyntaxId Parser::control(Cursor& cursor) {
                 {"if it is a macro of your own, its definition was not seen"});
 }
 
-/// What a brace says of the part that it holds: a name for it, kept as `text`. Words that are no remark may
-/// restrict the statement, which is then not refuted. Zero or a relation (`>0`) is an assumption of the chain
-/// (see conditions.h).
+/// What a brace says about the part that it holds: a name for it, kept as `text`. Words that are no remark
+/// may restrict the statement, which is then not refuted. Zero or a relation (`>0`) is an assumption of the
+/// chain (see conditions.h).
 SyntaxId Parser::braced(Cursor& cursor) {
   const Token token = cursor.token();
   const Argument part = argument_at(cursor.tokens, cursor.at + 1);

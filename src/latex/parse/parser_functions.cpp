@@ -141,7 +141,7 @@ SyntaxId Parser::plain_argument(Cursor& cursor, std::string_view name, std::size
     cursor.at = next;
     const Span joint = cursor.token().span;
     const SyntaxId node = factor(cursor);
-    // `\cos\theta\dot\theta` and `\cos\theta\delta\theta` are products, `\sin\Omega\Delta t` is none.
+    // `\cos\theta\dot\theta` and `\cos\theta\delta\theta` are products, `\sin\Omega\Delta t` is not.
     if (!factors.empty() && is_rate_or_change(node)) return unclear_argument(cover(span, joint), name);
     span = cover(span, tree_[node].span);
     factors.push_back({node, factors.empty() ? Joint::none : Joint::juxtaposed, joint});

@@ -30,7 +30,8 @@ bool all_plain_letters(TokenView tokens) {
          });
 }
 
-/// Of packages, and short names that authors give to macros of their own: `\vu = …`, where `\vu` is a vector.
+/// Names of packages, and short names that authors give to macros of their own: `\vu = …`, where `\vu` is a
+/// vector.
 bool may_be_a_macro_of_the_author(std::string_view name) {
   static const WordSet names("vu vb va vv bm tensor");
   return names.contains(name);

@@ -12,7 +12,7 @@
 namespace rigor {
 
 /// `x > 0`, `(x, y > 0)`, `a \ne b \text{ and } b < c`: one stretch for each relation, `x > 0` and `y > 0`
-/// for `x, y > 0`. Relations of indices, `i \ne j`, are none.
+/// for `x, y > 0`. Relations of indices, `i \ne j`, do not count.
 [[nodiscard]] std::optional<std::vector<Tokens>> conditions_in(TokenView tokens);
 
 /// The same after "if", "for", "when", "provided that", …: `\text{if } x > 0`, `\text{for $x > 0$}`. After

@@ -204,7 +204,7 @@ void share_single_tag(std::vector<WrittenChain>& chains) {
   share(&WrittenChain::label);
 }
 
-/// `\tag{for $x > 0$}`, and what is said at the braces of the chain.
+/// `\tag{for $x > 0$}`, and conditions at the braces of the chain.
 void add_conditions(WrittenChain& chain, const std::vector<Tokens>& in_tag) {
   TokenUses own(0);
   for (const Tokens& condition : in_tag) chain.assumed.push_back(chain_of(condition, own));

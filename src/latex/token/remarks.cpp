@@ -37,7 +37,7 @@ const WordSet& harmless() {
   return words;
 }
 
-/// Of people whose names equations bear; with a capital.
+/// People whose names equations bear, with a capital.
 const WordSet& names() {
   static const WordSet people(R"(
       Ampere Ampère Archimedes Bernoulli Bessel Bianchi Binet Biot Bohr Born Carnot Cauchy Chasles Civita

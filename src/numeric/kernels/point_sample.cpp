@@ -19,7 +19,7 @@ struct PointGroups {
   std::size_t step = 0;
 
   explicit PointGroups(std::size_t count) {
-    // Of n points with like masses ε of mass_sums.h is about 1/n; up to 0.07 meets the bound in the first
+    // For n points with like masses, ε of mass_sums.h is about 1/n; up to 0.07 meets the bound in the first
     // pass.
     constexpr std::size_t least_groups = 8;
     constexpr std::size_t most_groups = 16;
