@@ -15,7 +15,7 @@ template <class Value, class List>
   return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
 [[nodiscard]] constexpr bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) {
-  return std::find(list.begin(), list.end(), word) != list.end();
+  return std::ranges::find(list, word) != list.end();
 }
 
 }  // namespace rigor
