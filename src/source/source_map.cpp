@@ -75,7 +75,7 @@ LineColumn SourceMap::line_column(FileId id, std::uint32_t offset) const {
     if (!is_continuation(file.text[offset])) break;
     --offset;
   }
-  const auto next = std::upper_bound(file.line_starts.begin(), file.line_starts.end(), offset);
+  const auto next = std::ranges::upper_bound(file.line_starts, offset);
   const std::uint32_t start = *std::prev(next);
   return {static_cast<std::uint32_t>(next - file.line_starts.begin()),
           code_points_between(file, start, offset) + 1};

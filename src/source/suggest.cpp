@@ -30,7 +30,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
         row[j] = std::min(row[j], before[j - 2] + 1);
     }
     // An exchange can skip one row, but starts from a value that this row already exceeds by one at most.
-    if (*std::ranges::min_element(row) > limit) return too_far;
+    if (std::ranges::min(row) > limit) return too_far;
   }
   return std::min(row[b.size()], too_far);
 }
