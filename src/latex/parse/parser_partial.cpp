@@ -109,8 +109,8 @@ SyntaxId Parser::partial(Cursor& cursor) {
 bool Parser::is_constant(SyntaxId id) const {
   const auto is_number = [&](SyntaxId each) { return tree_[each].kind == SyntaxKind::number; };
   if (tree_[id].kind == SyntaxKind::fraction) {
-    const auto parts = tree_.children(id);
-    return std::ranges::all_of(parts, [&](const SyntaxChild& part) { return is_number(part.id); });
+    return std::ranges::all_of(tree_.children(id),
+                               [&](const SyntaxChild& part) { return is_number(part.id); });
   }
   if (tree_[id].kind != SyntaxKind::symbol) return is_number(id);
   const WrittenSymbol& symbol = tree_.symbol(id);

@@ -285,8 +285,7 @@ class StatementSplitter {
 
   /// Are all of these symbols of the statement?
   static bool knows(const std::set<std::string>& symbols, TokenView statement) {
-    const std::set<std::string> known = symbols_in(statement);
-    return std::includes(known.begin(), known.end(), symbols.begin(), symbols.end());
+    return std::ranges::includes(symbols_in(statement), symbols);
   }
 
   /// `\text{for all } a, b` to the end of the statement, with symbols that are before it.
