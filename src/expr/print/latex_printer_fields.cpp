@@ -183,7 +183,7 @@ std::optional<LatexPrinter::Piece> LatexPrinter::primed_component(ExprId id) {
   std::size_t cosine = 0;
   for (Slot& slot : slots) {
     const auto is_it = [&](IndexId index) { return slot.axis == 0 && index == slot.variable; };
-    if (std::none_of(summed.begin(), summed.end(), is_it)) continue;
+    if (std::ranges::none_of(summed, is_it)) continue;
     if (cosine == summed.size()) return std::nullopt;
     const ExprId each = child(id, cosine++);
     const auto its = tree_.slots(each);

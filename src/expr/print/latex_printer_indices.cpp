@@ -46,8 +46,7 @@ void LatexPrinter::name_free(ExprId root) {
 std::string LatexPrinter::free_letter(const std::string& wanted, bool particle) const {
   const auto taken = [&](const std::string& letter) {
     const auto is_it = [&](const auto& entry) { return entry.second == letter; };
-    return std::any_of(letters_.begin(), letters_.end(), is_it) ||
-           std::any_of(particle_letters_.begin(), particle_letters_.end(), is_it);
+    return std::ranges::any_of(letters_, is_it) || std::ranges::any_of(particle_letters_, is_it);
   };
   if (!taken(wanted)) return wanted;
   static constexpr std::string_view indices[] = {"i", "j", "k", "l", "m", "n", "p",
@@ -87,9 +86,8 @@ bool LatexPrinter::rides(ExprId id, IndexId index) {
 /// Is the letter free in what is printed, where a free letter may stand?
 bool LatexPrinter::reads_once(ExprId id, IndexId index) {
   const auto in_slots = [&] {
-    const auto slots = tree_.slots(id);
-    return std::count_if(slots.begin(), slots.end(),
-                         [&](const Slot& slot) { return slot.axis == 0 && slot.variable == index; });
+    return std::ranges::count_if(tree_.slots(id),
+                                 [&](const Slot& slot) { return slot.axis == 0 && slot.variable == index; });
   };
   std::size_t holding = 0;
   for (const ExprId each : tree_.children(id)) {
@@ -133,9 +131,8 @@ bool LatexPrinter::reads_once(ExprId id, IndexId index) {
 /// Does the summation convention sum the letter right around the body?
 bool LatexPrinter::is_implied(ExprId body, IndexId index) {
   const ExprNode& node = tree_[body];
-  const auto slots = tree_.slots(body);
-  const auto in_slots = std::count_if(
-      slots.begin(), slots.end(), [&](const Slot& slot) { return slot.axis == 0 && slot.variable == index; });
+  const auto in_slots = std::ranges::count_if(
+      tree_.slots(body), [&](const Slot& slot) { return slot.axis == 0 && slot.variable == index; });
   if (node.op == Op::component) {
     const bool inside = free_in(child(body)).contains(index);
     if (inside && !reads_once(child(body), index)) return false;

@@ -34,8 +34,8 @@ bool LatexPrinter::is_lettered(SymbolId base) const { return notation_.lettered.
 
 bool LatexPrinter::is_any_lettered(ExprId id) const {
   const std::vector<SymbolId> symbols = symbols_in(tree_, id);
-  return std::any_of(symbols.begin(), symbols.end(),
-                     [&](SymbolId symbol) { return is_lettered(base_of(tree_.symbols, symbol)); });
+  return std::ranges::any_of(symbols,
+                             [&](SymbolId symbol) { return is_lettered(base_of(tree_.symbols, symbol)); });
 }
 
 LatexName LatexPrinter::name_of(SymbolId base) const {

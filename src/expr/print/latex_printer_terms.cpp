@@ -109,9 +109,8 @@ bool LatexPrinter::reads_as_argument(ExprId before, ExprId next, const Piece& ne
     const ExprId id = open.back();
     open.pop_back();
     const ExprNode& node = tree_[id];
-    const auto slots = tree_.slots(id);
     const bool indexed =
-        std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.axis == 0; });
+        std::ranges::any_of(tree_.slots(id), [](const Slot& slot) { return slot.axis == 0; });
     const bool vector = node.op == Op::basis || (node.op == Op::symbol && node.rank > 0);
     if (indexed || vector || node.op == Op::delta) return false;
     const bool plain = node.op == Op::length && length_is_plain(child(id));
@@ -139,8 +138,7 @@ bool LatexPrinter::is_unit(ExprId id) const {
   if (tree_[id].op == Op::power) id = child(id);
   if (tree_[id].op == Op::symbol) return tree_.symbols[tree_[id].symbol].unit_of_measure.has_value();
   if (tree_[id].op != Op::multiply) return false;
-  const auto factors = tree_.children(id);
-  return std::all_of(factors.begin(), factors.end(), [&](ExprId each) { return is_unit(each); });
+  return std::ranges::all_of(tree_.children(id), [&](ExprId each) { return is_unit(each); });
 }
 
 /// `\mathrm{m}^2` after a number, `\unit{m}^2` elsewhere; the factors of a unit stand side by side.

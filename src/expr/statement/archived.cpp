@@ -144,7 +144,7 @@ bool fits(const ArchivedQuestion& all) {
     return id == no_particle || is_below(id, all.particles.size());
   };
   const auto all_below = [](const auto& ids, std::size_t count) {
-    return std::all_of(ids.begin(), ids.end(), [&](auto id) { return is_below(id, count); });
+    return std::ranges::all_of(ids, [&](auto id) { return is_below(id, count); });
   };
   for (const Symbol& symbol : all.symbols) {
     if (symbol.derivation && !is_below(symbol.derivation->base, all.symbols.size())) return false;
@@ -168,9 +168,8 @@ bool fits(const ArchivedQuestion& all) {
            all_below(each.indices, all.indices.size()) && particle(each.particle);
   };
   const Question& question = all.question;
-  return equation(question.claim) &&
-         std::all_of(question.assumptions.begin(), question.assumptions.end(), equation) &&
-         std::all_of(question.definitions.begin(), question.definitions.end(), definition) &&
+  return equation(question.claim) && std::ranges::all_of(question.assumptions, equation) &&
+         std::ranges::all_of(question.definitions, definition) &&
          all_below(question.zeroed, all.symbols.size());
 }
 

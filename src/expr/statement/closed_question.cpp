@@ -19,7 +19,7 @@ class Numbering {
   template <class Before = std::less<Id>>
   void finish(Before before = {}) {
     for (const auto& [id, number] : number_of_) ids_.push_back(id);
-    std::sort(ids_.begin(), ids_.end(), before);
+    std::ranges::sort(ids_, before);
     for (std::size_t k = 0; k < ids_.size(); ++k) number_of_[ids_[k]] = static_cast<Id>(k);
   }
   [[nodiscard]] Id operator[](Id id) const { return number_of_.at(id); }
@@ -175,7 +175,7 @@ ClosedQuestion closed(const Question& question, std::span<const SymbolId> also) 
 }
 
 std::optional<SymbolId> number_of(const ClosedQuestion& question, SymbolId symbol) {
-  const auto place = std::find(question.symbols.begin(), question.symbols.end(), symbol);
+  const auto place = std::ranges::find(question.symbols, symbol);
   if (place == question.symbols.end()) return std::nullopt;
   return static_cast<SymbolId>(place - question.symbols.begin());
 }

@@ -17,15 +17,15 @@ std::optional<SymbolId> symbol_named(const WrittenForms& forms, const WrittenFor
 
 bool is_certain(const WrittenFormChain& chain) {
   const bool bare = chain.indices.empty() && chain.particles.empty() && !chain.assumed;
-  return bare && std::all_of(chain.steps.begin(), chain.steps.end(), [](const WrittenStep& step) {
+  return bare && std::ranges::all_of(chain.steps, [](const WrittenStep& step) {
            const bool equal = !step.question || step.question->claim.relation == Relation::equal;
            return equal && !step.nearly && (step.defines || step.outcome == Outcome::proved);
          });
 }
 
 bool defines_alike(const WrittenFormChain& a, const WrittenFormChain& b) {
-  return std::all_of(a.definitions.begin(), a.definitions.end(), [&](const Definition& one) {
-    return std::all_of(b.definitions.begin(), b.definitions.end(), [&](const Definition& other) {
+  return std::ranges::all_of(a.definitions, [&](const Definition& one) {
+    return std::ranges::all_of(b.definitions, [&](const Definition& other) {
       return one.symbol != other.symbol || one.body == other.body;
     });
   });
@@ -33,13 +33,13 @@ bool defines_alike(const WrittenFormChain& a, const WrittenFormChain& b) {
 
 void add(WrittenFormChain& all, const WrittenFormChain& chain) {
   for (const Definition& definition : chain.definitions) {
-    const bool known = std::any_of(all.definitions.begin(), all.definitions.end(),
-                                   [&](const Definition& each) { return each.symbol == definition.symbol; });
+    const bool known = std::ranges::any_of(
+        all.definitions, [&](const Definition& each) { return each.symbol == definition.symbol; });
     if (!known) all.definitions.push_back(definition);
   }
   for (const WrittenForm& form : chain.forms) {
-    const bool known = std::any_of(all.forms.begin(), all.forms.end(),
-                                   [&](const WrittenForm& each) { return each.source == form.source; });
+    const bool known =
+        std::ranges::any_of(all.forms, [&](const WrittenForm& each) { return each.source == form.source; });
     if (known) continue;
     all.steps.push_back({.kind = "=", .outcome = Outcome::proved});
     all.forms.push_back(form);

@@ -121,7 +121,7 @@ std::string route_of(const Proof& proof) {
 bool cofactors_hold(const Proof& proof) {
   for (std::uint64_t seed = 1; seed <= check_points; ++seed) {
     ProofPoint point(proof.letters.size(), seed);
-    const bool all = std::all_of(proof.steps.begin(), proof.steps.end(), [&](const ProofStep& step) {
+    const bool all = std::ranges::all_of(proof.steps, [&](const ProofStep& step) {
       return step.kind != ProofStep::Kind::combination || combination_holds(proof, step, point);
     });
     if (!all) return false;

@@ -19,10 +19,7 @@ Dimension Dimension::of(BaseQuantity quantity) {
   return dimension;
 }
 
-bool Dimension::is_valid() const {
-  return std::all_of(exponents_.begin(), exponents_.end(),
-                     [](const SmallRational& exponent) { return exponent.is_valid(); });
-}
+bool Dimension::is_valid() const { return std::ranges::all_of(exponents_, &SmallRational::is_valid); }
 
 Dimension& Dimension::operator+=(const Dimension& other) {
   for (std::size_t k = 0; k < base_quantity_count; ++k) exponents_[k] = exponents_[k] + other.exponents_[k];

@@ -106,9 +106,7 @@ bool names_an_axis(const ExprTree& tree, ExprId root) {
   while (!open.empty()) {
     const ExprId id = open.back();
     open.pop_back();
-    const auto slots = tree.slots(id);
-    const bool named =
-        std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.axis != 0; });
+    const bool named = std::ranges::any_of(tree.slots(id), [](const Slot& slot) { return slot.axis != 0; });
     if (named || tree[id].op == Op::basis) return true;
     const auto children = tree.children(id);
     open.insert(open.end(), children.begin(), children.end());
@@ -126,7 +124,7 @@ bool is_of_common_space(const ExprTree& tree, ExprId root) {
     const auto leaves = [&](const Slot& slot) {
       return slot.axis == 0 && tree.space(slot.variable) != common_space;
     };
-    if (!node.axes.are_common() || std::any_of(slots.begin(), slots.end(), leaves)) return false;
+    if (!node.axes.are_common() || std::ranges::any_of(slots, leaves)) return false;
     if (node.op == Op::symbol && !tree.symbols[node.symbol].axes.are_common()) return false;
     if (node.op == Op::index_sum && tree.space(node.index) != common_space) return false;
     const auto children = tree.children(id);

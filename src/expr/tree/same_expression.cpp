@@ -109,7 +109,7 @@ class Comparison {
   }
 
   bool same_slots(std::span<const Slot> x, std::span<const Slot> y) const {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](const Slot& p, const Slot& q) {
+    return std::ranges::equal(x, y, [&](const Slot& p, const Slot& q) {
       if (p.axis != 0 || q.axis != 0) return p.axis == q.axis;
       const auto known = indices_.find(static_cast<std::uint32_t>(p.variable));
       return known == indices_.end() ? a_.name(p.variable) == b_.name(q.variable)
@@ -118,8 +118,7 @@ class Comparison {
   }
 
   bool same_children(const View& left, const View& right) {
-    return std::equal(left.children.begin(), left.children.end(), right.children.begin(),
-                      right.children.end(), [&](ExprId p, ExprId q) { return same(p, q); });
+    return std::ranges::equal(left.children, right.children, [&](ExprId p, ExprId q) { return same(p, q); });
   }
 
   /// The sums around one body, in the order in which their indices occur in it.

@@ -68,7 +68,7 @@ struct Shape {
 }
 
 [[nodiscard]] bool all_of_rank(std::span<const int> ranks, int rank) {
-  return std::all_of(ranks.begin(), ranks.end(), [rank](int each) { return each == rank; });
+  return std::ranges::all_of(ranks, [rank](int each) { return each == rank; });
 }
 
 [[nodiscard]] int sum_of(std::span<const int> ranks) {
@@ -143,9 +143,9 @@ void check_symbol(const SymbolTable& symbols, const ExprNode& node) {
 }
 
 [[nodiscard]] bool is_decimal(std::string_view digits) {
-  return std::count(digits.begin(), digits.end(), '.') <= 1 &&
-         std::any_of(digits.begin(), digits.end(), [](char c) { return is_digit(c); }) &&
-         std::all_of(digits.begin(), digits.end(), [](char c) { return c == '.' || is_digit(c); });
+  return std::ranges::count(digits, '.') <= 1 &&
+         std::ranges::any_of(digits, [](char c) { return is_digit(c); }) &&
+         std::ranges::all_of(digits, [](char c) { return c == '.' || is_digit(c); });
 }
 
 }  // namespace
@@ -312,13 +312,12 @@ const Table& ExprTree::table(ExprId id) const {
 bool ExprTree::is_zero_literal(ExprId id) const {
   while ((*this)[id].op == Op::tuple) {
     const std::span<const ExprId> entries = children(id);
-    if (std::any_of(entries.begin(), entries.end(), [&](ExprId each) { return each != entries[0]; }))
+    if (std::ranges::any_of(entries, [&](ExprId each) { return each != entries[0]; }))
       return false;  // a written 0 given a rank has one entry, as often as there are axes
     id = entries[0];
   }
   if ((*this)[id].op != Op::number) return false;
-  const std::string& text = digits(id);
-  return std::all_of(text.begin(), text.end(), [](char c) { return c == '0' || c == '.'; });
+  return std::ranges::all_of(digits(id), [](char c) { return c == '0' || c == '.'; });
 }
 
 }  // namespace rigor
