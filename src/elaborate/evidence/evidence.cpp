@@ -30,7 +30,7 @@ bool is_small_latin(const WrittenSymbol& symbol) {
 bool shows_third_axis(const WrittenSymbol& symbol) {
   const bool letter = symbol.letter == "z" || (symbol.letter == "k" && symbol.face == Face::vector) ||
                       (symbol.letter == "k" && symbol.accent == Accent::hat);
-  return letter || std::any_of(symbol.lower.begin(), symbol.lower.end(), [](const WrittenIndex& index) {
+  return letter || std::ranges::any_of(symbol.lower, [](const WrittenIndex& index) {
            return index.text == "3" || index.text == "z";
          });
 }

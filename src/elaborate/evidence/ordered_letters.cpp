@@ -187,9 +187,8 @@ void see_inverses(TokenView tokens, const std::vector<std::size_t>& closing, Evi
     if (end >= tokens.size() || !is_inverse_at(tokens, skip_blank(tokens, end + 1))) continue;
     const TokenView inside = tokens.subspan(at + 1, end - at - 1);
     const std::vector<FoundLetter> letters = letters_in(inside);
-    if (letters.size() > 1 && std::all_of(letters.begin(), letters.end(), [](const FoundLetter& each) {
-          return is_capital_letter(each.name);
-        }))
+    if (letters.size() > 1 &&
+        std::ranges::all_of(letters, [](const FoundLetter& each) { return is_capital_letter(each.name); }))
       add_letters(inside, evidence);
   }
 }
@@ -312,8 +311,7 @@ void see_order(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, con
     member = member || relation.kind == RelationKind::other;
   }
   for (const WrittenSide& side : written.sides) see_tokens(side.tokens, member, evidence);
-  const bool matrix =
-      std::any_of(sides.begin(), sides.end(), [&](SyntaxId side) { return holds_a_matrix(syntax, side); });
+  const bool matrix = std::ranges::any_of(sides, [&](SyntaxId side) { return holds_a_matrix(syntax, side); });
   for (const SyntaxId side : sides) {
     const bool alone = syntax[side].kind == SyntaxKind::symbol && syntax.symbol(side).face == Face::plain;
     if (!matrix || !alone) continue;
@@ -377,9 +375,8 @@ void see_heading(std::string_view title, Evidence& evidence) {
                                                           "quantis",    "clifford", "grassmann", "quaterni",
                                                           "fermi",      "pauli",    "dirac"};
   const std::string lower = lowered(title);
-  const bool speaks = std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-    return lower.find(word) != std::string::npos;
-  });
+  const bool speaks = std::ranges::any_of(
+      words, [&](std::string_view word) { return lower.find(word) != std::string::npos; });
   evidence.order_in_heading = evidence.order_in_heading || speaks;
 }
 

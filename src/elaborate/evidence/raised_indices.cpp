@@ -89,10 +89,10 @@ bool is_upper_index(const SyntaxTree& syntax, SyntaxId exponent, const Scripts& 
   if (syntax[exponent].kind == SyntaxKind::number)
     return syntax.text(exponent) == "0" || syntax.text(exponent) == "1";
   const std::vector<std::string> letters = letters_of_exponent(syntax, exponent);
-  if (letters.empty() || !std::all_of(letters.begin(), letters.end(), is_index)) return false;
-  const bool spacetime = std::all_of(letters.begin(), letters.end(), is_spacetime_index) &&
-                         (letters.size() > 1 || letters[0] == "\\mu");
-  const bool paired = std::any_of(letters.begin(), letters.end(), [&](const std::string& letter) {
+  if (letters.empty() || !std::ranges::all_of(letters, is_index)) return false;
+  const bool spacetime =
+      std::ranges::all_of(letters, is_spacetime_index) && (letters.size() > 1 || letters[0] == "\\mu");
+  const bool paired = std::ranges::any_of(letters, [&](const std::string& letter) {
     const bool beside = scripts.lower.contains(letter) || scripts.ridden.contains(letter);
     return beside && !scripts.summed.contains(letter);
   });

@@ -59,13 +59,13 @@ bool speaks_of_group(std::string_view sentence) {
     const std::string_view rest = sentence.substr(at + 5);
     const auto starts = [&](std::string_view word) { return rest.starts_with(word); };
     const std::string_view left = sentence.substr(0, at);
-    const bool named = std::any_of(before.begin(), before.end(),
-                                   [&](std::string_view word) { return left.ends_with(word); });
+    const bool named =
+        std::ranges::any_of(before, [&](std::string_view word) { return left.ends_with(word); });
     const bool commutes = left.ends_with("abelian ") || left.ends_with("commutative ");
     const bool plural = starts("s ") && (at == 0 || left.ends_with(". ") || left.ends_with("in "));
-    const bool elements = std::any_of(of_elements.begin(), of_elements.end(), starts);
+    const bool elements = std::ranges::any_of(of_elements, starts);
     if (elements || starts(" element")) return true;
-    if (commutes || std::any_of(others.begin(), others.end(), starts)) continue;
+    if (commutes || std::ranges::any_of(others, starts)) continue;
     if (named || plural) return true;
   }
   static constexpr std::array<std::string_view, 9> words{"subgroup",   "semigroup",     "monoid",
@@ -199,7 +199,7 @@ bool says_what_they_are(std::string_view words) {
                                                          " being ", " denote ", " as "};
   const auto noun = behind_any(words, ordered_nouns);
   if (noun == std::string_view::npos) return false;
-  return std::any_of(verbs.begin(), verbs.end(), [&](std::string_view verb) {
+  return std::ranges::any_of(verbs, [&](std::string_view verb) {
     const auto at = words.find(verb);
     return at < noun && at <= 6 && noun - at < 48;
   });
@@ -220,8 +220,8 @@ void see_named(std::string_view sentence, Evidence& evidence) {
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     std::string_view words = pieces[k].words;
     while (!words.empty() && words.back() == ' ') words.remove_suffix(1);
-    const bool leads = std::any_of(ordered_nouns.begin(), ordered_nouns.end(),
-                                   [&](std::string_view noun) { return words.ends_with(noun); });
+    const bool leads =
+        std::ranges::any_of(ordered_nouns, [&](std::string_view noun) { return words.ends_with(noun); });
     for (std::size_t next = k + 1; leads && next < pieces.size(); ++next) {
       add(pieces[next].formula, evidence);
       if (!joins(pieces[next].words)) break;

@@ -22,7 +22,7 @@ bool is_star(TokenView script) {
 
 /// `[X]`, and not `[A, B]`, nor `[b + (c + d)]`, which only nests.
 bool is_applied(TokenView content) {
-  return !content.empty() && std::none_of(content.begin(), content.end(), [](const Token& token) {
+  return !content.empty() && std::ranges::none_of(content, [](const Token& token) {
     return is_sign(token, ",") || is_sign(token, "(") || is_sign(token, ";");
   });
 }
@@ -85,7 +85,7 @@ using Words = std::span<const std::string_view>;
 
 /// Does a word of the text begin with one of these?
 bool speaks_of(std::string_view lower, Words words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+  return std::ranges::any_of(words, [&](std::string_view word) {
     for (std::size_t at = lower.find(word); at != std::string_view::npos; at = lower.find(word, at + 1)) {
       if (at == 0 || !is_letter(lower[at - 1])) return true;
     }
@@ -220,9 +220,8 @@ void see_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, c
 
 void see_said(std::string_view text, Evidence& evidence) {
   const std::string lower = lowered(text);
-  const bool imaginary =
-      std::any_of(imaginary_signs.begin(), imaginary_signs.end(),
-                  [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });
+  const bool imaginary = std::ranges::any_of(
+      imaginary_signs, [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });
   evidence.speaks_of_complex |= imaginary || speaks_of(lower, complex_words);
   evidence.complex_vectors |= imaginary || speaks_of(lower, complex_vector_words);
   if (speaks_of(lower, segment_words)) {

@@ -66,15 +66,15 @@ void read_by_company(const SyntaxTree& syntax, SyntaxId id, const Names& names, 
   if (syntax[id].kind != SyntaxKind::symbol) return;
   const WrittenSymbol& symbol = syntax.symbol(id);
   const std::vector<std::string> own = latin_letters(symbol.lower);
-  const bool labelled = std::any_of(
-      own.begin(), own.end(), [&](const std::string& letter) { return letters.labels.contains(letter); });
+  const bool labelled =
+      std::ranges::any_of(own, [&](const std::string& letter) { return letters.labels.contains(letter); });
   if (own.empty() || labelled || (symbol.face == Face::vector && !is_basis_family(symbol))) return;
   const std::string base = letter_with_marks(symbol);
   const bool known_vector = own.size() == 1 && (names.symbols.sightings->bold.contains({base, false}) ||
                                                 names.symbols.sightings->bold.contains({base, true}) ||
                                                 is_declared(names.symbols, {base, 1, false}) ||
                                                 is_declared(names.symbols, {base, 1, true}));
-  const bool company = own.size() > 1 && std::any_of(own.begin(), own.end(), [&](const std::string& letter) {
+  const bool company = own.size() > 1 && std::ranges::any_of(own, [&](const std::string& letter) {
                          return letters.is_index(letter);
                        });
   const bool tensor = is_declared(names.symbols, {base, static_cast<int>(own.size()), false});
@@ -140,7 +140,7 @@ void find_repeated_components(const SyntaxTree& syntax, SyntaxId term, std::set<
   for (const SyntaxChild& child : syntax.children(term)) {
     if (syntax[child.id].kind != SyntaxKind::symbol) continue;
     const std::vector<std::string> own = latin_letters(syntax.symbol(child.id).lower);
-    const bool strong = !own.empty() && std::all_of(own.begin(), own.end(), is_strong);
+    const bool strong = !own.empty() && std::ranges::all_of(own, is_strong);
     if (strong && !seen.insert({letter_with_marks(syntax.symbol(child.id)), own}).second)
       sure.insert(own.begin(), own.end());
   }
@@ -211,8 +211,7 @@ void read_sure(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, con
       if (syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).face == Face::vector) return;
       const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
       const std::string base = letter_with_marks(syntax.symbol(id));
-      const bool sure =
-          std::any_of(own.begin(), own.end(), [&](const auto& each) { return letters.is_sure(each); });
+      const bool sure = std::ranges::any_of(own, [&](const auto& each) { return letters.is_sure(each); });
       if (sure) indexed.insert(base);
       if (!indexed.contains(base)) return;
       std::copy_if(own.begin(), own.end(), std::inserter(letters.sure, letters.sure.end()),
@@ -290,8 +289,8 @@ void sight_faces(const SyntaxTree& syntax, SyntaxId root, Names& names) {
     const WrittenName name = take_apart(symbol, Letters{}, names);
     if (name.axes.empty()) {
       names.symbols.sightings.write().bold.insert({name.base, name.per_particle()});
-    } else if (std::all_of(name.axes.begin(), name.axes.end(),
-                           [](const WrittenIndex& index) { return index.form == IndexForm::digit; })) {
+    } else if (std::ranges::all_of(
+                   name.axes, [](const WrittenIndex& index) { return index.form == IndexForm::digit; })) {
       names.symbols.sightings.write().bold.insert({with_labels(name.base, name.axes), name.per_particle()});
     } else {
       names.symbols.sightings.write().bold_indexed.insert(name.base);
@@ -305,7 +304,7 @@ void sight_indices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
     if (syntax[id].kind != SyntaxKind::symbol) return;
     const WrittenSymbol& symbol = syntax.symbol(id);
     const WrittenName name = take_apart(symbol, letters, names);
-    const bool any_letter = std::any_of(name.axes.begin(), name.axes.end(), [](const WrittenIndex& index) {
+    const bool any_letter = std::ranges::any_of(name.axes, [](const WrittenIndex& index) {
       return index.form == IndexForm::letter && axis_of_letter(index.text) == 0;
     });
     if (any_letter)

@@ -168,8 +168,7 @@ bool is_field(const Names& names, const ExprTree& tree, SymbolId symbol) {
   if (partial_rate || is_differentiated_by_place(names.symbols, *key)) return true;
   const NamedDefinition* named = definition_of(names.scope, base);
   if (named == nullptr) return false;
-  const std::vector<SymbolId> inside = symbols_in(tree, named->definition.body);
-  return std::any_of(inside.begin(), inside.end(), [&](SymbolId each) {
+  return std::ranges::any_of(symbols_in(tree, named->definition.body), [&](SymbolId each) {
     const auto& by = tree.symbols[each].derivation;
     return by && by->space > 0;
   });
@@ -177,8 +176,7 @@ bool is_field(const Names& names, const ExprTree& tree, SymbolId symbol) {
 
 bool is_small_scalar(const Names& names, const ExprTree& tree, const std::string& base) {
   const auto symbol = find_symbol(names.symbols, {base, 0, false});
-  const std::vector<SmallQuantity>& all = *names.scope.small;
-  return symbol && std::any_of(all.begin(), all.end(), [&](const SmallQuantity& small) {
+  return symbol && std::ranges::any_of(*names.scope.small, [&](const SmallQuantity& small) {
            return tree[small.quantity].op == Op::symbol && tree[small.quantity].symbol == *symbol;
          });
 }

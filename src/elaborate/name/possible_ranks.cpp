@@ -254,7 +254,7 @@ class RankReader {
   RankSet component(SyntaxId id) {
     const RankSet inside = read(syntax_.child(id, 0));
     const auto& axes = syntax_.indices(id);
-    const bool sure = std::all_of(axes.begin(), axes.end(), [&](const WrittenIndex& axis) {
+    const bool sure = std::ranges::all_of(axes, [&](const WrittenIndex& axis) {
       return axis.form == IndexForm::letter && letters_.is_sure(axis.text);
     });
     const auto count = static_cast<int>(axes.size());
@@ -280,8 +280,7 @@ class RankReader {
 
   RankSet derivative(SyntaxId id) {
     const RankSet inside = read(syntax_.child(id, 0));
-    const auto& by = syntax_.derivative(id).by;
-    const bool plain = std::all_of(by.begin(), by.end(), [](const WrittenVariable& variable) {
+    const bool plain = std::ranges::all_of(syntax_.derivative(id).by, [](const WrittenVariable& variable) {
       return variable.symbol.face == Face::plain && variable.symbol.accent == Accent::none;
     });
     return plain ? inside : any_rank;
@@ -303,10 +302,10 @@ class RankReader {
   RankSet symbol(const WrittenSymbol& written, Span span) {
     if (is_kronecker(written) || is_levi_civita(written)) return scalar;
     if (is_basis_family(written)) return vector;
-    const bool axes = !written.lower.empty() &&
-                      std::all_of(written.lower.begin(), written.lower.end(), [&](const WrittenIndex& index) {
-                        return index.form == IndexForm::letter && letters_.is_sure(index.text);
-                      });
+    const bool axes =
+        !written.lower.empty() && std::ranges::all_of(written.lower, [&](const WrittenIndex& index) {
+          return index.form == IndexForm::letter && letters_.is_sure(index.text);
+        });
     if (axes) return scalar;
     const std::string base = letter_with_marks(written);
     const RankSet ranks = declared(base, written);

@@ -97,8 +97,7 @@ void withdraw_frame(NameScope& scope) { scope.frames.write().pop_back(); }
 
 bool is_made_in_frame(const NameScope& scope, const NamedDefinition& definition) {
   if (scope.frames->empty() || definition.origin.directive) return false;
-  const std::vector<NamedDefinition>& before = *scope.frames->back().before.definitions;
-  return std::none_of(before.begin(), before.end(), [&](const NamedDefinition& old) {
+  return std::ranges::none_of(*scope.frames->back().before.definitions, [&](const NamedDefinition& old) {
     return old.definition.symbol == definition.definition.symbol && old.origin.text == definition.origin.text;
   });
 }

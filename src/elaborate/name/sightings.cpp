@@ -70,14 +70,14 @@ void sight_carried(const SyntaxTree& syntax, SyntaxId operand, Names& names) {
 }
 
 bool is_by_time(const WrittenDerivative& derivative) {
-  return std::all_of(derivative.by.begin(), derivative.by.end(),
-                     [](const WrittenVariable& variable) { return is_time(variable.symbol); });
+  return std::ranges::all_of(derivative.by,
+                             [](const WrittenVariable& variable) { return is_time(variable.symbol); });
 }
 
 bool has_letters(const WrittenSymbol& symbol, std::size_t count) {
-  return symbol.lower.size() == count &&
-         std::all_of(symbol.lower.begin(), symbol.lower.end(),
-                     [](const WrittenIndex& index) { return index.form == IndexForm::letter; });
+  return symbol.lower.size() == count && std::ranges::all_of(symbol.lower, [](const WrittenIndex& index) {
+           return index.form == IndexForm::letter;
+         });
 }
 
 /// `X_i`, alone or before `\delta_{ij}`.

@@ -92,7 +92,7 @@ std::string word_in(const Run& run, bool something_behind, bool bracket_behind) 
 bool is_segment(const std::string& word, const Evidence& evidence) {
   if (!evidence.speaks_of_segments) return false;
   static constexpr std::string_view usual = "ABCDEFGHOPQRS";
-  return std::all_of(word.begin(), word.end(), [&](char c) {
+  return std::ranges::all_of(word, [&](char c) {
     return evidence.points.empty() ? usual.find(c) != std::string_view::npos
                                    : evidence.points.contains(std::string(1, c));
   });

@@ -25,9 +25,9 @@ bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
 bool is_taken_at(const SyntaxTree& syntax, SyntaxId derivative, SyntaxId bracket) {
   if (syntax[derivative].kind != SyntaxKind::derivative || syntax[bracket].kind != SyntaxKind::group)
     return false;
-  const std::vector<WrittenVariable>& by = syntax.derivative(derivative).by;
   return any_below(syntax, syntax.child(bracket, 0), [&](SyntaxId id) {
-    return syntax[id].kind == SyntaxKind::symbol && std::any_of(by.begin(), by.end(), [&](const auto& each) {
+    return syntax[id].kind == SyntaxKind::symbol &&
+           std::ranges::any_of(syntax.derivative(derivative).by, [&](const auto& each) {
              return each.symbol.letter == syntax.symbol(id).letter;
            });
   });
@@ -44,8 +44,8 @@ bool looks_like_argument(const Reading& reading, const WrittenSymbol& symbol, Sy
     const WrittenSymbol& inside = syntax.symbol(id);
     coordinate = coordinate || is_usual_coordinate(inside.letter);
     return inside.face != Face::plain || is_kronecker(inside) ||
-           std::any_of(inside.lower.begin(), inside.lower.end(),
-                       [](const WrittenIndex& index) { return index.form == IndexForm::letter; });
+           std::ranges::any_of(inside.lower,
+                               [](const WrittenIndex& index) { return index.form == IndexForm::letter; });
   });
   return coordinate && !more;
 }

@@ -80,12 +80,12 @@ std::vector<std::size_t> order_of(const std::string& head, const std::vector<std
   std::vector<std::size_t> order;
   for (const char c : head) {
     if (c == ',' || c == '(' || c == ')') continue;
-    const auto found = std::find(letters.begin(), letters.end(), std::string(1, c));
+    const auto found = std::ranges::find(letters, std::string(1, c));
     if (found == letters.end()) return {};
     order.push_back(static_cast<std::size_t>(found - letters.begin()));
   }
   std::vector<std::size_t> sorted = order;
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     if (sorted[k] != k) return {};
   }
@@ -143,9 +143,7 @@ std::optional<std::vector<bool>> pair_condition(const std::string& text,
                                                 const std::vector<std::string>& letters) {
   const auto sign = text.find_first_of("=#");
   if (sign != 1 || text.size() != 3) return std::nullopt;
-  const auto place = [&](char c) {
-    return std::find(letters.begin(), letters.end(), std::string(1, c)) - letters.begin();
-  };
+  const auto place = [&](char c) { return std::ranges::find(letters, std::string(1, c)) - letters.begin(); };
   const auto first = static_cast<std::size_t>(place(text[0]));
   const auto second = static_cast<std::size_t>(place(text[2]));
   if (first >= letters.size() || second >= letters.size()) return std::nullopt;
@@ -170,8 +168,8 @@ std::optional<std::vector<bool>> read_index_condition(const std::string& words,
   const bool permutation = holds(text, "permutation") || holds(text, "cyclic");
   if (!permutation && says_repeated(text, letters)) {
     return select(count, [](Axes axes) {
-      std::sort(axes.begin(), axes.end());
-      return std::adjacent_find(axes.begin(), axes.end()) != axes.end();
+      std::ranges::sort(axes);
+      return std::ranges::adjacent_find(axes) != axes.end();
     });
   }
   for (const char* negation :

@@ -95,8 +95,8 @@ MaybeTyped elaborate_determinant(Reading& reading, SyntaxId id, const Around& ar
   Typed letters;
   for (const Typed& entry : entries) merge_letters(letters, entry);
   for (const FreeIndex& bound : letters.bound) {
-    const bool free_too = std::any_of(letters.free.begin(), letters.free.end(),
-                                      [&](const FreeIndex& free) { return free.letter == bound.letter; });
+    const bool free_too =
+        std::ranges::any_of(letters.free, [&](const FreeIndex& free) { return free.letter == bound.letter; });
     if (free_too) {
       return unsupported(
           reading, span,

@@ -23,8 +23,7 @@ ReadPart elaborate_unit;                                            // unit.cpp
 /// Does it hold for the part, or for one below it?
 template <typename Predicate>
 [[nodiscard]] bool any_below(const SyntaxTree& syntax, SyntaxId id, const Predicate& holds) {
-  const std::span<const SyntaxChild> children = syntax.children(id);
-  return holds(id) || std::any_of(children.begin(), children.end(), [&](const SyntaxChild& child) {
+  return holds(id) || std::ranges::any_of(syntax.children(id), [&](const SyntaxChild& child) {
            return any_below(syntax, child.id, holds);
          });
 }

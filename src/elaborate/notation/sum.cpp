@@ -23,8 +23,8 @@ namespace {
     const auto id = static_cast<SyntaxId>(i);
     if (syntax[id].kind != SyntaxKind::big_sum) continue;
     const WrittenSum& sum = syntax.big_sum(id);
-    const bool same = std::any_of(sum.indices.begin(), sum.indices.end(),
-                                  [&](const WrittenIndex& index) { return index.text == letter; });
+    const bool same =
+        std::ranges::any_of(sum.indices, [&](const WrittenIndex& index) { return index.text == letter; });
     if (same && !runs_over_axes(sum, space)) return &sum;
   }
   return nullptr;

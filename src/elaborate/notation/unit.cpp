@@ -19,9 +19,9 @@ ExprId base_unit(Reading& reading, std::size_t which, Span span) {
   reading.tree.symbols[symbol].declared = true;
   const ExprId unit = reading.tree.add({.op = Op::symbol, .span = span, .symbol = symbol});
   const std::string positive = fmt::format("{} is positive", name);
-  const auto& assumptions = *reading.names.scope.assumptions;
-  const bool known = std::any_of(assumptions.begin(), assumptions.end(),
-                                 [&](const NamedAssumption& each) { return each.origin.text == positive; });
+  const bool known = std::ranges::any_of(*reading.names.scope.assumptions, [&](const NamedAssumption& each) {
+    return each.origin.text == positive;
+  });
   if (!known) {
     const ExprId zero = reading.tree.add_number(span, "0");
     assume(reading.names.scope, {{zero, unit, {}, {}, Relation::less}, {positive, "", std::nullopt}});

@@ -48,8 +48,8 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
     return false;
   }
   const auto missing = [](const auto& from, const auto& in) {
-    return std::find_if(from.begin(), from.end(), [&](const auto& entry) {
-      return std::none_of(in.begin(), in.end(), [&](const auto& old) { return old.letter == entry.letter; });
+    return std::ranges::find_if(from, [&](const auto& entry) {
+      return std::ranges::none_of(in, [&](const auto& old) { return old.letter == entry.letter; });
     });
   };
   const auto tell = [&](const auto& entry, Span without) {

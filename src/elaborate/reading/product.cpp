@@ -118,14 +118,14 @@ std::optional<std::vector<Operand>> multiply(Reading& reading, std::vector<Opera
 /// `\mathbf A\mathbf B` is a dyad of vectors; with bold letters for matrices it is their product.
 void guess_dyad(Reading& reading, const std::vector<Operand>& vectors, Span span) {
   const SymbolTable& symbols = reading.tree.symbols;
-  const bool undeclared = std::any_of(vectors.begin(), vectors.end(), [&](const Operand& vector) {
+  const bool undeclared = std::ranges::any_of(vectors, [&](const Operand& vector) {
     const ExprNode& node = reading.tree[vector.typed.id];
     return node.op == Op::tuple || (node.op == Op::symbol && !symbols[node.symbol].declared);
   });
   note(reading, "two vectors side by side are their dyad");
   if (!undeclared) return;
   reading.found.dyad = span;
-  const bool hats = std::any_of(vectors.begin(), vectors.end(), [&](const Operand& vector) {
+  const bool hats = std::ranges::any_of(vectors, [&](const Operand& vector) {
     const ExprNode& node = reading.tree[vector.typed.id];
     return node.op == Op::symbol && symbols[node.symbol].name.starts_with("\\hat");
   });

@@ -14,8 +14,7 @@ namespace {
 void note_riding(Reading& reading, const std::string& letter, const std::vector<FreeIndex>& where,
                  std::size_t riding) {
   const bool summed = where.size() - riding == 2;
-  const auto rider =
-      std::find_if(where.begin(), where.end(), [](const FreeIndex& entry) { return entry.rides; });
+  const auto rider = std::ranges::find_if(where, &FreeIndex::rides);
   reading.diagnostics.push_back(
       {summed ? DiagnosticKind::index_rides : DiagnosticKind::unsummed_index,
        rider->span,
@@ -47,12 +46,10 @@ std::optional<Contraction> contraction_of(Reading& reading, const std::vector<Ty
       letters.free.push_back(where[0]);
       continue;
     }
-    const auto riding = static_cast<std::size_t>(
-        std::count_if(where.begin(), where.end(), [](const FreeIndex& entry) { return entry.rides; }));
+    const auto riding = static_cast<std::size_t>(std::ranges::count_if(where, &FreeIndex::rides));
     if (riding > 0 && where.size() - riding >= 1 && where.size() - riding <= 2) {
       note_riding(reading, letter, where, riding);
-      const auto own =
-          std::find_if(where.begin(), where.end(), [](const FreeIndex& entry) { return !entry.rides; });
+      const auto own = std::ranges::find_if(where, [](const FreeIndex& entry) { return !entry.rides; });
       (where.size() - riding == 2 ? letters.summed : letters.free).push_back(*own);
       continue;
     }
@@ -69,8 +66,7 @@ std::optional<Contraction> contraction_of(Reading& reading, const std::vector<Ty
       reading.diagnostics.push_back(std::move(diagnostic));
       return std::nullopt;
     }
-    const auto clash = std::find_if(letters.bound.begin(), letters.bound.end(),
-                                    [&](const FreeIndex& entry) { return entry.letter == letter; });
+    const auto clash = std::ranges::find(letters.bound, letter, &FreeIndex::letter);
     if (clash != letters.bound.end()) {
       reading.diagnostics.push_back(
           {sure ? DiagnosticKind::index_clash : DiagnosticKind::ambiguous_reading,

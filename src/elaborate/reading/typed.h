@@ -42,7 +42,7 @@ template <typename Free>
 void merge_free(std::vector<Free>& into, const std::vector<Free>& from) {
   for (const Free& entry : from) {
     const auto same = [&](const Free& old) { return old.letter == entry.letter; };
-    if (std::none_of(into.begin(), into.end(), same)) into.push_back(entry);
+    if (std::ranges::none_of(into, same)) into.push_back(entry);
   }
 }
 /// All letters of `part` are letters of `into` as well.

@@ -19,8 +19,7 @@ std::string letter_key(const Reading& reading, const WrittenIndex& axis) {
 
 /// There is one set of primed axes.
 bool primed_twice(Reading& reading, const std::vector<WrittenIndex>& axes, Span span) {
-  const bool twice =
-      std::any_of(axes.begin(), axes.end(), [](const WrittenIndex& axis) { return axis.primes > 1; });
+  const bool twice = std::ranges::any_of(axes, [](const WrittenIndex& axis) { return axis.primes > 1; });
   if (twice) unsupported(reading, span, "an index with two primes is not read");
   return twice;
 }
@@ -50,7 +49,7 @@ bool is_index_letter(const WrittenIndex& axis) {
 }
 
 bool any_primed(const std::vector<WrittenIndex>& axes) {
-  return std::any_of(axes.begin(), axes.end(), [](const WrittenIndex& axis) { return axis.primes > 0; });
+  return std::ranges::any_of(axes, [](const WrittenIndex& axis) { return axis.primes > 0; });
 }
 
 std::optional<Subscript> try_subscript(Reading& reading, const std::vector<WrittenIndex>& axes,
@@ -111,8 +110,8 @@ MaybeTyped primed_basis_vector(Reading& reading, const WrittenIndex& axis, Span 
 }
 
 MaybeTyped unit_tensor(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
-  const auto primed = static_cast<std::size_t>(std::count_if(
-      written.lower.begin(), written.lower.end(), [](const auto& axis) { return axis.primes > 0; }));
+  const auto primed = static_cast<std::size_t>(
+      std::ranges::count_if(written.lower, [](const auto& axis) { return axis.primes > 0; }));
   auto read = subscript(reading, written.lower, span, around);
   if (!read) return std::nullopt;
   auto& [slots, free] = *read;

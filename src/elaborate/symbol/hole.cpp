@@ -17,7 +17,7 @@ MaybeTyped elaborate_hole(Reading& reading, const WrittenSymbol& written, Span s
   if (written.dots > 0 || !written.change.empty() || written.primes > 0 || written.accent != Accent::none)
     return unsupported(reading, span, "a hole has no dots, accents or primes");
   HoleShape shape = *reading.rules.hole;
-  const bool lettered = std::any_of(written.lower.begin(), written.lower.end(), is_index_letter);
+  const bool lettered = std::ranges::any_of(written.lower, is_index_letter);
   if (lettered) shape = {.particles = shape.particles};
   if (written.face != Face::plain) shape = {.rank = written.face == Face::tensor ? 2 : 1};
   std::vector<WrittenIndex> axes;

@@ -17,7 +17,7 @@ namespace rigor {
 namespace {
 
 bool all_of_form(const std::vector<WrittenIndex>& axes, IndexForm form) {
-  return std::all_of(axes.begin(), axes.end(), [&](const WrittenIndex& axis) { return axis.form == form; });
+  return std::ranges::all_of(axes, [&](const WrittenIndex& axis) { return axis.form == form; });
 }
 
 bool is_axis_letter(const WrittenIndex& axis) {
@@ -206,7 +206,7 @@ MaybeTyped plain_symbol(Reading& reading, Occurrence at) {
     name.axes.erase(name.axes.begin());
   }
   const int rank = static_cast<int>(name.axes.size());
-  if (std::all_of(name.axes.begin(), name.axes.end(), is_index_letter))
+  if (std::ranges::all_of(name.axes, is_index_letter))
     return named_symbol(reading, at, name.base, rank, name.axes);
   const bool known = is_known(names, name.base, rank, particle);
   const std::string labelled = with_labels(name.base, name.axes);
@@ -219,8 +219,8 @@ MaybeTyped plain_symbol(Reading& reading, Occurrence at) {
                                  bold(name.base), bold(labelled)),
                      {fmt::format("write `|{}|` for the length", bold(labelled))});
   }
-  const bool mixed = !all_of_form(name.axes, IndexForm::digit) &&
-                     !std::all_of(name.axes.begin(), name.axes.end(), is_axis_letter);
+  const bool mixed =
+      !all_of_form(name.axes, IndexForm::digit) && !std::ranges::all_of(name.axes, is_axis_letter);
   if (known && !labelled_known && rank == 1) guess_vector(reading, name, false);
   if ((known && !labelled_known) || mixed) return named_symbol(reading, at, name.base, rank, name.axes);
   name.base = labelled;
@@ -269,7 +269,7 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
                      {fmt::format("for the product, write `{}` after the other factors", written.change)});
   }
   const auto greek_label = [](const WrittenIndex& index) { return index.form == IndexForm::greek; };
-  if (std::count_if(written.lower.begin(), written.lower.end(), greek_label) > 1) {
+  if (std::ranges::count_if(written.lower, greek_label) > 1) {
     return unsupported(reading, span, "two Greek subscripts, as of space-time, are not decided");
   }
   const bool capital = is_capital_letter(written.letter);
