@@ -55,14 +55,12 @@ constexpr std::uint32_t cheap_terms = 3000;
     return equation.relation == Relation::less || equation.relation == Relation::less_or_equal ||
            reach(scope, equation).roots;
   };
-  const std::vector<Equation>& assumptions = scope.question().assumptions;
-  return speaks(scope.question().claim) || std::any_of(assumptions.begin(), assumptions.end(), speaks);
+  return speaks(scope.question().claim) || std::ranges::any_of(scope.question().assumptions, speaks);
 }
 
 /// How the names of a question are taken while their definitions are not needed.
 [[nodiscard]] Scope::Definitions while_opaque(const Question& question) {
-  const bool squares = std::any_of(question.definitions.begin(), question.definitions.end(),
-                                   [](const Definition& each) { return each.by_square; });
+  const bool squares = std::ranges::any_of(question.definitions, &Definition::by_square);
   if (!squares) return Scope::Definitions::opaque;
   return speaks_of_real_numbers(Scope(question, Scope::Definitions::opaque))
              ? Scope::Definitions::opaque_but_squares

@@ -43,7 +43,7 @@ void write_down(Proof& proof, const Scope& scope, GenericDomain& domain, const C
   }
   const std::vector<std::size_t> named = assumptions_of(proof);
   for (const std::size_t position : attempt.assumptions) {
-    if (!std::binary_search(named.begin(), named.end(), position)) proof.in_force.push_back(position);
+    if (!std::ranges::binary_search(named, position)) proof.in_force.push_back(position);
   }
 }
 

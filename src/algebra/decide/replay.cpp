@@ -21,9 +21,9 @@ constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at
     const Meaning meaning = meaning_in(sample, symbol);
     point.mean(symbol, meaning);
     for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
-      const auto value =
-          std::find_if(sample.values.begin(), sample.values.end(),
-                       [&](const SampleValue& each) { return each.symbol == symbol && each.particle == p; });
+      const auto value = std::ranges::find_if(sample.values, [&](const SampleValue& each) {
+        return each.symbol == symbol && each.particle == p;
+      });
       if (value == sample.values.end()) return symbol;
       const auto components = to_components(*value, tree.symbols[symbol], meaning);
       if (!components) return symbol;
@@ -43,7 +43,7 @@ constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at
   };
   return sample.axes.size() == dimensions.size() && sample.free_particles.size() == claim.particles.size() &&
          std::equal(sample.axes.begin(), sample.axes.end(), dimensions.begin(), is_axis) &&
-         std::all_of(sample.free_particles.begin(), sample.free_particles.end(), is_particle);
+         std::ranges::all_of(sample.free_particles, is_particle);
 }
 
 /// The position of the first assumption that does not hold on the point, or has no value there.

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t longest_text = 4'000;  // signs of a number that is read: ours have 200 digits at most
 
 [[nodiscard]] bool is_natural(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 [[nodiscard]] cln::cl_I natural(std::string_view digits) {

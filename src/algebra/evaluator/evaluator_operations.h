@@ -205,8 +205,8 @@ void Evaluator<Domain>::for_each_value(const IndexChain& chain, std::size_t leve
   for (std::uint8_t value = 1; value <= dimension; ++value) {
     domain_->step();
     bind(chain.variables[level], value);
-    const bool vanishes = std::any_of(chain.guards.begin(), chain.guards.end(),
-                                      [this](ExprId guard) { return index_sign(guard) == 0; });
+    const bool vanishes =
+        std::ranges::any_of(chain.guards, [this](ExprId guard) { return index_sign(guard) == 0; });
     if (!vanishes) for_each_value(chain, level + 1, term);
   }
   bind(chain.variables[level], 0);

@@ -11,8 +11,7 @@ namespace rigor {
 /// ε or δ among the factors is 0: that leaves the term out, whatever the other factors are.
 template <class Domain>
 bool Evaluator<Domain>::is_left_out(ExprId id) const {
-  const auto factors = tree_->children(id);
-  return std::any_of(factors.begin(), factors.end(), [this](ExprId factor) {
+  return std::ranges::any_of(tree_->children(id), [this](ExprId factor) {
     const Op op = node(factor).op;
     return (op == Op::delta || op == Op::epsilon) && index_sign(factor) == 0;
   });

@@ -104,10 +104,10 @@ class RationalWriter {
   /// −(a − b) is b − a: a factor takes the sign if it is a difference.
   static bool take_sign(Factored& parts) {
     for (Factor& factor : parts.factors) {
-      const bool difference = factor.exponent % 2 != 0 && std::any_of(factor.base.begin(), factor.base.end(),
-                                                                      [](const RationalTerm& term) {
-                                                                        return term.coefficient.is_negative();
-                                                                      });
+      const bool difference =
+          factor.exponent % 2 != 0 && std::ranges::any_of(factor.base, [](const RationalTerm& term) {
+            return term.coefficient.is_negative();
+          });
       if (!difference) continue;
       for (RationalTerm& term : factor.base) term.coefficient = -term.coefficient;
       return true;
@@ -123,7 +123,7 @@ class RationalWriter {
       const int exponent = power ? GiNaC::ex_to<GiNaC::numeric>(each.op(1)).to_int() : 1;
       add(result, base, exponent);
     }
-    std::sort(result.factors.begin(), result.factors.end(), comes_before);
+    std::ranges::sort(result.factors, comes_before);
     return result;
   }
 
@@ -336,7 +336,7 @@ std::optional<ExprId> collected_by(ExprTree& tree, ExprId id, std::span<const Ex
     for (const auto& [powers, terms] : parts_of(atoms.terms_of_polynomial(quotient.numerator), chosen)) {
       RationalTerm monomial{std::vector<int>(atoms.count(), 0), 1};
       for (std::size_t k = 0; k < chosen.size(); ++k) monomial.exponents[chosen[k]] = powers[k];
-      const bool bare = std::all_of(powers.begin(), powers.end(), [](int power) { return power == 0; });
+      const bool bare = std::ranges::all_of(powers, [](int power) { return power == 0; });
       const ExprId coefficient =
           writer.factored(writer.quotient_of(value_of(atoms, terms) / quotient.denominator));
       const bool one = tree[coefficient].op == Op::number && tree.digits(coefficient) == "1";

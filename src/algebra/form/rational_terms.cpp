@@ -74,8 +74,7 @@ GiNaC::ex RationalAtoms::value_of(ExprId id) {
 /// At most one factor has a rank; otherwise the order of the factors matters.
 GiNaC::ex RationalAtoms::product_of(ExprId id) {
   const std::vector<ExprId> children(tree_.children(id).begin(), tree_.children(id).end());
-  const auto ranked =
-      std::count_if(children.begin(), children.end(), [&](ExprId child) { return tree_[child].rank > 0; });
+  const auto ranked = std::ranges::count_if(children, [&](ExprId child) { return tree_[child].rank > 0; });
   if (ranked > 1) return atom(id);
   GiNaC::ex product = 1;
   for (const ExprId child : children) product *= value_of(child);
@@ -112,7 +111,7 @@ std::vector<RationalTerm> RationalAtoms::terms_of_polynomial(const GiNaC::ex& ex
     terms.push_back(std::move(term));
   }
   const std::vector<std::size_t> positions = order();
-  std::sort(terms.begin(), terms.end(), [&](const RationalTerm& a, const RationalTerm& b) {
+  std::ranges::sort(terms, [&](const RationalTerm& a, const RationalTerm& b) {
     for (const std::size_t k : positions) {
       if (a.exponents[k] != b.exponents[k]) return a.exponents[k] > b.exponents[k];
     }
@@ -140,7 +139,7 @@ std::vector<std::size_t> RationalAtoms::order() const {
     }
     places.push_back(std::move(place));
   }
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   std::vector<std::size_t> positions;
   for (const Place& place : places) positions.push_back(place.position);
   return positions;
@@ -198,8 +197,8 @@ ExprId RationalAtoms::expression_of(const std::vector<RationalTerm>& terms) {
   if (terms.empty()) return tree_.add_number({}, "0");
   std::vector<ExprId> addends;
   for (const RationalTerm& term : terms) addends.push_back(monomial(term));
-  const auto positive = std::find_if(terms.begin(), terms.end(),
-                                     [](const RationalTerm& term) { return term.coefficient.is_positive(); });
+  const auto positive =
+      std::ranges::find_if(terms, [](const RationalTerm& term) { return term.coefficient.is_positive(); });
   if (positive != terms.end()) {  // b - a, not -a + b
     const auto first = addends.begin() + (positive - terms.begin());
     std::rotate(addends.begin(), first, first + 1);

@@ -135,7 +135,7 @@ void Constraints::solve_for_each_particle(std::size_t position) {
 bool Constraints::replace_own_number(const ex& equation, std::size_t position) {
   const Indeterminates& indeterminates = domain_.indeterminates();
   const std::vector<ex>& all = indeterminates.all();
-  const bool plain = std::none_of(all.begin(), all.end(), [&](const ex& x) {
+  const bool plain = std::ranges::none_of(all, [&](const ex& x) {
     const Indeterminates::Origin& origin = indeterminates.origin(x);
     return origin.kind != Indeterminates::Kind::coordinate && origin.frames != 0 && equation.has(x);
   });

@@ -53,8 +53,8 @@ ex Constraints::reduced(const ex& value) {
 }
 
 void Constraints::note_nonzero(const ex& value, std::optional<std::size_t> assumption) {
-  const bool known = std::any_of(trace_.nonzero.begin(), trace_.nonzero.end(),
-                                 [&](const auto& each) { return each.value.is_equal(value); });
+  const bool known =
+      std::ranges::any_of(trace_.nonzero, [&](const auto& each) { return each.value.is_equal(value); });
   if (!known && !is_number(value)) trace_.nonzero.push_back({value, assumption});
 }
 
@@ -100,8 +100,7 @@ std::vector<std::size_t> Constraints::remaining_about(const ex& value) const {
     grew = false;
     for (std::size_t i = 0; i < remaining_.size(); ++i) {
       const std::set<std::size_t>& own = remaining_[i].indeterminates;
-      if (taken[i] || std::none_of(own.begin(), own.end(), [&](std::size_t x) { return met.contains(x); }))
-        continue;
+      if (taken[i] || std::ranges::none_of(own, [&](std::size_t x) { return met.contains(x); })) continue;
       taken[i] = grew = true;
       met.insert(own.begin(), own.end());
     }

@@ -84,9 +84,7 @@ ex GenericDomain::difference(const Fraction& left, const Fraction& right) {
   const auto same = [](const Divisor& a, const Divisor& b) {
     return a.exponent == b.exponent && a.base.is_equal(b.base);
   };
-  if (std::equal(left.divisors.begin(), left.divisors.end(), right.divisors.begin(), right.divisors.end(),
-                 same) &&
-      left.numerator.is_equal(right.numerator))
+  if (std::ranges::equal(left.divisors, right.divisors, same) && left.numerator.is_equal(right.numerator))
     return 0;
   Fraction subtracted = right;
   arithmetic_.negate(subtracted);

@@ -50,7 +50,7 @@ constexpr double largest_ordered = 4000;        // terms, by the estimate
     const ex ratio = at->second / coefficient;
     if (is_positive(ratio)) found.push_back(GiNaC::ex_to<GiNaC::numeric>(ratio));
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }

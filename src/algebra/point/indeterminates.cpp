@@ -81,12 +81,11 @@ Indeterminates::Unsigned Indeterminates::unsigned_fingerprint(const ex& value) c
   }
   std::vector<Unsigned> parts;
   for (std::size_t i = 0; i < value.nops(); ++i) parts.push_back(unsigned_fingerprint(value.op(i)));
-  std::sort(parts.begin(), parts.end(), [](const Unsigned& a, const Unsigned& b) { return a.text < b.text; });
+  std::ranges::sort(parts, {}, &Unsigned::text);
   const bool is_product = GiNaC::is_a<GiNaC::mul>(value);
   bool negative = !parts.empty() && parts.front().negative;
   if (is_product) {
-    negative =
-        std::count_if(parts.begin(), parts.end(), [](const Unsigned& a) { return a.negative; }) % 2 != 0;
+    negative = std::ranges::count_if(parts, &Unsigned::negative) % 2 != 0;
     std::erase_if(parts, [](const Unsigned& each) { return each.text == "1"; });  // of an opposite
     if (parts.size() == 1) return {parts.front().text, negative};
   }

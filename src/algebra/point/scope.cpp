@@ -50,7 +50,7 @@ void note_operation(const ExprNode& node, Reach& reached) {
 }
 
 [[nodiscard]] bool share(const std::vector<SymbolId>& some, const std::vector<SymbolId>& others) {
-  return std::any_of(some.begin(), some.end(), [&](SymbolId symbol) { return is_one_of(symbol, others); });
+  return std::ranges::any_of(some, [&](SymbolId symbol) { return is_one_of(symbol, others); });
 }
 
 }  // namespace
@@ -201,10 +201,10 @@ std::vector<std::size_t> core_assumptions(const Scope& scope, const std::vector<
     return equations <= count_numbers(rigor::component_count(named), named.per_particle ? 1 : 0);
   };
   const auto fixes_what_is_loose = [&](const Candidate& each) {
-    return std::any_of(each.symbols.begin(), each.symbols.end(), is_loose);
+    return std::ranges::any_of(each.symbols, is_loose);
   };
   for (;;) {
-    const auto loose = std::find_if(open.begin(), open.end(), fixes_what_is_loose);
+    const auto loose = std::ranges::find_if(open, fixes_what_is_loose);
     if (loose == open.end()) break;
     open.erase(loose);
   }

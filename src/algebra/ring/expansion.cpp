@@ -112,8 +112,7 @@ class Polynomial {
   }
   /// To be called after what was appended.
   void combine() {
-    std::sort(terms_.begin(), terms_.end(),
-              [](const Term& a, const Term& b) { return a.monomial < b.monomial; });
+    std::ranges::sort(terms_, {}, &Term::monomial);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < terms_.size();) {
       Term sum = std::move(terms_[i++]);

@@ -52,8 +52,7 @@ constexpr double expand_above =
 }
 
 [[nodiscard]] std::vector<Divisor>::iterator find_divisor(std::vector<Divisor>& divisors, const ex& base) {
-  return std::find_if(divisors.begin(), divisors.end(),
-                      [&](const Divisor& each) { return each.base.is_equal(base); });
+  return std::ranges::find_if(divisors, [&](const Divisor& each) { return each.base.is_equal(base); });
 }
 
 /// The product of the factors of `wanted` that `present` lacks, and its number of terms.

@@ -25,7 +25,7 @@ constexpr std::size_t longest_coefficient = 12;  // of a coefficient
     if (equation.degree(vector[i]) > 1) return std::nullopt;
     row[i] = equation.coeff(vector[i], 1);
     if (term_count(row[i]) > longest_coefficient) return std::nullopt;
-    const bool mixed = std::any_of(vector.begin(), vector.end(), [&](const ex& x) { return row[i].has(x); });
+    const bool mixed = std::ranges::any_of(vector, [&](const ex& x) { return row[i].has(x); });
     if (mixed) return std::nullopt;
     rest = rest.coeff(vector[i], 0);
   }

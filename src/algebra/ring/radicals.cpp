@@ -230,8 +230,8 @@ Fraction Radicals::radical(const ex& square) {
 }
 
 void Radicals::relate(const ex& symbol, const ex& square) {
-  const bool known = std::any_of(radicals_.begin(), radicals_.end(),
-                                 [&](const Radical& each) { return each.symbol.is_equal(symbol); });
+  const bool known =
+      std::ranges::any_of(radicals_, [&](const Radical& each) { return each.symbol.is_equal(symbol); });
   if (!known) radicals_.push_back({symbol, square.expand(), false});
 }
 
@@ -265,8 +265,8 @@ void Radicals::rationalize(Fraction& value) {
     const Divisor divisor = value.divisors[i];
     if (!is_radical(divisor.base)) continue;
     value.divisors.erase(value.divisors.begin() + static_cast<std::ptrdiff_t>(i--));
-    const auto known = std::find_if(radicals_.begin(), radicals_.end(),
-                                    [&](const Radical& r) { return r.symbol.is_equal(divisor.base); });
+    const auto known =
+        std::ranges::find_if(radicals_, [&](const Radical& r) { return r.symbol.is_equal(divisor.base); });
     Fraction inverse =
         arithmetic_.power(arithmetic_.reciprocal(polynomial(known->square)), (divisor.exponent + 1) / 2);
     if (divisor.exponent % 2 != 0) inverse = arithmetic_.multiply(inverse, polynomial(divisor.base));

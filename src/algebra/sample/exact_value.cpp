@@ -37,9 +37,7 @@ const Rational& rational_of(const ExactValue& value) {
 void add(ExactValue& total, const ExactValue& summand) {
   total.rational = total.rational + summand.rational;
   for (const ExactValue::Part& part : summand.parts) {
-    const auto at =
-        std::lower_bound(total.parts.begin(), total.parts.end(), part.place,
-                         [](const ExactValue::Part& each, std::size_t place) { return each.place < place; });
+    const auto at = std::ranges::lower_bound(total.parts, part.place, {}, &ExactValue::Part::place);
     if (at == total.parts.end() || at->place != part.place) {
       total.parts.insert(at, part);
       continue;

@@ -13,7 +13,7 @@ namespace rigor {
 namespace {
 
 [[nodiscard]] bool all_zero(const std::vector<Rational>& values) {
-  return std::all_of(values.begin(), values.end(), [](const Rational& each) { return cln::zerop(each); });
+  return std::ranges::all_of(values, [](const Rational& each) { return cln::zerop(each); });
 }
 
 /// How often a symbol is differentiated, in time, space and what is small together.
@@ -111,9 +111,10 @@ AssumptionSolver::AssumptionSolver(const Scope& scope, std::vector<std::size_t> 
     for (const SymbolId symbol : reached.symbols)
       order = std::max(order, order_of(scope.tree().symbols[symbol]));
     derivative_orders_.push_back(order);
-    has_tensors_ = has_tensors_ || (scope.question().assumptions[position].relation == Relation::equal &&
-                                    std::any_of(reached.symbols.begin(), reached.symbols.end(),
-                                                [&](SymbolId symbol) { return is_free_tensor(symbol); }));
+    has_tensors_ =
+        has_tensors_ ||
+        (scope.question().assumptions[position].relation == Relation::equal &&
+         std::ranges::any_of(reached.symbols, [&](SymbolId symbol) { return is_free_tensor(symbol); }));
     symbols_.push_back(std::move(reached.symbols));
     if (scope.question().assumptions[position].relation != Relation::equal) has_orders_ = true;
   }
@@ -139,13 +140,12 @@ void AssumptionSolver::order_symbols(std::size_t assumption) {
     return std::tuple(!elsewhere, !earlier, is_side(assumption, symbol), named.per_particle, named.rank);
   };
   std::vector<SymbolId>& symbols = symbols_[assumption];
-  std::stable_sort(symbols.begin(), symbols.end(),
-                   [&](SymbolId a, SymbolId b) { return preference(a) > preference(b); });
+  std::ranges::stable_sort(symbols, [&](SymbolId a, SymbolId b) { return preference(a) > preference(b); });
 }
 
 bool AssumptionSolver::holds(SampleEvaluator& evaluator, const SamplePoint& point) const {
   evaluator.look_at(point);
-  return std::all_of(assumptions_.begin(), assumptions_.end(), [&](std::size_t position) {
+  return std::ranges::all_of(assumptions_, [&](std::size_t position) {
     return evaluator.holds(scope_->question().assumptions[position]);
   });
 }
@@ -167,8 +167,8 @@ std::vector<Coordinate> AssumptionSolver::candidates(const SamplePoint& point, s
     return std::tuple(is_new(at.symbol), is_side(assumption, at.symbol), at.particle,
                       tree.symbols[at.symbol].rank);
   };
-  std::stable_sort(found.begin(), found.end(),
-                   [&](const Coordinate& a, const Coordinate& b) { return preference(a) > preference(b); });
+  std::ranges::stable_sort(
+      found, [&](const Coordinate& a, const Coordinate& b) { return preference(a) > preference(b); });
   if (!found.empty()) {
     const auto turn =
         static_cast<std::ptrdiff_t>(attempt * 3 % found.size());  // the first is tried in three of four
@@ -231,7 +231,7 @@ std::vector<Coordinate> AssumptionSolver::unknowns_of(const Search& search,
                                                       std::span<const std::size_t> assumptions,
                                                       std::span<const SymbolId> symbols) const {
   const auto is_taken = [&](const Coordinate& at) {
-    return std::any_of(search.owned.begin(), search.owned.end(), [&](const Owned& each) {
+    return std::ranges::any_of(search.owned, [&](const Owned& each) {
       return each.at == at && !is_one_of(each.assumption, assumptions);
     });
   };
@@ -241,8 +241,7 @@ std::vector<Coordinate> AssumptionSolver::unknowns_of(const Search& search,
       if (search.point.is_free(at) && !is_taken(at)) unknowns.push_back(at);
     }
   }
-  std::stable_sort(unknowns.begin(), unknowns.end(),
-                   [](const Coordinate& a, const Coordinate& b) { return a.particle > b.particle; });
+  std::ranges::stable_sort(unknowns, std::ranges::greater{}, &Coordinate::particle);
   return unknowns;
 }
 
@@ -275,8 +274,7 @@ bool AssumptionSolver::solve_place_by_place(Search& search, std::size_t assumpti
     if (cln::zerop(residual.now())) continue;
     bool solved = false;
     for (const Coordinate& at : candidates(search.point, assumption, search.attempt)) {
-      const bool owned = std::any_of(search.owned.begin(), search.owned.end(),
-                                     [&](const Owned& each) { return each.at == at; });
+      const bool owned = std::ranges::any_of(search.owned, [&](const Owned& each) { return each.at == at; });
       if (owned || !residual.solve_for(at, 0)) continue;
       if (bit_size(search.point[at]) > largest_solved) return false;
       search.owned.push_back({at, assumption});
@@ -308,7 +306,7 @@ bool AssumptionSolver::solve_equations(SampleEvaluator& evaluator, SamplePoint& 
                                        std::uint32_t attempt) const {
   Search search{evaluator, point, attempt};
   const bool by_orders = attempt % 2 == 1;
-  const int highest = by_orders ? *std::max_element(derivative_orders_.begin(), derivative_orders_.end()) : 0;
+  const int highest = by_orders ? std::ranges::max(derivative_orders_) : 0;
   for (int pass = 0; pass < equation_passes; ++pass) {
     for (int order = 0; order <= highest; ++order) {
       if (order > 0) solve_derivatives(search, order);
@@ -382,7 +380,7 @@ void AssumptionSolver::solve_orders(SampleEvaluator& evaluator, SamplePoint& poi
       const Residual residual(evaluator, point, order, place);
       if (is_related(residual.now(), order.relation, 0)) continue;
       std::vector<Coordinate> choices = candidates(point, i, 0);
-      if (turn % 2 == 1) std::reverse(choices.begin(), choices.end());
+      if (turn % 2 == 1) std::ranges::reverse(choices);
       for (const Coordinate& at : choices) {
         if (between && put_between(evaluator, point, at, turn)) break;
         if (symbols_[i].size() == 1 && residual.reflect(at)) break;

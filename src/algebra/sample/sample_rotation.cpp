@@ -89,8 +89,8 @@ bool is_rotation(std::span<const Rational> components) {
 }
 
 std::uint32_t strangeness(std::span<const Rational> rotation) {
-  const bool permutes = std::all_of(rotation.begin(), rotation.end(),
-                                    [](const Rational& each) { return each == 0 || cln::abs(each) == 1; });
+  const bool permutes =
+      std::ranges::all_of(rotation, [](const Rational& each) { return each == 0 || cln::abs(each) == 1; });
   if (!permutes) return 3;
   const int fixed = (rotation[0] == 1 ? 1 : 0) + (rotation[4] == 1 ? 1 : 0) + (rotation[8] == 1 ? 1 : 0);
   return fixed == 3 ? 0 : fixed == 1 ? 1 : 2;

@@ -131,8 +131,8 @@ void Refuter::look_among_few(Counterexample& best) {
     look_among_few(best, particles, scalar, values);
   };
   const SymbolTable& symbols = scope_->tree().symbols;
-  const bool has_scalars = std::any_of(reach_.symbols.begin(), reach_.symbols.end(),
-                                       [&](SymbolId symbol) { return symbols[symbol].rank == 0; });
+  const bool has_scalars =
+      std::ranges::any_of(reach_.symbols, [&](SymbolId symbol) { return symbols[symbol].rank == 0; });
   look(1, ones);
   if (has_scalars) look(0, ones);
   if (!(complexity(best.point) < before)) look(1, twos);
