@@ -122,7 +122,7 @@ Result<Body> joined(std::string name, const std::vector<PlacedBody>& parts) {
   const auto centre = sharp_centre_of_mass(points_of(points));
   if (!centre) return tl::unexpected(centre.error());
   Body whole{std::move(name), {}, {}, {}};
-  if (std::all_of(parts.begin(), parts.end(), [](const PlacedBody& part) { return part.body.known; })) {
+  if (std::ranges::all_of(parts, [](const PlacedBody& part) { return part.body.known.has_value(); })) {
     const auto known = joined_inertia(parts, points);
     if (!known) return tl::unexpected(known.error());
     whole.known = *known;
@@ -142,8 +142,8 @@ Result<Body> equimomental_body(std::string name, double mass, const SecondMoment
   const auto principal = principal_axes(second.moments);
   if (!principal) return tl::unexpected(principal.error());
   const Position moments = principal->principal.values();
-  const double least = *std::min_element(moments.begin(), moments.end());
-  const double most = *std::max_element(moments.begin(), moments.end());
+  const double least = std::ranges::min(moments);
+  const double most = std::ranges::max(moments);
   if (least < -negative_rounding * most)
     return refuse(
         fmt::format("its mean square extent along an axis is {:g} m^2, which cannot be negative", least));

@@ -85,17 +85,16 @@ std::vector<SymbolId> symbols_read(std::span<const Program* const> programs) {
   for (const Program* program : programs) {
     for (const ProgramInput& input : program->inputs()) symbols.push_back(input.symbol);
   }
-  std::sort(symbols.begin(), symbols.end());
+  std::ranges::sort(symbols);
   symbols.erase(std::unique(symbols.begin(), symbols.end()), symbols.end());
   return symbols;
 }
 
 bool applies(const InputFamily& family, const ExprTree& tree, std::span<const SymbolId> symbols,
              const Body* body) {
-  const auto vectors = std::count_if(symbols.begin(), symbols.end(),
-                                     [&](SymbolId id) { return is_free_vector(tree.symbols[id]); });
-  const bool turns =
-      std::any_of(symbols.begin(), symbols.end(), [&](SymbolId id) { return tree.symbols[id].rotation; });
+  const auto vectors =
+      std::ranges::count_if(symbols, [&](SymbolId id) { return is_free_vector(tree.symbols[id]); });
+  const bool turns = std::ranges::any_of(symbols, [&](SymbolId id) { return tree.symbols[id].rotation; });
   switch (family.kind) {
     case FamilyKind::random:
     case integers:

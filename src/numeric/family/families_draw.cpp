@@ -104,8 +104,7 @@ class Drawer {
 
   /// Which of the free vectors it is, from 0.
   [[nodiscard]] std::size_t number_of(SymbolId id) const {
-    return static_cast<std::size_t>(std::lower_bound(vectors_.begin(), vectors_.end(), id) -
-                                    vectors_.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(vectors_, id) - vectors_.begin());
   }
 
   double component(SplitMix& bits) const {
@@ -208,7 +207,7 @@ Result<Samples> draw_samples(const ExprTree& tree, std::span<const SymbolId> sym
   for (const SymbolId id : symbols) {
     if (is_free_vector(tree.symbols[id])) vectors.push_back(id);
   }
-  std::sort(vectors.begin(), vectors.end());
+  std::ranges::sort(vectors);
   Drawer drawer(tree, family, options, thin_axis, std::move(vectors));
   for (const SymbolId id : symbols) {
     const bool is_given =

@@ -241,8 +241,7 @@ bool stands_out(const SharpTensor& tensor, const Zeros& zeros, PrincipalAxes& re
   Rotated<Binary<bits>> r = rotated<bits>(tensor, unit);
   const Binary<bits> least = ldexp(unit, 10 + 60);
   std::array<std::size_t, 3> by_size = {0, 1, 2};
-  std::sort(by_size.begin(), by_size.end(),
-            [&](std::size_t i, std::size_t j) { return abs(r.a[i][i]) < abs(r.a[j][j]); });
+  std::ranges::sort(by_size, [&](std::size_t i, std::size_t j) { return abs(r.a[i][i]) < abs(r.a[j][j]); });
   std::array<Binary<bits>, 2> gaps = {r.a[1][1] - r.a[0][0], r.a[2][2] - r.a[1][1]};
   const std::size_t smaller = gaps[0] <= gaps[1] ? 0 : 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -279,8 +278,7 @@ double quotient(const Rounded& x, double a, double b) {
 
 PrincipalAxes sorted_diagonal(const SharpTensor& a) {
   std::array<std::size_t, 3> order = {0, 1, 2};
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t i, std::size_t j) { return (a[i][i] - a[j][j]).high < 0; });
+  std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) { return (a[i][i] - a[j][j]).high < 0; });
   PrincipalAxes result;
   for (std::size_t k = 0; k < 3; ++k) {
     result.principal.moments[k] = a[order[k]][order[k]];
@@ -326,7 +324,7 @@ MendedResults mend_by_invariants(const SharpTensor& tensor, const SmallResults& 
   auto& moments = principal.moments;
   if (small.moment) {
     std::array<std::size_t, 3> order = {0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
       return std::abs(moments[i].high) < std::abs(moments[j].high);
     });
     const double middle = moments[order[1]].high;

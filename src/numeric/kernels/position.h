@@ -15,7 +15,7 @@ using Position = std::array<double, 3>;
 using InertiaTensor = std::array<Position, 3>;
 
 [[nodiscard]] inline bool are_finite(std::span<const double> numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double each) { return std::isfinite(each); });
+  return std::ranges::all_of(numbers, [](double each) { return std::isfinite(each); });
 }
 
 }  // namespace rigor

@@ -13,7 +13,7 @@ namespace {
 const char* fault_of(const Position& moments, const Position& spin) {
   if (!are_finite(moments)) return "a moment is not finite";
   if (!are_finite(spin)) return "the spin is not finite";
-  const auto [least, greatest] = std::minmax_element(moments.begin(), moments.end());
+  const auto [least, greatest] = std::ranges::minmax_element(moments);
   if (*least < 0) return "a moment is negative";
   if (*least == 0) return "a moment is zero: nothing determines the spin about its axis";
   if (*least < *greatest * 0x1p-200) return "the moments are too unlike";

@@ -74,7 +74,7 @@ Result<Holds> holds(const ExprTree& tree, std::span<const Definition> definition
 
 bool meets_all(const ExprTree& tree, std::span<const Definition> definitions,
                std::span<const Equation> assumptions, const Samples& samples, double uncertainty) {
-  return std::all_of(assumptions.begin(), assumptions.end(), [&](const Equation& assumption) {
+  return std::ranges::all_of(assumptions, [&](const Equation& assumption) {
     const auto held = holds(tree, definitions, assumption, samples, uncertainty);
     return held && *held == Holds::yes;
   });

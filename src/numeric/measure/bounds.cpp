@@ -23,7 +23,7 @@ double distance(double value, const Enclosed& exact) {
 }
 
 bool has_low_parts(const Program& program, const Samples& samples) {
-  return std::any_of(program.inputs().begin(), program.inputs().end(), [&](const ProgramInput& input) {
+  return std::ranges::any_of(program.inputs(), [&](const ProgramInput& input) {
     return samples.find(input.symbol, input.component)->low != 0;
   });
 }

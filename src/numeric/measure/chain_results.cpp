@@ -31,9 +31,8 @@ class ChainMeasurement {
     for (const Program& program : programs_) pointers_.push_back(&program);
     symbols_ = symbols_read(pointers_);
     compile_assumptions();
-    const bool of_particles = std::any_of(symbols_.begin(), symbols_.end(), [&](SymbolId symbol) {
-      return forms_.tree.symbols[symbol].per_particle;
-    });
+    const bool of_particles = std::ranges::any_of(
+        symbols_, [&](SymbolId symbol) { return forms_.tree.symbols[symbol].per_particle; });
     if (bodies.empty() || !of_particles) {
       for (const InputFamily& family : input_families()) try_family(family, nullptr);
       return std::move(result_);
@@ -98,7 +97,7 @@ class ChainMeasurement {
 
   /// Do the assumptions only speak of what the forms read?
   [[nodiscard]] bool has_all_letters(const Samples& samples) const {
-    return std::all_of(assumed_.begin(), assumed_.end(), [&](const ProgramInput& input) {
+    return std::ranges::all_of(assumed_, [&](const ProgramInput& input) {
       return samples.find(input.symbol, input.component) != nullptr;
     });
   }

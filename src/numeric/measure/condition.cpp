@@ -272,8 +272,7 @@ class FurtherDigits {
   [[nodiscard]] std::optional<double> condition(std::size_t sample) {
     const ReferenceDigits exact = exact_results(program_, samples_.only(std::array{sample}), at_);
     const auto is_zero = [](Known known) { return known == Known::zero; };
-    if (std::all_of(exact.known.begin(), exact.known.end(), is_zero))
-      return std::numeric_limits<double>::infinity();
+    if (std::ranges::all_of(exact.known, is_zero)) return std::numeric_limits<double>::infinity();
     auto condition = with<400>(sample, with_400_);
     return condition ? condition : with<1400>(sample, with_1400_);
   }

@@ -50,7 +50,7 @@ template <class T>
 [[nodiscard]] Spread spread_of(std::vector<double> values, bool least_is_worst = false) {
   if (values.empty()) return {};
   for (const double value : values) RIGOR_CHECK(!std::isnan(value), values.size());  // they have no order
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return {least_is_worst ? values.front() : values.back(), values[values.size() / 2]};
 }
 

@@ -41,7 +41,7 @@ std::size_t count_degenerate(const Mesh& mesh) {
   const auto is_flat = [&](const std::array<std::uint32_t, 3>& t) {
     return is_degenerate(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
   };
-  return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), is_flat));
+  return static_cast<std::size_t>(std::ranges::count_if(mesh.triangles, is_flat));
 }
 
 /// More than that lost to the determinants, and parts are taken one by one.

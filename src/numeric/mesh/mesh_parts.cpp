@@ -178,10 +178,9 @@ Result<MeshMoments> moments_of_parts(const std::vector<Mesh>& parts) {
   }
   auto whole = volume_of(moments);
   if (!whole) return whole;
-  const MeshMoments& largest =
-      *std::max_element(moments.begin(), moments.end(), [](const MeshMoments& a, const MeshMoments& b) {
-        return std::abs(a.volume.high) < std::abs(b.volume.high);
-      });
+  const MeshMoments& largest = std::ranges::max(moments, [](const MeshMoments& a, const MeshMoments& b) {
+    return std::abs(a.volume.high) < std::abs(b.volume.high);
+  });
   const std::vector<Share> shares = shares_of(moments, largest, *whole);
   std::array<WeightedSum, 3> from;
   for (std::size_t i = 0; i < 3; ++i) {

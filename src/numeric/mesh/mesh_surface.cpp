@@ -82,7 +82,7 @@ HalfEdges half_edges(const Mesh& mesh) {
 bool are_paired(std::span<std::uint64_t> ends) {
   constexpr std::size_t few = 32;
   if (ends.size() > few) {
-    std::sort(ends.begin(), ends.end());
+    std::ranges::sort(ends);
   } else {
     for (std::size_t n = 1; n < ends.size(); ++n)
       for (std::size_t k = n; k > 0 && ends[k] < ends[k - 1]; --k) std::swap(ends[k], ends[k - 1]);
@@ -122,8 +122,7 @@ std::vector<Edge> sorted_edges(const Mesh& mesh) {
   for_each_half_edge(mesh, [&](std::uint32_t a, std::uint32_t b) {
     edges.push_back({std::min(a, b), std::max(a, b), a < b});
   });
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const Edge& a, const Edge& b) { return a.ends() < b.ends(); });
+  std::ranges::stable_sort(edges, {}, &Edge::ends);
   return edges;
 }
 
@@ -131,8 +130,8 @@ std::vector<Edge> sorted_edges(const Mesh& mesh) {
 Mesh in_order(const Mesh& mesh) {
   std::vector<std::uint32_t> order(mesh.vertices.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return mesh.vertices[a] < mesh.vertices[b]; });
+  std::ranges::stable_sort(
+      order, [&](std::uint32_t a, std::uint32_t b) { return mesh.vertices[a] < mesh.vertices[b]; });
   Mesh result;
   std::vector<std::uint32_t> renamed(mesh.vertices.size());
   for (const std::uint32_t vertex : order) {

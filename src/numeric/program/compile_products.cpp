@@ -9,7 +9,7 @@ namespace rigor {
 
 /// ε or δ among the factors is 0: that leaves the term out, whatever the other factors are.
 bool ExpressionCompiler::is_left_out(std::span<const ExprId> factors) const {
-  return std::any_of(factors.begin(), factors.end(), [this](ExprId factor) {
+  return std::ranges::any_of(factors, [this](ExprId factor) {
     const Op op = node(factor).op;
     return (op == Op::delta || op == Op::epsilon) && index_sign(factor) == 0;
   });

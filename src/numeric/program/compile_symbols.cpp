@@ -43,7 +43,7 @@ const std::vector<ParticleId>& ExpressionCompiler::others_in(ExprId sum) {
     if (here.op == Op::symbol && here.particle != no_particle) found.others.push_back(here.particle);
     for (const ExprId each : tree_->children(at)) open.push_back(each);
   }
-  std::sort(found.others.begin(), found.others.end());
+  std::ranges::sort(found.others);
   found.others.erase(std::unique(found.others.begin(), found.others.end()), found.others.end());
   std::erase_if(found.others, [&](ParticleId id) { return is_one_of(id, own); });
   sums_.push_back(std::move(found));

@@ -70,8 +70,7 @@ std::size_t Program::outputs() const { return code_->outputs.size(); }
 std::span<const ParticleId> Program::free_particles() const { return code_->free_particles; }
 
 bool Program::sums_over_particles() const {
-  return std::any_of(code_->outputs.begin(), code_->outputs.end(),
-                     [this](ValueId id) { return code_->values[id].height > 0; });
+  return std::ranges::any_of(code_->outputs, [this](ValueId id) { return code_->values[id].height > 0; });
 }
 
 ProgramCounts Program::counts() const {

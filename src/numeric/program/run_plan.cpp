@@ -19,7 +19,7 @@ enum class Phase : std::uint8_t { once, each };
 /// Where it is in the list, at whose end it is put if it does not.
 template <class Value>
 [[nodiscard]] std::uint32_t place_in(std::vector<Value>& list, const Value& value) {
-  const auto found = std::find(list.begin(), list.end(), value);
+  const auto found = std::ranges::find(list, value);
   const auto at = static_cast<std::uint32_t>(found - list.begin());
   if (found == list.end()) list.push_back(value);
   return at;
@@ -164,7 +164,7 @@ class Planner {
       const bool is_sum = value.op == Instruction::sum;
       return std::tuple(value.height, !is_sum, is_sum ? value.level : std::uint8_t{0}, id);
     };
-    std::sort(local.begin(), local.end(), [&](ValueId a, ValueId b) { return key(a) < key(b); });
+    std::ranges::sort(local, [&](ValueId a, ValueId b) { return key(a) < key(b); });
   }
 
   void emit_value(ValueId id, const FusedStep& fused) {

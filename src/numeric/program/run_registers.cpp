@@ -41,7 +41,7 @@ void Registers::end() {
   std::vector<RegisterId> by_end;
   for (std::size_t id = phase_begin_; id < ranges_.size(); ++id)
     by_end.push_back(static_cast<RegisterId>(id));
-  std::sort(by_end.begin(), by_end.end(), [this](RegisterId a, RegisterId b) {
+  std::ranges::sort(by_end, [this](RegisterId a, RegisterId b) {
     return ranges_[a].last != ranges_[b].last ? ranges_[a].last < ranges_[b].last : a < b;
   });
   std::size_t expired = 0;

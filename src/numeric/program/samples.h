@@ -21,11 +21,9 @@ struct ColumnValues : std::span<const double> {
   ColumnValues() = default;
   explicit ColumnValues(std::span<const double> values) : std::span<const double>(values) {}
   operator std::vector<double>() const { return {begin(), end()}; }  // NOLINT: meant to convert
-  friend bool operator==(const ColumnValues& a, const ColumnValues& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end());
-  }
+  friend bool operator==(const ColumnValues& a, const ColumnValues& b) { return std::ranges::equal(a, b); }
   friend bool operator==(const ColumnValues& a, const std::vector<double>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+    return std::ranges::equal(a, b);
   }
 };
 

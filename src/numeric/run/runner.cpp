@@ -19,7 +19,7 @@ Runner::Runner(const Program& program, const Samples& fixed, std::span<const Pro
     const auto same = [&](const ProgramInput& other) {
       return other.symbol == input.symbol && other.component == input.component;
     };
-    varies.push_back(std::any_of(varying.begin(), varying.end(), same) ? 1 : 0);
+    varies.push_back(std::ranges::any_of(varying, same) ? 1 : 0);
   }
   const Lanes lanes = fixed.particles() >= many_particles ? Lanes::particles : Lanes::one;
   engine_ = std::make_unique<Engine<double>>(program.code(), make_plan(program.code(), lanes, varies),
