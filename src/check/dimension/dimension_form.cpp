@@ -8,8 +8,8 @@
 namespace rigor {
 
 bool DimensionForm::is_valid() const {
-  return fixed.is_valid() && std::all_of(unknowns.begin(), unknowns.end(),
-                                         [](const auto& entry) { return entry.second.is_valid(); });
+  return fixed.is_valid() &&
+         std::ranges::all_of(unknowns, [](const auto& entry) { return entry.second.is_valid(); });
 }
 
 void DimensionForm::add(Unknown unknown, const SmallRational& factor) {

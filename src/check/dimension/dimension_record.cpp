@@ -231,8 +231,8 @@ bool DimensionRecorder::is_pure_number(SymbolId base) const {
 
 DimensionRecord DimensionRecorder::finish() {
   for (DeclaredUnit& unit : record_.units)
-    unit.used = std::any_of(unit.symbol.unknowns.begin(), unit.symbol.unknowns.end(),
-                            [&](const auto& entry) { return used_[entry.first]; });
+    unit.used =
+        std::ranges::any_of(unit.symbol.unknowns, [&](const auto& entry) { return used_[entry.first]; });
   return std::move(record_);
 }
 
@@ -288,7 +288,7 @@ DimensionReader DimensionRecorder::reader(std::vector<DimensionEquation>& equati
 void DimensionRecorder::relate_positions(const Relation& relation,
                                          std::vector<DimensionEquation>& equations) {
   const std::array<bool, 4> axes = differentiated_axes(tree_, relation.left, relation.right);
-  if (std::none_of(axes.begin(), axes.end(), [](bool taken) { return taken; })) return;
+  if (std::ranges::none_of(axes, [](bool taken) { return taken; })) return;
   for (const ExprId side : {relation.left, relation.right}) {
     for (const SymbolId symbol : symbols_in(tree_, side)) {
       const bool vector = is(symbol, {"r", 1, false}) || is(symbol, {"x", 1, false});
@@ -345,10 +345,10 @@ void DimensionRecorder::add(const Statement& statement) {
       continue;
     }
     const Step& step = report_.steps[statement.first_step + k];
-    const bool redefined =
-        step.verdict == Verdict::definition &&
-        std::any_of(step.diagnostics.begin(), step.diagnostics.end(),
-                    [](const Diagnostic& each) { return each.kind == DiagnosticKind::redefinition; });
+    const bool redefined = step.verdict == Verdict::definition &&
+                           std::ranges::any_of(step.diagnostics, [](const Diagnostic& each) {
+                             return each.kind == DiagnosticKind::redefinition;
+                           });
     if (redefined && tree_[left->id].op == Op::symbol) renew(tree_[left->id].symbol);
     relate({.step = statement.first_step + k,
             .left = left->id,

@@ -54,7 +54,7 @@ std::optional<DimensionWords::Blamed> DimensionWords::blamed(
     own.add(unknown, 1);
     const DimensionSystem::Reduced known = known_.reduce(own);
     const std::vector<Span> places = places_of(known.reasons, kind);
-    const bool by_time = std::any_of(known.reasons.begin(), known.reasons.end(), [&](const auto& entry) {
+    const bool by_time = std::ranges::any_of(known.reasons, [&](const auto& entry) {
       return reasons_[entry.first].kind == DimensionReason::Kind::time;
     });
     const bool alone = is_alone(equation.left, unknown) || is_alone(equation.right, unknown);
@@ -89,9 +89,9 @@ std::string DimensionWords::compared(const DimensionEquation& equation) const {
 
 Diagnostic DimensionWords::describe(const DimensionEquation& equation,
                                     const DimensionSystem::Contradiction& contradiction, Span place) const {
-  const bool by_time = std::any_of(
-      contradiction.reasons.begin(), contradiction.reasons.end(),
-      [&](const auto& entry) { return reasons_[entry.first].kind == DimensionReason::Kind::time; });
+  const bool by_time = std::ranges::any_of(contradiction.reasons, [&](const auto& entry) {
+    return reasons_[entry.first].kind == DimensionReason::Kind::time;
+  });
   const std::vector<Span> places = places_of(contradiction.reasons, DimensionReason::Kind::statement);
   const bool sides = equation.alike == Alike::sides || equation.alike == Alike::number;
   const auto blame =

@@ -20,7 +20,7 @@ enum class Part : std::uint8_t {
 
 /// A step that is not understood is a law if all that is missing is for which values it is meant.
 bool is_law(const Step& step) {
-  return std::all_of(step.diagnostics.begin(), step.diagnostics.end(), [](const Diagnostic& diagnostic) {
+  return std::ranges::all_of(step.diagnostics, [](const Diagnostic& diagnostic) {
     return diagnostic.kind == DiagnosticKind::undeclared_symbol ||
            diagnostic.kind == DiagnosticKind::unknown_change ||
            diagnostic.kind == DiagnosticKind::no_real_value || diagnostic.severity() == Severity::warning;
@@ -104,15 +104,14 @@ class Solving {
 
   /// Does one statement by itself say that the time is a number?
   bool makes_time_a_number() const {
-    return std::any_of(record_.statements.begin(), record_.statements.end(),
-                       [](const DimensionStatement& statement) {
-                         DimensionSystem alone;
-                         for (const DimensionEquation& equation : statement.equations)
-                           static_cast<void>(alone.add(equation.left, equation.right, 0));
-                         DimensionForm time;
-                         time.add(time_unknown, 1);
-                         return alone.reduce(time).form.is_none();
-                       });
+    return std::ranges::any_of(record_.statements, [](const DimensionStatement& statement) {
+      DimensionSystem alone;
+      for (const DimensionEquation& equation : statement.equations)
+        static_cast<void>(alone.add(equation.left, equation.right, 0));
+      DimensionForm time;
+      time.add(time_unknown, 1);
+      return alone.reduce(time).form.is_none();
+    });
   }
 
   /// Does a statement agree with what is known, together with what is assumed for it? The first equation that
@@ -157,8 +156,8 @@ class Solving {
     Step& step = step_of(statement);
     const bool doubt = diagnostic.kind == DiagnosticKind::dimension_doubt;
     if (doubt && (step.verdict == Verdict::proved || equation.alike == Alike::components)) return;
-    const bool known = std::any_of(report_.steps.begin(), report_.steps.end(), [&](const Step& other) {
-      return std::any_of(other.diagnostics.begin(), other.diagnostics.end(), [&](const Diagnostic& old) {
+    const bool known = std::ranges::any_of(report_.steps, [&](const Step& other) {
+      return std::ranges::any_of(other.diagnostics, [&](const Diagnostic& old) {
         return old.kind == diagnostic.kind && old.span == diagnostic.span &&
                old.message == diagnostic.message;
       });
@@ -245,8 +244,8 @@ class Solving {
         found = local->second;
       SymbolDimension entry{record_.unknowns[unknown].text, std::nullopt};
       if (found) entry.dimension = found->text();
-      const bool known = std::any_of(report_.dimensions.begin(), report_.dimensions.end(),
-                                     [&](const SymbolDimension& other) { return same(entry, other); });
+      const bool known = std::ranges::any_of(
+          report_.dimensions, [&](const SymbolDimension& other) { return same(entry, other); });
       if (!known) report_.dimensions.push_back(std::move(entry));
     }
   }

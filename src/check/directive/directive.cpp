@@ -72,8 +72,8 @@ Opening read_opening(const SourceMap& sources, Span line) {
     const std::size_t before = at;
     const std::string word = next_word(text, at);
     const bool adjective = describes_symbols(word) || (is_half(word) && opening.words.empty());
-    const bool kind_known = std::any_of(opening.words.begin(), opening.words.end(),
-                                        [](const std::string& known) { return !is_adjective(known); });
+    const bool kind_known =
+        std::ranges::any_of(opening.words, [](const std::string& known) { return !is_adjective(known); });
     if (kind_known && !adjective) {
       at = before;
       break;
@@ -146,8 +146,7 @@ class DirectiveReader {
       if (word == "polar" || word == "axial") directive.polar = word == "polar";
     }
     for (const std::string& word : words) {
-      const auto known = std::find_if(directive_words.begin(), directive_words.end(),
-                                      [&](const DirectiveWord& entry) { return entry.word == word; });
+      const auto known = std::ranges::find(directive_words, word, &DirectiveWord::word);
       if (known != directive_words.end()) return known->kind;
       if (!is_adjective(word)) unknown = word;
     }
@@ -261,8 +260,7 @@ class DirectiveReader {
 
   /// The dimension after the colon; what comes before it is left.
   bool take_dimension(TokenView& part, Directive& directive) {
-    const auto colon =
-        std::find_if(part.begin(), part.end(), [](const Token& token) { return is_sign(token, ":"); });
+    const auto colon = std::ranges::find_if(part, [](const Token& token) { return is_sign(token, ":"); });
     if (colon == part.end()) {
       bad(span_of(part), fmt::format("`{}` has no dimension after a colon", text_of(part)),
           "e.g. `units m: M, v: L/T, F: N`");
@@ -301,9 +299,9 @@ class DirectiveReader {
                  "a comma or `and` between two relations gives both");
     }
     const bool relation =
-        !directive.chains.empty() &&
-        std::all_of(directive.chains.begin(), directive.chains.end(),
-                    [](const ParsedChain& chain) { return !chain.written.relations.empty(); });
+        !directive.chains.empty() && std::ranges::all_of(directive.chains, [](const ParsedChain& chain) {
+          return !chain.written.relations.empty();
+        });
     if (!relation)
       return bad(directive.span, "the directive holds no equation",
                  "e.g. `given \\sum_\\alpha m_\\alpha \\mathbf{r}_\\alpha = 0`");

@@ -16,8 +16,7 @@ bool in_name(char c) { return is_letter(c) || c == '-' || c == '_'; }
 Diagnostic no_warning(const std::string& name, Span place) {
   Diagnostic diagnostic{DiagnosticKind::bad_directive, place, fmt::format("`{}` is not a warning", name)};
   const auto table = diagnostic_table();
-  const auto known = std::find_if(table.begin(), table.end(),
-                                  [&](const DiagnosticInfo& entry) { return entry.name == name; });
+  const auto known = std::ranges::find(table, name, &DiagnosticInfo::name);
   if (known != table.end()) {
     diagnostic.message = fmt::format("`{}` is not a warning and cannot be silenced or asked for", name);
     return diagnostic;
@@ -55,7 +54,7 @@ bool read_warning_names(const SourceMap& sources, Span rest, Directive& directiv
       continue;
     }
     const auto table = diagnostic_table();
-    const auto known = std::find_if(table.begin(), table.end(), [&](const DiagnosticInfo& entry) {
+    const auto known = std::ranges::find_if(table, [&](const DiagnosticInfo& entry) {
       return entry.name == name && entry.severity == Severity::warning;
     });
     good = good && known != table.end();

@@ -20,10 +20,9 @@ namespace {
 
 bool is_open(const Judgement& judgement) {
   const bool law = judgement.verdict == Verdict::not_understood &&
-                   std::any_of(judgement.diagnostics.begin(), judgement.diagnostics.end(),
-                               [](const Diagnostic& diagnostic) {
-                                 return diagnostic.kind == DiagnosticKind::undeclared_symbol;
-                               });
+                   std::ranges::any_of(judgement.diagnostics, [](const Diagnostic& diagnostic) {
+                     return diagnostic.kind == DiagnosticKind::undeclared_symbol;
+                   });
   return law || judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided;
 }
 
@@ -83,8 +82,8 @@ class Heeding {
       for (const Fact& fact : at_.facts) {
         if (is_one_of(&fact, bearing)) continue;
         const std::set<SymbolId> letters = letters_of(fact.equation);
-        const bool meets = std::any_of(letters.begin(), letters.end(),
-                                       [&](SymbolId letter) { return reached.contains(letter); });
+        const bool meets =
+            std::ranges::any_of(letters, [&](SymbolId letter) { return reached.contains(letter); });
         if (!meets) continue;
         bearing.push_back(&fact);
         reached.insert(letters.begin(), letters.end());
@@ -261,7 +260,7 @@ class Heeding {
   void keep_what_is_asked(Counterexample& example) const {
     using Values = std::vector<Counterexample::Value>;
     const auto is_one_of = [](const Values& values, const Counterexample::Value& value) {
-      return std::any_of(values.begin(), values.end(), [&](const Counterexample::Value& each) {
+      return std::ranges::any_of(values, [&](const Counterexample::Value& each) {
         return each.symbol == value.symbol && each.rank == value.rank &&
                (each.particle > 0) == (value.particle > 0);
       });
@@ -319,11 +318,9 @@ class Heeding {
     const auto case_word = word_of_a_case(sentence_);
     std::vector<NamedDefinition> borrowed;
     for (const NamedDefinition& named : *names_.scope.definitions) {
-      const bool asked = std::any_of(judgement_.question.definitions.begin(),
-                                     judgement_.question.definitions.end(), [&](const Definition& each) {
-                                       return base_of(tree_.symbols, each.symbol) ==
-                                              base_of(tree_.symbols, named.definition.symbol);
-                                     });
+      const bool asked = std::ranges::any_of(judgement_.question.definitions, [&](const Definition& each) {
+        return base_of(tree_.symbols, each.symbol) == base_of(tree_.symbols, named.definition.symbol);
+      });
       if (!asked || named.origin.directive) continue;
       const bool in_between = case_word && named.origin.event != at_.event;
       if (is_said_for(at_, named.origin) && !in_between) continue;
@@ -368,7 +365,7 @@ class Heeding {
 bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& claim) {
   if (claim.for_all) return true;
   const std::set<SymbolId> letters = letters_of(tree, names, claim.equation);
-  return !letters.empty() && std::all_of(letters.begin(), letters.end(), [&](SymbolId each) {
+  return !letters.empty() && std::ranges::all_of(letters, [&](SymbolId each) {
     return is_for_all(names.scope, each) || definition_of(names.scope, each) != nullptr;
   });
 }
@@ -384,9 +381,8 @@ bool is_used_here(const Standpoint& at, const Names& names, const Origin& origin
   for (const UseDirective& use : at.uses) {
     if (!at.prose.sections.reaches(use.place, at.beside().place)) continue;
     const bool by_letter = key != nullptr && is_one_of(key->base, use.letters);
-    const bool by_place = std::any_of(use.places.begin(), use.places.end(), [&](const std::string& place) {
-      return origin.text.ends_with(" " + place);
-    });
+    const bool by_place = std::ranges::any_of(
+        use.places, [&](const std::string& place) { return origin.text.ends_with(" " + place); });
     if (!by_letter && !by_place) continue;
     used.insert(use.directive);
     return true;

@@ -34,7 +34,7 @@ bool is_power_of_ten(const ExprTree& tree, ExprId id) {
 /// `\mathrm{h}`, which is 3600 s.
 bool is_of_units(const ExprTree& tree, ExprId id) {
   const std::vector<SymbolId> symbols = symbols_in(tree, id);
-  return !symbols.empty() && std::all_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+  return !symbols.empty() && std::ranges::all_of(symbols, [&](SymbolId symbol) {
     return tree.symbols[symbol].unit_of_measure.has_value();
   });
 }

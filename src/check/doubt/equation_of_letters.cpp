@@ -21,7 +21,7 @@ std::vector<std::string_view> last_words(std::string_view lead) {
 
 bool is_of_scalars(const ExprTree& tree, ExprId side) {
   const std::vector<SymbolId> symbols = symbols_in(tree, side);
-  return tree[side].rank == 0 && std::all_of(symbols.begin(), symbols.end(), [&](SymbolId id) {
+  return tree[side].rank == 0 && std::ranges::all_of(symbols, [&](SymbolId id) {
            const Symbol& symbol = tree.symbols[id];
            return !symbol.derivation && !symbol.rotation && !symbol.per_particle && !symbol.unit_of_measure;
          });
@@ -30,9 +30,8 @@ bool is_of_scalars(const ExprTree& tree, ExprId side) {
 template <class Test>
 bool holds_anywhere(const ExprTree& tree, ExprId id, const Test& test) {
   if (test(tree[id])) return true;
-  const auto children = tree.children(id);
-  return std::any_of(children.begin(), children.end(),
-                     [&](ExprId child) { return holds_anywhere(tree, child, test); });
+  return std::ranges::any_of(tree.children(id),
+                             [&](ExprId child) { return holds_anywhere(tree, child, test); });
 }
 
 bool has_sum(const ExprTree& tree, ExprId id) {
@@ -48,8 +47,7 @@ bool is_product_of_sums(const ExprTree& tree, ExprId id) {
 /// `u^2 - 2uv + v^2`
 bool is_expanded(const ExprTree& tree, ExprId id) {
   if (tree[id].op != Op::add) return false;
-  const auto terms = tree.children(id);
-  return std::none_of(terms.begin(), terms.end(), [&](ExprId term) { return has_sum(tree, term); });
+  return std::ranges::none_of(tree.children(id), [&](ExprId term) { return has_sum(tree, term); });
 }
 
 bool divides(const ExprTree& tree, ExprId id) {
@@ -60,8 +58,7 @@ bool divides(const ExprTree& tree, ExprId id) {
 /// `1/a + 1/b`
 bool is_sum_of_fractions(const ExprTree& tree, ExprId id) {
   if (tree[id].op != Op::add) return false;
-  const auto terms = tree.children(id);
-  return std::all_of(terms.begin(), terms.end(), [&](ExprId term) { return divides(tree, term); });
+  return std::ranges::all_of(tree.children(id), [&](ExprId term) { return divides(tree, term); });
 }
 
 /// `(a + c)/(b + d)`

@@ -31,7 +31,7 @@ std::optional<OpenPart> unread_part(const SyntaxTree& syntax, const ParsedChain&
     if (syntax[id].kind != SyntaxKind::opaque || is_malformation(syntax.obstacle(id).kind)) continue;
     return OpenPart{syntax[id].span, syntax.obstacle(id).message};
   }
-  const auto unread = std::find_if(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& each) {
+  const auto unread = std::ranges::find_if(diagnostics, [](const Diagnostic& each) {
     return each.severity() == Severity::not_understood && each.kind != DiagnosticKind::undeclared_symbol;
   });
   if (unread != diagnostics.end()) return OpenPart{unread->span, unread->message};
@@ -43,10 +43,9 @@ std::optional<OpenPart> unread_part(const SyntaxTree& syntax, const ParsedChain&
 
 /// `|n> = …`: the sign may close what the bar opens.
 std::optional<OpenPart> angle(const WrittenChain& written) {
-  const auto found =
-      std::find_if(written.relations.begin(), written.relations.end(), [](const auto& relation) {
-        return relation.kind == RelationKind::less || relation.kind == RelationKind::greater;
-      });
+  const auto found = std::ranges::find_if(written.relations, [](const auto& relation) {
+    return relation.kind == RelationKind::less || relation.kind == RelationKind::greater;
+  });
   if (found == written.relations.end()) return std::nullopt;
   return OpenPart{found->span, fmt::format("`{}` can be a bracket", found->text)};
 }
@@ -192,8 +191,8 @@ bool is_malformation(DiagnosticKind kind) {
 
 void doubt_errors(const SyntaxTree& syntax, const Names& names, const ParsedChain& parsed, std::size_t which,
                   Diagnostics& diagnostics) {
-  const bool any = std::any_of(diagnostics.begin(), diagnostics.end(),
-                               [](const Diagnostic& each) { return is_malformation(each.kind); });
+  const bool any =
+      std::ranges::any_of(diagnostics, [](const Diagnostic& each) { return is_malformation(each.kind); });
   if (!any) return;
   const std::optional<OpenPart> row = unread_part(syntax, parsed, diagnostics);
   for (Diagnostic& diagnostic : diagnostics) {

@@ -40,8 +40,8 @@ bool is_another_case(std::string_view earlier, std::string_view lead) {
   const std::vector<std::string_view> first = words_of_clause(earlier);
   const std::vector<std::string_view> second = words_of_clause(lead);
   if (first.empty() || second.empty()) return false;
-  const bool contrasts = std::any_of(second.begin(), second.end(),
-                                     [](std::string_view word) { return is_one_of(word, contrasting); });
+  const bool contrasts =
+      std::ranges::any_of(second, [](std::string_view word) { return is_one_of(word, contrasting); });
   return contrasts || (is_one_of(first[0], opening) && is_one_of(second[0], opening));
 }
 

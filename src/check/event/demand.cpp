@@ -44,9 +44,9 @@ std::set<std::string> bases_in(const Notes& notes, const Names& names) {
   const auto take = [&](SyntaxId root) { bases.merge(bases_below(notes.syntax, root, names)); };
   for (const Event& event : notes.events) {
     if (const auto* placed = std::get_if<PlacedDirective>(&event))
-      std::for_each(placed->directive.symbols.begin(), placed->directive.symbols.end(), take);
+      std::ranges::for_each(placed->directive.symbols, take);
     if (const auto* chains = chains_of(event)) {
-      for (const ParsedChain& chain : *chains) std::for_each(chain.sides.begin(), chain.sides.end(), take);
+      for (const ParsedChain& chain : *chains) std::ranges::for_each(chain.sides, take);
     }
   }
   return bases;
@@ -131,8 +131,8 @@ std::optional<DemandedMeaning> meaning_of(const SyntaxTree& syntax, SyntaxId sid
   meaning.base = name.base;
   meaning.rate = meaning.rate || symbol.dots > 0;
   const bool component =
-      std::any_of(name.axes.begin(), name.axes.end(),
-                  [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; }) &&
+      std::ranges::any_of(name.axes,
+                          [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; }) &&
       (name.axes.size() > 1 || names.symbols.sightings->bold.contains({name.base, name.per_particle()}));
   if (component && !meaning.rate) return std::nullopt;
   return meaning;
@@ -177,7 +177,7 @@ std::set<const ParsedChain*> chains_needed(const Notes& notes, const Names& name
     for (const ParsedChain& chain : *chains) {
       Mentioned mentioned;
       for (const SyntaxId side : chain.sides) mentioned.take(mentioned_in(notes.syntax, side, names));
-      const bool is_wanted = std::any_of(wanted.begin(), wanted.end(), [&](const NamedPlace& place) {
+      const bool is_wanted = std::ranges::any_of(wanted, [&](const NamedPlace& place) {
         return k >= place.first && k < place.behind && (place.tag.empty() || place.tag == chain.written.tag);
       });
       if (is_wanted) {

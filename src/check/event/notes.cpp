@@ -248,7 +248,7 @@ class CheckedNotesReader {
     const auto* display = std::get_if<ParsedDisplay>(&event);
     if (display == nullptr || (anchor.kind != AnchorKind::tag && anchor.kind != AnchorKind::label))
       return false;
-    return std::any_of(display->chains.begin(), display->chains.end(), [&](const ParsedChain& chain) {
+    return std::ranges::any_of(display->chains, [&](const ParsedChain& chain) {
       return (anchor.kind == AnchorKind::tag ? chain.written.tag : chain.written.label) == anchor.text;
     });
   }

@@ -22,7 +22,7 @@ std::vector<WrittenStatement> statements_in(const Notes& notes) {
 
 std::vector<SyntaxId> nodes_below(const SyntaxTree& syntax, std::vector<SyntaxId> roots) {
   std::vector<SyntaxId> nodes;
-  std::reverse(roots.begin(), roots.end());
+  std::ranges::reverse(roots);
   while (!roots.empty()) {
     const SyntaxId id = roots.back();
     roots.pop_back();
@@ -36,7 +36,7 @@ std::vector<SyntaxId> nodes_below(const SyntaxTree& syntax, std::vector<SyntaxId
 std::vector<ExprId> nodes_below(const ExprTree& tree, std::vector<ExprId> roots) {
   std::vector<ExprId> nodes;
   std::set<ExprId> reached;
-  std::reverse(roots.begin(), roots.end());
+  std::ranges::reverse(roots);
   while (!roots.empty()) {
     const ExprId id = roots.back();
     roots.pop_back();

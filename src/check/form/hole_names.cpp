@@ -68,7 +68,7 @@ class NameTrial {
     if (!whole && !lettered) return;
     const auto by_letter = [](const Slot& a, const Slot& b) { return a.variable < b.variable; };
     std::vector<Slot> order = slots;
-    std::sort(order.begin(), order.end(), by_letter);
+    std::ranges::sort(order, by_letter);
     try_at(symbol, slots);
     const bool one_order = known.symmetric || slots.size() < 2 || slots.size() > 3;
     do {
@@ -78,9 +78,8 @@ class NameTrial {
   }
 
   static bool is_same(const std::vector<Slot>& a, const std::vector<Slot>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Slot& x, const Slot& y) {
-      return x.variable == y.variable && x.axis == y.axis;
-    });
+    return std::ranges::equal(
+        a, b, [](const Slot& x, const Slot& y) { return x.variable == y.variable && x.axis == y.axis; });
   }
 
   void try_at(SymbolId symbol, const std::vector<Slot>& slots) {

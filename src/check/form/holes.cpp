@@ -85,7 +85,7 @@ class HoleReader {
  private:
   /// A hole whose letters or face are written has one shape.
   bool is_known(const std::vector<HoleReading>& readings, const HoleReading& other) const {
-    return std::any_of(readings.begin(), readings.end(), [&](const HoleReading& each) {
+    return std::ranges::any_of(readings, [&](const HoleReading& each) {
       return chain_.tree[each.node].rank == chain_.tree[other.node].rank;
     });
   }
@@ -125,8 +125,8 @@ class HoleReader {
     std::vector<std::string> letters;
     const auto add_missing = [&](const std::vector<FreeIndex>& from, const std::vector<FreeIndex>& in) {
       for (const FreeIndex& each : from) {
-        const bool both = std::any_of(in.begin(), in.end(),
-                                      [&](const FreeIndex& old) { return old.letter == each.letter; });
+        const bool both =
+            std::ranges::any_of(in, [&](const FreeIndex& old) { return old.letter == each.letter; });
         if (!both) letters.push_back(each.letter);
       }
     };
@@ -177,7 +177,7 @@ class HoleReader {
   /// Its derivative is a symbol of its own, in which no value can be put.
   bool is_differentiated(const HoleReading& found) const {
     const std::vector<SymbolId> symbols = symbols_in(chain_.tree, found.claim.right);
-    return std::any_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+    return std::ranges::any_of(symbols, [&](SymbolId symbol) {
       return symbol != found.symbol && base_of(chain_.tree.symbols, symbol) == found.symbol;
     });
   }

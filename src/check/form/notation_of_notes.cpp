@@ -18,8 +18,7 @@ using LetterCounts = std::map<std::string, int>;
 
 /// What stands most often, the first one in order where several do.
 std::string most_frequent(const LetterCounts& counts) {
-  const auto best = std::max_element(counts.begin(), counts.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto best = std::ranges::max_element(counts, {}, &LetterCounts::value_type::second);
   return best == counts.end() ? std::string() : best->first;
 }
 
@@ -90,7 +89,7 @@ class Sighting {
       if (!is_control(tokens[at], "frac")) continue;
       const TokenView above = trim(argument_at(tokens, at + 1).content);
       const auto digit = [](const Token& token) { return token.kind == TokenKind::digit; };
-      if (std::all_of(above.begin(), above.end(), digit)) ++number_fractions_;
+      if (std::ranges::all_of(above, digit)) ++number_fractions_;
     }
     std::vector<SyntaxId> open{root};
     while (!open.empty()) {

@@ -41,9 +41,8 @@ void define_pi(ExprTree& tree, Question& question, std::span<const ExprId> expre
       const Symbol& letter = tree.symbols[symbol];
       const bool is_pi = letter.name == "\\pi" && letter.rank == 0 && !letter.per_particle &&
                          !letter.declared && !letter.derivation;
-      const bool known =
-          std::any_of(question.definitions.begin(), question.definitions.end(),
-                      [&](const Definition& definition) { return definition.symbol == symbol; });
+      const bool known = std::ranges::any_of(
+          question.definitions, [&](const Definition& definition) { return definition.symbol == symbol; });
       if (!is_pi || known) continue;
       Definition pi{.symbol = symbol};
       pi.body = tree.add_number(letter.first_seen, digits);

@@ -19,8 +19,8 @@ Step* step_at(const LintInput& input, Span place, FileReport& report) {
     const Span both = cover(input.tree[stated.left].span, input.tree[stated.right].span);
     if (lies_in(place, both)) return &report.steps[stated.step];
   }
-  const auto found = std::find_if(report.steps.begin(), report.steps.end(),
-                                  [&](const Step& step) { return lies_in(place, step.span); });
+  const auto found =
+      std::ranges::find_if(report.steps, [&](const Step& step) { return lies_in(place, step.span); });
   return found == report.steps.end() ? nullptr : &*found;
 }
 

@@ -12,8 +12,8 @@ namespace rigor {
 namespace {
 
 bool is_plain(const WrittenSymbol& symbol) {
-  const bool primed_index = std::any_of(symbol.lower.begin(), symbol.lower.end(),
-                                        [](const WrittenIndex& index) { return index.primes > 0; });
+  const bool primed_index =
+      std::ranges::any_of(symbol.lower, [](const WrittenIndex& index) { return index.primes > 0; });
   return symbol.face == Face::plain && symbol.accent == Accent::none && !primed_index;
 }
 
@@ -28,7 +28,7 @@ Findings lint_faces(const LintInput& input) {
       if (syntax[id].kind == SyntaxKind::symbol) symbols.push_back(id);
     }
   }
-  const auto bold = std::find_if(symbols.begin(), symbols.end(), [&](SyntaxId id) {
+  const auto bold = std::ranges::find_if(symbols, [&](SyntaxId id) {
     return syntax.symbol(id).face == Face::vector && syntax.symbol(id).letter != "\\nabla";
   });
   Findings findings;

@@ -61,11 +61,10 @@ std::optional<Framed> only_framed(const LintInput& input, SyntaxId term) {
 
 /// Does the statement carry components or rates over?
 bool carries_over(const SyntaxTree& syntax, const std::vector<SyntaxId>& nodes, bool rates) {
-  return std::any_of(nodes.begin(), nodes.end(), [&](SyntaxId id) {
-    const auto children = syntax.children(id);
+  return std::ranges::any_of(nodes, [&](SyntaxId id) {
     if (rates) {
-      return std::any_of(children.begin(), children.end(),
-                         [](const SyntaxChild& child) { return child.joint == Joint::cross; });
+      return std::ranges::any_of(syntax.children(id),
+                                 [](const SyntaxChild& child) { return child.joint == Joint::cross; });
     }
     if (syntax[id].kind == SyntaxKind::function) return true;
     if (syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).lower.size() != 2) return false;
@@ -79,9 +78,8 @@ std::set<Extent> components_in(const LintInput& input) {
   std::set<Extent> components;
   for (const StatedEquation& stated : input.stated) {
     for (const ExprId id : nodes_below(input.tree, {stated.left, stated.right})) {
-      const auto slots = input.tree.slots(id);
       const bool axis =
-          std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.axis != 0; });
+          std::ranges::any_of(input.tree.slots(id), [](const Slot& slot) { return slot.axis != 0; });
       if (axis) components.insert(extent_of(input.tree[id].span));
     }
   }

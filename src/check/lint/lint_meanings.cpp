@@ -51,7 +51,7 @@ std::string_view letter_of(std::string_view name) {
 /// Does a unit vector of the same letter stand here? Perhaps it is the vector's own direction.
 bool has_direction(const ExprTree& tree, ExprId root, SymbolId vector) {
   const std::vector<SymbolId> symbols = symbols_in(tree, root);
-  return std::any_of(symbols.begin(), symbols.end(), [&](SymbolId other) {
+  return std::ranges::any_of(symbols, [&](SymbolId other) {
     return other != vector && tree.symbols[other].unit &&
            letter_of(tree.symbols[other].name) == letter_of(tree.symbols[vector].name);
   });

@@ -76,7 +76,7 @@ class ParityReader {
 
   std::optional<Parity> read(ExprId root) {
     std::vector<ExprId> nodes = nodes_below(tree_, {root});
-    std::sort(nodes.begin(), nodes.end());  // children before parents
+    std::ranges::sort(nodes);  // children before parents
     for (const ExprId id : nodes) known_.try_emplace(id, of(id));
     return known_.at(root);
   }

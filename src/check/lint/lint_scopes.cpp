@@ -77,7 +77,7 @@ bool LintScopes::asks_for(DiagnosticKind kind, Span place) const {
 }
 
 bool LintScopes::asks_somewhere(DiagnosticKind kind) const {
-  return std::any_of(scopes_.begin(), scopes_.end(), [&](const Scope& scope) {
+  return std::ranges::any_of(scopes_, [&](const Scope& scope) {
     const std::vector<DiagnosticKind>& kinds = scope.directive->warnings;
     return scope.directive->kind == DirectiveKind::warn && is_one_of(kind, kinds);
   });

@@ -59,7 +59,7 @@ Findings lint_subscripts(const LintInput& input) {
     for (const SyntaxId id : nodes) {
       if (syntax[id].kind != SyntaxKind::symbol) continue;
       const std::string letter = hidden_in(syntax.symbol(id).lower);
-      const bool index = !letter.empty() && std::any_of(nodes.begin(), nodes.end(), [&](SyntaxId other) {
+      const bool index = !letter.empty() && std::ranges::any_of(nodes, [&](SyntaxId other) {
         return is_index_of(syntax, other, letter);
       });
       if (!index) continue;

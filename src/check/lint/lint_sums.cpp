@@ -12,7 +12,7 @@ namespace rigor {
 namespace {
 
 bool has(const std::vector<WrittenIndex>& indices, const WrittenIndex& index) {
-  return std::any_of(indices.begin(), indices.end(), [&](const WrittenIndex& other) {
+  return std::ranges::any_of(indices, [&](const WrittenIndex& other) {
     return other.text == index.text && other.primes == index.primes;
   });
 }
@@ -24,9 +24,8 @@ bool stands_at(const SyntaxTree& syntax, SyntaxId id, const WrittenIndex& index)
     case SyntaxKind::component:
       return has(syntax.indices(id), index);
     case SyntaxKind::derivative: {
-      const auto& by = syntax.derivative(id).by;
-      return std::any_of(by.begin(), by.end(),
-                         [&](const WrittenVariable& each) { return has(each.symbol.lower, index); });
+      return std::ranges::any_of(syntax.derivative(id).by,
+                                 [&](const WrittenVariable& each) { return has(each.symbol.lower, index); });
     }
     default:
       return false;
@@ -41,9 +40,8 @@ Findings lint_sums(const LintInput& input) {
   for (const WrittenStatement& statement : statements_in(input.notes)) {
     for (const SyntaxId id : nodes_below(syntax, statement.chain->sides)) {
       if (syntax[id].kind != SyntaxKind::big_sum) continue;
-      const std::vector<SyntaxId> body = nodes_below(syntax, {syntax.child(id, 0)});
       const auto any = [&](const auto& predicate) {
-        return std::any_of(body.begin(), body.end(), predicate);
+        return std::ranges::any_of(nodes_below(syntax, {syntax.child(id, 0)}), predicate);
       };
       const bool unread = any([&](SyntaxId part) { return syntax[part].kind == SyntaxKind::opaque; });
       const bool counts = !any([&](SyntaxId part) { return syntax[part].kind == SyntaxKind::symbol; });

@@ -15,8 +15,7 @@ bool is_plain_zero(std::string_view written) { return written == "0"; }
 bool writes_vector_zero(const LintInput& input) {
   const SyntaxTree& syntax = input.notes.syntax;
   for (const WrittenStatement& statement : statements_in(input.notes)) {
-    const std::vector<SyntaxId> nodes = nodes_below(syntax, statement.chain->sides);
-    const bool found = std::any_of(nodes.begin(), nodes.end(), [&](SyntaxId id) {
+    const bool found = std::ranges::any_of(nodes_below(syntax, statement.chain->sides), [&](SyntaxId id) {
       return syntax[id].kind == SyntaxKind::number && syntax.text(id) == "0" &&
              input.sources.text(syntax[id].span).starts_with('\\');
     });

@@ -77,9 +77,8 @@ class ComplexValues {
   }
 
   bool is_complex(ExprId id) const {
-    const std::vector<SymbolId> symbols = symbols_in(tree_, id);
-    return std::any_of(symbols.begin(), symbols.end(),
-                       [&](SymbolId symbol) { return complex_.contains(symbol); });
+    return std::ranges::any_of(symbols_in(tree_, id),
+                               [&](SymbolId symbol) { return complex_.contains(symbol); });
   }
 
   void draw(std::uint64_t seed) {
@@ -152,8 +151,7 @@ class ComplexValues {
 
   const Definition* definition_of(ExprId id) const {
     if (tree_[id].op != Op::symbol) return nullptr;
-    const auto found = std::find_if(question_.definitions.begin(), question_.definitions.end(),
-                                    [&](const Definition& each) { return each.symbol == tree_[id].symbol; });
+    const auto found = std::ranges::find(question_.definitions, tree_[id].symbol, &Definition::symbol);
     return found == question_.definitions.end() ? nullptr : &*found;
   }
 
@@ -197,8 +195,8 @@ bool is_met(Relation relation, Complex left, Complex right) {
 }
 
 bool shares(const ExprTree& tree, ExprId side, const std::set<SymbolId>& symbols) {
-  const std::vector<SymbolId> own = symbols_in(tree, side);
-  return std::any_of(own.begin(), own.end(), [&](SymbolId symbol) { return symbols.contains(symbol); });
+  return std::ranges::any_of(symbols_in(tree, side),
+                             [&](SymbolId symbol) { return symbols.contains(symbol); });
 }
 
 }  // namespace
@@ -225,13 +223,12 @@ bool holds_for_complex(const Question& question, const std::set<SymbolId>& symbo
     return (order && is_of_complex(each)) || values.tells_apart(each.left) || values.tells_apart(each.right);
   };
   const bool asked = (claim.relation == Relation::unequal && is_of_complex(claim)) || tells_apart(claim) ||
-                     std::any_of(question.assumptions.begin(), question.assumptions.end(), tells_apart);
+                     std::ranges::any_of(question.assumptions, tells_apart);
   if (!asked) return true;
   const ExprTree& tree = *question.tree;
-  const bool assumed =
-      std::any_of(question.assumptions.begin(), question.assumptions.end(), [&](const Equation& each) {
-        return shares(tree, each.left, symbols) || shares(tree, each.right, symbols);
-      });
+  const bool assumed = std::ranges::any_of(question.assumptions, [&](const Equation& each) {
+    return shares(tree, each.left, symbols) || shares(tree, each.right, symbols);
+  });
   if (assumed) return false;
   constexpr std::uint64_t trials = 6;
   for (std::uint64_t seed = 1; seed <= trials; ++seed) {

@@ -123,7 +123,7 @@ class Products {
   /// `(a + b)c = c(a + b)`.
   void add_sum(ExprId id, std::vector<Factor>& word) {
     std::vector<SymbolId> symbols = symbols_in(tree_, id);
-    const bool numbers = std::any_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+    const bool numbers = std::ranges::any_of(symbols, [&](SymbolId symbol) {
       return tree_.symbols[symbol].rank != 0 || tree_.symbols[symbol].derivation.has_value();
     });
     if (symbols.empty() || numbers || in_bars_ || tree_[id].weight > heaviest_sum) return;
@@ -252,11 +252,11 @@ bool is_single_capital(const ExprTree& tree, const Names& names, SymbolId symbol
 }
 
 bool is_defined_by_numbers(const Question& question, const Names& names, SymbolId symbol) {
-  return std::any_of(question.definitions.begin(), question.definitions.end(), [&](const Definition& each) {
+  return std::ranges::any_of(question.definitions, [&](const Definition& each) {
     if (each.symbol != symbol) return false;
-    const std::vector<SymbolId> body = symbols_in(*question.tree, each.body);
-    return std::none_of(body.begin(), body.end(),
-                        [&](SymbolId inside) { return is_single_capital(*question.tree, names, inside); });
+    return std::ranges::none_of(symbols_in(*question.tree, each.body), [&](SymbolId inside) {
+      return is_single_capital(*question.tree, names, inside);
+    });
   });
 }
 

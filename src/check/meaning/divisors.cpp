@@ -42,7 +42,7 @@ std::vector<SymbolId> divisors_of_sample(const ExprTree& tree, const Names& name
   const auto is_zero = [](const SampleValue& value) {
     return value.components.size() == 1 && value.components[0] == "0";
   };
-  if (std::none_of(sample.values.begin(), sample.values.end(), is_zero)) return {};
+  if (std::ranges::none_of(sample.values, is_zero)) return {};
   std::set<SymbolId> divisors;
   for (const NamedDefinition& each : *names.scope.definitions)
     add_divisors(tree, each.definition.body, divisors);

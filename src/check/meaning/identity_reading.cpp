@@ -109,8 +109,8 @@ bool says_that_terms_vanish(const ExprTree& tree, const Equation& claim) {
   add_terms(tree, claim.left, false, more);
   add_terms(tree, claim.right, false, fewer);
   if (more.size() < fewer.size()) std::swap(more, fewer);
-  return std::all_of(fewer.begin(), fewer.end(), [&](const SignedTerm& term) {
-    const auto same = std::find_if(more.begin(), more.end(), [&](const SignedTerm& other) {
+  return std::ranges::all_of(fewer, [&](const SignedTerm& term) {
+    const auto same = std::ranges::find_if(more, [&](const SignedTerm& other) {
       return other.negative == term.negative && same_expression(tree, other.id, tree, term.id);
     });
     if (same == more.end()) return false;
@@ -125,7 +125,7 @@ bool is_condition_on_zero(const Question& question, ExprId side, const Degrees& 
                           DecisionCache* cache) {
   if (degrees.size() == 1 && degrees.begin()->second == 1) return true;
   const std::vector<ExprId> terms = bare_terms(*question.tree, side);
-  return !terms.empty() && std::all_of(terms.begin(), terms.end(), [&](ExprId term) {
+  return !terms.empty() && std::ranges::all_of(terms, [&](ExprId term) {
     Question same = question;
     same.claim.left = term;
     same.claim.right = terms.front();
@@ -167,8 +167,7 @@ std::vector<SymbolId> symbols_below(const Question& question, ExprId root, const
     pending.pop_back();
     for (const SymbolId symbol : symbols_in(*question.tree, id)) {
       if (!done.insert(symbol).second) continue;
-      const auto definition = std::find_if(question.definitions.begin(), question.definitions.end(),
-                                           [&](const Definition& entry) { return entry.symbol == symbol; });
+      const auto definition = std::ranges::find(question.definitions, symbol, &Definition::symbol);
       if (definition == question.definitions.end()) {
         primitive.push_back(symbol);
       } else if (!kept.contains(base_of(symbols, symbol))) {
@@ -205,18 +204,16 @@ OwnSymbols own_symbols(const std::set<SymbolId>& left, const std::set<SymbolId>&
 bool are_a_term_of_their_own(const Question& question, ExprId side, const std::set<SymbolId>& own) {
   const ExprTree& tree = *question.tree;
   const auto holds_own = [&](ExprId id) {
-    const std::vector<SymbolId> written = symbols_in(tree, id);
-    return std::any_of(written.begin(), written.end(), [&](SymbolId each) { return own.contains(each); });
+    return std::ranges::any_of(symbols_in(tree, id), [&](SymbolId each) { return own.contains(each); });
   };
   if (!holds_own(side)) return true;  // a definition brings them in
-  if (std::any_of(own.begin(), own.end(),
-                  [&](SymbolId each) { return tree.symbols[each].derivation.has_value(); }))
+  if (std::ranges::any_of(own, [&](SymbolId each) { return tree.symbols[each].derivation.has_value(); }))
     return true;  // a derivative of a product does
   while (tree[side].op == Op::component || tree[side].op == Op::index_sum) side = tree.children(side)[0];
   std::vector<SignedTerm> terms;
   add_terms(tree, side, false, terms);
   const auto holding =
-      std::count_if(terms.begin(), terms.end(), [&](const SignedTerm& term) { return holds_own(term.id); });
+      std::ranges::count_if(terms, [&](const SignedTerm& term) { return holds_own(term.id); });
   return terms.size() > 1 && holding == 1;
 }
 
@@ -241,9 +238,9 @@ std::vector<SymbolId> law_symbols(const Question& question, const NameScope& sco
   if (tree.is_zero_literal(question.claim.left))
     return law_against_zero(question, question.claim.right, open, cache);
 
-  const bool defines = std::any_of(
-      question.definitions.begin(), question.definitions.end(),
-      [&](const Definition& each) { return !frames.contains(base_of(tree.symbols, each.symbol)); });
+  const bool defines = std::ranges::any_of(question.definitions, [&](const Definition& each) {
+    return !frames.contains(base_of(tree.symbols, each.symbol));
+  });
   if (!frames.empty() && !defines) {
     const OwnSymbols written = own_symbols(as_set(symbols_below(question, question.claim.left, frames)),
                                            as_set(symbols_below(question, question.claim.right, frames)));

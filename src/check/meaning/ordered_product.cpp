@@ -57,9 +57,8 @@ class WordReader {
 
  private:
   bool holds_ordered(ExprId id) const {
-    const std::vector<SymbolId> symbols = symbols_in(tree_, id);
-    return std::any_of(symbols.begin(), symbols.end(),
-                       [&](SymbolId symbol) { return ordered_.contains(symbol); });
+    return std::ranges::any_of(symbols_in(tree_, id),
+                               [&](SymbolId symbol) { return ordered_.contains(symbol); });
   }
 
   /// What is not looked into: a symbol, or a whole without an ordered symbol in it.
@@ -113,7 +112,7 @@ class WordReader {
       for (const auto& [second, other] : right) {
         OrderedWord word = first;
         word.commuting.insert(word.commuting.end(), second.commuting.begin(), second.commuting.end());
-        std::sort(word.commuting.begin(), word.commuting.end());
+        std::ranges::sort(word.commuting);
         for (const std::string& factor : second.ordered) append(word.ordered, factor);
         const bool small = std::max(std::abs(count), std::abs(other)) < (1 << 20);
         const bool brief = word.ordered.size() + word.commuting.size() <= longest_word;
@@ -204,13 +203,13 @@ bool is_series(const ExprTree& tree, ExprId id, const std::set<SymbolId>& ordere
     case Op::negate:
     case Op::multiply:
     case Op::function:
-      return std::all_of(children.begin(), children.end(), inside);
+      return std::ranges::all_of(children, inside);
     case Op::power:
       return node.exponent > 0 && inside(children[0]);
     case Op::divide: {
       const std::vector<SymbolId> below = symbols_in(tree, children[1]);
       const bool free =
-          std::none_of(below.begin(), below.end(), [&](SymbolId symbol) { return ordered.contains(symbol); });
+          std::ranges::none_of(below, [&](SymbolId symbol) { return ordered.contains(symbol); });
       return free && inside(children[0]) && inside(children[1]);
     }
     default:
@@ -237,8 +236,8 @@ void remove_defined_numbers(const ExprTree& tree, const Names& names, const Ques
     const NameKey* key = key_of(names.symbols, definition.symbol);
     if (key == nullptr || names.symbols.evidence->ordered.contains(key->base.substr(0, key->base.find('_'))))
       return false;
-    const std::vector<SymbolId> body = symbols_in(tree, definition.body);
-    return std::none_of(body.begin(), body.end(), [&](SymbolId each) { return found.contains(each); });
+    return std::ranges::none_of(symbols_in(tree, definition.body),
+                                [&](SymbolId each) { return found.contains(each); });
   };
   for (bool shrunk = true; shrunk;) {
     shrunk = false;
@@ -305,8 +304,7 @@ class FactorCount {
 
   int of_symbol(SymbolId symbol) {
     const int own = ordered_.contains(symbol) ? 1 : 0;
-    const auto definition = std::find_if(question_.definitions.begin(), question_.definitions.end(),
-                                         [&](const Definition& each) { return each.symbol == symbol; });
+    const auto definition = std::ranges::find(question_.definitions, symbol, &Definition::symbol);
     return definition == question_.definitions.end() ? own : std::max(own, of(definition->body));
   }
 
@@ -321,7 +319,7 @@ namespace {
 
 /// Does an assumption speak of one of them?
 bool is_assumed(FactorCount& count, const Question& question) {
-  return std::any_of(question.assumptions.begin(), question.assumptions.end(), [&](const Equation& each) {
+  return std::ranges::any_of(question.assumptions, [&](const Equation& each) {
     return count.of(each.left) > 0 || count.of(each.right) > 0;
   });
 }
@@ -400,9 +398,8 @@ std::set<SymbolId> unit_matrices(const Names& names, const Question& question,
   std::set<SymbolId> units;
   for (const SymbolId symbol : ordered) {
     const NameKey* key = key_of(names.symbols, symbol);
-    const bool defined =
-        std::any_of(question.definitions.begin(), question.definitions.end(),
-                    [&](const Definition& definition) { return definition.symbol == symbol; });
+    const bool defined = std::ranges::any_of(
+        question.definitions, [&](const Definition& definition) { return definition.symbol == symbol; });
     if (key != nullptr && key->rank == 0 && !defined && names.symbols.evidence->units.contains(key->base))
       units.insert(symbol);
   }

@@ -28,7 +28,7 @@ namespace {
 template <class Kind>
 [[nodiscard]] const Symbol* not_for_all(const ExprTree& tree, const NameScope& scope, const Sample& sample,
                                         const Kind& is_of_kind) {
-  const auto found = std::find_if(sample.values.begin(), sample.values.end(), [&](const SampleValue& value) {
+  const auto found = std::ranges::find_if(sample.values, [&](const SampleValue& value) {
     return tree.symbols[value.symbol].rank == 0 && !is_for_all(scope, value.symbol) &&
            is_of_kind(value.components[0]);
   });

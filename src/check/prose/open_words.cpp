@@ -39,15 +39,14 @@ constexpr std::array<std::string_view, 184> neutral{
     "use",         "using",      "vector",   "vectors",   "verify",     "way",        "ways",
     "we",          "where",      "which",    "with",      "write",      "written",    "yield",
     "yields",      "you"};
-static_assert(std::is_sorted(neutral.begin(), neutral.end()));
+static_assert(std::ranges::is_sorted(neutral));
 
 std::optional<std::string> open_word_in(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
     while (end < text.size() && is_small_letter(text[end])) ++end;
     const std::string_view word = text.substr(at, end - at);
-    if (word.size() > 1 && !std::binary_search(neutral.begin(), neutral.end(), word))
-      return std::string(word);
+    if (word.size() > 1 && !std::ranges::binary_search(neutral, word)) return std::string(word);
     at = std::max(end, at + 1);
   }
   return std::nullopt;
@@ -62,9 +61,8 @@ std::optional<std::string> dropping_word_in(std::string_view text) {
     std::size_t end = at;
     while (end < text.size() && is_small_letter(text[end])) ++end;
     const std::string_view word = text.substr(at, end - at);
-    const bool drops =
-        word != "means" && word != "meaning" &&
-        std::any_of(stems.begin(), stems.end(), [&](auto stem) { return word.starts_with(stem); });
+    const bool drops = word != "means" && word != "meaning" &&
+                       std::ranges::any_of(stems, [&](auto stem) { return word.starts_with(stem); });
     if (drops && (word != "cross" || text.substr(end).starts_with(" term"))) return std::string(word);
     at = std::max(end, at + 1);
   }

@@ -47,7 +47,7 @@ bool relates(std::string_view mathematics) {
   static constexpr std::array<std::string_view, 14> signs{"=",    "<",        ">",          "\\le",  "\\ge",
                                                           "\\ne", "\\neq",    "\\leq",      "\\geq", "\\ll",
                                                           "\\gg", "\\approx", "\\parallel", "\\perp"};
-  return std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) {
+  return std::ranges::any_of(signs, [&](std::string_view sign) {
     const auto at = mathematics.find(sign);
     if (at == std::string_view::npos) return false;
     const std::size_t behind = at + sign.size();

@@ -48,10 +48,9 @@ std::optional<SaidAround> said_around(const Prose& prose, std::size_t event, con
   const ProseBeside& beside = prose.beside[event];
   const std::set<std::string> letters = letters_written(sources.text(row));
   const auto shares = [&](const ProseSentence& sentence) {
-    return std::any_of(sentence.maths.begin(), sentence.maths.end(), [&](Span maths) {
-      const std::set<std::string> there = letters_written(sources.text(maths));
-      return std::any_of(there.begin(), there.end(),
-                         [&](const auto& each) { return letters.contains(each); });
+    return std::ranges::any_of(sentence.maths, [&](Span maths) {
+      return std::ranges::any_of(letters_written(sources.text(maths)),
+                                 [&](const auto& each) { return letters.contains(each); });
     });
   };
   bool next = true;  // the first sentence after it

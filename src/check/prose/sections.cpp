@@ -14,15 +14,14 @@ namespace {
 bool names_section(const std::string& word) {
   static constexpr std::array<std::string_view, 9> names{
       "exercise", "example", "problem", "theorem", "lemma", "proposition", "corollary", "question", "task"};
-  return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return word == name; });
+  return std::ranges::any_of(names, [&](std::string_view name) { return word == name; });
 }
 
 /// What holds in a theorem holds outside of it.
 bool is_example(std::string_view name) {
   static constexpr std::array<std::string_view, 5> names{"exercise", "example", "problem", "question",
                                                          "task"};
-  return std::any_of(names.begin(), names.end(),
-                     [&](std::string_view each) { return name.starts_with(each); });
+  return std::ranges::any_of(names, [&](std::string_view each) { return name.starts_with(each); });
 }
 
 /// `**Exercise 3.** …`, `\textbf{Example:} …`: does a paragraph begin with the name of a section?
@@ -30,8 +29,8 @@ bool begins_named(std::string_view line) {
   constexpr std::string_view bold = "\\textbf{";
   if (line.starts_with(bold)) line.remove_prefix(bold.size());
   while (!line.empty() && (line.front() == '*' || line.front() == '_')) line.remove_prefix(1);
-  const auto end = static_cast<std::size_t>(
-      std::find_if(line.begin(), line.end(), [](char c) { return !is_letter(c); }) - line.begin());
+  const auto end = static_cast<std::size_t>(std::ranges::find_if(line, [](char c) { return !is_letter(c); }) -
+                                            line.begin());
   if (end == 0 || !names_section(lowered(line.substr(0, end)))) return false;
   std::string_view rest = line.substr(end);
   while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
@@ -135,7 +134,7 @@ void SectionWalk::markdown_line(std::string_view line) {
   const std::size_t column = line.find_first_not_of(" \t");
   const std::string_view rest = line.substr(column);
   if (rest.starts_with(":::")) {
-    const bool opens = std::any_of(rest.begin(), rest.end(), [](char c) { return is_letter(c); });
+    const bool opens = std::ranges::any_of(rest, [](char c) { return is_letter(c); });
     if (opens) {
       open(Kind::fence, 0);
     } else {
@@ -144,8 +143,7 @@ void SectionWalk::markdown_line(std::string_view line) {
     return;
   }
   const bool quoted = rest.front() == '>';
-  const bool in_quote =
-      std::any_of(open_.begin(), open_.end(), [](const Open& each) { return each.kind == Kind::quote; });
+  const bool in_quote = std::ranges::any_of(open_, [](const Open& each) { return each.kind == Kind::quote; });
   if (quoted && !in_quote) open(Kind::quote, 0);
   if (quoted) return;
   if (in_quote && after_blank_) close(Kind::quote);

@@ -14,9 +14,8 @@ namespace rigor {
 namespace {
 
 bool speaks_of(const ExprTree& tree, const Names& names, ExprId root, By by) {
-  const std::vector<SymbolId> symbols = symbols_in(tree, root);
-  return std::any_of(symbols.begin(), symbols.end(),
-                     [&](SymbolId each) { return is_free_variable(names, tree, each, by); });
+  return std::ranges::any_of(symbols_in(tree, root),
+                             [&](SymbolId each) { return is_free_variable(names, tree, each, by); });
 }
 
 /// Is there no value at 0, perhaps, or one that is not approached from both sides?
@@ -26,15 +25,13 @@ bool may_fail_at_zero(const ExprTree& tree, const Names& names, ExprId root) {
   if (node.op == Op::divide && speaks(tree.children(root)[1])) return true;
   if (node.op == Op::power && node.exponent < 0 && speaks(root)) return true;
   if (node.op == Op::root && speaks(root)) return true;
-  const auto children = tree.children(root);
-  return std::any_of(children.begin(), children.end(),
-                     [&](ExprId child) { return may_fail_at_zero(tree, names, child); });
+  return std::ranges::any_of(tree.children(root),
+                             [&](ExprId child) { return may_fail_at_zero(tree, names, child); });
 }
 
 /// Is it defined, or its rate given?
 bool is_ruled(const ExprTree& tree, const Names& names, SymbolId base) {
-  const auto& definitions = *names.scope.definitions;
-  return std::any_of(definitions.begin(), definitions.end(), [&](const NamedDefinition& each) {
+  return std::ranges::any_of(*names.scope.definitions, [&](const NamedDefinition& each) {
     return base_of(tree.symbols, each.definition.symbol) == base;
   });
 }
@@ -51,8 +48,7 @@ std::set<SymbolId> changing_in(const ExprTree& tree, const Names& names, const P
     for (const SymbolId symbol : symbols_in(tree, id)) {
       if (!seen.insert(symbol).second) continue;
       const auto& definitions = prepared.question.definitions;
-      const auto known = std::find_if(definitions.begin(), definitions.end(),
-                                      [&](const Definition& each) { return each.symbol == symbol; });
+      const auto known = std::ranges::find(definitions, symbol, &Definition::symbol);
       if (known != definitions.end()) pending.push_back(known->body);
       const SymbolId base = base_of(tree.symbols, symbol);
       if (known != definitions.end() || is_ruled(tree, names, base)) continue;
@@ -101,9 +97,8 @@ bool is_argument(const ExprTree& tree, ExprId root, SymbolId symbol) {
   const std::vector<SymbolId> inside = symbols_in(tree, root);
   if (!is_one_of(symbol, inside)) return false;
   if (tree[root].op == Op::function) return true;
-  const auto children = tree.children(root);
-  return std::any_of(children.begin(), children.end(),
-                     [&](ExprId child) { return is_argument(tree, child, symbol); });
+  return std::ranges::any_of(tree.children(root),
+                             [&](ExprId child) { return is_argument(tree, child, symbol); });
 }
 
 }  // namespace
@@ -167,8 +162,8 @@ const NamedAssumption* unmatched_assumption(const ExprTree& tree, const Names& n
   if (!is_one_of(true, speaks)) return nullptr;
   Matching matching(choices);
   for (std::size_t k = 0; k < equations.size(); ++k) {
-    const bool shares = speaks[k] || std::any_of(choices[k].begin(), choices[k].end(),
-                                                 [&](SymbolId each) { return timed.contains(each); });
+    const bool shares =
+        speaks[k] || std::ranges::any_of(choices[k], [&](SymbolId each) { return timed.contains(each); });
     if (shares && !matching.serve(k)) return equations[k];
   }
   return nullptr;

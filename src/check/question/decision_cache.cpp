@@ -17,7 +17,7 @@ constexpr std::uint32_t oldest = 8;
 constexpr std::size_t largest_file = 48 * 1024 * 1024;
 
 bool has_symbols_of(const ClosedQuestion& question, const Sample& sample) {
-  return std::all_of(sample.values.begin(), sample.values.end(), [&](const SampleValue& value) {
+  return std::ranges::all_of(sample.values, [&](const SampleValue& value) {
     return static_cast<std::size_t>(value.symbol) < question.symbols.size();
   });
 }
@@ -31,8 +31,8 @@ bool answers(const ClosedQuestion& asked, const Decision& decision) {
   bool proof_fits = !decision.proof || cofactors_hold(*decision.proof);
   if (decision.proof)
     for_each_symbol(*decision.proof, [&](SymbolId symbol) { proof_fits = proof_fits && is_symbol(symbol); });
-  return proof_fits && std::all_of(decision.unfolded.begin(), decision.unfolded.end(), is_symbol) &&
-         std::all_of(decision.assumptions.begin(), decision.assumptions.end(), is_assumption) &&
+  return proof_fits && std::ranges::all_of(decision.unfolded, is_symbol) &&
+         std::ranges::all_of(decision.assumptions, is_assumption) &&
          (!decision.sample || has_symbols_of(asked, *decision.sample));
 }
 

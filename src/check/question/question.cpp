@@ -105,51 +105,46 @@ class Preparation {
   }
 
   [[nodiscard]] bool has_rule() {
-    const auto& rules = *names_.scope.definitions;
-    return std::any_of(rules.begin(), rules.end(),
-                       [this](const NamedDefinition& rule) { return bears(rule); });
+    return std::ranges::any_of(*names_.scope.definitions,
+                               [this](const NamedDefinition& rule) { return bears(rule); });
   }
 
   /// Does an assumption speak of what the rate is of, and the question of either?
   bool bears(const NamedDefinition& rule) {
     const SymbolId rate = rule.definition.symbol;
     if (orders_of(rate).total() == 0 || !is_assumed_of(base_of(rate), nullptr)) return false;
-    const std::vector<SymbolId> body = symbols_in(tree_, rule.definition.body);
     return is_reached(base_of(rate)) ||
-           std::any_of(body.begin(), body.end(), [this](SymbolId each) { return is_reached(base_of(each)); });
+           std::ranges::any_of(symbols_in(tree_, rule.definition.body),
+                               [this](SymbolId each) { return is_reached(base_of(each)); });
   }
 
   [[nodiscard]] bool is_reached(SymbolId base) const {
-    return std::any_of(reached_.begin(), reached_.end(),
-                       [&](SymbolId each) { return base_of(each) == base; });
+    return std::ranges::any_of(reached_, [&](SymbolId each) { return base_of(each) == base; });
   }
 
   // --- times and places
 
   [[nodiscard]] bool has_rate() const {
     const auto is_rate = [this](SymbolId symbol) { return orders_of(symbol).total() > 0; };
-    return std::any_of(prepared_.question.assumptions.begin(), prepared_.question.assumptions.end(),
-                       [&](const Equation& equation) {
-                         const std::vector<SymbolId> left = symbols_in(tree_, equation.left);
-                         const std::vector<SymbolId> right = symbols_in(tree_, equation.right);
-                         return std::any_of(left.begin(), left.end(), is_rate) ||
-                                std::any_of(right.begin(), right.end(), is_rate);
-                       });
+    return std::ranges::any_of(prepared_.question.assumptions, [&](const Equation& equation) {
+      const std::vector<SymbolId> right = symbols_in(tree_, equation.right);
+      return std::ranges::any_of(symbols_in(tree_, equation.left), is_rate) ||
+             std::ranges::any_of(right, is_rate);
+    });
   }
 
   [[nodiscard]] bool speaks_of_time_or_place() {
-    return std::any_of(
-        prepared_.assumptions.begin(), prepared_.assumptions.end(), [this](const NamedAssumption* named) {
-          return named != nullptr &&
-                 (runs_with_time(tree_, names_, named->equation) || speaks_of_place(named->equation));
-        });
+    return std::ranges::any_of(prepared_.assumptions, [this](const NamedAssumption* named) {
+      return named != nullptr &&
+             (runs_with_time(tree_, names_, named->equation) || speaks_of_place(named->equation));
+    });
   }
 
   bool speaks_of_place(const Equation& equation) {
     if (equation.relation != Relation::equal) return false;
-    const std::vector<SymbolId>& symbols = symbols_of(equation);
-    return std::any_of(symbols.begin(), symbols.end(),
-                       [&](SymbolId each) { return is_free_variable(names_, tree_, each, By::space); });
+    return std::ranges::any_of(symbols_of(equation), [&](SymbolId each) {
+      return is_free_variable(names_, tree_, each, By::space);
+    });
   }
 
   /// What speaks of the time itself says something of each moment: how often it is differentiated, so that
@@ -406,8 +401,7 @@ class Preparation {
     return std::any_of(names_.scope.assumptions->begin(), names_.scope.assumptions->end(),
                        [&](const NamedAssumption& other) {
                          if (&other == by_this) return false;
-                         const std::vector<SymbolId>& symbols = symbols_of(other.equation);
-                         return std::any_of(symbols.begin(), symbols.end(), is_it);
+                         return std::ranges::any_of(symbols_of(other.equation), is_it);
                        });
   }
 

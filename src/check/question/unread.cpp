@@ -89,8 +89,8 @@ const UnreadAssumption* unread_assumption(const ExprTree& tree, const Names& nam
   for (const SymbolId symbol : symbols_of(question))
     letters.merge(letters_of(tree.symbols[base_of(tree.symbols, symbol)].name));
   const auto shares = [&](const UnreadAssumption& unread) {
-    return std::any_of(unread.letters.begin(), unread.letters.end(),
-                       [&](const std::string& letter) { return letters.contains(letter); });
+    return std::ranges::any_of(unread.letters,
+                               [&](const std::string& letter) { return letters.contains(letter); });
   };
   const auto found = std::find_if(names.scope.unread->rbegin(), names.scope.unread->rend(), shares);
   return found == names.scope.unread->rend() ? nullptr : &*found;

@@ -51,8 +51,8 @@ class Conditions {
 
  private:
   void add(std::string latex, bool small = false) {
-    const bool known = std::any_of(conditions_.begin(), conditions_.end(),
-                                   [&](const Condition& each) { return each.latex == latex; });
+    const bool known =
+        std::ranges::any_of(conditions_, [&](const Condition& each) { return each.latex == latex; });
     if (!known && conditions_.size() < most_tried) conditions_.push_back({std::move(latex), small});
   }
   template <class... Names>

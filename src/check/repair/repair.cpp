@@ -93,7 +93,7 @@ class RepairSearch {
  private:
   /// Is none of the usual slips found? Then a term may be missing in a bracket.
   static bool lack_terms(const std::vector<RepairCandidate>& holding) {
-    return std::none_of(holding.begin(), holding.end(), [](const RepairCandidate& each) {
+    return std::ranges::none_of(holding, [](const RepairCandidate& each) {
       return each.slip == Slip::sign || each.slip == Slip::factor || each.slip == Slip::order ||
              each.slip == Slip::index || each.slip == Slip::indices_swapped;
     });
@@ -172,7 +172,7 @@ class RepairSearch {
     for (const Equation& equation : equations) {
       for (const ExprId side : {equation.left, equation.right}) {
         const std::vector<SymbolId> symbols = symbols_in(tree_, side);
-        const bool known = std::all_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+        const bool known = std::ranges::all_of(symbols, [&](SymbolId symbol) {
           const SymbolId base = base_of(tree_.symbols, symbol);
           return reached.contains(base) || definition_of(names_.scope, base) != nullptr;
         });

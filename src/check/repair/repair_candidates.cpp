@@ -195,9 +195,7 @@ std::string RepairCandidates::words_for(std::size_t which, std::size_t term, Coe
 }
 
 void sort_and_reduce(std::vector<RepairCandidate>& candidates, TokenView left, TokenView right) {
-  std::stable_sort(
-      candidates.begin(), candidates.end(),
-      [](const RepairCandidate& a, const RepairCandidate& b) { return a.distance < b.distance; });
+  std::ranges::stable_sort(candidates, {}, &RepairCandidate::distance);
   std::array<std::set<std::string>, 2> known{std::set{bare_text(left)}, std::set{bare_text(right)}};
   std::erase_if(candidates, [&](const RepairCandidate& candidate) {
     return are_alike(candidate.tokens, candidate.side == 0 ? right : left) ||

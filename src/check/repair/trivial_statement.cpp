@@ -18,11 +18,11 @@ bool is_zero_as_written(const ExprTree& tree, ExprId id) {
     case Op::add:
     case Op::negate:
     case Op::tuple:
-      return std::all_of(children.begin(), children.end(), is_zero);
+      return std::ranges::all_of(children, is_zero);
     case Op::multiply:
     case Op::dot:
     case Op::cross:
-      return std::any_of(children.begin(), children.end(), is_zero);
+      return std::ranges::any_of(children, is_zero);
     default:
       return false;
   }

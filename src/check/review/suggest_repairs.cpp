@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 /// Not understood, since indices or ranks do not fit.
 bool is_malformed(const Step& step) {
   return step.verdict == Verdict::not_understood &&
-         std::any_of(step.diagnostics.begin(), step.diagnostics.end(), [](const Diagnostic& diagnostic) {
+         std::ranges::any_of(step.diagnostics, [](const Diagnostic& diagnostic) {
            return shows_repairs(diagnostic.kind) && diagnostic.kind != DiagnosticKind::refuted;
          });
 }

@@ -26,10 +26,9 @@ bool is_assumed_about(const RowPlace& place, SymbolId symbol) {
   return std::any_of(place.names.scope.assumptions->begin(), place.names.scope.assumptions->end(),
                      [&](const NamedAssumption& each) {
                        if (!each.origin.directive) return false;
-                       const std::vector<SymbolId> letters = symbols_in(place.tree, each.equation.left);
-                       return std::any_of(letters.begin(), letters.end(), [&](SymbolId letter) {
-                         return base_of(place.tree.symbols, letter) == symbol;
-                       });
+                       return std::ranges::any_of(
+                           symbols_in(place.tree, each.equation.left),
+                           [&](SymbolId letter) { return base_of(place.tree.symbols, letter) == symbol; });
                      });
 }
 
@@ -75,10 +74,8 @@ bool is_of_a_case(const RowPlace& place) {
   static constexpr std::array<std::string_view, 6> cases{"statics",      "electrostatics", "magnetostatics",
                                                          "hydrostatics", "equilibrium",    "vacuum"};
   const std::string heading = lowered(place.section);
-  const std::vector<std::string_view> words = words_of(heading);
   return restriction_in_heading(heading) || word_of_a_special_heading(heading) ||
-         std::any_of(words.begin(), words.end(),
-                     [](std::string_view word) { return is_one_of(word, cases); });
+         std::ranges::any_of(words_of(heading), [](std::string_view word) { return is_one_of(word, cases); });
 }
 
 void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {

@@ -27,9 +27,8 @@ std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const
   if (const auto guess = guess_of(*claim.reading); guess && guess->message != circle_as_letter)
     return std::nullopt;
   const auto is_own = [&](ExprId side) {
-    const std::vector<SymbolId> symbols = symbols_in(tree, side);
-    return std::all_of(symbols.begin(), symbols.end(),
-                       [&](SymbolId symbol) { return is_circle_number(tree, names, symbol); });
+    return std::ranges::all_of(symbols_in(tree, side),
+                               [&](SymbolId symbol) { return is_circle_number(tree, names, symbol); });
   };
   if (!is_own(claim.equation.left) || !is_own(claim.equation.right)) return std::nullopt;
   const auto compared = agreement_of_digits(tree, names, claim, cache);

@@ -17,8 +17,7 @@ namespace rigor {
 namespace {
 
 bool has_slip(const std::vector<Repair>& repairs) {
-  return std::any_of(repairs.begin(), repairs.end(),
-                     [](const Repair& repair) { return !repair.adds_a_term; });
+  return std::ranges::any_of(repairs, [](const Repair& repair) { return !repair.adds_a_term; });
 }
 
 /// An integral sign up to here, or a word of what is integrated or solved.
@@ -41,11 +40,10 @@ bool speaks_of_integration(const RowPlace& place) {
            text.find("integral") != std::string_view::npos;
   };
   if (says(beside.lead) || says(beside.tail)) return true;
-  return std::any_of(place.notes.prose.sentences.begin(), place.notes.prose.sentences.end(),
-                     [&](const ProseSentence& each) {
-                       return each.number < beside.sentence &&
-                              place.notes.prose.sections.reaches(each.place, beside.place) && says(each.text);
-                     });
+  return std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& each) {
+    return each.number < beside.sentence && place.notes.prose.sections.reaches(each.place, beside.place) &&
+           says(each.text);
+  });
 }
 
 }  // namespace
@@ -63,7 +61,7 @@ std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place, c
   const auto word = open_word(place.notes.prose, place.event);
   const std::vector<std::string> conditions =
       missing_conditions(place.tree, place.names, wrong, place.options.cache);
-  const auto weights = std::find_if(conditions.begin(), conditions.end(), is_sum_of_weights);
+  const auto weights = std::ranges::find_if(conditions, is_sum_of_weights);
   if (!conditions.empty() && (word || weights != conditions.end()) && !has_slip(repairs())) {
     if (word)
       return Doubt(

@@ -23,9 +23,8 @@ char notation_of(const Choice& choice) {
 
 /// Who writes one notation twice in a row means it in one way.
 bool is_one_notation(const std::vector<Choice>& choices) {
-  return std::all_of(choices.begin(), choices.end(), [&](const Choice& choice) {
-    return notation_of(choice) == notation_of(choices.front());
-  });
+  return std::ranges::all_of(
+      choices, [&](const Choice& choice) { return notation_of(choice) == notation_of(choices.front()); });
 }
 
 /// Is it certain that the chain is malformed in this reading?
@@ -40,8 +39,8 @@ bool is_nonsense(RowPlace& place, const ParsedChain& parsed, const std::vector<S
     if (reading->sides[which].typed && reading->sides[which + 1].typed)
       static_cast<void>(reading->claim(chain, which, false, found));
     doubt_errors(place.notes.syntax, place.names, chain, which, found);
-    const bool wrong = std::any_of(found.begin(), found.end(),
-                                   [](const Diagnostic& each) { return is_malformation(each.kind); });
+    const bool wrong =
+        std::ranges::any_of(found, [](const Diagnostic& each) { return is_malformation(each.kind); });
     if (wrong) return true;
   }
   return false;

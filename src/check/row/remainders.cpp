@@ -74,11 +74,9 @@ bool may_be_large(const RowPlace& place, const std::string& letter) {
   };
   const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[place.event]);
   if (display != nullptr && grows(display->span)) return true;
-  return std::any_of(place.notes.prose.sentences.begin(), place.notes.prose.sentences.end(),
-                     [&](const auto& sentence) {
-                       return sentence.place == beside.place &&
-                              std::any_of(sentence.maths.begin(), sentence.maths.end(), grows);
-                     });
+  return std::ranges::any_of(place.notes.prose.sentences, [&](const auto& sentence) {
+    return sentence.place == beside.place && std::ranges::any_of(sentence.maths, grows);
+  });
 }
 
 /// What holds of the letter alone, so that all other symbols can be held while it goes to 0.
@@ -247,8 +245,7 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
   }
   std::vector<SymbolId> letters = symbols_in(place.tree, held->left);
   for (const SymbolId symbol : symbols_in(place.tree, held->right)) letters.push_back(symbol);
-  const bool no_other =
-      std::all_of(letters.begin(), letters.end(), [&](SymbolId symbol) { return symbol == node.symbol; });
+  const bool no_other = std::ranges::all_of(letters, [&](SymbolId symbol) { return symbol == node.symbol; });
   const bool identity =
       !whole || whole->verdict == Verdict::refuted || (whole->verdict == Verdict::undecided && no_other);
   Judgement result;

@@ -99,7 +99,7 @@ void explain_slips(RowPlace& place, const ParsedChain& parsed, ChainReading& rea
   if (parsed.written.condition || relations.size() < 2 || steps.size() != relations.size()) return;
   std::vector<Link> links;
   for (std::size_t k = 0; k < relations.size(); ++k) links.push_back(link_of(steps[k], relations[k]));
-  if (std::count(links.begin(), links.end(), Link::fails) == 0) return;
+  if (std::ranges::count(links, Link::fails) == 0) return;
   place.options.cache->begin(place.options.effort);
   const auto decide_across = [&](std::size_t i, std::size_t k) {
     return across(place, parsed, i, k, reading);

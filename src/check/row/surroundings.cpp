@@ -43,25 +43,23 @@ bool orders_letters(const SyntaxTree& syntax, const ParsedChain& chain) {
   const auto is_plain = [&](SyntaxId id) {
     return syntax[id].kind == SyntaxKind::symbol || syntax[id].kind == SyntaxKind::number;
   };
-  const bool letter = std::any_of(chain.sides.begin(), chain.sides.end(),
-                                  [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; });
-  return letter && !chain.written.relations.empty() &&
-         std::all_of(chain.sides.begin(), chain.sides.end(), is_plain) &&
-         std::all_of(chain.written.relations.begin(), chain.written.relations.end(),
-                     [](const WrittenRelation& relation) { return is_order(relation.kind); });
+  const bool letter =
+      std::ranges::any_of(chain.sides, [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; });
+  return letter && !chain.written.relations.empty() && std::ranges::all_of(chain.sides, is_plain) &&
+         std::ranges::all_of(chain.written.relations,
+                             [](const WrittenRelation& relation) { return is_order(relation.kind); });
 }
 
 bool share_a_letter(const SyntaxTree& syntax, const ParsedChain& one, const ParsedChain& other) {
-  const std::set<std::string> letters = letters_in(syntax, one.sides);
   const std::set<std::string> others = letters_in(syntax, other.sides);
-  return std::any_of(letters.begin(), letters.end(),
-                     [&](const std::string& letter) { return others.contains(letter); });
+  return std::ranges::any_of(letters_in(syntax, one.sides),
+                             [&](const std::string& letter) { return others.contains(letter); });
 }
 
 bool is_law(const Judgement& judgement) {
-  return std::any_of(
-      judgement.diagnostics.begin(), judgement.diagnostics.end(),
-      [](const Diagnostic& diagnostic) { return diagnostic.kind == DiagnosticKind::undeclared_symbol; });
+  return std::ranges::any_of(judgement.diagnostics, [](const Diagnostic& diagnostic) {
+    return diagnostic.kind == DiagnosticKind::undeclared_symbol;
+  });
 }
 
 /// `\approx` and rounded decimals: numbers agree to the digits shown, and nothing else fails where nothing is
@@ -125,8 +123,8 @@ bool is_vector_by_components(const ExprTree& tree, const Equation& equation) {
 
 bool speaks_of_units(const ExprTree& tree, ExprId side) {
   const std::vector<SymbolId> symbols = symbols_in(tree, side);
-  return std::any_of(symbols.begin(), symbols.end(),
-                     [&](SymbolId symbol) { return tree.symbols[symbol].unit_of_measure.has_value(); });
+  return std::ranges::any_of(
+      symbols, [&](SymbolId symbol) { return tree.symbols[symbol].unit_of_measure.has_value(); });
 }
 
 /// A relation in a line is a definition where it brings in a fresh letter, and a condition of its own
@@ -235,7 +233,7 @@ std::vector<const ParsedChain*> conditions_beside(const RowPlace& place, const P
 bool is_condition_beside(const RowPlace& place, const ParsedChain& parsed) {
   const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[place.event]);
   if (display == nullptr || !orders_letters(place.notes.syntax, parsed)) return false;
-  return std::any_of(display->chains.begin(), display->chains.end(), [&](const ParsedChain& chain) {
+  return std::ranges::any_of(display->chains, [&](const ParsedChain& chain) {
     return chain.written.statement == parsed.written.statement && !chain.written.relations.empty() &&
            !is_order(chain.written.relations[0].kind);
   });
@@ -278,9 +276,8 @@ Standpoint standpoint(RowPlace& place, const ParsedChain& parsed) {
   for (const auto& [where, span] : place.above.unread_rows) {
     if (!at.unread.empty() || !place.notes.prose.sections.reaches(where, at.beside().place)) continue;
     const std::string text = written_at(place, span);
-    const std::set<std::string> letters = letters_of(text);
-    const bool shares = std::any_of(letters.begin(), letters.end(),
-                                    [&](const std::string& letter) { return own.contains(letter); });
+    const bool shares = std::ranges::any_of(letters_of(text),
+                                            [&](const std::string& letter) { return own.contains(letter); });
     if (shares) at.unread = text;
   }
   const std::vector<Fact>& laws = place.above.laws;

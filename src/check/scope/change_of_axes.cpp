@@ -198,7 +198,7 @@ class ToTurning : Axes {
   }
   bool can_turn(ExprId root) const {
     const std::vector<SymbolId> symbols = symbols_in(tree_, root);
-    return std::none_of(symbols.begin(), symbols.end(), [&](SymbolId symbol) {
+    return std::ranges::none_of(symbols, [&](SymbolId symbol) {
       return is_gradient(symbol) || tree_.symbols[base_of(tree_.symbols, symbol)].rotation;
     });
   }

@@ -58,8 +58,7 @@ bool vanishes(ExprTree& tree, const Names& names, SymbolId symbol, int order, De
 
 /// Is it impossible that all derivatives of the body by coordinates are 0?
 bool changes_with_place(ExprTree& tree, const Names& names, const Definition& definition) {
-  const std::vector<SymbolId> symbols = symbols_in(tree, definition.body);
-  const bool speaks = std::any_of(symbols.begin(), symbols.end(), [&](SymbolId each) {
+  const bool speaks = std::ranges::any_of(symbols_in(tree, definition.body), [&](SymbolId each) {
     return is_free_variable(names, tree, each, By::space);
   });
   if (!speaks || !definition.indices.empty() || definition.particle != no_particle) return false;
@@ -129,7 +128,7 @@ std::optional<SymbolId> small_of_other_order(ExprTree& tree, const Names& names,
       return tree.symbols[each].rank == 0 && !tree.symbols[each].per_particle;
     };
     if (!small.contains(own) || !is_number(own) || !vanishes(tree, names, own, 1, cache)) continue;
-    const bool by_another = std::any_of(bases.begin(), bases.end(), [&](SymbolId other) {
+    const bool by_another = std::ranges::any_of(bases, [&](SymbolId other) {
       return !small.contains(other) && is_number(other) && vanishes(tree, names, other, 0, cache);
     });
     if (by_another) return own;

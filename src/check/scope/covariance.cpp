@@ -59,8 +59,7 @@ class Counting {
   /// A written 0 of any rank.
   bool is_zero(ExprId id) const {
     if (tree_[id].op != Op::tuple) return tree_.is_zero_literal(id);
-    const auto entries = tree_.children(id);
-    return std::all_of(entries.begin(), entries.end(), [this](ExprId each) { return is_zero(each); });
+    return std::ranges::all_of(tree_.children(id), [this](ExprId each) { return is_zero(each); });
   }
 
  private:

@@ -15,9 +15,9 @@ bool is_bare_part(const ExprTree& tree, const Definition& whole, ExprId term) {
   const ExprNode& node = tree[term];
   const auto slots = tree.slots(term);
   return node.op == Op::symbol && node.particle == whole.particle && !tree.symbols[node.symbol].derivation &&
-         std::equal(
-             slots.begin(), slots.end(), whole.indices.begin(), whole.indices.end(),
-             [](const Slot& slot, IndexId letter) { return slot.axis == 0 && slot.variable == letter; });
+         std::ranges::equal(slots, whole.indices, [](const Slot& slot, IndexId letter) {
+           return slot.axis == 0 && slot.variable == letter;
+         });
 }
 
 /// A sum of bare parts, each another one.
@@ -26,8 +26,8 @@ std::optional<Decomposition> sum_of_parts(const ExprTree& tree, const Definition
   if (tree[whole.body].op != Op::add) return std::nullopt;
   Decomposition apart{whole, origin, {}};
   for (const ExprId term : tree.children(whole.body)) {
-    const bool again = std::any_of(apart.parts.begin(), apart.parts.end(),
-                                   [&](ExprId part) { return tree[part].symbol == tree[term].symbol; });
+    const bool again =
+        std::ranges::any_of(apart.parts, [&](ExprId part) { return tree[part].symbol == tree[term].symbol; });
     if (again || !is_bare_part(tree, whole, term)) return std::nullopt;
     apart.parts.push_back(term);
   }
@@ -71,10 +71,9 @@ std::optional<Decomposition> decomposition(const ExprTree& tree, const Names& na
   const auto is_inside = [&](SymbolId symbol) { return is_one_of(symbol, inside); };
   for (Decomposition& sum : sums_stated(tree, names, place)) {
     const auto is_part = [&](ExprId term) { return tree[term].symbol == tree[part].symbol; };
-    const bool fits = is_inside(sum.whole.symbol) &&
-                      std::any_of(sum.parts.begin(), sum.parts.end(), is_part) &&
-                      std::none_of(sum.parts.begin(), sum.parts.end(),
-                                   [&](ExprId term) { return is_inside(tree[term].symbol); });
+    const bool fits =
+        is_inside(sum.whole.symbol) && std::ranges::any_of(sum.parts, is_part) &&
+        std::ranges::none_of(sum.parts, [&](ExprId term) { return is_inside(tree[term].symbol); });
     if (fits) return std::move(sum);
   }
   return std::nullopt;

@@ -43,17 +43,15 @@ std::optional<Definition> as_definition(ExprTree& tree, const NameScope& scope, 
   definition.particle = node.particle;
   definition.body = right.id;
   for (const Slot& slot : tree.slots(left.id)) {
-    const bool repeated = std::any_of(definition.indices.begin(), definition.indices.end(),
-                                      [&](IndexId id) { return id == slot.variable; });
+    const bool repeated =
+        std::ranges::any_of(definition.indices, [&](IndexId id) { return id == slot.variable; });
     if (slot.axis != 0 || repeated) return std::nullopt;
     definition.indices.push_back(slot.variable);
   }
-  const bool letters_fit = std::all_of(right.free.begin(), right.free.end(), [&](const FreeIndex& free) {
-    return is_one_of(free.id, definition.indices);
-  });
-  const bool particles_fit =
-      std::all_of(right.particles.begin(), right.particles.end(),
-                  [&](const FreeParticle& free) { return free.id == definition.particle; });
+  const bool letters_fit = std::ranges::all_of(
+      right.free, [&](const FreeIndex& free) { return is_one_of(free.id, definition.indices); });
+  const bool particles_fit = std::ranges::all_of(
+      right.particles, [&](const FreeParticle& free) { return free.id == definition.particle; });
   const bool all_bound = left.free.size() == definition.indices.size() &&
                          left.particles.size() == (node.particle == no_particle ? 0u : 1u);
   if (!letters_fit || !particles_fit || !all_bound) return std::nullopt;
@@ -83,8 +81,7 @@ bool stands_in_brackets(const SyntaxTree& syntax, SyntaxId power) {
 }
 
 bool is_determined(const SymbolTable& symbols, const NameScope& scope, SymbolId symbol) {
-  const auto& definitions = *scope.definitions;
-  return std::any_of(definitions.begin(), definitions.end(), [&](const NamedDefinition& entry) {
+  return std::ranges::any_of(*scope.definitions, [&](const NamedDefinition& entry) {
     const SymbolId known = entry.definition.symbol;
     return base_of(symbols, known) == base_of(symbols, symbol) &&
            derivative_order(symbols, known) <= derivative_order(symbols, symbol);

@@ -12,7 +12,7 @@ namespace rigor {
 namespace {
 
 bool has_base(const std::set<NameKey>& keys, const std::string& base) {
-  return std::any_of(keys.begin(), keys.end(), [&](const NameKey& key) { return key.base == base; });
+  return std::ranges::any_of(keys, [&](const NameKey& key) { return key.base == base; });
 }
 
 bool is_bold(const Sightings& sightings, const std::string& base) {

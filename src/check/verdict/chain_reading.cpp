@@ -62,7 +62,7 @@ bool drops_prime_on_rotation(const SyntaxTree& syntax, std::vector<SyntaxId> pen
     for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
-    const bool bare = std::all_of(symbol.lower.begin(), symbol.lower.end(), [](const WrittenIndex& index) {
+    const bool bare = std::ranges::all_of(symbol.lower, [](const WrittenIndex& index) {
       return index.form == IndexForm::letter && index.primes == 0;
     });
     if (symbol.lower.size() == 2 && bare && letter_with_marks(symbol) == key->base) return true;
@@ -165,8 +165,8 @@ std::unique_ptr<ChainReading> read_chain(const SyntaxTree& syntax, ExprTree& tre
   auto first = read(plain);
   if (parsed.sides.size() < 2 || first->is_balanced()) return first;
   ReadingRules unsummed = plain;
-  const bool all_read = std::all_of(first->sides.begin(), first->sides.end(),
-                                    [](const auto& side) { return side.typed.has_value(); });
+  const bool all_read =
+      std::ranges::all_of(first->sides, [](const auto& side) { return side.typed.has_value(); });
   for (const ChainReading::Side& side : first->sides) {
     if (!all_read) break;
     for (const FreeIndex& free : side.typed->free) {

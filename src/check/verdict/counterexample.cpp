@@ -66,8 +66,8 @@ class Needed {
   }
   [[nodiscard]] bool is_needed(const SampleValue& value) const {
     if (!tree_.symbols[value.symbol].derivation || is_one_of(value.symbol, by_claim_)) return true;
-    const bool vanishes = std::all_of(value.components.begin(), value.components.end(),
-                                      [](const std::string& each) { return each == "0"; });
+    const bool vanishes =
+        std::ranges::all_of(value.components, [](const std::string& each) { return each == "0"; });
     return !vanishes && is_one_of(value.symbol, by_assumptions_);
   }
 
@@ -126,7 +126,7 @@ Result<Sample> sample_of(const Question& question, const Counterexample& example
       sample->values.push_back({id, particle, example.values[k].components});
     }
   }
-  const auto extra = std::find(taken.begin(), taken.end(), false);
+  const auto extra = std::ranges::find(taken, false);
   if (extra == taken.end()) return sample;
   const auto& value = example.values[static_cast<std::size_t>(extra - taken.begin())];
   return does_not_fit(fmt::format("the step does not depend on `{}`", value.symbol));

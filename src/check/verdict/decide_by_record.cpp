@@ -42,7 +42,7 @@ std::string fault_of_following(const Prepared& prepared, const Sample& sample,
   if (example.follows.empty()) return "";
   const Counterexample now = describe(prepared, sample);
   for (const Counterexample::Value& value : example.follows) {
-    const bool found = std::any_of(now.follows.begin(), now.follows.end(), [&](const auto& each) {
+    const bool found = std::ranges::any_of(now.follows, [&](const auto& each) {
       return each.symbol == value.symbol && each.particle == value.particle && each.rank == value.rank &&
              each.components == value.components;
     });
@@ -77,8 +77,8 @@ Decision decide_by_record(const Prepared& prepared, bool swapped, RecordedStep& 
 }
 
 bool is_of_first_order(const Counterexample& example) {
-  return std::any_of(example.values.begin(), example.values.end(),
-                     [](const auto& value) { return value.symbol.starts_with("\\delta "); });
+  return std::ranges::any_of(example.values,
+                             [](const auto& value) { return value.symbol.starts_with("\\delta "); });
 }
 
 }  // namespace rigor

@@ -173,7 +173,7 @@ class Judging {
     Decision decision = decide_prepared(true);
     if (decision.outcome == Outcome::refuted) return decision;
     prepared_ = before;
-    const bool in_any_case = std::all_of(negative.begin(), negative.end(), [&](const NegativeSquare& each) {
+    const bool in_any_case = std::ranges::all_of(negative, [&](const NegativeSquare& each) {
       Question question = prepared_.question;
       question.tree = &tree_;
       question.claim = each.negative;
@@ -228,8 +228,9 @@ class Judging {
   }
 
   bool assumes_the_impossible() const {
-    return std::any_of(prepared_.assumptions.begin(), prepared_.assumptions.end(),
-                       [](const NamedAssumption* each) { return each != nullptr && each->without_sample; });
+    return std::ranges::any_of(prepared_.assumptions, [](const NamedAssumption* each) {
+      return each != nullptr && each->without_sample;
+    });
   }
 
   /// Under assumptions that no sample was found to satisfy, nothing is proved or refuted. They are all those
@@ -419,9 +420,9 @@ class Judging {
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
       judgement_.verdict = Verdict::not_understood;
-      const bool assumed =
-          std::any_of(prepared_.assumptions.begin(), prepared_.assumptions.end(),
-                      [](const NamedAssumption* each) { return each != nullptr && each->origin.directive; });
+      const bool assumed = std::ranges::any_of(prepared_.assumptions, [](const NamedAssumption* each) {
+        return each != nullptr && each->origin.directive;
+      });
       judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law, assumed));
       return;
     }

@@ -20,8 +20,8 @@ std::optional<std::string> likely_meant(const std::string& name, const std::vect
                                         const std::set<std::string>& in_statement) {
   const std::string bare = bare_name(name);
   const auto is_word = [](const std::string& text) {
-    return std::all_of(text.begin(), text.end(),
-                       [](char each) { return is_letter(each) || each == '\\' || each == '_'; });
+    return std::ranges::all_of(text,
+                               [](char each) { return is_letter(each) || each == '\\' || each == '_'; });
   };
   for (const std::string& other : known) {
     if (in_statement.contains(other)) continue;
@@ -55,7 +55,7 @@ std::vector<SymbolId> bases_of(const ExprTree& tree, const std::vector<SymbolId>
     const auto has_its_name = [&](SymbolId other) {
       return tree.symbols[other].name == tree.symbols[base].name;
     };
-    if (std::none_of(bases.begin(), bases.end(), has_its_name)) bases.push_back(base);
+    if (std::ranges::none_of(bases, has_its_name)) bases.push_back(base);
   }
   return bases;
 }

@@ -12,13 +12,12 @@ namespace {
 void imply_primed_axes(const Notes& notes, ExprTree& tree, Names& names) {
   if (names.symbols.sightings->mixed_axes.size() != 1) return;
   const std::string& letter = *names.symbols.sightings->mixed_axes.begin();
-  const bool told = std::any_of(notes.events.begin(), notes.events.end(), [&](const Event& event) {
+  const bool told = std::ranges::any_of(notes.events, [&](const Event& event) {
     const auto* placed = std::get_if<PlacedDirective>(&event);
     if (placed == nullptr || placed->directive.kind == DirectiveKind::basis) return placed != nullptr;
-    const std::vector<SyntaxId>& symbols = placed->directive.symbols;
     return placed->directive.kind == DirectiveKind::rotation &&
-           std::any_of(symbols.begin(), symbols.end(),
-                       [&](SyntaxId id) { return notes.syntax.symbol(id).letter == letter; });
+           std::ranges::any_of(placed->directive.symbols,
+                               [&](SyntaxId id) { return notes.syntax.symbol(id).letter == letter; });
   });
   if (told) return;
   const SymbolId symbol = resolve(names.symbols, tree, {letter, 2, false}, letter, {});

@@ -109,8 +109,7 @@ void check_constant(Walk& walk, const Directive& directive) {
 /// A symbol is constant as a whole; of a single component the rate is 0.
 void declare_constant(Walk& walk, const Directive& directive, const Typed& typed) {
   const auto slots = walk.tree.slots(typed.id);
-  const bool component =
-      std::any_of(slots.begin(), slots.end(), [](const Slot& slot) { return slot.axis != 0; });
+  const bool component = std::ranges::any_of(slots, [](const Slot& slot) { return slot.axis != 0; });
   const SymbolId symbol = walk.tree[typed.id].symbol;
   walk.constants.emplace_back(directive.number, symbol);
   if (!component) {
@@ -218,8 +217,8 @@ void declare_symbol(Walk& walk, const Directive& directive, SyntaxId id) {
   const WrittenSymbol& symbol = walk.notes.syntax.symbol(id);
   const WrittenName name = take_apart(symbol, Letters{}, walk.names);
   add_used(walk, name.used);
-  const bool digits = std::all_of(name.axes.begin(), name.axes.end(),
-                                  [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; });
+  const bool digits =
+      std::ranges::all_of(name.axes, [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; });
   const bool labels = digits || directive.kind == DirectiveKind::scalar;  // `scalar \omega_n`
   NameKey key{labels ? with_labels(name.base, name.axes) : name.base, 0, name.per_particle()};
   const int axes = labels ? 0 : static_cast<int>(name.axes.size());
@@ -283,10 +282,9 @@ void declare_use(Walk& walk, const Directive& directive) {
     for (const ParsedChain& chain : display->chains) {
       const Span span = chain.written.span;
       const std::string line = fmt::format("line {}", walk.sources.line_column(span.file, span.begin).line);
-      const bool named =
-          std::any_of(directive.places.begin(), directive.places.end(), [&](const std::string& place) {
-            return place == line || (!chain.written.label.empty() && place == chain.written.label);
-          });
+      const bool named = std::ranges::any_of(directive.places, [&](const std::string& place) {
+        return place == line || (!chain.written.label.empty() && place == chain.written.label);
+      });
       if (named) use.places.push_back(name_of_place(walk.sources, chain));
     }
   }

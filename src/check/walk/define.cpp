@@ -100,11 +100,10 @@ bool concludes(const Walk& walk, const NamedDefinition& earlier) {
   const std::size_t from = walk.notes.prose.beside[earlier.origin.event].sentence;
   if (from == beside.sentence) return true;
   if (has_own_words(beside.lead.substr(beside.lead.rfind('\n') + 1))) return false;
-  return std::none_of(
-      walk.notes.prose.sentences.begin(), walk.notes.prose.sentences.end(), [&](const ProseSentence& each) {
-        return each.number > from && each.number < beside.sentence && !each.has_display &&
-               words_of(each.text).size() <= most_words_of_a_run_in && has_own_words(each.text);
-      });
+  return std::ranges::none_of(walk.notes.prose.sentences, [&](const ProseSentence& each) {
+    return each.number > from && each.number < beside.sentence && !each.has_display &&
+           words_of(each.text).size() <= most_words_of_a_run_in && has_own_words(each.text);
+  });
 }
 
 /// What the page says not to hold defines nothing.
@@ -213,9 +212,9 @@ bool redefines(Walk& walk, const Judgement& judgement, const ParsedChain& parsed
     return false;
   const NamedDefinition* earlier =
       definition_of(walk.names.scope, as_definition(walk.tree, walk.names.scope, left, right)->symbol);
-  const bool law = std::any_of(
-      judgement.diagnostics.begin(), judgement.diagnostics.end(),
-      [](const Diagnostic& diagnostic) { return diagnostic.kind == DiagnosticKind::undeclared_symbol; });
+  const bool law = std::ranges::any_of(judgement.diagnostics, [](const Diagnostic& diagnostic) {
+    return diagnostic.kind == DiagnosticKind::undeclared_symbol;
+  });
   const std::string& lead = walk.notes.prose.beside[walk.event].lead;
   const bool stated = !concludes(walk, *earlier) && !word_that_demands(lead) && !word_of_a_case(lead);
   const bool elsewhere = law && earlier->origin.section != walk.section;

@@ -68,8 +68,7 @@ RecordedStep* recorded_of(Walk& walk, const Step& step) {
     return other.span.file == step.span.file && other.span.begin == step.span.begin &&
            other.source == step.source;
   };
-  const auto earlier =
-      static_cast<std::size_t>(std::count_if(walk.report.steps.begin(), walk.report.steps.end(), is_alike));
+  const auto earlier = static_cast<std::size_t>(std::ranges::count_if(walk.report.steps, is_alike));
   for (RecordedStep& each : *walk.options.recorded) {
     if (each.earlier != earlier || each.line != place.line || each.column != place.column) continue;
     if (each.source != step.source || each.file != walk.sources.path(step.span.file)) continue;
@@ -80,7 +79,7 @@ RecordedStep* recorded_of(Walk& walk, const Step& step) {
 }
 
 bool is_unsettled(const ParsedChain& parsed, Span step) {
-  return std::any_of(parsed.choices.begin(), parsed.choices.end(), [&](const Choice& choice) {
+  return std::ranges::any_of(parsed.choices, [&](const Choice& choice) {
     return choice.span.begin >= step.begin && choice.span.end <= step.end;
   });
 }
@@ -158,7 +157,7 @@ void add_step(Walk& walk, Step step) {
   Diagnostics once;
   for (Diagnostic& diagnostic : step.diagnostics) {
     const bool known =
-        std::any_of(once.begin(), once.end(), [&](const Diagnostic& old) { return same(old, diagnostic); });
+        std::ranges::any_of(once, [&](const Diagnostic& old) { return same(old, diagnostic); });
     if (!known) once.push_back(std::move(diagnostic));
   }
   step.diagnostics = std::move(once);

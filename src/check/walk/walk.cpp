@@ -51,9 +51,9 @@ const WrittenChain* chain_of(const ParsedDisplay& display, const Step& step) {
 /// over.
 void settle_lines(const ParsedDisplay& display, std::span<Step> steps) {
   for (const Step& law : steps) {
-    const bool is_law = std::any_of(
-        law.diagnostics.begin(), law.diagnostics.end(),
-        [](const Diagnostic& reason) { return reason.kind == DiagnosticKind::undeclared_symbol; });
+    const bool is_law = std::ranges::any_of(law.diagnostics, [](const Diagnostic& reason) {
+      return reason.kind == DiagnosticKind::undeclared_symbol;
+    });
     const WrittenChain* condition = is_law ? chain_of(display, law) : nullptr;
     if (condition == nullptr) continue;
     for (Step& step : steps) {
@@ -76,9 +76,8 @@ void settle_lines(const ParsedDisplay& display, std::span<Step> steps) {
 void follow_chains(Walk& walk, const ParsedDisplay& display) {
   const Directive* skip = std::exchange(walk.next.skip, nullptr);
   if (skip != nullptr) walk.used.insert(skip->number);
-  const bool no_relation =
-      std::none_of(display.chains.begin(), display.chains.end(),
-                   [](const ParsedChain& parsed) { return !parsed.written.relations.empty(); });
+  const bool no_relation = std::ranges::none_of(
+      display.chains, [](const ParsedChain& parsed) { return !parsed.written.relations.empty(); });
   if (display.unread || display.chains.empty() || (skip != nullptr && no_relation)) {
     Step step;
     step.span = step.relation_span = display.span;

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 35> beginnings{
 std::optional<std::string> word_on_numbers(std::string_view text) {
   for (const std::string_view word : words_of(text)) {
     const auto begins = [&](std::string_view beginning) { return word.starts_with(beginning); };
-    if (std::any_of(beginnings.begin(), beginnings.end(), begins)) return std::string(word);
+    if (std::ranges::any_of(beginnings, begins)) return std::string(word);
   }
   return std::nullopt;
 }

@@ -69,9 +69,8 @@ std::string subscripts_of(std::string_view text) {
 bool speaks_of_indices(std::string_view condition, std::string_view relation) {
   const std::vector<std::string> there = index_letters(subscripts_of(relation));
   if (there.empty() || condition.find('_') != std::string_view::npos) return false;
-  const std::vector<std::string> own = index_letters(condition);
-  return std::any_of(own.begin(), own.end(),
-                     [&](const std::string& letter) { return is_one_of(letter, there); });
+  return std::ranges::any_of(index_letters(condition),
+                             [&](const std::string& letter) { return is_one_of(letter, there); });
 }
 
 /// `k > 0`: "where $k > 0$ is the stiffness" gives no name to a value.
@@ -286,7 +285,7 @@ class Restrictions {
   }
 
   [[nodiscard]] std::size_t maths_from(std::size_t at) const {
-    return static_cast<std::size_t>(std::lower_bound(places_.begin(), places_.end(), at) - places_.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(places_, at) - places_.begin());
   }
 
   [[nodiscard]] bool has_sign_between(std::size_t begin, std::size_t end) const {

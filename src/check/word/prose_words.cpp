@@ -397,8 +397,7 @@ bool has_own_words(std::string_view lead) {
                                                              "must",
                                                              "directly",
                                                              "definition"};
-  const Words words = words_of(lead);
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+  return std::ranges::any_of(words_of(lead), [&](std::string_view word) {
     return !is_one_of(word, announcing) && !is_one_of(word, pointing);
   });
 }

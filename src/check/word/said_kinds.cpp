@@ -174,8 +174,7 @@ class KindReader {
 
 std::vector<SaidKind> said_kinds(std::string_view sentence) {
   const Words words = parts_of_sentence(sentence);
-  if (std::any_of(words.begin(), words.end(), [](auto word) { return is_doubtful(word) || is_doubt(word); }))
-    return {};
+  if (std::ranges::any_of(words, [](auto word) { return is_doubtful(word) || is_doubt(word); })) return {};
   return KindReader(words).read();
 }
 
