@@ -55,8 +55,7 @@ class Isolating {
 
   bool is_zero(ExprId id) const {
     if (tree_[id].op == Op::tuple) {
-      const auto entries = tree_.children(id);
-      return std::ranges::all_of(entries, [&](ExprId entry) { return is_zero(entry); });
+      return std::ranges::all_of(tree_.children(id), [&](ExprId entry) { return is_zero(entry); });
     }
     return tree_.is_zero_literal(id);
   }

@@ -320,9 +320,9 @@ class Descending {
 
   bool crosses_a_cross(ExprId root) const {
     return any_node(tree_, root, [&](ExprId id) {
-      const auto children = tree_.children(id);
-      return tree_[id].op == Op::cross &&
-             std::ranges::any_of(children, [&](ExprId child) { return tree_[child].op == Op::cross; });
+      return tree_[id].op == Op::cross && std::ranges::any_of(tree_.children(id), [&](ExprId child) {
+               return tree_[child].op == Op::cross;
+             });
     });
   }
 

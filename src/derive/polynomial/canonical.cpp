@@ -114,7 +114,7 @@ class Canonical {
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     std::vector<std::string> ranks;
     for (const std::string& color : colors) {
-      const auto place = std::lower_bound(sorted.begin(), sorted.end(), color) - sorted.begin();
+      const auto place = std::ranges::lower_bound(sorted, color) - sorted.begin();
       std::string rank = std::to_string(place);
       rank.insert(0, 4 - std::min<std::size_t>(rank.size(), 4), '0');
       ranks.push_back("?" + rank);

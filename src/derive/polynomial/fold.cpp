@@ -201,7 +201,7 @@ class Folding {
       }
       each.slots.clear();
     }
-    return std::equal(seen.begin(), seen.end(), open_.begin(), open_.end());
+    return std::ranges::equal(seen, open_);
   }
 
   /// Scalars in front, equal ones as powers, what speaks of a particle under its sum.
