@@ -83,8 +83,7 @@ class ValueReader {
       return refuse(toml.span, fmt::format("a row of `{}` has {} values, but must have 3", value_.name.text,
                                            toml.items.size()));
     }
-    return std::all_of(toml.items.begin(), toml.items.end(),
-                       [&](const TomlValue& item) { return number(item); });
+    return std::ranges::all_of(toml.items, [&](const TomlValue& item) { return number(item); });
   }
 
   bool number(const TomlValue& toml) {
@@ -293,8 +292,7 @@ void read_top(TomlReader& reader, SceneFile& scene) {
   if (reader.require("ask") != nullptr) {
     if (const TomlValue* ask = table_of(reader, "ask")) read_asked(*ask, scene, diagnostics);
   }
-  const auto timed = std::find_if(scene.asked.begin(), scene.asked.end(),
-                                  [](const SceneAsk& ask) { return ask.kind == SceneAskKind::over_time; });
+  const auto timed = std::ranges::find(scene.asked, SceneAskKind::over_time, &SceneAsk::kind);
   if (timed != scene.asked.end() && !scene.motion) {
     report(diagnostics, DiagnosticKind::bad_scene, timed->name.span,
            fmt::format("`{}` needs a motion, but the scene has none", timed->name.text),

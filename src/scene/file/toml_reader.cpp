@@ -14,8 +14,7 @@ namespace rigor {
 namespace {
 
 const TomlEntry* entry_of(const TomlValue& table, std::string_view key) {
-  const auto found = std::find_if(table.entries.begin(), table.entries.end(),
-                                  [&](const TomlEntry& entry) { return entry.key == key; });
+  const auto found = std::ranges::find(table.entries, key, &TomlEntry::key);
   return found == table.entries.end() ? nullptr : &*found;
 }
 

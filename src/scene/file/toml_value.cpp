@@ -65,7 +65,7 @@ class TomlConverter {
   void add_entries(TomlValue& value, const toml::table& table) const {
     for (const auto& [key, node] : table)
       value.entries.push_back({std::string(key.str()), span_of(key.source()), value_of(node)});
-    std::stable_sort(value.entries.begin(), value.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+    std::ranges::stable_sort(value.entries, [](const TomlEntry& a, const TomlEntry& b) {
       return a.key_span.begin < b.key_span.begin;
     });
   }

@@ -13,7 +13,7 @@ const LetterValue* LetterValues::find(SymbolId symbol) const {
 }
 
 bool LetterValues::are_sharp(const Program& program) const {
-  return std::any_of(program.inputs().begin(), program.inputs().end(), [this](const ProgramInput& input) {
+  return std::ranges::any_of(program.inputs(), [this](const ProgramInput& input) {
     const LetterValue* value = find(input.symbol);
     return value != nullptr && !value->lows.empty();
   });

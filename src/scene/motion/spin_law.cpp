@@ -48,7 +48,7 @@ bool is_finite_row(const LawRow& row) { return are_finite(row.coefficients) && s
 
 /// Full pivoting: the best equation for the best rate first.
 Elimination eliminate(std::vector<LawRow> rows) {
-  if (!std::all_of(rows.begin(), rows.end(), is_finite_row)) {
+  if (!std::ranges::all_of(rows, is_finite_row)) {
     return {.rates = {}, .undetermined = -1, .misfit = std::numeric_limits<double>::quiet_NaN()};
   }
   std::erase_if(rows, [](const LawRow& row) { return largest(row.coefficients) == 0; });
@@ -73,7 +73,7 @@ Elimination eliminate(std::vector<LawRow> rows) {
       }
     }
     if (best_axis == 3) {
-      result.undetermined = static_cast<int>(std::find(done.begin(), done.end(), false) - done.begin());
+      result.undetermined = static_cast<int>(std::ranges::find(done, false) - done.begin());
       return result;
     }
     std::swap(rows[count], rows[best_row]);
@@ -117,9 +117,8 @@ class SpinLaw::System {
       remember(program.error().reason);
       return;
     }
-    const bool has_rate =
-        std::any_of(program->inputs().begin(), program->inputs().end(),
-                    [&](const ProgramInput& input) { return is_one_of(input.symbol, rates_); });
+    const bool has_rate = std::ranges::any_of(
+        program->inputs(), [&](const ProgramInput& input) { return is_one_of(input.symbol, rates_); });
     if (!has_rate || !program->free_particles().empty()) return;
     Samples samples(1, particles_);
     if (const auto missing = values.fill(*program, samples, left_out_)) {
@@ -155,8 +154,7 @@ class SpinLaw::System {
   [[nodiscard]] bool is_finite_at(const Vector3& spin) {
     const double h = probe_size(spin);
     const std::array<Vector3, probes> batch{{{0, 0, 0}, {h, 0, 0}, {0, h, 0}, {0, 0, h}}};
-    return std::all_of(parts_.begin(), parts_.end(),
-                       [&](Part& part) { return are_finite(residuals(part, spin, batch)); });
+    return std::ranges::all_of(parts_, [&](Part& part) { return are_finite(residuals(part, spin, batch)); });
   }
 
   /// With rates a, b of about the size h: is f(a + b) + f(0) = f(a) + f(b)? A law that is not affine is

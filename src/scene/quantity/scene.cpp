@@ -62,9 +62,8 @@ bool SceneEvaluation::compile_all() {
     asked_.push_back({&ask, nullptr, std::nullopt, false});
     if (!ask.latex.empty()) compile(asked_.back(), read);
   }
-  needs_motion_ = std::any_of(asked_.begin(), asked_.end(), [](const Asked& asked) {
-    return !asked.failed && asked.ask->kind == SceneAskKind::over_time;
-  });
+  needs_motion_ = std::ranges::any_of(
+      asked_, [](const Asked& asked) { return !asked.failed && asked.ask->kind == SceneAskKind::over_time; });
   needs_law_ = needs_motion_ || read.contains(SceneRole::spin_rate);
   if (needs_law_ || wants_law_) collect_law(read);
   const auto open = values_.settle_axes(read);
@@ -73,8 +72,7 @@ bool SceneEvaluation::compile_all() {
 }
 
 void SceneEvaluation::compile(Asked& asked, std::set<SceneRole>& read) {
-  const auto form = std::find_if(forms_.asked.begin(), forms_.asked.end(),
-                                 [&](const AskedForm& each) { return each.source == asked.ask->latex; });
+  const auto form = std::ranges::find(forms_.asked, asked.ask->latex, &AskedForm::source);
   if (form == forms_.asked.end()) {
     asked.failed = true;  // the diagnostic of the notes says why
     ledger_.skip(asked.ask->name.text, "the notes do not give it");
@@ -101,8 +99,8 @@ void SceneEvaluation::note_roles(const Program& program, std::set<SceneRole>& re
 }
 
 bool SceneEvaluation::reads(const Program& program, const std::vector<SymbolId>& symbols) const {
-  return std::any_of(program.inputs().begin(), program.inputs().end(),
-                     [&](const ProgramInput& input) { return is_one_of(input.symbol, symbols); });
+  return std::ranges::any_of(program.inputs(),
+                             [&](const ProgramInput& input) { return is_one_of(input.symbol, symbols); });
 }
 
 SceneCounts SceneResult::counts() const {

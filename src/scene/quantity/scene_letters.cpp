@@ -28,8 +28,7 @@ std::string usual_name(const std::string& latex) {
 }
 
 const AskedForm* asked_form(const WrittenForms& forms, const std::string& latex) {
-  const auto found = std::find_if(forms.asked.begin(), forms.asked.end(),
-                                  [&](const AskedForm& form) { return form.source == latex; });
+  const auto found = std::ranges::find(forms.asked, latex, &AskedForm::source);
   return found == forms.asked.end() ? nullptr : &*found;
 }
 
@@ -95,8 +94,7 @@ void SceneLetters::bind(const SceneText& letter, const Kind& kind, SceneRole rol
 }
 
 const SceneLetter* SceneLetters::find(SymbolId symbol) const {
-  const auto found = std::find_if(letters_.begin(), letters_.end(),
-                                  [&](const SceneLetter& letter) { return letter.symbol == symbol; });
+  const auto found = std::ranges::find(letters_, symbol, &SceneLetter::symbol);
   return found == letters_.end() ? nullptr : &*found;
 }
 

@@ -159,7 +159,7 @@ void SceneEvaluation::follow_motion(const Asked& asked, SceneQuantity& quantity)
 
 /// A vector that is not constant along the body's axes may rest in space.
 void SceneEvaluation::note_drift(const SceneText& name, const SceneQuantity& quantity, const Rows& rows) {
-  const auto bad = std::find_if_not(rows.begin(), rows.end(), are_finite);
+  const auto bad = std::ranges::find_if_not(rows, are_finite);
   if (bad != rows.end()) {
     result_.drifts.push_back({quantity.source, std::numeric_limits<double>::quiet_NaN(), false, false});
     if (bad == rows.begin()) return;  // it has been said
