@@ -11,8 +11,8 @@ namespace rigor {
 namespace {
 
 bool misses_input(const Diagnostics& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [](const Diagnostic& each) { return each.kind == DiagnosticKind::missing_input; });
+  return std::ranges::any_of(
+      diagnostics, [](const Diagnostic& each) { return each.kind == DiagnosticKind::missing_input; });
 }
 
 /// When the listing is no longer true, as a condition of CMake.

@@ -23,7 +23,7 @@ void add_place(Json& object, Span span, const SourceMap& sources) {
 
 std::string severity_word(Severity severity) {
   std::string word(name_of(severity));
-  std::replace(word.begin(), word.end(), ' ', '-');
+  std::ranges::replace(word, ' ', '-');
   return word;
 }
 

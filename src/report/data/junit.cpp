@@ -33,8 +33,7 @@ struct JunitSuite {
   std::vector<JunitCase> cases;
 
   [[nodiscard]] std::size_t count(std::string_view outcome) const {
-    return static_cast<std::size_t>(std::count_if(
-        cases.begin(), cases.end(), [&](const JunitCase& each) { return each.outcome == outcome; }));
+    return static_cast<std::size_t>(std::ranges::count(cases, outcome, &JunitCase::outcome));
   }
 };
 
@@ -46,7 +45,7 @@ std::string attribute(std::string_view name, std::string_view value) {
 
 std::string words_of(Verdict verdict) {
   std::string text(name_of(verdict));
-  std::replace(text.begin(), text.end(), '-', ' ');
+  std::ranges::replace(text, '-', ' ');
   return text;
 }
 

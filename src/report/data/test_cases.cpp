@@ -121,7 +121,7 @@ Result<std::vector<TestCase>> read_test_cases(std::string_view json) {
     std::vector<TestCase> cases;
     for (const Json& entry : object.at("cases")) {
       const auto word = entry.at("outcome").get<std::string>();
-      const auto* const name = std::find(outcome_names.begin(), outcome_names.end(), word);
+      const auto* const name = std::ranges::find(outcome_names, word);
       if (name == outcome_names.end()) return malformed();
       cases.push_back({entry.at("name").get<std::string>(),
                        static_cast<CaseOutcome>(name - outcome_names.begin()),

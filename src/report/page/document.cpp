@@ -84,7 +84,7 @@ std::string document_mark(const Step& step) {
     return {"quiet", "-"};
   }();
   std::string words(name_of(step.verdict));
-  std::replace(words.begin(), words.end(), '-', ' ');
+  std::ranges::replace(words, '-', ' ');
   if (step.expected_refuted) words += step.verdict == Verdict::refuted ? ", expected" : " (!)";
   return fmt::format("\\rigormark{{{}}}{{{}}}{{{}}}", look.colour, look.sign, words);
 }
@@ -280,10 +280,9 @@ class NotesWriter {
                             &line == &lines.back() ? rule : "");
       }
     };
-    const bool is_long =
-        std::any_of(derivation.lines.begin(), derivation.lines.end(), [&](const WorkedLine& line) {
-          return typeset_width(math_.box_of_printed(line.latex)) > most_derived_width;
-        });
+    const bool is_long = std::ranges::any_of(derivation.lines, [&](const WorkedLine& line) {
+      return typeset_width(math_.box_of_printed(line.latex)) > most_derived_width;
+    });
     if (is_long) return "its small steps are too long to be set here\\par\n";
     add_line("2em", derivation.start, "");
     for (const WorkedLine& line : derivation.lines)

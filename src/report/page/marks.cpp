@@ -21,7 +21,7 @@ enum class StepMark : std::uint8_t { refuted, open, proved, given, silent };
 constexpr std::array<std::string_view, 5> mark_names{"refuted", "open", "proved", "given", "silent"};
 
 StepMark mark_of(const Step& step) {
-  const bool malformed = std::any_of(step.diagnostics.begin(), step.diagnostics.end(), [](const auto& each) {
+  const bool malformed = std::ranges::any_of(step.diagnostics, [](const auto& each) {
     return each.severity() == Severity::error && each.kind != DiagnosticKind::unexpected_verdict;
   });
   switch (step.verdict) {

@@ -169,7 +169,7 @@ std::string controls(const ShownTotals& totals) {
   for (const VerdictMeaning& meaning : meanings) {
     const std::uint32_t count = totals.counts.at(static_cast<std::size_t>(meaning.verdict));
     std::string words(name_of(meaning.verdict));
-    std::replace(words.begin(), words.end(), '-', ' ');
+    std::ranges::replace(words, '-', ' ');
     if (count > 0)
       html += filter_button(name_of(meaning.verdict), sign_of(meaning.verdict), words, count, false);
   }
@@ -204,7 +204,7 @@ std::string take_title(NotesMath& math, std::vector<PageNotes>& notes) {
       const auto* heading = std::get_if<ShownHeading>(&item);
       return heading != nullptr && heading->level <= first->level;
     };
-    if (first != nullptr && std::count_if(items.begin(), items.end(), is_top) == 1) {
+    if (first != nullptr && std::ranges::count_if(items, is_top) == 1) {
       std::string title = first->title;
       math.put_in_force(notes.front().shown.macros.at(first->macros));
       items.erase(items.begin());

@@ -21,8 +21,8 @@ constexpr std::size_t most_panels = 4;
 std::string words_html(const Box& box) {
   if (box.kind == BoxKind::words) return xml_escaped(box.text);
   if (box.kind != BoxKind::row) return to_mathml(box, MathStyle::inline_);
-  const bool has_words = std::any_of(box.parts.begin(), box.parts.end(),
-                                     [](const Box& part) { return part.kind == BoxKind::words; });
+  const bool has_words =
+      std::ranges::any_of(box.parts, [](const Box& part) { return part.kind == BoxKind::words; });
   if (!has_words) return is_empty(box) ? "" : to_mathml(box, MathStyle::inline_);
   std::string html;
   for (const Box& part : box.parts)
@@ -126,9 +126,8 @@ std::string derivation_html(const PageContext& page, const Step& step) {
 std::string kinds_of(const Step& step) {
   std::string kinds(name_of(step.verdict));
   if (needs_attention(step)) kinds += " attention";
-  const bool warned =
-      std::any_of(step.diagnostics.begin(), step.diagnostics.end(),
-                  [](const Diagnostic& each) { return each.severity() == Severity::warning; });
+  const bool warned = std::ranges::any_of(
+      step.diagnostics, [](const Diagnostic& each) { return each.severity() == Severity::warning; });
   return warned ? kinds + " warning" : kinds;
 }
 

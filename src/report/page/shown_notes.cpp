@@ -86,7 +86,7 @@ class ShownNotesReader {
     equation.steps = queue_.take(display.span);
     if (!equation.steps.empty()) add_stated(queue_.take_before());
     const std::vector<Token> lexed = lex(sources_, display.body, display.quotes);
-    const bool defines = std::any_of(lexed.begin(), lexed.end(), [](const Token& token) {
+    const bool defines = std::ranges::any_of(lexed, [](const Token& token) {
       return token.kind == TokenKind::control && definition_form(token.text);
     });
     if (defines) changed_ = true;
@@ -120,9 +120,8 @@ class ShownNotesReader {
 
   void add_stated(const std::vector<const Step*>& steps) {
     for (const Step* step : steps) {
-      const auto said = std::find_if(directives_.begin(), directives_.end(), [&](const auto& directive) {
-        return lies_in(sources_, step->span, directive.first);
-      });
+      const auto said = std::ranges::find_if(
+          directives_, [&](const auto& directive) { return lies_in(sources_, step->span, directive.first); });
       ShownEquation stated;
       stated.span = step->span;
       stated.displayed = false;
@@ -154,9 +153,8 @@ ShownNotes show_notes(SourceMap& sources, const FileReport& report) {
 }
 
 bool needs_attention(const Step& step) {
-  const bool malformed =
-      std::any_of(step.diagnostics.begin(), step.diagnostics.end(),
-                  [](const Diagnostic& each) { return each.severity() == Severity::error; });
+  const bool malformed = std::ranges::any_of(
+      step.diagnostics, [](const Diagnostic& each) { return each.severity() == Severity::error; });
   if (malformed) return true;
   switch (step.verdict) {
     case Verdict::proved:
@@ -181,7 +179,7 @@ std::string_view sign_of(Verdict verdict) {
 
 std::string verdict_words(const Step& step) {
   std::string words(name_of(step.verdict));
-  std::replace(words.begin(), words.end(), '-', ' ');
+  std::ranges::replace(words, '-', ' ');
   if (!step.expected_refuted) return words;
   return words + (step.verdict == Verdict::refuted ? ", as expected" : ", expected to be refuted");
 }

@@ -21,8 +21,8 @@ void add_to(ShownTotals& totals, const FileReport& report) {
     ++totals.steps;
     ++totals.counts.at(static_cast<std::size_t>(step.verdict));
     if (needs_attention(step)) ++totals.attention;
-    if (std::any_of(step.diagnostics.begin(), step.diagnostics.end(),
-                    [](const Diagnostic& each) { return each.severity() == Severity::warning; }))
+    if (std::ranges::any_of(step.diagnostics,
+                            [](const Diagnostic& each) { return each.severity() == Severity::warning; }))
       ++totals.warned;
   }
   for (const Diagnostic& each : report.diagnostics)
@@ -53,7 +53,7 @@ std::string attention_words(const ShownTotals& totals, std::string_view open, st
 std::string counted(Verdict verdict, std::size_t count) {
   if (verdict == Verdict::definition) return plural(count, "definition");
   std::string words(name_of(verdict));
-  std::replace(words.begin(), words.end(), '-', ' ');
+  std::ranges::replace(words, '-', ' ');
   return fmt::format("{} {}", count, words);
 }
 

@@ -41,8 +41,8 @@ PlotSeries pareto_front(std::string name, std::span<const PlotSeries> series) {
       if (std::isfinite(point.x) && std::isfinite(point.y)) points.push_back({point.x, point.y});
     }
   }
-  std::sort(points.begin(), points.end(),
-            [](const PlotPoint& a, const PlotPoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::ranges::sort(
+      points, [](const PlotPoint& a, const PlotPoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   PlotSeries front{.name = std::move(name), .points = {}, .mark = Mark::none, .stroke = Stroke::dotted};
   double best = std::numeric_limits<double>::infinity();
   for (const PlotPoint& point : points) {

@@ -28,14 +28,14 @@ class Drawing {
       : plot_(plot),
         rows_(static_cast<double>(plot.paths.size())),
         svg_(side, ellipsoid_title + height + rows_ * legend_row, plot.title) {
-    unit_ = *std::max_element(plot.half_axes.begin(), plot.half_axes.end());
+    unit_ = std::ranges::max(plot.half_axes);
   }
 
   std::string draw() {
     svg_.text({side / 2, 28}, svg_label(plot_.title),
               {.size = 15, .anchor = SvgAnchor::middle, .bold = true});
-    const bool drawable = std::all_of(plot_.half_axes.begin(), plot_.half_axes.end(),
-                                      [](double half) { return half > 0 && std::isfinite(half); });
+    const bool drawable =
+        std::ranges::all_of(plot_.half_axes, [](double half) { return half > 0 && std::isfinite(half); });
     if (!drawable) {
       svg_.text({side / 2, height / 2}, "an axis of the ellipsoid is not positive and finite",
                 {.anchor = SvgAnchor::middle});
@@ -74,8 +74,8 @@ class Drawing {
     for (const bool wanted : {false, true}) {
       std::vector<SvgPoint> run;
       for (const Vector& point : points) {
-        const bool finite = std::all_of(point.begin(), point.end(),
-                                        [&](double each) { return std::abs(each) < 1e3 * unit_; });
+        const bool finite =
+            std::ranges::all_of(point, [&](double each) { return std::abs(each) < 1e3 * unit_; });
         if (finite && (in_front(point) == wanted || !run.empty())) run.push_back(project(point));
         if (!finite || in_front(point) != wanted) {
           svg_.polyline(run, wanted ? front : back);

@@ -238,7 +238,7 @@ class Panel {
   [[nodiscard]] bool fits(const PlotBox& box) const {
     if (box.left < left_margin || box.right > left_margin + frame_width) return false;
     if (box.top < frame_top_ || box.bottom > frame_top_ + frame_height) return false;
-    return std::none_of(taken_.begin(), taken_.end(), [&](const PlotBox& other) { return box.meets(other); });
+    return std::ranges::none_of(taken_, [&](const PlotBox& other) { return box.meets(other); });
   }
 
   void edge_name(std::string_view name, double y) {

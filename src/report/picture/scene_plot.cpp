@@ -71,7 +71,7 @@ std::vector<Plot> plots_of(const SceneResult& result) {
 std::vector<EllipsoidPlot> spin_paths_of(const SceneResult& result) {
   if (!result.motion || !result.moments || result.motion->spins.empty()) return {};
   const auto& moments = *result.moments;
-  if (*std::min_element(moments.begin(), moments.end()) <= 0) return {};
+  if (std::ranges::min(moments) <= 0) return {};
   const Vector3& first = result.motion->spins[0];
   double energy = 0;
   for (std::size_t i = 0; i < 3; ++i) energy += moments[i] * first[i] * first[i];

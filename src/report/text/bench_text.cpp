@@ -73,7 +73,7 @@ std::string cell(const ErrorMeasure& measure) {
 double median_time(const ChainResult& result, std::size_t form, std::size_t arithmetic) {
   std::vector<double> times;
   for (const TrialResult& trial : result.trials) times.push_back(at(trial, form, arithmetic).nanoseconds);
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   return times[times.size() / 2];
 }
 
@@ -89,11 +89,11 @@ std::string in_table(std::string text) {
 std::vector<std::size_t> telling_trials(const ChainResult& result, std::size_t most) {
   std::vector<std::size_t> order(result.trials.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     return spread_of(result.trials[a]) > spread_of(result.trials[b]);
   });
   order.resize(std::min(order.size(), most));
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   return order;
 }
 

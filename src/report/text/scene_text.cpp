@@ -46,7 +46,7 @@ std::string rounded_up(double bound) {
 }
 
 std::string print_error(const std::vector<double>& errors) {
-  const double worst = *std::max_element(errors.begin(), errors.end());
+  const double worst = std::ranges::max(errors);
   if (!std::isfinite(worst)) return "no bound of the rounding errors is known";
   return "rounding errors are at most " + rounded_up(worst);
 }

@@ -38,7 +38,7 @@ std::string print_tag(const std::string& tag) {
 
 std::string print_verdict(const Step& step) {
   std::string text(name_of(step.verdict));
-  std::replace(text.begin(), text.end(), '-', ' ');
+  std::ranges::replace(text, '-', ' ');
   const bool as_expected = step.verdict == Verdict::refuted && step.expected_refuted;
   return as_expected ? text + ", as expected" : text;
 }
@@ -152,8 +152,8 @@ std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
     const Step& step = *placed.step;
     if (placed.diagnostic->kind == DiagnosticKind::refuted && step.counterexample)
       text += print_sample(*step.counterexample, options.color);
-    const auto first = std::find_if(step.diagnostics.begin(), step.diagnostics.end(),
-                                    [](const Diagnostic& each) { return shows_repairs(each.kind); });
+    const auto first = std::ranges::find_if(step.diagnostics,
+                                            [](const Diagnostic& each) { return shows_repairs(each.kind); });
     if (&*first == placed.diagnostic) text += print_repairs(step, options.color);
   }
   return text;

@@ -18,8 +18,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Without a value more often than another form is.
 bool lacks_values(const TrialResult& trial, std::size_t form) {
   const std::size_t own = in_double(trial.forms[form]).undefined;
-  return std::any_of(trial.forms.begin(), trial.forms.end(),
-                     [&](const FormResult& other) { return in_double(other).undefined < own; });
+  return std::ranges::any_of(trial.forms,
+                             [&](const FormResult& other) { return in_double(other).undefined < own; });
 }
 
 double error_on(const TrialResult& trial, std::size_t form) {
@@ -36,7 +36,7 @@ double loss_of(const TrialResult& trial, std::size_t form) {
 
 /// The forms are equal there, and at least one of them can be compared to an exact value.
 bool counts(const TrialResult& trial) {
-  return trial.met && std::any_of(trial.forms.begin(), trial.forms.end(), [](const FormResult& form) {
+  return trial.met && std::ranges::any_of(trial.forms, [](const FormResult& form) {
            return in_double(form).compared + in_double(form).zeros > 0;
          });
 }
@@ -109,9 +109,9 @@ std::optional<Advice> advise(const ChainResult& all) {
     losses.push_back(greatest_loss(result, k).factor);
     costs.push_back(cost_of(result, k));
   }
-  const double least = *std::min_element(losses.begin(), losses.end());
+  const double least = std::ranges::min(losses);
   Advice advice;
-  advice.all_alike = *std::max_element(losses.begin(), losses.end()) <= alike * least;
+  advice.all_alike = std::ranges::max(losses) <= alike * least;
   bool found = false;
   for (std::size_t k = 0; k < count; ++k) {
     if (losses[k] > alike * least || (found && costs[k] >= costs[advice.form])) continue;

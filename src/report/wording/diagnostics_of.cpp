@@ -15,8 +15,8 @@ std::vector<PlacedDiagnostic> diagnostics_of(const FileReport& file) {
     const Span& span = placed.diagnostic->span;
     return std::tuple(span.file, span.begin);
   };
-  std::stable_sort(all.begin(), all.end(),
-                   [&](const PlacedDiagnostic& a, const PlacedDiagnostic& b) { return place(a) < place(b); });
+  std::ranges::stable_sort(
+      all, [&](const PlacedDiagnostic& a, const PlacedDiagnostic& b) { return place(a) < place(b); });
   // An obstacle of several steps is reported once.
   const auto same = [](const PlacedDiagnostic& a, const PlacedDiagnostic& b) {
     return a.diagnostic->kind == b.diagnostic->kind && a.diagnostic->span == b.diagnostic->span &&

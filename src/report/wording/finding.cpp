@@ -17,7 +17,7 @@ bool takes_repairs(const PlacedDiagnostic& placed) {
   if (placed.step == nullptr) return false;
   const Diagnostics& all = placed.step->diagnostics;
   const auto first =
-      std::find_if(all.begin(), all.end(), [](const Diagnostic& each) { return shows_repairs(each.kind); });
+      std::ranges::find_if(all, [](const Diagnostic& each) { return shows_repairs(each.kind); });
   return first != all.end() && &*first == placed.diagnostic;
 }
 

@@ -42,8 +42,8 @@ std::string print_name(const Counterexample& sample, const Counterexample::Value
   const auto is_namesake = [&](const Counterexample::Value& other) {
     return other.symbol == value.symbol && other.rank != value.rank && !other.beyond;
   };
-  const bool alone = std::none_of(sample.values.begin(), sample.values.end(), is_namesake) &&
-                     std::none_of(sample.follows.begin(), sample.follows.end(), is_namesake);
+  const bool alone =
+      std::ranges::none_of(sample.values, is_namesake) && std::ranges::none_of(sample.follows, is_namesake);
   const std::size_t rank = value.rank > 0 ? static_cast<std::size_t>(value.rank) : 0;
   if (alone || rank == 0 || rank > indices.size()) return printable(value.symbol);
   const std::string_view own = indices.substr(0, rank);
