@@ -32,8 +32,7 @@ ExitCode put(const std::string& path, const std::string& text, const SourceMap& 
 }
 
 std::size_t count(const std::vector<TestCase>& cases, CaseOutcome outcome) {
-  return static_cast<std::size_t>(std::count_if(
-      cases.begin(), cases.end(), [&](const TestCase& each) { return each.outcome == outcome; }));
+  return static_cast<std::size_t>(std::ranges::count(cases, outcome, &TestCase::outcome));
 }
 
 ExitCode code_of(CaseOutcome outcome) {

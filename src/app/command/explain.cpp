@@ -33,8 +33,7 @@ bool has_relation(const std::string& text) {
   SourceMap sources;
   const FileId file = sources.add("", text);
   const Tokens tokens = lex(sources, {file, 0, static_cast<std::uint32_t>(text.size())});
-  return std::any_of(tokens.begin(), tokens.end(),
-                     [](const Token& token) { return relation_kind(token).has_value(); });
+  return std::ranges::any_of(tokens, [](const Token& token) { return relation_kind(token).has_value(); });
 }
 
 FormsReading read(const ExplainCommand& command, SourceMap& sources) {
@@ -57,12 +56,13 @@ class Chooser {
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < reading_.forms.chains.size(); ++k) {
       const WrittenFormChain& chain = reading_.forms.chains[k];
-      const bool claims = std::any_of(chain.steps.begin(), chain.steps.end(),
-                                      [](const WrittenStep& step) { return !step.defines && !step.given; });
+      const bool claims = std::ranges::any_of(
+          chain.steps, [](const WrittenStep& step) { return !step.defines && !step.given; });
       const bool wanted = command_.places.empty()
                               ? claims && !chain.assumed
-                              : std::any_of(command_.places.begin(), command_.places.end(),
-                                            [&](const std::string& place) { return is_at(chain, place); });
+                              : std::ranges::any_of(command_.places, [&](const std::string& place) {
+                                  return is_at(chain, place);
+                                });
       if (wanted) chosen.push_back(k);
     }
     return chosen;
@@ -78,9 +78,8 @@ class Chooser {
     }
     bool known = true;
     for (const std::string& place : command_.places) {
-      const auto& all = reading_.forms.chains;
-      if (std::any_of(all.begin(), all.end(),
-                      [&](const WrittenFormChain& chain) { return is_at(chain, place); }))
+      if (std::ranges::any_of(reading_.forms.chains,
+                              [&](const WrittenFormChain& chain) { return is_at(chain, place); }))
         continue;
       known = false;
       err << fmt::format("rigor: {}: there is no equation at `{}`", printable(command_.file),
@@ -97,9 +96,8 @@ class Chooser {
   bool is_at(const WrittenFormChain& chain, const std::string& place) const {
     if (stands_at(chain, place) || (!chain.label.empty() && chain.label == place)) return true;
     const auto line = line_number(place);
-    const auto& all = reading_.forms.chains;
-    const bool is_tag = std::any_of(all.begin(), all.end(),
-                                    [&](const WrittenFormChain& other) { return stands_at(other, place); });
+    const bool is_tag = std::ranges::any_of(
+        reading_.forms.chains, [&](const WrittenFormChain& other) { return stands_at(other, place); });
     if (!line || is_tag || chain.span.file != reading_.report.file) return false;
     return sources_.line_column(chain.span.file, chain.span.begin).line <= *line &&
            *line <= sources_.line_column(chain.span.file, chain.span.end).line;

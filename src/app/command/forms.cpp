@@ -45,14 +45,15 @@ ExitCode choose_chains(const FormsCommand& command, Forms& forms, std::ostream& 
   for (const WrittenFormChain& chain : all) {
     if (!chain.tag.empty()) names.push_back(chain.tag);
     names.insert(names.end(), chain.headings.begin(), chain.headings.end());
-    const bool wanted = command.places.empty() ||
-                        std::any_of(command.places.begin(), command.places.end(),
-                                    [&](const std::string& place) { return stands_at(chain, place); });
+    const bool wanted =
+        command.places.empty() || std::ranges::any_of(command.places, [&](const std::string& place) {
+          return stands_at(chain, place);
+        });
     if (wanted && !chain.assumed) forms.chains.push_back(&chain);
   }
   for (const std::string& place : command.places) {
-    const bool known = std::any_of(all.begin(), all.end(),
-                                   [&](const WrittenFormChain& chain) { return stands_at(chain, place); });
+    const bool known =
+        std::ranges::any_of(all, [&](const WrittenFormChain& chain) { return stands_at(chain, place); });
     if (known) continue;
     err << fmt::format("rigor: {}: no equation and no section is named `{}`", printable(command.file),
                        printable(place));

@@ -25,8 +25,8 @@ namespace {
 /// True if one of them is an error.
 bool print(const Diagnostics& diagnostics, const SourceMap& sources, std::ostream& err) {
   for (const Diagnostic& diagnostic : diagnostics) err << render(diagnostic, sources);
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [](const Diagnostic& each) { return each.severity() == Severity::error; });
+  return std::ranges::any_of(diagnostics,
+                             [](const Diagnostic& each) { return each.severity() == Severity::error; });
 }
 
 /// Where the scene says what it asks of the notes.
@@ -68,8 +68,7 @@ bool units_fit(const LoadedScene& loaded, const SourceMap& sources, std::ostream
   const WrittenForms& forms = loaded.reading.forms;
   bool fit = true;
   for (const SceneValue& value : loaded.scene.values) {
-    const auto asked = std::find_if(forms.asked.begin(), forms.asked.end(),
-                                    [&](const AskedForm& form) { return form.source == value.name.text; });
+    const auto asked = std::ranges::find(forms.asked, value.name.text, &AskedForm::source);
     if (!value.dimension || asked == forms.asked.end()) continue;
     const ExprNode& node = forms.tree[asked->expr];
     const auto declared = forms.units.find(node.symbol);

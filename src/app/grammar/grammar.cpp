@@ -62,8 +62,8 @@ std::string Grammar::given() const {
 }
 
 CommandLine Grammar::line() const {
-  const auto parsed = std::find_if(commands_.begin(), commands_.end(),
-                                   [](const Command& command) { return command.words->parsed(); });
+  const auto parsed =
+      std::ranges::find_if(commands_, [](const Command& command) { return command.words->parsed(); });
   return parsed->line();  // one of them is required
 }
 

@@ -66,8 +66,7 @@ std::string effort_from(const std::string& word, std::uint64_t& effort) {
 
 DebugTopic topic_of(const std::string& name) {
   const auto table = debug_topic_table();
-  return std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.name == name; })
-      ->topic;
+  return std::ranges::find(table, name, &DebugTopicInfo::name)->topic;
 }
 
 void add_path(CLI::App& to, const char* name, std::optional<std::string>& path, const char* type,

@@ -58,9 +58,9 @@ class Answering {
     request.asked = notes_.by;
     result_.reading = read_forms_of_text(result_.sources, notes_.path, notes_.text, request);
     for (const std::string& place : notes_.places) {
-      const auto& chains = result_.reading.forms.chains;
-      const bool known = std::any_of(chains.begin(), chains.end(),
-                                     [&](const WrittenFormChain& chain) { return stands_at(chain, place); });
+      const bool known =
+          std::ranges::any_of(result_.reading.forms.chains,
+                              [&](const WrittenFormChain& chain) { return stands_at(chain, place); });
       if (!known) result_.unknown_places.push_back(place);
     }
   }
@@ -68,9 +68,9 @@ class Answering {
   bool is_asked(const WrittenHole& hole) const {
     if (notes_.statement) return hole.span.file == *result_.reading.statement;
     const WrittenFormChain& chain = result_.reading.forms.chains[hole.chain];
-    return notes_.places.empty() ||
-           std::any_of(notes_.places.begin(), notes_.places.end(),
-                       [&](const std::string& place) { return stands_at(chain, place); });
+    return notes_.places.empty() || std::ranges::any_of(notes_.places, [&](const std::string& place) {
+             return stands_at(chain, place);
+           });
   }
 
   FileId own_file() const {
@@ -163,9 +163,9 @@ class Answering {
       for (const WrittenForm& form : chain.forms) {
         if (!form.expr || tree[*form.expr].rank != tree[reading.node].rank) continue;
         const std::vector<SymbolId> symbols = symbols_in(tree, *form.expr);
-        const bool fits =
-            !symbols.empty() && std::all_of(symbols.begin(), symbols.end(),
-                                            [&](SymbolId symbol) { return known.contains(symbol); });
+        const bool fits = !symbols.empty() && std::ranges::all_of(symbols, [&](SymbolId symbol) {
+          return known.contains(symbol);
+        });
         if (fits) add(hole, form.source, other);
       }
     }
@@ -191,9 +191,7 @@ class Answering {
     return result_.reading.forms.chains[chain].forms[side].source;
   }
 
-  bool any_trying() const {
-    return std::any_of(open_.begin(), open_.end(), [](const OpenHole& hole) { return hole.is_trying(); });
-  }
+  bool any_trying() const { return std::ranges::any_of(open_, &OpenHole::is_trying); }
 
   /// The next candidates are put in, and all is read again.
   void try_all() {

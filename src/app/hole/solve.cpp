@@ -53,10 +53,10 @@ class StatementSolver {
   bool sides_fit(const WrittenFormChain& chain) const {
     const ExprTree& tree = reading_.forms.tree;
     if (tree[*chain.forms[0].expr].rank != tree[*chain.forms[1].expr].rank) return false;
-    return std::none_of(reading_.report.steps.begin(), reading_.report.steps.end(), [&](const Step& step) {
+    return std::ranges::none_of(reading_.report.steps, [&](const Step& step) {
       if (step.relation_span.file != *reading_.statement) return false;
-      return std::any_of(step.diagnostics.begin(), step.diagnostics.end(),
-                         [](const Diagnostic& each) { return each.severity() == Severity::error; });
+      return std::ranges::any_of(step.diagnostics,
+                                 [](const Diagnostic& each) { return each.severity() == Severity::error; });
     });
   }
 

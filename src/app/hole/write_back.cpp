@@ -13,8 +13,8 @@
 namespace rigor {
 
 std::string with_replacements(std::string text, std::vector<PlacedText> replacements) {
-  std::sort(replacements.begin(), replacements.end(),
-            [](const PlacedText& a, const PlacedText& b) { return a.span.begin > b.span.begin; });
+  std::ranges::sort(replacements,
+                    [](const PlacedText& a, const PlacedText& b) { return a.span.begin > b.span.begin; });
   for (const PlacedText& each : replacements)
     text.replace(each.span.begin, each.span.end - each.span.begin, each.text);
   return text;

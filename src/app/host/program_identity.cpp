@@ -60,7 +60,7 @@ int add_object(dl_phdr_info* object, std::size_t, void* identities) {
 std::string program_identity() {
   std::vector<std::string> identities;
   ::dl_iterate_phdr(add_object, &identities);
-  std::sort(identities.begin(), identities.end());
+  std::ranges::sort(identities);
   std::string all;
   for (const std::string& identity : identities) all += fmt::format("{}:{}", identity.size(), identity);
   return fmt::format("rigor {} {}", version, md5(all));
