@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "algebra/decide/random_samples.h"
 #include "catch.h"
 #include "check/entry/read_forms.h"
 #include "check/form/forms.h"
+#include "random_samples.h"
 
 namespace rigor::agreement {
 namespace {

@@ -19,7 +19,7 @@
 #include "app/command/run.h"
 #include "app/command/scene.h"
 #include "app/host/sample_bodies.h"
-#include "report/text/stability_report.h"
+#include "report/stability_report.h"
 
 namespace rigor {
 namespace {

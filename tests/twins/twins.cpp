@@ -10,7 +10,6 @@
 #include <optional>
 #include <set>
 
-#include "algebra/decide/random_samples.h"
 #include "base/check.h"
 #include "check/entry/check.h"
 #include "check/entry/read_forms.h"
@@ -18,6 +17,7 @@
 #include "check/form/forms.h"
 #include "declarations.h"
 #include "latex/document/document.h"
+#include "random_samples.h"
 #include "source/read_file.h"
 
 namespace rigor::twins {

@@ -60,9 +60,4 @@ struct Replay {
 [[nodiscard]] std::optional<Sample> satisfying_sample(const Question& question, const Sample& known = {},
                                                       const Limits& limits = {});
 
-/// Does any sample satisfy the assumptions? `false` only says that none was found.
-[[nodiscard]] inline bool satisfiable(const Question& question, const Limits& limits = {}) {
-  return satisfying_sample(question, {}, limits).has_value();
-}
-
 }  // namespace rigor

@@ -144,17 +144,6 @@ class Cutter {
   std::vector<Inner>* inner_ = nullptr;
 };
 
-/// `\nabla^2`, `d^2x`, `\partial t^2`: how often, not a power.
-bool counts_derivatives(TokenView side, std::size_t superscript) {
-  const auto is_d = [&](std::size_t at) {
-    return is_control(side[at], "nabla") || is_control(side[at], "partial") ||
-           (side[at].kind == TokenKind::letter && side[at].text == "d");
-  };
-  return (superscript > 0 && is_d(superscript - 1)) ||
-         (superscript > 1 && (is_d(superscript - 2) ||
-                              (superscript > 2 && is_blank(side[superscript - 2]) && is_d(superscript - 3))));
-}
-
 }  // namespace
 
 std::vector<PieceLevel> levels_of(TokenView side) {
@@ -194,16 +183,6 @@ std::vector<TokenView> subscripts_of(TokenView side) {
     subscripts.push_back(argument_at(side, k + 1).content);
   }
   return subscripts;
-}
-
-std::vector<TokenView> squares_of(TokenView side) {
-  std::vector<TokenView> squares;
-  for (std::size_t k = 0; k < side.size(); ++k) {
-    if (side[k].kind != TokenKind::superscript || counts_derivatives(side, k)) continue;
-    const Argument exponent = argument_at(side, k + 1);
-    if (text_of(exponent.content) == "2") squares.push_back(side.subspan(k, exponent.next - k));
-  }
-  return squares;
 }
 
 }  // namespace rigor

@@ -46,7 +46,5 @@ struct PieceTerm {
 
 /// What is in each subscript, those of `\sum` left out.
 [[nodiscard]] std::vector<TokenView> subscripts_of(TokenView side);
-/// Each `^2`, both tokens (and braces), but for those of `\nabla^2` and `\partial^2`.
-[[nodiscard]] std::vector<TokenView> squares_of(TokenView side);
 
 }  // namespace rigor

@@ -13,14 +13,6 @@ double total_mass(const Body& body) {
   return std::isfinite(total.high) ? total.value().high : total.high;  // the low part of infinity is NaN
 }
 
-Result<Position> centre_of_mass(const Body& body) {
-  return check_count(body)
-      .and_then([&] { return sharp_centre_of_mass(points_of(body)); })
-      .map([](const SharpPosition& c) {
-        return Position{c[0].high, c[1].high, c[2].high};
-      });
-}
-
 Result<InertiaTensor> inertia_tensor(const Body& body) {
   return check_count(body).and_then([&] { return mass_sums(points_of(body)); }).map(&MassSums::inertia);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mass, centre of mass and inertia tensor of a body, each on its own. Its principal moments and axes:
+// Mass and inertia tensor of a body, each on its own. Its principal moments and axes:
 // kernels/principal_moments.h.
 #pragma once
 
@@ -9,8 +9,6 @@ namespace rigor {
 
 /// kg. Error: the last rounding. Infinite where the sum overflows.
 [[nodiscard]] double total_mass(const Body& body);
-/// Error: the last rounding, in addition to 2^-90 of the body's extent. Cost: 3 ns a particle.
-[[nodiscard]] Result<Position> centre_of_mass(const Body& body);
 
 /// About the body's centre of mass, along its axes, wherever the body is: see `mass_sums`. Cost: one pass,
 /// 0.6 ns a particle where there are lanes of 8. Error: that of `mass_sums`, 24 u relative to the greatest

@@ -74,15 +74,6 @@ Samples Samples::only(std::span<const std::size_t> which) const {
   return chosen;
 }
 
-Samples Samples::rounded_to_double() const {
-  Samples rounded = *this;
-  for (auto& [key, column] : rounded.columns_) {
-    column.low = 0;
-    column.errors = nullptr;
-  }
-  return rounded;
-}
-
 Samples Samples::rounded_to_float() const {
   Samples rounded(samples_, particles_);
   for (const auto& [key, column] : columns_) {

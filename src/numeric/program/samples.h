@@ -69,8 +69,6 @@ class Samples {
 
   /// Some of the samples, in the given order; one may be taken several times. Without errors.
   [[nodiscard]] Samples only(std::span<const std::size_t> which) const;
-  /// The same without low parts and errors.
-  [[nodiscard]] Samples rounded_to_double() const;
   /// The same with every number as the nearest float.
   [[nodiscard]] Samples rounded_to_float() const;
 

@@ -340,6 +340,4 @@ std::string SpinLaw::fault_at(const Vector3& spin) const {
   return solved.misfit <= most_misfit ? "" : "the equations contradict each other there";
 }
 
-std::size_t SpinLaw::equations_used() const { return system_->used(); }
-
 }  // namespace rigor

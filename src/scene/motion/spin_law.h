@@ -44,8 +44,6 @@ class SpinLaw {
   /// Why there are no rates; empty: there are.
   [[nodiscard]] std::string fault_at(const Vector3& spin) const;
 
-  [[nodiscard]] std::size_t equations_used() const;
-
  private:
   class System;
   std::shared_ptr<System> system_;

@@ -64,8 +64,8 @@ bool SceneEvaluation::compile_all() {
   }
   needs_motion_ = std::ranges::any_of(
       asked_, [](const Asked& asked) { return !asked.failed && asked.ask->kind == SceneAskKind::over_time; });
-  needs_law_ = needs_motion_ || read.contains(SceneRole::spin_rate);
-  if (needs_law_ || wants_law_) collect_law(read);
+  needs_law_ = needs_law_ || needs_motion_ || read.contains(SceneRole::spin_rate);
+  if (needs_law_) collect_law(read);
   const auto open = values_.settle_axes(read);
   if (open) report(DiagnosticKind::bad_scene, scene_.body.span, open->message, open->help);
   return !open;

@@ -3,7 +3,6 @@
 // it is run.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -13,7 +12,6 @@
 #include "numeric/measure/evaluate.h"
 #include "scene/motion/spin_law.h"
 #include "scene/quantity/scene.h"
-#include "scene/quantity/scene_functions.h"
 #include "scene/quantity/scene_values.h"
 
 namespace rigor {
@@ -24,10 +22,8 @@ class SceneEvaluation {
   SceneEvaluation(const SceneFile& scene, const Body& body, const WrittenForms& forms);
 
   [[nodiscard]] SceneResult run();
-  /// Instead of `run`; they keep the evaluation alive.
-  [[nodiscard]] SceneFunctions functions(const std::shared_ptr<SceneEvaluation>& self);
 
- private:
+ protected:  // a test measures motions of its own with it
   static constexpr const char* law_node = "law of motion";
   static constexpr const char* motion_node = "motion";
 
@@ -81,7 +77,6 @@ class SceneEvaluation {
   std::size_t chains_of_law_ = 0;
   bool needs_motion_ = false;
   bool needs_law_ = false;
-  bool wants_law_ = false;  // although nothing that is asked reads it
   std::optional<SpinLaw> law_of_spin_;
   Vector3 start_{};  // the spin at the time 0
 };

@@ -175,10 +175,10 @@ TEST_CASE("assumptions that no sample meets are known", "[algebra]") {
   Page page;
   const Named a = page.vector("A");
   const Named s = page.scalar("s");
-  CHECK(satisfiable(page.question));
+  CHECK(satisfying_sample(page.question));
   page.given(dot(a, a), 2 * s);
-  CHECK(satisfiable(page.question));
+  CHECK(satisfying_sample(page.question));
   SECTION("a contradiction") { page.given(s, s + page.number("1")); }
   SECTION("a negative square") { page.given(s, -page.number("2")); }
-  CHECK_FALSE(satisfiable(page.question));
+  CHECK_FALSE(satisfying_sample(page.question));
 }

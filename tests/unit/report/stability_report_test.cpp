@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/text/stability_report.h"
+#include "report/stability_report.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/motion/stability.h"
+#include "scene/stability.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 #include "check/entry/read_forms.h"
 #include "check/form/forms.h"
 #include "numeric/body/body.h"
-#include "scene/quantity/scene_functions.h"
+#include "scene/scene_functions.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/motion/stability.h"
+#include "scene/stability.h"
 
 #include <cmath>
 #include <limits>

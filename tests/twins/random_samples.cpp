@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/decide/random_samples.h"
+#include "random_samples.h"
 
 #include <set>
 #include <string>

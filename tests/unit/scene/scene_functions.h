@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "scene/motion/stability.h"
 #include "scene/quantity/scene.h"
+#include "scene/stability.h"
 
 namespace rigor {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "report/picture/plot.h"
-#include "scene/quantity/scene_functions.h"
+#include "scene/scene_functions.h"
 
 namespace rigor {
 

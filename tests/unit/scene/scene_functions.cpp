@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/quantity/scene_functions.h"
+#include "scene/scene_functions.h"
 
 #include <memory>
 
 #include "scene/quantity/scene_evaluation.h"
 
 namespace rigor {
+namespace {
 
-SceneFunctions SceneEvaluation::functions(const std::shared_ptr<SceneEvaluation>& self) {
+class FunctionsOfScene : public SceneEvaluation {
+ public:
+  using SceneEvaluation::SceneEvaluation;
+  /// Instead of `run`; they keep the evaluation alive.
+  [[nodiscard]] SceneFunctions functions(const std::shared_ptr<FunctionsOfScene>& self);
+};
+
+SceneFunctions FunctionsOfScene::functions(const std::shared_ptr<FunctionsOfScene>& self) {
   SceneFunctions functions;
-  wants_law_ = scene_.motion.has_value();
+  needs_law_ = scene_.motion.has_value();
   if (const auto valid = check_body(body_.body()); !valid) {
     report(DiagnosticKind::bad_body, scene_.body.span, valid.error().reason);
   } else if (compile_all()) {
-    if (needs_law_ || wants_law_) make_law();
+    if (needs_law_) make_law();
     if (law_of_spin_)
       functions.rates = [self](const Vector3& spin) { return self->law_of_spin_->rates(spin); };
     for (Asked& asked : asked_) {
@@ -37,8 +45,10 @@ SceneFunctions SceneEvaluation::functions(const std::shared_ptr<SceneEvaluation>
   return functions;
 }
 
+}  // namespace
+
 SceneFunctions scene_functions(const SceneFile& scene, const Body& body, const WrittenForms& forms) {
-  const auto evaluation = std::make_shared<SceneEvaluation>(scene, body, forms);
+  const auto evaluation = std::make_shared<FunctionsOfScene>(scene, body, forms);
   return evaluation->functions(evaluation);
 }
 
