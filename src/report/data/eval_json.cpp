@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/data/eval_json.h"
 
-#include <nlohmann/json.hpp>
-
+#include "report/data/json_value.h"
 #include "report/wording/advice.h"
 
 namespace rigor {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Infinite and not-a-number become null.
 Json spread(const Spread& spread) { return {{"worst", spread.worst}, {"median", spread.median}}; }
@@ -40,35 +37,32 @@ Json form_json(const FormResult& form) {
 }
 
 Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
-  const auto& [chain, result] = evaluated;
+  const WrittenFormChain* chain = evaluated.chain;
+  const ChainResult& result = evaluated.result;
   const LineColumn place = sources.line_column(chain->span.file, chain->span.begin);
   Json json{{"file", sources.path(chain->span.file)}, {"line", place.line}, {"column", place.column}};
   if (!chain->tag.empty()) json["tag"] = chain->tag;
   if (chain->image > 0) json["cyclic_image"] = chain->image;
   json["section"] = chain->section;
-  json["forms"] = Json::array();
-  for (const ChainResult::Form& form : result.forms) {
-    json["forms"].push_back({{"source", chain->forms[form.side].source},
-                             {"operations", form.operations},
-                             {"operations_per_particle", form.operations_per_particle}});
-  }
-  json["not_evaluated"] = Json::array();
-  for (const ChainResult::LeftOut& each : result.left_out)
-    json["not_evaluated"].push_back({{"source", chain->forms[each.side].source}, {"why", each.why}});
+  json["forms"] = array_of(result.forms, [&](const ChainResult::Form& form) {
+    return Json{{"source", chain->forms[form.side].source},
+                {"operations", form.operations},
+                {"operations_per_particle", form.operations_per_particle}};
+  });
+  json["not_evaluated"] = array_of(result.left_out, [&](const ChainResult::LeftOut& each) {
+    return Json{{"source", chain->forms[each.side].source}, {"why", each.why}};
+  });
   if (!result.not_comparable.empty()) json["not_comparable"] = result.not_comparable;
   if (!result.taken_for.empty()) json["taken_for"] = result.taken_for;
   if (!result.no_trials.empty()) json["no_trials"] = result.no_trials;
-  json["trials"] = Json::array();
-  for (const TrialResult& trial : result.trials) {
-    Json forms = Json::array();
-    for (const FormResult& form : trial.forms) forms.push_back(form_json(form));
-    json["trials"].push_back({{"name", trial.name},
-                              {"what", trial.what},
-                              {"assumptions_hold", trial.met},
-                              {"samples", trial.samples},
-                              {"particles", trial.particles},
-                              {"forms", std::move(forms)}});
-  }
+  json["trials"] = array_of(result.trials, [](const TrialResult& trial) {
+    return Json{{"name", trial.name},
+                {"what", trial.what},
+                {"assumptions_hold", trial.met},
+                {"samples", trial.samples},
+                {"particles", trial.particles},
+                {"forms", array_of(trial.forms, form_json)}};
+  });
   if (const auto advice = advise(result)) {
     json["advice"] = {{"form", advice->form},
                       {"all_alike", advice->all_alike},
@@ -81,9 +75,11 @@ Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
 }  // namespace
 
 std::string evaluation_json(const EvaluatedNotes& notes, const SourceMap& sources) {
-  Json json{{"format", 1}, {"notes", notes.path}, {"chains", Json::array()}};
-  for (const EvaluatedChain& chain : notes.chains) json["chains"].push_back(chain_json(chain, sources));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_text({{"format", 1},
+                  {"notes", notes.path},
+                  {"chains", array_of(notes.chains, [&](const EvaluatedChain& chain) {
+                     return chain_json(chain, sources);
+                   })}});
 }
 
 }  // namespace rigor

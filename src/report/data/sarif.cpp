@@ -5,36 +5,28 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/md5.h"
 #include "base/version.h"
+#include "report/data/json_value.h"
 #include "report/wording/escape.h"
 #include "report/wording/finding.h"
 
 namespace rigor {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* root = "%SRCROOT%";
 
-Json text_object(const std::string& text) {
-  Json object;
-  object["text"] = text;
-  return object;
-}
+Json text_object(const std::string& text) { return {{"text", text}}; }
 
 Json region_of(Span span, const SourceMap& sources) {
   const LineColumn begin = sources.line_column(span.file, span.begin);
   const LineColumn end = sources.line_column(span.file, std::max(span.begin, span.end));
-  Json region;
-  region["startLine"] = begin.line;
-  region["startColumn"] = begin.column;
-  region["endLine"] = end.line;
-  region["endColumn"] = end.column;
-  return region;
+  return {{"startLine", begin.line},
+          {"startColumn", begin.column},
+          {"endLine", end.line},
+          {"endColumn", end.column}};
 }
 
 std::string_view level_of(Weight weight) {
@@ -83,93 +75,75 @@ class SarifRun {
   SarifRun(const SourceMap& sources, const CheckFormat& options) : sources_(sources), options_(options) {}
 
   Json json_of(const Report& report) {
-    Json run;
-    Json driver;
-    driver["name"] = "rigor";
-    driver["version"] = version;
-    driver["rules"] = rules(options_.strict);
-    run["tool"]["driver"] = std::move(driver);
-    run["columnKind"] = "unicodeCodePoints";
-    run["originalUriBaseIds"][root]["description"] = text_object("the folder in which rigor was called");
-    Json invocation;
-    invocation["executionSuccessful"] = true;
+    Json results = Json::array();
     Json notifications = Json::array();
-    run["results"] = Json::array();
     for (const FileReport& file : report.files) {
-      for (const PlacedDiagnostic& placed : diagnostics_of(file)) run["results"].push_back(result_of(placed));
+      for (const PlacedDiagnostic& placed : diagnostics_of(file)) results.push_back(result_of(placed));
       for (const Diagnostic& silenced : file.silenced) {
         Json result = result_of({&silenced, nullptr});
         suppress(result, "`allow` in the notes");
-        run["results"].push_back(std::move(result));
+        results.push_back(std::move(result));
       }
-      if (file.failure.empty()) continue;
-      invocation["executionSuccessful"] = false;
-      notifications.push_back(notification_of(file));
+      if (!file.failure.empty()) notifications.push_back(notification_of(file));
     }
+    Json invocation{{"executionSuccessful", notifications.empty()}};
     if (!notifications.empty()) invocation["toolExecutionNotifications"] = std::move(notifications);
-    run["invocations"] = Json::array({std::move(invocation)});
-    return run;
+    const Json driver{{"name", "rigor"}, {"version", version}, {"rules", rules(options_.strict)}};
+    const Json folder{{"description", text_object("the folder in which rigor was called")}};
+    return {{"tool", {{"driver", driver}}},
+            {"columnKind", "unicodeCodePoints"},
+            {"originalUriBaseIds", {{root, folder}}},
+            {"results", std::move(results)},
+            {"invocations", Json::array({std::move(invocation)})}};
   }
 
  private:
   /// All kinds, so that `ruleIndex` is the position in the registry.
   static Json rules(bool strict) {
-    Json rules = Json::array();
-    for (const DiagnosticInfo& entry : diagnostic_table()) {
+    return array_of(diagnostic_table(), [strict](const DiagnosticInfo& entry) {
       const Diagnostic example{entry.kind, {}, ""};
-      Json rule;
-      rule["id"] = entry.name;
-      rule["shortDescription"] = text_object(std::string(entry.summary));
-      rule["help"] =
-          text_object(fmt::format("{} ({}). The section `{}` of rigor's docs/diagnostics.md says more.",
-                                  entry.summary, name_of(entry.severity), entry.name));
-      rule["defaultConfiguration"]["level"] = level_of(weight_of({&example, nullptr}, strict));
-      rules.push_back(std::move(rule));
-    }
-    return rules;
+      const std::string help =
+          fmt::format("{} ({}). The section `{}` of rigor's docs/diagnostics.md says more.", entry.summary,
+                      name_of(entry.severity), entry.name);
+      return Json{{"id", entry.name},
+                  {"shortDescription", text_object(std::string(entry.summary))},
+                  {"help", text_object(help)},
+                  {"defaultConfiguration", {{"level", level_of(weight_of({&example, nullptr}, strict))}}}};
+    });
   }
 
   [[nodiscard]] Json artifact(const std::string& path) const {
     const std::string from_here = path_from(path, options_.folder);
-    Json location;
-    location["uri"] = uri_of_path(from_here);
+    Json location{{"uri", uri_of_path(from_here)}};
     if (!from_here.starts_with('/')) location["uriBaseId"] = root;
     return location;
   }
 
   [[nodiscard]] Json location_of(Span span) const {
-    Json location;
-    location["physicalLocation"]["artifactLocation"] = artifact(sources_.path(span.file));
-    location["physicalLocation"]["region"] = region_of(span, sources_);
-    return location;
+    return {
+        {"physicalLocation",
+         {{"artifactLocation", artifact(sources_.path(span.file))}, {"region", region_of(span, sources_)}}}};
   }
 
   static void suppress(Json& result, const char* reason) {
-    Json suppression;
-    suppression["kind"] = "inSource";
-    suppression["justification"] = reason;
-    result["suppressions"] = Json::array({std::move(suppression)});
+    result["suppressions"] = Json::array({{{"kind", "inSource"}, {"justification", reason}}});
   }
 
   Json result_of(const PlacedDiagnostic& placed) {
     const Diagnostic& diagnostic = *placed.diagnostic;
     const Weight weight = weight_of(placed, options_.strict);
-    Json result;
-    result["ruleId"] = info(diagnostic.kind).name;
-    result["ruleIndex"] = &info(diagnostic.kind) - diagnostic_table().data();
-    result["level"] = level_of(weight);
     std::string message = diagnostic.message + "\n" + details_of(placed, sources_);
     message.pop_back();
-    result["message"] = text_object(message);
     Json location = location_of(diagnostic.span);
-    if (placed.step != nullptr && !placed.step->section.empty()) {
-      Json section;
-      section["name"] = placed.step->section;
-      location["logicalLocations"] = Json::array({std::move(section)});
-    }
-    result["locations"] = Json::array({std::move(location)});
+    if (placed.step != nullptr && !placed.step->section.empty())
+      location["logicalLocations"] = Json::array({{{"name", placed.step->section}}});
+    Json result{{"ruleId", info(diagnostic.kind).name},
+                {"ruleIndex", &info(diagnostic.kind) - diagnostic_table().data()},
+                {"level", level_of(weight)},
+                {"message", text_object(message)},
+                {"locations", Json::array({std::move(location)})}};
     add_related(result, diagnostic);
-    result["partialFingerprints"]["rigorStatement/v1"] = fingerprint(placed);
+    result["partialFingerprints"] = {{"rigorStatement/v1", fingerprint(placed)}};
     if (placed.step != nullptr && shows_repairs(diagnostic.kind)) add_fixes(result, *placed.step);
     if (weight == Weight::expected) suppress(result, "`expect refuted` in the notes");
     return result;
@@ -190,16 +164,12 @@ class SarifRun {
     for (const Repair& repair : step.repairs) {
       const auto place = replaced_by(repair, step, sources_);
       if (!place) continue;
-      Json replacement;
-      replacement["deletedRegion"] = region_of(*place, sources_);
-      replacement["insertedContent"] = text_object(repair.replacement);
-      Json change;
-      change["artifactLocation"] = artifact(sources_.path(place->file));
-      change["replacements"] = Json::array({std::move(replacement)});
-      Json fix;
-      fix["description"] = text_object(repair.change);
-      fix["artifactChanges"] = Json::array({std::move(change)});
-      fixes.push_back(std::move(fix));
+      const Json replacement{{"deletedRegion", region_of(*place, sources_)},
+                             {"insertedContent", text_object(repair.replacement)}};
+      const Json change{{"artifactLocation", artifact(sources_.path(place->file))},
+                        {"replacements", Json::array({replacement})}};
+      fixes.push_back(
+          {{"description", text_object(repair.change)}, {"artifactChanges", Json::array({change})}});
     }
     if (!fixes.empty()) result["fixes"] = std::move(fixes);
   }
@@ -215,13 +185,9 @@ class SarifRun {
   }
 
   [[nodiscard]] Json notification_of(const FileReport& file) const {
-    Json notification;
-    notification["level"] = "error";
-    notification["message"] = text_object(file.failure);
-    Json location;
-    location["physicalLocation"]["artifactLocation"] = artifact(file.path);
-    notification["locations"] = Json::array({std::move(location)});
-    return notification;
+    const Json location{{"physicalLocation", {{"artifactLocation", artifact(file.path)}}}};
+    return {
+        {"level", "error"}, {"message", text_object(file.failure)}, {"locations", Json::array({location})}};
   }
 
   const SourceMap& sources_;
@@ -232,11 +198,9 @@ class SarifRun {
 }  // namespace
 
 std::string to_sarif(const Report& report, const SourceMap& sources, const CheckFormat& options) {
-  Json log;
-  log["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
-  log["version"] = "2.1.0";
-  log["runs"] = Json::array({SarifRun(sources, options).json_of(report)});
-  return log.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return to_text({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                  {"version", "2.1.0"},
+                  {"runs", Json::array({SarifRun(sources, options).json_of(report)})}});
 }
 
 }  // namespace rigor

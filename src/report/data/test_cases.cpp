@@ -7,16 +7,14 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/utf8.h"
+#include "report/data/json_value.h"
 #include "report/text/terminal.h"
 
 namespace rigor {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> outcome_names{"passed", "failed", "open"};
 
@@ -100,17 +98,12 @@ std::vector<TestCase> test_cases(const FileReport& file, const SourceMap& source
 }
 
 std::string test_cases_json(const std::vector<TestCase>& cases) {
-  Json object;
-  object["format"] = 1;
-  object["cases"] = Json::array();
-  for (const TestCase& each : cases) {
-    Json entry;
-    entry["name"] = each.name;
-    entry["outcome"] = outcome_names[static_cast<std::size_t>(each.outcome)];
-    entry["text"] = each.text;
-    object["cases"].push_back(std::move(entry));
-  }
-  return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const auto json_of_case = [](const TestCase& each) {
+    return Json{{"name", each.name},
+                {"outcome", outcome_names[static_cast<std::size_t>(each.outcome)]},
+                {"text", each.text}};
+  };
+  return to_text({{"format", 1}, {"cases", array_of(cases, json_of_case)}}, 1);
 }
 
 Result<std::vector<TestCase>> read_test_cases(std::string_view json) {

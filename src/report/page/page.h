@@ -3,7 +3,6 @@
 // MathML. What is in the notes cannot leave its element. The same input gives the same bytes.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 

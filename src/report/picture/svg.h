@@ -3,7 +3,6 @@
 // lengths have two digits after the point. Lengths are pixels, y points down.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "check/form/forms.h"
 #include "numeric/measure/chain_results.h"
 #include "report/text/terminal.h"
 
