@@ -3,7 +3,6 @@
 // is all that is computed from it.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <string>
 
