@@ -4,7 +4,6 @@
 #include <array>
 
 #include "base/ascii.h"
-#include "latex/text/document_display.h"
 
 namespace rigor {
 namespace {

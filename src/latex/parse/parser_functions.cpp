@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "latex/parse/parse.h"
 #include "latex/parse/parser.h"
 #include "latex/split/differential.h"
 
