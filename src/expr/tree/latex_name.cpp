@@ -2,7 +2,6 @@
 #include "expr/tree/latex_name.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/among.h"
 #include "base/ascii.h"
