@@ -2,7 +2,6 @@
 // Letters that are written with their argument: functions before other brackets as well.
 #pragma once
 
-#include <span>
 #include <string_view>
 #include <vector>
 
