@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Can the assumptions be met at all?
 #include <numeric>
-#include <utility>
 
 #include "algebra/decide/decide.h"
 #include "algebra/sample/refute.h"

@@ -27,7 +27,6 @@
 
 #include <optional>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "algebra/engine/undecidable.h"

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <utility>
 
 #include "algebra/engine/terms.h"
 #include "algebra/ring/division.h"

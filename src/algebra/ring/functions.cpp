@@ -4,7 +4,6 @@
 #include <ginac/ginac.h>
 
 #include <cstdlib>
-#include <numeric>
 #include <string>
 
 #include "algebra/engine/terms.h"

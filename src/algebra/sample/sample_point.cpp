@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "algebra/evaluator/evaluator.h"
 #include "algebra/sample/sample_rotation.h"
 #include "base/check.h"
 

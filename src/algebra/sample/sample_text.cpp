@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/sample/sample_text.h"
 
-#include "algebra/evaluator/evaluator.h"
 #include "algebra/sample/sample_rotation.h"
 
 namespace rigor {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "algebra/sample/refute.h"
-#include "algebra/sample/sample_rotation.h"
 
 namespace rigor {
 namespace {
