@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/kernels/mass_sums.h"
 
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "base/check.h"
 #include "numeric/kernels/point_pass.h"
 #include "numeric/kernels/point_sample.h"
-#include "numeric/lane/double_double.h"
 
 namespace rigor {
 namespace {

@@ -6,13 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include "base/among.h"
 #include "numeric/kernels/triangles.h"
-#include "numeric/lane/double_double.h"
 #include "numeric/lane/mesh_totals.h"
 
 namespace rigor {

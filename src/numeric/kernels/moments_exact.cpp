@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/check.h"
-#include "numeric/lane/double_double.h"
 
 namespace rigor {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "numeric/body/bodies.h"
 #include "numeric/kernels/mesh_sums.h"
-#include "numeric/lane/double_double.h"
 #include "numeric/mesh/mesh_parts.h"
 
 namespace rigor {

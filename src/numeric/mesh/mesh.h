@@ -2,10 +2,7 @@
 // Closed triangle meshes and the homogeneous bodies that they enclose.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "numeric/body/body.h"
 #include "numeric/kernels/mesh_sums.h"

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
-#include "numeric/lane/double_double.h"
 
 namespace rigor {
 namespace {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <type_traits>
 
 #include "base/check.h"

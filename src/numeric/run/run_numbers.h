@@ -4,9 +4,7 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <string>
-#include <type_traits>
 
 #include "numeric/program/code.h"
 
