@@ -6,7 +6,6 @@
 
 #include <map>
 #include <optional>
-#include <vector>
 
 #include "check/dimension/dimension_form.h"
 

@@ -9,7 +9,6 @@
 //   at line 57
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

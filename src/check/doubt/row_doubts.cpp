@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "base/ascii.h"
-#include "check/verdict/chain_reading.h"
 #include "elaborate/name/possible_ranks.h"
 #include "latex/token/vocabulary.h"
 

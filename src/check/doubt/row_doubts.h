@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "check/directive/directive.h"
-#include "check/step/report.h"
 #include "elaborate/name/names.h"
 
 namespace rigor {

@@ -10,7 +10,6 @@
 #include "check/event/notes.h"
 #include "check/step/report.h"
 #include "expr/tree/tree.h"
-#include "latex/split/split.h"
 
 namespace rigor {
 

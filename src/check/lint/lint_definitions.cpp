@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "check/event/written_statements.h"
 #include "check/lint/lint.h"
 
 namespace rigor {

@@ -8,7 +8,6 @@
 // what is declared `polar` does; of other symbols nothing is assumed, so that each equation is linear in
 // unknown signs, and a contradiction between equations is one whatever they are. Cost: that of the
 // elimination, cubic in the number of symbols at most.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>

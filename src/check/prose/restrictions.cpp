@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "base/among.h"
-#include "check/prose/prose.h"
 #include "check/word/prose_words.h"
-#include "source/source_map.h"
 
 namespace rigor {
 namespace {

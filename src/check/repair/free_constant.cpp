@@ -3,7 +3,6 @@
 
 #include <array>
 #include <string_view>
-#include <vector>
 
 #include "base/ascii.h"
 #include "check/question/decision_cache.h"

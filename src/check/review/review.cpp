@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
 
 #include "base/among.h"
 #include "check/dimension/dimensions.h"

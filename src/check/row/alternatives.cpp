@@ -6,7 +6,6 @@
 
 #include "base/ascii.h"
 #include "check/place/place.h"
-#include "check/question/decision_cache.h"
 #include "check/row/row.h"
 #include "check/row/surroundings.h"
 

@@ -11,8 +11,6 @@
 #include "check/question/decision_cache.h"
 #include "check/row/cases.h"
 #include "check/row/surroundings.h"
-#include "check/step/recorded.h"
-#include "check/word/prose_words.h"
 
 namespace rigor {
 namespace {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "algebra/decide/contradiction.h"

@@ -8,7 +8,6 @@
 
 #include "elaborate/name/names.h"
 #include "expr/statement/statement.h"
-#include "expr/tree/tree.h"
 
 namespace rigor {
 

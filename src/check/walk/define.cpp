@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "base/among.h"
 #include "check/prose/denial.h"
 #include "check/row/cases.h"
 #include "check/row/surroundings.h"

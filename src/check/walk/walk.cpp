@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/walk/walk.h"
 
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
 #include <utility>
 
-#include "base/among.h"
 #include "check/question/unread.h"
 #include "check/scope/frame.h"
-#include "check/scope/local_kinds.h"
 #include "check/scope/section_evidence.h"
 #include "check/walk/chain.h"
 #include "check/walk/declare.h"

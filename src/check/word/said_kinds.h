@@ -3,8 +3,6 @@
 // "with nonzero $b$". The lists are closed, and are in docs/notation.md.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
