@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "derive/notation/letter_choice.h"
-#include "derive/polynomial/canonical.h"
 #include "derive/polynomial/collected.h"
 #include "derive/polynomial/contraction.h"
 #include "derive/polynomial/fold.h"
