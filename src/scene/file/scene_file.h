@@ -13,7 +13,6 @@
 //   duration = "20 s"
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>

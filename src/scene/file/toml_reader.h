@@ -3,7 +3,6 @@
 // for what is missing, `unknown-key`, `wrong-unit`.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>

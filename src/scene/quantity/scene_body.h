@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "numeric/body/body.h"
-#include "numeric/body/inertia.h"
 #include "numeric/kernels/principal_moments.h"
 #include "scene/quantity/explain.h"
 
