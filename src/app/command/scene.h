@@ -2,7 +2,6 @@
 // `rigor scene FILE.toml`: the quantities that a scene asks of its body.
 #pragma once
 
-#include <optional>
 #include <ostream>
 #include <string>
 

@@ -2,9 +2,7 @@
 #include "app/hole/derive.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
