@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-
 #include "base/among.h"
 #include "check/dimension/dimensions.h"
 #include "check/event/sidecar_places.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/walk/walk.h"
 
-
 #include <algorithm>
 #include <span>
 #include <utility>

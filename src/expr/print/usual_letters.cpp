@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expr/print/usual_letters.h"
 
-
 #include "base/among.h"
 
 namespace rigor {

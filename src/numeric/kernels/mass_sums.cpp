@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/kernels/mass_sums.h"
 
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -2,7 +2,6 @@
 // The operations one by one; products are in `compile_products.cpp`, symbols in `compile_symbols.cpp`.
 #include "numeric/program/compile_walk.h"
 
-
 #include <algorithm>
 
 #include "base/check.h"

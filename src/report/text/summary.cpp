@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-
 #include "report/text/terminal.h"
 #include "report/wording/diagnostics_of.h"
 
