@@ -36,15 +36,11 @@ constexpr std::uint32_t cheap_terms = 3000;
 /// is zero for all values.
 [[nodiscard]] bool divides(const Scope& scope) {
   const ExprTree& tree = scope.tree();
-  std::vector<ExprId> pending{scope.question().claim.left, scope.question().claim.right};
-  for (const Definition& definition : scope.question().definitions) pending.push_back(definition.body);
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    if (tree[id].op == Op::divide || (tree[id].op == Op::power && tree[id].exponent < 0)) return true;
-    for (const ExprId child : tree.children(id)) pending.push_back(child);
-  }
-  return false;
+  std::vector<ExprId> roots{scope.question().claim.left, scope.question().claim.right};
+  for (const Definition& definition : scope.question().definitions) roots.push_back(definition.body);
+  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
+    return tree[id].op == Op::divide || (tree[id].op == Op::power && tree[id].exponent < 0);
+  });
 }
 
 /// Does the statement, or an assumption, ask for more of its numbers than that they can be added and

@@ -82,8 +82,8 @@ ExitCode tell_case(const CaseCommand& command, std::ostream& out, std::ostream& 
     err << "rigor: " << printable(command.results) << ": " << cases.error().reason << "\n";
     return ExitCode::wrong;
   }
-  const auto found = std::find_if(cases->begin(), cases->end(),
-                                  [&](const TestCase& each) { return each.name == command.name; });
+  const auto found =
+      std::ranges::find_if(*cases, [&](const TestCase& each) { return each.name == command.name; });
   if (found == cases->end()) {
     err << "rigor: " << printable(command.results) << ": there is no case `" << printable(command.name)
         << "` any more\n";

@@ -140,15 +140,9 @@ class Answering {
 
   bool holds(ExprId whole, ExprId part) const {
     const ExprTree& tree = result_.reading.forms.tree;
-    if (symbols_in(tree, part).empty()) return false;
-    std::vector<ExprId> pending{whole};
-    while (!pending.empty()) {
-      const ExprId id = pending.back();
-      pending.pop_back();
-      if (same_expression(tree, id, tree, part)) return true;
-      for (const ExprId child : tree.children(id)) pending.push_back(child);
-    }
-    return false;
+    return !symbols_in(tree, part).empty() && std::ranges::any_of(nodes_below(tree, {whole}), [&](ExprId id) {
+      return same_expression(tree, id, tree, part);
+    });
   }
 
   /// What the notes write with no other symbols than those that are wanted.

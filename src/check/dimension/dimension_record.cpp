@@ -22,13 +22,7 @@ DimensionForm one(Unknown unknown, const SmallRational& factor = 1) {
 /// The axes that a derivative by coordinates is taken along: 1, 2, 3, or 0 for all of them.
 std::array<bool, 4> differentiated_axes(const ExprTree& tree, ExprId left, ExprId right) {
   std::array<bool, 4> axes{};
-  std::vector<ExprId> pending{left, right};
-  std::unordered_set<std::uint32_t> seen;
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    if (!seen.insert(static_cast<std::uint32_t>(id)).second) continue;
-    for (const ExprId child : tree.children(id)) pending.push_back(child);
+  for (const ExprId id : nodes_below(tree, {left, right})) {
     if (tree[id].op != Op::symbol) continue;
     const auto& derivation = tree.symbols[tree[id].symbol].derivation;
     if (!derivation || derivation->space == 0) continue;
@@ -41,17 +35,10 @@ std::array<bool, 4> differentiated_axes(const ExprTree& tree, ExprId left, ExprI
 
 /// `2`, `(1, 0, 3)`, `3\hat{x}`
 bool holds_only_numbers(const ExprTree& tree, ExprId root) {
-  std::vector<ExprId> pending{root};
-  std::unordered_set<std::uint32_t> seen;
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    if (!seen.insert(static_cast<std::uint32_t>(id)).second) continue;
+  return std::ranges::none_of(nodes_below(tree, {root}), [&](ExprId id) {
     const Op op = tree[id].op;
-    if (op == Op::symbol || op == Op::delta || op == Op::epsilon) return false;
-    for (const ExprId child : tree.children(id)) pending.push_back(child);
-  }
-  return true;
+    return op == Op::symbol || op == Op::delta || op == Op::epsilon;
+  });
 }
 
 /// `m_\alpha`, `I_{ij}`, `\mathbf{r}_\alpha`: a vector's bold letter needs no index.
@@ -85,13 +72,9 @@ bool takes_measured_argument(const SyntaxTree& syntax, std::span<const SyntaxChi
     if (!beside || syntax[syntax.child(factors[k].id, 0)].kind != SyntaxKind::group) continue;
     bool unit = false;
     bool other = false;
-    std::vector<SyntaxId> pending(1, factors[k].id);
-    while (!pending.empty()) {
-      const SyntaxId id = pending.back();
-      pending.pop_back();
+    for (const SyntaxId id : nodes_below(syntax, {factors[k].id})) {
       unit = unit || syntax[id].kind == SyntaxKind::unit;
       other = other || syntax[id].kind == SyntaxKind::symbol || syntax[id].kind == SyntaxKind::sum;
-      for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
     }
     if (unit && !other) return true;
   }
@@ -99,15 +82,9 @@ bool takes_measured_argument(const SyntaxTree& syntax, std::span<const SyntaxChi
 }
 
 bool has_measured_argument(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
-  std::vector<SyntaxId> pending = sides;
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    if (syntax[id].kind == SyntaxKind::term && takes_measured_argument(syntax, syntax.children(id)))
-      return true;
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
-  }
-  return false;
+  return std::ranges::any_of(nodes_below(syntax, sides), [&](SyntaxId id) {
+    return syntax[id].kind == SyntaxKind::term && takes_measured_argument(syntax, syntax.children(id));
+  });
 }
 
 class DimensionRecorder {
@@ -223,8 +200,8 @@ void DimensionRecorder::add(const FrameLine& line) {
 /// Directions and rotations, and π, unless it is declared.
 bool DimensionRecorder::is_pure_number(SymbolId base) const {
   const Symbol& symbol = tree_.symbols[base];
-  const bool axes = std::any_of(names_->scope.frames->begin(), names_->scope.frames->end(),
-                                [&](const Frame& frame) { return frame.rotation == base; });
+  const bool axes =
+      std::ranges::any_of(*names_->scope.frames, [&](const Frame& frame) { return frame.rotation == base; });
   const bool pi = is(base, {"\\pi", 0, false}) && !declared_.contains(base);
   return symbol.unit || symbol.rotation || axes || pi;
 }

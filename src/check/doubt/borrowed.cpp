@@ -29,17 +29,8 @@ bool is_open(const Judgement& judgement) {
 /// The letters that it leads to, definitions unfolded.
 std::set<SymbolId> letters_of(const ExprTree& tree, const Names& names, const Equation& equation) {
   std::set<SymbolId> letters;
-  std::vector<ExprId> pending{equation.left, equation.right};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    for (const SymbolId symbol : symbols_in(tree, id)) {
-      const SymbolId base = base_of(tree.symbols, symbol);
-      if (!letters.insert(base).second) continue;
-      if (const NamedDefinition* named = definition_of(names.scope, base))
-        pending.push_back(named->definition.body);
-    }
-  }
+  for (const SymbolId symbol : symbols_reached(tree, names.scope, {equation.left, equation.right}))
+    letters.insert(base_of(tree.symbols, symbol));
   return letters;
 }
 
@@ -166,16 +157,12 @@ class Heeding {
   }
 
   bool is_of_numbers() const {
-    std::vector<ExprId> pending{claim_.equation.left, claim_.equation.right};
-    while (!pending.empty()) {
-      const ExprNode& node = tree_[pending.back()];
-      const std::span<const ExprId> children = tree_.children(pending.back());
-      pending.pop_back();
-      pending.insert(pending.end(), children.begin(), children.end());
+    const std::vector<ExprId> nodes = nodes_below(tree_, {claim_.equation.left, claim_.equation.right});
+    return std::ranges::all_of(nodes, [this](ExprId id) {
+      const ExprNode& node = tree_[id];
       const bool letter = node.op == Op::symbol && !tree_.symbols[node.symbol].unit_of_measure;
-      if (letter || node.rank > 0 || node.slot_count > 0) return false;
-    }
-    return true;
+      return !letter && node.rank == 0 && node.slot_count == 0;
+    });
   }
 
   /// `70/24 = 36/12`, `\mathrm{1\,h} = \mathrm{100\,min}`.

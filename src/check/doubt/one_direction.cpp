@@ -107,12 +107,8 @@ std::optional<Equation> with_numbers_for_lengths(ExprTree& tree, const Equation&
 bool may_be_in_the_plane(const ExprTree& tree, const Evidence& evidence, const Equation& equation) {
   if (evidence.third_axis) return false;
   std::array<bool, 4> along{};
-  std::vector<ExprId> pending{equation.left, equation.right};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
+  for (const ExprId id : nodes_below(tree, {equation.left, equation.right})) {
     for (const Slot& slot : tree.slots(id)) along.at(slot.axis) = true;
-    for (const ExprId child : tree.children(id)) pending.push_back(child);
   }
   return along[1] && along[2] && !along[3];
 }

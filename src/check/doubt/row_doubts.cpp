@@ -50,14 +50,7 @@ std::optional<OpenPart> angle(const WrittenChain& written) {
 }
 
 bool holds(const SyntaxTree& syntax, SyntaxId root, const std::function<bool(SyntaxId)>& is_it) {
-  std::vector<SyntaxId> pending{root};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    if (is_it(id)) return true;
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
-  }
-  return false;
+  return std::ranges::any_of(nodes_below(syntax, {root}), is_it);
 }
 
 /// `\mathbf x \ge \mathbf 0`, `\mathbf x < 1`: in each component.

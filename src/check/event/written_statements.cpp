@@ -20,32 +20,4 @@ std::vector<WrittenStatement> statements_in(const Notes& notes) {
   return statements;
 }
 
-std::vector<SyntaxId> nodes_below(const SyntaxTree& syntax, std::vector<SyntaxId> roots) {
-  std::vector<SyntaxId> nodes;
-  std::ranges::reverse(roots);
-  while (!roots.empty()) {
-    const SyntaxId id = roots.back();
-    roots.pop_back();
-    nodes.push_back(id);
-    const auto children = syntax.children(id);
-    for (auto child = children.rbegin(); child != children.rend(); ++child) roots.push_back(child->id);
-  }
-  return nodes;
-}
-
-std::vector<ExprId> nodes_below(const ExprTree& tree, std::vector<ExprId> roots) {
-  std::vector<ExprId> nodes;
-  std::set<ExprId> reached;
-  std::ranges::reverse(roots);
-  while (!roots.empty()) {
-    const ExprId id = roots.back();
-    roots.pop_back();
-    if (!reached.insert(id).second) continue;
-    nodes.push_back(id);
-    const auto children = tree.children(id);
-    for (auto child = children.rbegin(); child != children.rend(); ++child) roots.push_back(*child);
-  }
-  return nodes;
-}
-
 }  // namespace rigor

@@ -23,8 +23,4 @@ struct WrittenStatement {
 using Extent = std::tuple<FileId, std::uint32_t, std::uint32_t>;
 [[nodiscard]] inline Extent extent_of(Span span) { return {span.file, span.begin, span.end}; }
 
-[[nodiscard]] std::vector<SyntaxId> nodes_below(const SyntaxTree& syntax, std::vector<SyntaxId> roots);
-/// Each node once, however often it is reached.
-[[nodiscard]] std::vector<ExprId> nodes_below(const ExprTree& tree, std::vector<ExprId> roots);
-
 }  // namespace rigor

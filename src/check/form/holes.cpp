@@ -22,26 +22,17 @@ bool joins_values(RelationKind kind) { return is_equality(kind) || kind == Relat
 
 /// The holes below a node, from left to right.
 std::vector<SyntaxId> holes_below(const SyntaxTree& syntax, SyntaxId root) {
-  std::vector<SyntaxId> holes;
-  std::vector<SyntaxId> pending{root};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    const auto children = syntax.children(id);
-    for (auto child = children.rbegin(); child != children.rend(); ++child) pending.push_back(child->id);
-    if (syntax[id].kind == SyntaxKind::symbol && syntax.symbol(id).letter == hole_letter) holes.push_back(id);
-  }
-  return holes;
+  std::vector<SyntaxId> nodes = nodes_below(syntax, {root});
+  std::erase_if(nodes, [&](SyntaxId id) {
+    return syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).letter != hole_letter;
+  });
+  return nodes;
 }
 
 /// Index letters on symbols, in order of occurrence, each once.
 void letters_below(const SyntaxTree& syntax, SyntaxId root, std::vector<std::string>& letters) {
-  std::vector<SyntaxId> pending{root};
-  while (!pending.empty() && letters.size() < most_letters) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    const auto children = syntax.children(id);
-    for (auto child = children.rbegin(); child != children.rend(); ++child) pending.push_back(child->id);
+  for (const SyntaxId id : nodes_below(syntax, {root})) {
+    if (letters.size() >= most_letters) return;
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     for (const WrittenIndex& index : syntax.symbol(id).lower) {
       const bool one_letter = index.form == IndexForm::letter && axis_of_letter(index.text) == 0;

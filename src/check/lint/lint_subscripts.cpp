@@ -44,7 +44,7 @@ bool is_index_of(const SyntaxTree& syntax, SyntaxId id, const std::string& lette
   if (syntax[id].kind == SyntaxKind::component) indices = &syntax.indices(id);
   if (syntax[id].kind == SyntaxKind::big_sum) indices = &syntax.big_sum(id).indices;
   if (indices == nullptr || !hidden_in(*indices).empty()) return false;
-  return std::any_of(indices->begin(), indices->end(), [&](const WrittenIndex& index) {
+  return std::ranges::any_of(*indices, [&](const WrittenIndex& index) {
     return index.form == IndexForm::letter && index.text == letter;
   });
 }

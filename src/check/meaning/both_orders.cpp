@@ -234,15 +234,11 @@ namespace {
 
 /// Below a fraction, a root or a sine only numbers stand.
 void remove_numbers(const ExprTree& tree, ExprId root, std::set<SymbolId>& symbols) {
-  std::vector<ExprId> pending{root};
-  while (!pending.empty()) {
-    const ExprNode& node = tree[pending.back()];
-    const std::span<const ExprId> children = tree.children(pending.back());
-    pending.pop_back();
-    pending.insert(pending.end(), children.begin(), children.end());
+  for (const ExprId id : nodes_below(tree, {root})) {
+    const ExprNode& node = tree[id];
     const bool divides = node.op == Op::divide;
     if (!divides && node.op != Op::function && node.op != Op::absolute) continue;
-    for (const SymbolId symbol : symbols_in(tree, children[divides ? 1 : 0])) symbols.erase(symbol);
+    for (const SymbolId symbol : symbols_in(tree, tree.children(id)[divides ? 1 : 0])) symbols.erase(symbol);
   }
 }
 

@@ -26,13 +26,8 @@ void add_factors(const ExprTree& tree, ExprId divisor, std::set<SymbolId>& found
 }
 
 void add_divisors(const ExprTree& tree, ExprId root, std::set<SymbolId>& found) {
-  std::vector<ExprId> pending{root};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    const auto children = tree.children(id);
-    if (tree[id].op == Op::divide) add_factors(tree, children[1], found);
-    pending.insert(pending.end(), children.begin(), children.end());
+  for (const ExprId id : nodes_below(tree, {root})) {
+    if (tree[id].op == Op::divide) add_factors(tree, tree.children(id)[1], found);
   }
 }
 

@@ -347,14 +347,10 @@ namespace {
 /// The vector whose length is taken; a plain letter next to a bold one is read as its length.
 std::set<SymbolId> with_length(const ExprTree& tree, ExprId root) {
   std::set<SymbolId> found;
-  std::vector<ExprId> pending{root};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    const std::span<const ExprId> children = tree.children(id);
-    pending.insert(pending.end(), children.begin(), children.end());
-    if (tree[id].op == Op::length && tree[children[0]].op == Op::symbol)
-      found.insert(tree[children[0]].symbol);
+  for (const ExprId id : nodes_below(tree, {root})) {
+    if (tree[id].op != Op::length) continue;
+    const ExprNode& inside = tree[tree.children(id)[0]];
+    if (inside.op == Op::symbol) found.insert(inside.symbol);
   }
   return found;
 }

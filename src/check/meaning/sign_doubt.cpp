@@ -12,16 +12,12 @@ namespace {
 
 /// Does the claim have a root, a length or an absolute value, itself or by a definition?
 [[nodiscard]] bool has_root(const ExprTree& tree, const Question& question) {
-  std::vector<ExprId> pending{question.claim.left, question.claim.right};
-  for (const Definition& definition : question.definitions) pending.push_back(definition.body);
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
+  std::vector<ExprId> roots{question.claim.left, question.claim.right};
+  for (const Definition& definition : question.definitions) roots.push_back(definition.body);
+  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
     const Op op = tree[id].op;
-    if (op == Op::root || op == Op::length || op == Op::absolute) return true;
-    for (const ExprId child : tree.children(id)) pending.push_back(child);
-  }
-  return false;
+    return op == Op::root || op == Op::length || op == Op::absolute;
+  });
 }
 
 /// The first number of a sample, not meant for all values, whose value is of some kind.

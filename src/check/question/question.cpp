@@ -275,11 +275,10 @@ class Preparation {
     if (precision_ != Precision::small_order) return false;
     const auto& derivation = tree_.symbols[symbol].derivation;
     if (derivation && derivation->small > 0) return false;
-    return std::any_of(names_.scope.small->begin(), names_.scope.small->end(),
-                       [&](const SmallQuantity& small) {
-                         const ExprNode& node = tree_[small.quantity];
-                         return node.slot_count == 0 && node.symbol == base_of(symbol);
-                       });
+    return std::ranges::any_of(*names_.scope.small, [&](const SmallQuantity& small) {
+      const ExprNode& node = tree_[small.quantity];
+      return node.slot_count == 0 && node.symbol == base_of(symbol);
+    });
   }
 
   // --- assumptions
@@ -295,18 +294,10 @@ class Preparation {
   const std::vector<SymbolId>& symbols_of(const Equation& equation) {
     std::vector<SymbolId>& symbols = symbols_of_[{equation.left, equation.right}];
     if (!symbols.empty()) return symbols;
-    std::set<SymbolId> seen;
-    std::vector<ExprId> pending{equation.left, equation.right};
-    while (!pending.empty()) {
-      const ExprId id = pending.back();
-      pending.pop_back();
-      for (const SymbolId symbol : symbols_in(tree_, id)) {
-        if (!seen.insert(symbol).second) continue;
-        symbols.push_back(symbol);
-        if (const auto found = definition_of(symbol, 0)) pending.push_back(found->definition.body);
-      }
-    }
-    return symbols;
+    return symbols = symbols_reached(tree_, {equation.left, equation.right}, [this](SymbolId symbol) {
+             const auto found = definition_of(symbol, 0);
+             return found ? std::optional(found->definition.body) : std::nullopt;
+           });
   }
 
   /// One of three rules for the components of a derivative, which make a definition together.
@@ -398,11 +389,10 @@ class Preparation {
 
   bool is_assumed_of(SymbolId symbol, const NamedAssumption* by_this) {
     const auto is_it = [&](SymbolId each) { return base_of(each) == symbol; };
-    return std::any_of(names_.scope.assumptions->begin(), names_.scope.assumptions->end(),
-                       [&](const NamedAssumption& other) {
-                         if (&other == by_this) return false;
-                         return std::ranges::any_of(symbols_of(other.equation), is_it);
-                       });
+    return std::ranges::any_of(*names_.scope.assumptions, [&](const NamedAssumption& other) {
+      if (&other == by_this) return false;
+      return std::ranges::any_of(symbols_of(other.equation), is_it);
+    });
   }
 
   bool take(const Equation& equation, const NamedAssumption* named, Orders orders, int own_order) {

@@ -23,13 +23,12 @@ namespace {
 
 /// A directive says what is meant here: `given I_{ij} = I_i\delta_{ij}`.
 bool is_assumed_about(const RowPlace& place, SymbolId symbol) {
-  return std::any_of(place.names.scope.assumptions->begin(), place.names.scope.assumptions->end(),
-                     [&](const NamedAssumption& each) {
-                       if (!each.origin.directive) return false;
-                       return std::ranges::any_of(
-                           symbols_in(place.tree, each.equation.left),
-                           [&](SymbolId letter) { return base_of(place.tree.symbols, letter) == symbol; });
-                     });
+  return std::ranges::any_of(*place.names.scope.assumptions, [&](const NamedAssumption& each) {
+    if (!each.origin.directive) return false;
+    return std::ranges::any_of(symbols_in(place.tree, each.equation.left), [&](SymbolId letter) {
+      return base_of(place.tree.symbols, letter) == symbol;
+    });
+  });
 }
 
 /// "In the medium $k = 2\pi n/\lambda$" below `k = 2\pi/\lambda`: the definitions that a line of the section

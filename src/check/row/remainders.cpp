@@ -84,20 +84,9 @@ std::optional<Equation> with_letter_open(RowPlace& place, Equation equation, Sym
   constexpr int most_rounds = 20;
   if (definition_of(place.names.scope, letter) != nullptr) return std::nullopt;
   const auto speaks = [&](ExprId id) {
-    std::set<SymbolId> seen;
-    std::vector<ExprId> pending{id};
-    while (!pending.empty()) {
-      const ExprId at = pending.back();
-      pending.pop_back();
-      for (const SymbolId symbol : symbols_in(place.tree, at)) {
-        if (!seen.insert(symbol).second) continue;
-        if (symbol == letter || base_of(place.tree.symbols, symbol) == letter) return true;
-        if (const NamedDefinition* named =
-                definition_of(place.names.scope, base_of(place.tree.symbols, symbol)))
-          pending.push_back(named->definition.body);
-      }
-    }
-    return false;
+    return std::ranges::any_of(symbols_reached(place.tree, place.names.scope, {id}), [&](SymbolId symbol) {
+      return symbol == letter || base_of(place.tree.symbols, symbol) == letter;
+    });
   };
   for (const NamedAssumption& assumption : *place.names.scope.assumptions) {
     const Equation& said = assumption.equation;
@@ -208,12 +197,11 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
       (left_end && left_end->power < right_end->power))
     return open("the left side is not known to the order of the right side");
   const std::string& name = place.tree.symbols[node.symbol].name;
-  const bool small = std::any_of(place.names.scope.small->begin(), place.names.scope.small->end(),
-                                 [&](const SmallQuantity& each) {
-                                   if (place.tree[each.quantity].symbol != node.symbol) return false;
-                                   place.found.used.insert(each.directive);
-                                   return true;
-                                 });
+  const bool small = std::ranges::any_of(*place.names.scope.small, [&](const SmallQuantity& each) {
+    if (place.tree[each.quantity].symbol != node.symbol) return false;
+    place.found.used.insert(each.directive);
+    return true;
+  });
   const auto ends_below = [&](const std::optional<Remainder>& end, const Side& side) {
     return end && !end->alone && degree(place.tree, side.typed->id, node.symbol) < end->power;
   };

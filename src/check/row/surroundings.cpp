@@ -26,13 +26,10 @@ namespace {
 constexpr std::size_t most_laws = 12;  // the last ones are looked at
 
 /// The letters that are in these expressions themselves, not in subscripts.
-std::set<std::string> letters_in(const SyntaxTree& syntax, std::vector<SyntaxId> pending) {
+std::set<std::string> letters_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
   std::set<std::string> letters;
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
     if (syntax[id].kind == SyntaxKind::symbol) letters.insert(syntax.symbol(id).letter);
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
   }
   return letters;
 }

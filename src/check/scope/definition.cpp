@@ -61,19 +61,8 @@ std::optional<Definition> as_definition(ExprTree& tree, const NameScope& scope, 
 
 bool is_circular(const ExprTree& tree, const NameScope& scope, const Typed& left, const Typed& right) {
   if (tree[left.id].op != Op::symbol) return false;
-  std::vector<SymbolId> reached;
-  std::vector<ExprId> pending{right.id};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    for (const SymbolId symbol : symbols_in(tree, id)) {
-      if (is_one_of(symbol, reached)) continue;
-      reached.push_back(symbol);
-      if (const NamedDefinition* definition = definition_of(scope, symbol))
-        pending.push_back(definition->definition.body);
-    }
-  }
-  return is_one_of(tree[left.id].symbol, reached);
+  const auto body_of = [&](SymbolId symbol) { return body_of_definition(scope, symbol); };
+  return is_one_of(tree[left.id].symbol, symbols_reached(tree, {right.id}, body_of));
 }
 
 bool stands_in_brackets(const SyntaxTree& syntax, SyntaxId power) {

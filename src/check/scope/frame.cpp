@@ -90,8 +90,7 @@ std::optional<std::string> declare_frame(ExprTree& tree, Names& names, const std
     const auto own = [&](const NamedDefinition& old) {
       return old.definition.symbol == each.definition.symbol;
     };
-    if (std::none_of(before.definitions->begin(), before.definitions->end(), own))
-      after.definitions.write().push_back(each);
+    if (std::ranges::none_of(*before.definitions, own)) after.definitions.write().push_back(each);
   }
   std::set<SymbolId> done;
   for (const DeclaredConstant& constant : *names.scope.constants) {

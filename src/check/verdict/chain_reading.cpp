@@ -52,14 +52,12 @@ Relation relation_of(RelationKind kind) {
 
 /// `A_{i'} = \lambda_{ij}A_j`: on the rotation itself a prime says which axis is meant, and none may be left
 /// out.
-bool drops_prime_on_rotation(const SyntaxTree& syntax, std::vector<SyntaxId> pending, const Names& names) {
+bool drops_prime_on_rotation(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
+                             const Names& names) {
   const auto rotation = names.symbols.primed_axes;
   const NameKey* key = rotation ? key_of(names.symbols, *rotation) : nullptr;
   if (key == nullptr) return false;
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
     const bool bare = std::ranges::all_of(symbol.lower, [](const WrittenIndex& index) {

@@ -47,13 +47,8 @@ std::optional<OtherReading> in_order(const Question& question, const Names& name
 /// Calls `visit` for each node of the claim.
 template <typename Visit>
 void for_each_node(const Question& question, const Visit& visit) {
-  std::vector<ExprId> pending{question.claim.left, question.claim.right};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
+  for (const ExprId id : nodes_below(*question.tree, {question.claim.left, question.claim.right}))
     visit((*question.tree)[id]);
-    for (const ExprId child : question.tree->children(id)) pending.push_back(child);
-  }
 }
 
 struct ClaimVectors {

@@ -297,8 +297,8 @@ void mark_all_given(Walk& walk) {
 }
 
 bool is_in_doubt(const Walk& walk) {
-  return std::any_of(walk.names.scope.assumptions->begin(), walk.names.scope.assumptions->end(),
-                     [](const NamedAssumption& each) { return each.without_sample; });
+  return std::ranges::any_of(*walk.names.scope.assumptions,
+                             [](const NamedAssumption& each) { return each.without_sample; });
 }
 
 bool find_sample(Walk& walk) {

@@ -10,11 +10,7 @@ namespace {
 
 /// What a sine is taken of is a real number.
 void see_angle(const SyntaxTree& syntax, SyntaxId argument, Evidence& evidence) {
-  std::vector<SyntaxId> pending{argument};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, {argument})) {
     if (syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).face != Face::plain) continue;
     evidence.real.insert(letter_with_marks(syntax.symbol(id)));
     evidence.numbers.insert(letter_with_marks(syntax.symbol(id)));
@@ -84,11 +80,7 @@ bool Evidence::is_ordered(const std::string& letter) const {
 }
 
 void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
-  std::vector<SyntaxId> pending{root};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, {root})) {
     if (syntax[id].kind == SyntaxKind::fraction) see_divisor(syntax, syntax.child(id, 1), evidence);
     if (syntax[id].kind == SyntaxKind::term) see_product(syntax, id, evidence);
     if (syntax[id].kind == SyntaxKind::tuple && syntax[id].count == 3) evidence.third_axis = true;

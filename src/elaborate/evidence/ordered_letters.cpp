@@ -246,14 +246,8 @@ void see_tokens(TokenView tokens, bool may_be_interval, Evidence& evidence) {
 }
 
 bool holds_a_matrix(const SyntaxTree& syntax, SyntaxId root) {
-  std::vector<SyntaxId> pending{root};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    if (syntax[id].kind == SyntaxKind::matrix) return true;
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
-  }
-  return false;
+  return std::ranges::any_of(nodes_below(syntax, {root}),
+                             [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::matrix; });
 }
 
 // -- words --

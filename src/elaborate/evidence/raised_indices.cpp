@@ -36,11 +36,7 @@ struct Scripts {
 
 Scripts scripts_in(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
   Scripts scripts;
-  std::vector<SyntaxId> pending(sides.begin(), sides.end());
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
     if (syntax[id].kind == SyntaxKind::symbol) {
       for (const WrittenIndex& index : syntax.symbol(id).lower) scripts.lower.insert(index.text);
     }
@@ -73,11 +69,7 @@ std::vector<std::string> letters_of_exponent(const SyntaxTree& syntax, SyntaxId 
 /// `i` and `j` that stand alone above a letter below `side`.
 std::set<std::string> above_letters(const SyntaxTree& syntax, SyntaxId side) {
   std::set<std::string> found;
-  std::vector<SyntaxId> pending{side};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, {side})) {
     if (syntax[id].kind != SyntaxKind::power) continue;
     const std::vector<std::string> letters = letters_of_exponent(syntax, syntax.child(id, 1));
     if (letters.size() == 1 && (letters[0] == "i" || letters[0] == "j")) found.insert(letters[0]);
@@ -134,11 +126,7 @@ void see_raised(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Ev
     const std::set<std::string> above = above_letters(syntax, side);
     std::erase_if(scripts.ridden, [&](const std::string& letter) { return !above.contains(letter); });
   }
-  std::vector<SyntaxId> pending(sides.begin(), sides.end());
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
     if (syntax[id].kind != SyntaxKind::power) continue;
     const SyntaxId base = syntax.child(id, 0);
     if (syntax[base].kind != SyntaxKind::symbol || is_euler(syntax.symbol(base))) continue;

@@ -98,11 +98,7 @@ const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId sym
   if (found == evidence.functions.end()) return nullptr;
   bool itself = false;
   bool argument = false;
-  std::vector<SyntaxId> pending{bracket};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, {bracket})) {
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     itself = itself || syntax.symbol(id).letter == written.letter;
     argument = argument || found->second.contains(syntax.symbol(id).letter);

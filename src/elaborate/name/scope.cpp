@@ -32,10 +32,21 @@ void define(NameScope& scope, NamedDefinition definition) {
 }
 
 const NamedDefinition* definition_of(const NameScope& scope, SymbolId symbol) {
-  const auto found =
-      std::find_if(scope.definitions->begin(), scope.definitions->end(),
-                   [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
+  const auto found = std::ranges::find_if(
+      *scope.definitions, [&](const NamedDefinition& entry) { return entry.definition.symbol == symbol; });
   return found == scope.definitions->end() ? nullptr : &*found;
+}
+
+std::optional<ExprId> body_of_definition(const NameScope& scope, SymbolId symbol) {
+  const NamedDefinition* named = definition_of(scope, symbol);
+  return named == nullptr ? std::nullopt : std::optional(named->definition.body);
+}
+
+std::vector<SymbolId> symbols_reached(const ExprTree& tree, const NameScope& scope,
+                                      std::vector<ExprId> roots) {
+  return symbols_reached(tree, std::move(roots), [&](SymbolId symbol) {
+    return body_of_definition(scope, base_of(tree.symbols, symbol));
+  });
 }
 
 void forget_definition(NameScope& scope, SymbolId symbol) {
@@ -64,8 +75,8 @@ void declare_constant(NameScope& scope, SymbolId symbol, std::size_t directive) 
 }
 
 bool is_declared_constant(const NameScope& scope, SymbolId symbol) {
-  return std::any_of(scope.constants->begin(), scope.constants->end(),
-                     [&](const DeclaredConstant& each) { return each.symbol == symbol; });
+  return std::ranges::any_of(*scope.constants,
+                             [&](const DeclaredConstant& each) { return each.symbol == symbol; });
 }
 
 Directives withdraw_constant(NameScope& scope, SymbolId symbol) {

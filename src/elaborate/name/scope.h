@@ -114,6 +114,11 @@ struct NameScope {
 /// A second definition takes the place of the first.
 void define(NameScope& scope, NamedDefinition definition);
 [[nodiscard]] const NamedDefinition* definition_of(const NameScope& scope, SymbolId symbol);
+/// What it says; nothing: there is none.
+[[nodiscard]] std::optional<ExprId> body_of_definition(const NameScope& scope, SymbolId symbol);
+/// The symbols below some roots, and below the definitions of these, or of what they are derivatives of.
+[[nodiscard]] std::vector<SymbolId> symbols_reached(const ExprTree& tree, const NameScope& scope,
+                                                    std::vector<ExprId> roots);
 void forget_definition(NameScope& scope, SymbolId symbol);
 void assume(NameScope& scope, NamedAssumption assumption);
 void doubt_last_assumption(NameScope& scope);

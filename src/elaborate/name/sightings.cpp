@@ -58,11 +58,7 @@ void sight_partial_rate(const SyntaxTree& syntax, SyntaxId operand, Names& names
 
 /// `D(fg)/Dt`: unless it is declared constant, each letter is carried along by the motion.
 void sight_carried(const SyntaxTree& syntax, SyntaxId operand, Names& names) {
-  std::vector<SyntaxId> pending{operand};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, {operand})) {
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     sight_field(syntax, id, names);
     sight_partial_rate(syntax, id, names);
@@ -115,12 +111,8 @@ bool acts_as_operator(const SyntaxTree& syntax, SyntaxId id) {
 }
 
 void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
-  std::vector<SyntaxId> pending{root};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
+  for (const SyntaxId id : nodes_below(syntax, {root})) {
     const auto children = syntax.children(id);
-    for (const SyntaxChild& child : children) pending.push_back(child.id);
     switch (syntax[id].kind) {
       case SyntaxKind::symbol: {
         const WrittenSymbol& symbol = syntax.symbol(id);

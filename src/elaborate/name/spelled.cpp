@@ -102,11 +102,7 @@ bool is_segment(const std::string& word, const Evidence& evidence) {
 bool holds_functions(const SyntaxTree& syntax, SyntaxId group) {
   static constexpr std::array<std::string_view, 8> functions{"f",        "g",     "h",     "\\psi",
                                                              "\\varphi", "\\phi", "\\chi", "\\Psi"};
-  std::vector<SyntaxId> pending{group};
-  while (!pending.empty()) {
-    const SyntaxId id = pending.back();
-    pending.pop_back();
-    for (const SyntaxChild& child : syntax.children(id)) pending.push_back(child.id);
+  for (const SyntaxId id : nodes_below(syntax, {group})) {
     const SyntaxKind kind = syntax[id].kind;
     if (kind == SyntaxKind::symbol && !is_one_of(syntax.symbol(id).letter, functions)) return false;
     if (kind == SyntaxKind::function || kind == SyntaxKind::number) return false;

@@ -59,7 +59,7 @@ bool applies_elsewhere(const Reading& reading, SyntaxId symbol, SyntaxId bracket
   const std::set<std::string>* arguments =
       arguments_of(syntax, symbol, bracket, *reading.names.symbols.evidence);
   if (arguments == nullptr || is_declared(reading.names.symbols, {written.letter, 0, false})) return false;
-  return std::any_of(arguments->begin(), arguments->end(), [&](const std::string& letter) {
+  return std::ranges::any_of(*arguments, [&](const std::string& letter) {
     return !is_declared(reading.names.symbols, {letter, 0, false});
   });
 }

@@ -12,20 +12,9 @@ namespace {
 
 /// Does a definition lead to the place?
 bool reaches_place(Reading& reading, ExprId id) {
-  std::set<SymbolId> seen;
-  std::vector<ExprId> pending{id};
-  while (!pending.empty()) {
-    const ExprId at = pending.back();
-    pending.pop_back();
-    for (const SymbolId symbol : symbols_in(reading.tree, at)) {
-      if (!seen.insert(symbol).second) continue;
-      if (change_of(reading, symbol, By::space).kind == Dependence::Kind::variable) return true;
-      const NamedDefinition* named =
-          definition_of(reading.names.scope, base_of(reading.tree.symbols, symbol));
-      if (named != nullptr) pending.push_back(named->definition.body);
-    }
-  }
-  return false;
+  return std::ranges::any_of(symbols_reached(reading.tree, reading.names.scope, {id}), [&](SymbolId symbol) {
+    return change_of(reading, symbol, By::space).kind == Dependence::Kind::variable;
+  });
 }
 
 Differentiator& differentiator(Reading& reading, By by, Slot axis, bool partial) {

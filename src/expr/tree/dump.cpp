@@ -102,35 +102,22 @@ namespace {
 }  // namespace
 
 bool names_an_axis(const ExprTree& tree, ExprId root) {
-  std::vector<ExprId> open{root};
-  while (!open.empty()) {
-    const ExprId id = open.back();
-    open.pop_back();
-    const bool named = std::ranges::any_of(tree.slots(id), [](const Slot& slot) { return slot.axis != 0; });
-    if (named || tree[id].op == Op::basis) return true;
-    const auto children = tree.children(id);
-    open.insert(open.end(), children.begin(), children.end());
-  }
-  return false;
+  return std::ranges::any_of(nodes_below(tree, {root}), [&](ExprId id) {
+    return tree[id].op == Op::basis ||
+           std::ranges::any_of(tree.slots(id), [](const Slot& slot) { return slot.axis != 0; });
+  });
 }
 
 bool is_of_common_space(const ExprTree& tree, ExprId root) {
-  std::vector<ExprId> open{root};
-  while (!open.empty()) {
-    const ExprId id = open.back();
-    open.pop_back();
+  const auto leaves = [&](const Slot& slot) {
+    return slot.axis == 0 && tree.space(slot.variable) != common_space;
+  };
+  return std::ranges::all_of(nodes_below(tree, {root}), [&](ExprId id) {
     const ExprNode& node = tree[id];
-    const auto slots = tree.slots(id);
-    const auto leaves = [&](const Slot& slot) {
-      return slot.axis == 0 && tree.space(slot.variable) != common_space;
-    };
-    if (!node.axes.are_common() || std::ranges::any_of(slots, leaves)) return false;
+    if (!node.axes.are_common() || std::ranges::any_of(tree.slots(id), leaves)) return false;
     if (node.op == Op::symbol && !tree.symbols[node.symbol].axes.are_common()) return false;
-    if (node.op == Op::index_sum && tree.space(node.index) != common_space) return false;
-    const auto children = tree.children(id);
-    open.insert(open.end(), children.begin(), children.end());
-  }
-  return true;
+    return node.op != Op::index_sum || tree.space(node.index) == common_space;
+  });
 }
 
 std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root) {

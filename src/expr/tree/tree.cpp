@@ -320,4 +320,20 @@ bool ExprTree::is_zero_literal(ExprId id) const {
   return std::ranges::all_of(digits(id), [](char c) { return c == '0' || c == '.'; });
 }
 
+std::vector<ExprId> nodes_below(const ExprTree& tree, std::vector<ExprId> roots) {
+  std::vector<ExprId> nodes;
+  std::vector<bool> reached(tree.size());
+  std::ranges::reverse(roots);
+  while (!roots.empty()) {
+    const ExprId id = roots.back();
+    roots.pop_back();
+    if (reached[static_cast<std::size_t>(id)]) continue;
+    reached[static_cast<std::size_t>(id)] = true;
+    nodes.push_back(id);
+    const auto children = tree.children(id);
+    roots.insert(roots.end(), children.rbegin(), children.rend());
+  }
+  return nodes;
+}
+
 }  // namespace rigor

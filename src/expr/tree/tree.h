@@ -8,6 +8,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -141,10 +143,32 @@ class ExprTree {
 /// Does the whole expression belong to the common space of three dimensions?
 [[nodiscard]] bool is_of_common_space(const ExprTree& tree, ExprId root);
 
+/// Some roots and all that stands below them: each node once, before its children, and these from the left.
+[[nodiscard]] std::vector<ExprId> nodes_below(const ExprTree& tree, std::vector<ExprId> roots);
+
 /// Does it name an axis: by a basis vector, or by a component with a number?
 [[nodiscard]] bool names_an_axis(const ExprTree& tree, ExprId root);
 /// The symbols below a node, in order of first occurrence, each once. Definitions are not unfolded.
 [[nodiscard]] std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root);
+
+/// The symbols below some roots, and below what `body_of` says that they are defined as (an optional ExprId);
+/// each once.
+template <class BodyOf>
+[[nodiscard]] std::vector<SymbolId> symbols_reached(const ExprTree& tree, std::vector<ExprId> roots,
+                                                    const BodyOf& body_of) {
+  std::vector<SymbolId> reached;
+  std::set<SymbolId> seen;
+  while (!roots.empty()) {
+    const ExprId root = roots.back();
+    roots.pop_back();
+    for (const SymbolId symbol : symbols_in(tree, root)) {
+      if (!seen.insert(symbol).second) continue;
+      reached.push_back(symbol);
+      if (const std::optional<ExprId> body = body_of(symbol)) roots.push_back(*body);
+    }
+  }
+  return reached;
+}
 
 /// An S-expression for `--debug expr` and for tests, e.g. `(dot A (cross B C))`. A symbol shows its particle
 /// in braces and its slots in brackets: `r{\alpha}[i]`, `I[1,j]`.

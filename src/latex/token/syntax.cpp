@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/token/syntax.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 
 namespace rigor {
@@ -100,6 +102,18 @@ const std::string& SyntaxTree::text(SyntaxId id) const {
 const Obstacle& SyntaxTree::obstacle(SyntaxId id) const {
   RIGOR_CHECK((*this)[id].kind == SyntaxKind::opaque);
   return obstacles_[(*this)[id].payload];
+}
+
+std::vector<SyntaxId> nodes_below(const SyntaxTree& syntax, std::vector<SyntaxId> roots) {
+  std::vector<SyntaxId> nodes;
+  std::ranges::reverse(roots);
+  while (!roots.empty()) {
+    nodes.push_back(roots.back());
+    roots.pop_back();
+    const auto children = syntax.children(nodes.back());
+    for (auto child = children.rbegin(); child != children.rend(); ++child) roots.push_back(child->id);
+  }
+  return nodes;
 }
 
 }  // namespace rigor

@@ -144,4 +144,7 @@ class SyntaxTree {
   std::vector<Obstacle> obstacles_;
 };
 
+/// Some roots and all that stands below them: each node before its children, and these from the left.
+[[nodiscard]] std::vector<SyntaxId> nodes_below(const SyntaxTree& syntax, std::vector<SyntaxId> roots);
+
 }  // namespace rigor

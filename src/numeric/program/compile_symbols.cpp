@@ -33,15 +33,11 @@ const std::vector<ParticleId>& ExpressionCompiler::others_in(ExprId sum) {
     if (known.sum == sum) return known.others;
   }
   SumParticles found{.sum = sum, .others = {}};
-  std::vector<ExprId> open{child(sum)};
   std::vector<ParticleId> own{node(sum).particle};
-  while (!open.empty()) {
-    const ExprId at = open.back();
-    open.pop_back();
+  for (const ExprId at : nodes_below(*tree_, {child(sum)})) {
     const ExprNode& here = node(at);
     if (here.op == Op::particle_sum) own.push_back(here.particle);
     if (here.op == Op::symbol && here.particle != no_particle) found.others.push_back(here.particle);
-    for (const ExprId each : tree_->children(at)) open.push_back(each);
   }
   std::ranges::sort(found.others);
   found.others.erase(std::unique(found.others.begin(), found.others.end()), found.others.end());
