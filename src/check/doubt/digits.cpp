@@ -135,18 +135,9 @@ class Comparison {
   }
 
   bool holds_pi(ExprId root) const {
-    std::set<SymbolId> seen;
-    std::vector<ExprId> pending{root};
-    while (!pending.empty()) {
-      const std::vector<SymbolId> symbols = symbols_in(tree_, pending.back());
-      pending.pop_back();
-      for (const SymbolId symbol : symbols) {
-        if (is_circle_number(tree_, names_, symbol)) return true;
-        const NamedDefinition* named = definition_of(names_.scope, symbol);
-        if (named != nullptr && seen.insert(symbol).second) pending.push_back(named->definition.body);
-      }
-    }
-    return false;
+    const auto body_of = [this](SymbolId symbol) { return body_of_definition(names_.scope, symbol); };
+    return std::ranges::any_of(symbols_reached(tree_, {root}, body_of),
+                               [this](SymbolId symbol) { return is_circle_number(tree_, names_, symbol); });
   }
 
   void bound_pi(Question& question) {
@@ -182,20 +173,14 @@ class Comparison {
 
 /// No letter but units is left when definitions are unfolded.
 bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
-  std::vector<ExprId> pending{root};
-  std::set<SymbolId> seen;
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    for (const SymbolId symbol : symbols_in(tree, id)) {
-      if (tree.symbols[symbol].unit_of_measure || is_circle_number(tree, names, symbol)) continue;
-      if (!seen.insert(symbol).second) continue;
-      const NamedDefinition* named = definition_of(names.scope, symbol);
-      if (named == nullptr) return false;
-      pending.push_back(named->definition.body);
-    }
-  }
-  return true;
+  const auto is_known = [&](SymbolId symbol) {
+    return tree.symbols[symbol].unit_of_measure || is_circle_number(tree, names, symbol);
+  };
+  const auto body_of = [&](SymbolId symbol) {
+    return is_known(symbol) ? std::nullopt : body_of_definition(names.scope, symbol);
+  };
+  return std::ranges::all_of(symbols_reached(tree, {root}, body_of),
+                             [&](SymbolId symbol) { return is_known(symbol) || body_of(symbol); });
 }
 
 /// Is a number in it written with a point, definitions unfolded? Then it is measured or rounded already.

@@ -150,9 +150,7 @@ class ComplexValues {
   }
 
   const Definition* definition_of(ExprId id) const {
-    if (tree_[id].op != Op::symbol) return nullptr;
-    const auto found = std::ranges::find(question_.definitions, tree_[id].symbol, &Definition::symbol);
-    return found == question_.definitions.end() ? nullptr : &*found;
+    return tree_[id].op == Op::symbol ? definition_in(question_, tree_[id].symbol) : nullptr;
   }
 
   Complex value_of(SymbolId symbol) {

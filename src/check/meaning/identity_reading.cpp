@@ -158,24 +158,13 @@ namespace {
 
 /// `kept`: what is not unfolded, nor its derivatives.
 std::vector<SymbolId> symbols_below(const Question& question, ExprId root, const std::set<SymbolId>& kept) {
-  const SymbolTable& symbols = question.tree->symbols;
-  std::vector<SymbolId> primitive;
-  std::set<SymbolId> done;
-  std::vector<ExprId> pending{root};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    for (const SymbolId symbol : symbols_in(*question.tree, id)) {
-      if (!done.insert(symbol).second) continue;
-      const auto definition = std::ranges::find(question.definitions, symbol, &Definition::symbol);
-      if (definition == question.definitions.end()) {
-        primitive.push_back(symbol);
-      } else if (!kept.contains(base_of(symbols, symbol))) {
-        pending.push_back(definition->body);
-      }
-    }
-  }
-  return primitive;
+  std::vector<SymbolId> reached = symbols_reached(*question.tree, {root}, [&](SymbolId symbol) {
+    const Definition* definition = definition_in(question, symbol);
+    const bool unfolds = definition != nullptr && !kept.contains(base_of(question.tree->symbols, symbol));
+    return unfolds ? std::optional(definition->body) : std::nullopt;
+  });
+  std::erase_if(reached, [&](SymbolId symbol) { return definition_in(question, symbol) != nullptr; });
+  return reached;
 }
 
 /// What is on one side only.

@@ -304,8 +304,8 @@ class FactorCount {
 
   int of_symbol(SymbolId symbol) {
     const int own = ordered_.contains(symbol) ? 1 : 0;
-    const auto definition = std::ranges::find(question_.definitions, symbol, &Definition::symbol);
-    return definition == question_.definitions.end() ? own : std::max(own, of(definition->body));
+    const Definition* definition = definition_in(question_, symbol);
+    return definition == nullptr ? own : std::max(own, of(definition->body));
   }
 
   const Question& question_;

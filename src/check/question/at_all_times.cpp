@@ -40,22 +40,16 @@ bool is_ruled(const ExprTree& tree, const Names& names, SymbolId base) {
 std::set<SymbolId> changing_in(const ExprTree& tree, const Names& names, const Prepared& prepared,
                                const Equation& equation) {
   std::set<SymbolId> changing;
-  std::set<SymbolId> seen;
-  std::vector<ExprId> pending{equation.left, equation.right};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    for (const SymbolId symbol : symbols_in(tree, id)) {
-      if (!seen.insert(symbol).second) continue;
-      const auto& definitions = prepared.question.definitions;
-      const auto known = std::ranges::find(definitions, symbol, &Definition::symbol);
-      if (known != definitions.end()) pending.push_back(known->body);
-      const SymbolId base = base_of(tree.symbols, symbol);
-      if (known != definitions.end() || is_ruled(tree, names, base)) continue;
-      if (is_free_variable(names, tree, base, By::space)) continue;
-      if (change(names, tree, base, By::time).dependence.kind == Dependence::Kind::varies)
-        changing.insert(base);
-    }
+  const auto body_of = [&](SymbolId symbol) {
+    const Definition* known = definition_in(prepared.question, symbol);
+    return known == nullptr ? std::nullopt : std::optional(known->body);
+  };
+  for (const SymbolId symbol : symbols_reached(tree, {equation.left, equation.right}, body_of)) {
+    const SymbolId base = base_of(tree.symbols, symbol);
+    if (body_of(symbol) || is_ruled(tree, names, base)) continue;
+    if (is_free_variable(names, tree, base, By::space)) continue;
+    if (change(names, tree, base, By::time).dependence.kind == Dependence::Kind::varies)
+      changing.insert(base);
   }
   return changing;
 }

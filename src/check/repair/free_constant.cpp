@@ -13,13 +13,6 @@
 namespace rigor {
 namespace {
 
-constexpr Limits limits_of_constants{.expanded_terms = 3'000,
-                                     .steps = 20'000,
-                                     .quick_points = 2,
-                                     .quick_steps = 4'000,
-                                     .sample_attempts = 12,
-                                     .fewest_assumptions = false};
-
 class Absorption {
  public:
   Absorption(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
@@ -100,7 +93,7 @@ class Absorption {
     bool holds = false;
     if (reading->sides[wrong_.which].typed && reading->sides[wrong_.which + 1].typed) {
       const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, ignored);
-      holds = claim && judge(tree_, names_, *claim, limits_of_constants, cache_).verdict == Verdict::proved;
+      holds = claim && judge(tree_, names_, *claim, limits_of_guesses, cache_).verdict == Verdict::proved;
     }
     names_ = before;
     return holds;

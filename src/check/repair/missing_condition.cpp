@@ -17,12 +17,6 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_tried = 40;
-constexpr Limits limits_of_conditions{.expanded_terms = 3'000,
-                                      .steps = 20'000,
-                                      .quick_points = 2,
-                                      .quick_steps = 4'000,
-                                      .sample_attempts = 12,
-                                      .fewest_assumptions = false};
 
 /// A condition as LaTeX; small: the step is to hold to first order in it.
 struct Condition {
@@ -255,9 +249,9 @@ class ConditionSearch {
 
   bool holds_given(const std::string& latex) {
     if (!assume(latex)) return false;
-    const Judgement judgement = judge(tree_, names_, *claim_, limits_of_conditions, cache_);
+    const Judgement judgement = judge(tree_, names_, *claim_, limits_of_guesses, cache_);
     return says_something(judgement) &&
-           sample_of_assumptions(tree_, names_, {}, limits_of_conditions, cache_).has_value();
+           sample_of_assumptions(tree_, names_, {}, limits_of_guesses, cache_).has_value();
   }
 
   bool holds_to_first_order(const std::string& latex) {
@@ -271,14 +265,14 @@ class ConditionSearch {
     declare_small(names_.scope, {.quantity = reading->sides[0].typed->id});
     Claim nearly = *claim_;
     nearly.nearly = true;
-    return says_something(judge(tree_, names_, nearly, limits_of_conditions, cache_));
+    return says_something(judge(tree_, names_, nearly, limits_of_guesses, cache_));
   }
 
   /// Where both sides are proportional to what is small, it says nothing.
   bool vanishes_without(SymbolId symbol) {
     Question question = prepare(tree_, names_, claim_->equation).question;
     question.zeroed.push_back(symbol);
-    const Decision decision = decide(cache_, question, limits_of_conditions);
+    const Decision decision = decide(cache_, question, limits_of_guesses);
     return decision.outcome != Outcome::proved || decision.vanishes;
   }
 

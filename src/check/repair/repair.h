@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "algebra/engine/limits.h"
 #include "check/repair/repair_candidates.h"
 #include "check/step/report.h"
 #include "elaborate/name/names.h"
@@ -14,6 +15,14 @@ namespace rigor {
 class DecisionCache;
 
 inline constexpr std::size_t most_repairs = 3;
+
+/// For a guess at what was meant beside the step.
+inline constexpr Limits limits_of_guesses{.expanded_terms = 3'000,
+                                          .steps = 20'000,
+                                          .quick_points = 2,
+                                          .quick_steps = 4'000,
+                                          .sample_attempts = 12,
+                                          .fewest_assumptions = false};
 
 /// At most three, the nearest first; none where no slip of the pen makes it true. Of a refuted step, or of
 /// one whose indices or ranks do not fit. Method: each side is rewritten; terms are compared by the number

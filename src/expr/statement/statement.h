@@ -4,6 +4,7 @@
 // numbers as text, `-3/2`.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -48,6 +49,12 @@ struct Question {
   std::vector<Equation> assumptions = {};  // in scope
   std::vector<SymbolId> zeroed = {};       // symbols taken as 0 (all their components)
 };
+
+/// The first one of the symbol; null: there is none.
+[[nodiscard]] inline const Definition* definition_in(const Question& question, SymbolId symbol) {
+  const auto found = std::ranges::find(question.definitions, symbol, &Definition::symbol);
+  return found == question.definitions.end() ? nullptr : &*found;
+}
 
 enum class Outcome : std::uint8_t { proved, refuted, undecided };
 

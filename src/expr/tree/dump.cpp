@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walks over a whole tree, with a stack of their own: depth costs no call stack.
-#include <string_view>
+#include <algorithm>
+#include <array>
 #include <variant>
 
 #include "expr/tree/tree.h"
@@ -9,53 +10,12 @@ namespace rigor {
 namespace {
 
 [[nodiscard]] std::string_view name_of(Op op) {
-  switch (op) {
-    case Op::number:
-      return "number";
-    case Op::symbol:
-      return "symbol";
-    case Op::basis:
-      return "e";
-    case Op::delta:
-      return "delta";
-    case Op::epsilon:
-      return "epsilon";
-    case Op::add:
-      return "add";
-    case Op::negate:
-      return "negate";
-    case Op::multiply:
-      return "multiply";
-    case Op::divide:
-      return "divide";
-    case Op::power:
-      return "power";
-    case Op::root:
-      return "root";
-    case Op::length:
-      return "length";
-    case Op::absolute:
-      return "absolute";
-    case Op::dot:
-      return "dot";
-    case Op::cross:
-      return "cross";
-    case Op::component:
-      return "component";
-    case Op::tuple:
-      return "tuple";
-    case Op::determinant:
-      return "determinant";
-    case Op::index_sum:
-      return "index-sum";
-    case Op::particle_sum:
-      return "particle-sum";
-    case Op::table:
-      return "table";
-    case Op::function:
-      return "function";
-  }
-  return "?";
+  static constexpr auto names = std::to_array<std::string_view>(
+      {"number", "symbol",      "e",         "delta",        "epsilon",  "add",  "negate", "multiply",
+       "divide", "power",       "root",      "length",       "absolute", "dot",  "cross",  "component",
+       "tuple",  "determinant", "index-sum", "particle-sum", "function", "table"});
+  static_assert(names.size() == static_cast<std::size_t>(Op::table) + 1);
+  return names[static_cast<std::size_t>(op)];
 }
 
 [[nodiscard]] std::string_view name_of(Function function) {
