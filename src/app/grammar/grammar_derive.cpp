@@ -38,8 +38,7 @@ std::vector<std::string> listed(const std::string& text) {
 
 bool reads_as_statement(const std::string& what) {
   std::error_code error;
-  if (std::filesystem::exists(what, error)) return false;
-  return what.find_first_of("=<>?\\") != std::string::npos;
+  return !std::filesystem::exists(what, error) && what.find_first_of("=<>?\\") != std::string::npos;
 }
 
 /// What does not go together; empty if all is well.

@@ -75,8 +75,7 @@ bool is_plain_symbol(const SyntaxTree& syntax, SyntaxId id) {
 
 /// A number with its sign, but for 0 and 1, which are also written for matrices.
 bool is_value(const SyntaxTree& syntax, SyntaxId id) {
-  if (syntax[id].kind != SyntaxKind::number) return false;
-  return syntax.text(id) != "0" && syntax.text(id) != "1";
+  return syntax[id].kind == SyntaxKind::number && syntax.text(id) != "0" && syntax.text(id) != "1";
 }
 
 // -- words --

@@ -41,8 +41,7 @@ class WordSearch {
   [[nodiscard]] bool is_mark_of_prose() const {
     if (depth_ > 0) return false;
     static constexpr auto marks = std::to_array<std::string_view>({"](", "![", "<!--", "**", "__", "`"});
-    if (std::ranges::any_of(marks, [this](std::string_view mark) { return has(mark); })) return true;
-    return has("$");
+    return std::ranges::any_of(marks, [this](std::string_view mark) { return has(mark); }) || has("$");
   }
 
   void skip_control() {
