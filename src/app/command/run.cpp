@@ -3,12 +3,7 @@
 
 #include <exception>
 
-#include "app/command/cases.h"
-#include "app/command/check_command.h"
-#include "app/command/explain.h"
-#include "app/command/forms.h"
-#include "app/command/replay.h"
-#include "app/command/report.h"
+#include "app/command/commands.h"
 #include "app/command/scene.h"
 #include "app/grammar/command_line.h"
 #include "app/hole/derive.h"

@@ -8,13 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/hole/answer_text.h"
 #include "app/hole/hole_answers.h"
 #include "app/hole/solve.h"
 #include "app/hole/write_back.h"
 #include "app/host/screen.h"
 #include "base/utf8.h"
 #include "latex/document/document.h"
+#include "latex/layout/mathml.h"
+#include "latex/layout/plain_text.h"
+#include "latex/token/token.h"
 #include "source/read_file.h"
 #include "source/render.h"
 
@@ -33,6 +35,15 @@ ExitCode worse(ExitCode a, ExitCode b) {
     return code == ExitCode::wrong ? 3 : code == ExitCode::open ? 2 : 0;
   };
   return severity(a) >= severity(b) ? a : b;
+}
+
+/// An expression that was written as LaTeX, in the format that is asked for.
+std::string in_format(const std::string& latex, MathFormat format) {
+  if (format == MathFormat::latex) return latex;
+  SourceMap sources;
+  const FileId file = sources.add("answer", latex);
+  const Tokens tokens = lex(sources, {file, 0, static_cast<std::uint32_t>(latex.size())});
+  return format == MathFormat::mathml ? to_mathml(tokens, MathStyle::display) : to_plain_text(tokens);
 }
 
 class Deriving {

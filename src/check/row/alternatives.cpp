@@ -2,12 +2,10 @@
 // `a = 0 or b = 0`: one of the equations holds wherever the product of their differences is 0. Each row by
 // itself is neither proved nor refuted.
 
-#include "check/row/alternatives.h"
+#include "check/row/row.h"
 
 #include "base/ascii.h"
 #include "check/place/place.h"
-#include "check/row/row.h"
-#include "check/row/surroundings.h"
 
 namespace rigor {
 namespace {

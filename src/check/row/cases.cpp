@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a definition is said for: a case, another place, or until its letter gets another meaning.
-#include "check/row/cases.h"
+#include "check/row/row.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,6 @@
 #include "check/place/place.h"
 #include "check/prose/denial.h"
 #include "check/prose/restrictions.h"
-#include "check/row/surroundings.h"
 #include "check/word/prose_words.h"
 
 namespace rigor {

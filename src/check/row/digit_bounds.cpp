@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `\sqrt{19} = 4.3`: refuted by bounds of a number that no sample gives exactly.
-#include "check/row/digit_bounds.h"
+#include "check/row/row.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,6 @@
 #include "check/doubt/digits.h"
 #include "check/place/place.h"
 #include "check/question/decision_cache.h"
-#include "check/row/cases.h"
-#include "check/row/surroundings.h"
 
 namespace rigor {
 namespace {

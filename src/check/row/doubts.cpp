@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What else a refuted step may mean: a condition that its words say, an equation for its letters, another
 // constant of integration, terms that an average drops.
-#include "check/row/doubts.h"
+#include "check/row/row.h"
 
 #include <fmt/format.h>
 

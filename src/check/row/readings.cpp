@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A chain with places that can be read in two ways. A malformed reading does not count. Of the others, all
 // must prove a step, or all must refute it.
-#include "check/row/readings.h"
+#include "check/row/row.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,6 @@
 
 #include "check/doubt/row_doubts.h"
 #include "check/place/place.h"
-#include "check/row/readings.h"
-#include "check/row/row.h"
 
 namespace rigor {
 namespace {

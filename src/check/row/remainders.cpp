@@ -2,7 +2,7 @@
 // `e^x = 1 + x + O(x^2)`: the sides are compared as power series, coefficient by coefficient below the order.
 // O(x^n) is a set of functions, and `=` says that the left side is in the set on the right: so the step is
 // not symmetric, and a left side with a lower order is in no smaller set.
-#include "check/row/remainders.h"
+#include "check/row/row.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,6 @@
 #include "check/place/place.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
-#include "check/row/row.h"
-#include "check/row/surroundings.h"
 #include "check/scope/definition.h"
 #include "expr/calculus/differentiate.h"
 #include "expr/calculus/power_series.h"

@@ -6,10 +6,6 @@
 #include <utility>
 
 #include "check/doubt/row_doubts.h"
-#include "check/row/alternatives.h"
-#include "check/row/digit_bounds.h"
-#include "check/row/readings.h"
-#include "check/row/surroundings.h"
 
 namespace rigor {
 namespace {

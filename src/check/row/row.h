@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "check/place/place.h"
 
@@ -19,7 +20,70 @@ namespace rigor {
 [[nodiscard]] std::optional<Judgement> ask(RowPlace& place, const StepReading& row, const Claim& claim,
                                            Step& step);
 void settle(RowPlace& place, const StepReading& row, const Claim& claim, Judgement judgement, Step& step);
-
 void accept(Judgement judgement, Step& step);
+
+// --- alternatives.cpp: `a = 0 or b = 0`: one of several equations holds. It is proved if the product of
+// all differences is 0.
+
+bool proves_alternatives(RowPlace& place, const ParsedChain& parsed, Step& step);
+
+// --- cases.cpp: Definitions that hold for a case only, at another place, or until their letter gets
+// another meaning.
+
+/// Do words of its sentence limit the display at hand to a case?
+bool is_conditional(const RowPlace& place);
+/// Is its heading about a special case: "Electrostatics", "In vacuum"?
+bool is_of_a_case(const RowPlace& place);
+/// Takes a proof back that rests on a definition for another case, or on one that has been replaced since.
+void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement);
+
+// --- digit_bounds.cpp: `\sqrt{19} = 4.3`: numbers that no sample gives exactly are compared by rational
+// bounds.
+
+void refute_by_digits(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement);
+/// A recorded refutation by bounds has no sample to put in, so the bounds are computed again.
+bool replay_by_digits(RowPlace& place, const Claim& claim, Step& step);
+
+// --- doubts.cpp: What a refuted row may mean if it is not an identity.
+
+/// A message and its help if the step may not be meant for all values; nothing if it is true with another
+/// sign, factor or letter, since a slip is likelier.
+[[nodiscard]] std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place,
+                                                                            const StepReading& row,
+                                                                            const Claim& claim);
+
+// --- readings.cpp: Chains with places that can be read in two ways. All readings are decided, and only a
+// verdict that all share counts.
+
+/// Names both readings of the first such place.
+[[nodiscard]] Diagnostic two_readings(const ParsedChain& parsed);
+/// Without readings that are nonsense: if one is left, it is the only one; if none is, the first shows why.
+ParsedChain sensible_readings(RowPlace& place, const ParsedChain& parsed);
+/// The verdict is the one that all readings have in common, if there is one.
+void decide_in_all_readings(RowPlace& place, const StepReading& row, const Claim& claim, Step& step);
+
+// --- remainders.cpp: `e^x = 1 + x + O(x^2)`: sides that are compared as power series.
+
+/// `+ O(x^n)` ends the right side.
+[[nodiscard]] bool is_up_to_order(const StepReading& row);
+void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step);
+
+// --- slips.cpp: How the refuted rows of a chain hang together.
+
+/// Says of each refuted step of a chain whether it is the first wrong one, what becomes of its slip, and
+/// whether it only takes back an earlier one.
+void explain_slips(RowPlace& place, const ParsedChain& parsed, ChainReading& reading, std::size_t first_step,
+                   std::span<Step> steps);
+
+// --- surroundings.cpp: The words and conditions around a row, and what they leave of its verdict.
+
+/// Is there an "or" next to it, on its line or in the prose between two displays?
+bool is_alternative(const RowPlace& place, const ParsedChain& parsed);
+/// `a > 0, \quad \sqrt{a^2} = a`: orders of letters on the line of an equation say when it holds.
+std::vector<const ParsedChain*> conditions_beside(const RowPlace& place, const ParsedChain& parsed);
+bool is_condition_beside(const RowPlace& place, const ParsedChain& parsed);
+Standpoint standpoint(RowPlace& place, const ParsedChain& parsed);
+/// Takes a refutation back that rests on something not said for this place; keeps laws for later rows.
+void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement);
 
 }  // namespace rigor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the steps of a chain that are refuted have to do with each other.
-#include "check/row/slips.h"
+#include "check/row/row.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said around a step: its sentence, the relations in lines of prose, laws above it, and `use`.
-#include "check/row/surroundings.h"
+#include "check/row/row.h"
 
 #include <fmt/format.h>
 
@@ -13,9 +13,6 @@
 #include "check/place/place.h"
 #include "check/prose/denial.h"
 #include "check/question/unread.h"
-#include "check/row/cases.h"
-#include "check/row/digit_bounds.h"
-#include "check/row/doubts.h"
 #include "check/scope/definition.h"
 #include "check/scope/local_kinds.h"
 #include "check/word/prose_words.h"

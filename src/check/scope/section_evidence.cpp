@@ -4,13 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "elaborate/evidence/ordered_letters.h"
-#include "elaborate/evidence/raised_indices.h"
-#include "elaborate/evidence/said_order.h"
-#include "elaborate/evidence/seen_functions.h"
-#include "elaborate/evidence/seen_letters.h"
-#include "elaborate/evidence/spaces.h"
-#include "elaborate/evidence/unit_matrices.h"
+#include "elaborate/evidence/evidence.h"
 
 namespace rigor {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/walk/chain.h"
+#include "check/walk/topics.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,8 @@
 #include <utility>
 
 #include "check/doubt/row_doubts.h"
-#include "check/row/readings.h"
-#include "check/row/slips.h"
+#include "check/row/row.h"
 #include "check/scope/local_kinds.h"
-#include "check/walk/step.h"
 
 namespace rigor {
 namespace {

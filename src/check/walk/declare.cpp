@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What directives say of symbols, axes and frames.
-#include "check/walk/declare.h"
+#include "check/walk/topics.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 
 #include "check/scope/contradiction.h"
 #include "check/scope/frame.h"
-#include "check/walk/define.h"
 #include "check/walk/state.h"
 #include "elaborate/notation/elaborate.h"
 #include "expr/calculus/differentiate.h"

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Definitions, rules for derivatives, and assumptions.
-#include "check/walk/define.h"
+#include "check/walk/topics.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "check/prose/denial.h"
-#include "check/row/cases.h"
-#include "check/row/surroundings.h"
+#include "check/row/row.h"
 #include "check/scope/contradiction.h"
 #include "check/scope/decomposition.h"
 #include "check/scope/definition.h"

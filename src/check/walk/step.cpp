@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/walk/step.h"
+#include "check/walk/topics.h"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,8 @@
 #include "check/doubt/row_doubts.h"
 #include "check/question/decision_cache.h"
 #include "check/question/unread.h"
-#include "check/row/readings.h"
-#include "check/row/remainders.h"
 #include "check/row/row.h"
-#include "check/row/surroundings.h"
 #include "check/scope/definition.h"
-#include "check/walk/define.h"
 
 namespace rigor {
 namespace {

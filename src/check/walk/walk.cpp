@@ -8,10 +8,8 @@
 #include "check/question/unread.h"
 #include "check/scope/frame.h"
 #include "check/scope/section_evidence.h"
-#include "check/walk/chain.h"
-#include "check/walk/declare.h"
 #include "check/walk/state.h"
-#include "check/walk/step.h"
+#include "check/walk/topics.h"
 
 namespace rigor {
 namespace {

@@ -5,8 +5,10 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "latex/split/split.h"
 #include "latex/token/syntax.h"
 
 namespace rigor {
@@ -54,5 +56,78 @@ void see_components(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides
 
 /// `\hat n` for `\hat n_i`: letter, accent, change and primes.
 [[nodiscard]] std::string letter_with_marks(const WrittenSymbol& symbol);
+
+// --- ordered_letters.cpp: Evidence that letters are matrices or operators, whose products keep their
+// order: a displayed matrix, a commutator, a dagger, a transpose, a trace, a ket, hats where operators are
+// about, and words.
+
+/// What one chain shows; `sides` are its sides as they were parsed.
+void see_order(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const WrittenChain& written,
+               Evidence& evidence);
+
+/// "The operators $x$ and $p$": the words of a section, with what is set in the line. Capitals of a section
+/// that speaks of matrices or operators are counted in, and so is what its sentence displays.
+void see_words(std::string_view text, Evidence& evidence);
+
+/// "Heisenberg picture", "Quaternions": in such a section any letter may be one.
+void see_heading(std::string_view title, Evidence& evidence);
+
+/// When all is seen: hatted letters are operators where operators are about, else unit vectors.
+void settle_order(Evidence& evidence);
+
+// --- raised_indices.cpp: Upper indices: where `x^\mu` or `x^1` stands, `x^2` need not be a square.
+
+/// `x^1`, `x^0`, `x^\mu`, `g^{ij}`, and `a^kb_k` in the sides of one chain.
+void see_raised(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+
+/// "The coordinates $x^i$", "upper indices", "superscripts label …".
+void see_said_raised(std::string_view text, Evidence& evidence);
+
+/// Can the number above the symbol be an index?
+[[nodiscard]] bool may_be_raised(const WrittenSymbol& symbol, const Evidence& evidence);
+
+// --- said_order.cpp: Words that say how letters are multiplied: "do not commute", "let $G$ be a group",
+// "$a$ and $b$ are matrices", "in floating-point arithmetic".
+
+/// Adds what the words of a section say. Where they say that something does not commute, or speak of a group,
+/// any letter may be an element of it; where they name another arithmetic, nothing counts as proved for it.
+void see_said_order(std::string_view text, Evidence& evidence);
+
+// --- seen_functions.cpp: Letters that are written with their argument: functions before other brackets as
+// well.
+
+/// `\omega(k) = ck`: the first side of a chain.
+void see_functions(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+
+/// "where $n(E)$ is the density of states", "with $f(x) = x^2$".
+void see_inline_functions(std::string_view text, Evidence& evidence);
+
+/// Can the symbol, which `functions` has with its arguments, be applied to this bracket? Not to one that it
+/// is in itself, `n(n + 1)`, and a vector only to its own arguments.
+[[nodiscard]] const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId symbol,
+                                                        SyntaxId bracket, const Evidence& evidence);
+
+// --- seen_letters.cpp: Evidence that letters are real, complex, functionals or the ends of a segment: an
+// order, a conjugate, square brackets, and words.
+
+/// What one chain shows; `sides` are its sides as they were parsed.
+void see_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const WrittenChain& written,
+                 Evidence& evidence);
+
+/// "where $a$, $b$ are real numbers", "for $x > 0$", "complex amplitudes", "in the triangle $ABC$".
+void see_said(std::string_view text, Evidence& evidence);
+
+// --- spaces.cpp: "In two dimensions", "four-vectors", "curvilinear coordinates": the words speak of
+// another space than that of three dimensions with its Cartesian axes.
+
+/// Notes the first such words. `text`: prose with its formulas.
+void see_spaces(std::string_view text, Evidence& evidence);
+
+// --- unit_matrices.cpp: "the unit matrix $I$", "$E$ is the identity operator": a letter that is 1 among
+// matrices or operators.
+
+/// Adds the letters that the words call the unit matrix or the identity to `units`, and to what may not
+/// commute with numbers in between. `text`: prose with its formulas.
+void see_unit_matrices(std::string_view text, Evidence& evidence);
 
 }  // namespace rigor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elaborate/evidence/said_order.h"
+#include "elaborate/evidence/evidence.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "elaborate/evidence/seen_functions.h"
+#include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/symbol/named_symbol.h"
 #include "expr/print/usual_letters.h"

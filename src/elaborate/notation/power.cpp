@@ -4,7 +4,7 @@
 
 #include <charconv>
 
-#include "elaborate/evidence/raised_indices.h"
+#include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/symbol/named_symbol.h"
 

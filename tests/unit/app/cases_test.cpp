@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/command/cases.h"
+#include "app/command/commands.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elaborate/evidence/said_order.h"
 
 #include <string>
 
 #include "catch.h"
-#include "elaborate/evidence/raised_indices.h"
+#include "elaborate/evidence/evidence.h"
 
 using namespace rigor;
 

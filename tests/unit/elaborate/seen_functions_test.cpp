@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "elaborate/evidence/seen_functions.h"
+#include "elaborate/evidence/evidence.h"
 
 #include <string>
 

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Definitions, rules for derivatives, and assumptions: what a row brings into scope.
+// What the walk does with its state, a file for each topic.
 #pragma once
 
 #include "check/walk/state.h"
 
 namespace rigor {
+
+// --- declare.cpp: Directives about symbols, axes and frames.
+
+void take_declaration(Walk& walk, const Directive& directive);
+/// A plain letter that would be the length of a vector is a number of its own where it is given a meaning.
+void declare_for_now(Walk& walk, const Directive& directive, SyntaxId id);
+
+// --- define.cpp: Definitions, rules for derivatives, and assumptions: what a row brings into scope.
 
 bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side& right,
              const Context& context, Step& step);
@@ -27,5 +35,22 @@ void mark_all_given(Walk& walk);
 bool is_in_doubt(const Walk& walk);
 bool find_sample(Walk& walk);
 Diagnostic no_sample(Span span);
+
+// --- chain.cpp: Reads the sides of a chain, then takes its steps one after the other. Sides are read
+// together because they share their index letters.
+
+void follow_chain(Walk& walk, const ParsedChain& parsed, const Context& context);
+void report_unmet(Walk& walk, const Directive& expectation, Span statement);
+
+// --- step.cpp: One relation of a chain, from what is written to its step in the report. First it is read:
+// it brings something into scope, claims something, or cannot be decided. A claim is put to the exact side,
+// whose answer may show that a name has another meaning here. Only then do the words around it bear on the
+// verdict.
+
+[[nodiscard]] Step new_step(const Walk& walk, const ParsedChain& parsed, std::size_t which,
+                            const Context& context);
+void add_step(Walk& walk, Step step);
+void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainReading& reading,
+               const Context& context);
 
 }  // namespace rigor
