@@ -6,6 +6,8 @@
 #include "base/among.h"
 #include "base/check.h"
 
+#include <algorithm>
+
 namespace rigor {
 
 template <class Domain>

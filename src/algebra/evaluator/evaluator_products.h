@@ -2,6 +2,7 @@
 // The products of `evaluator.h`.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "algebra/evaluator/evaluator.h"

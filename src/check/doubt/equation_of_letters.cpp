@@ -29,9 +29,7 @@ bool is_of_scalars(const ExprTree& tree, ExprId side) {
 
 template <class Test>
 bool holds_anywhere(const ExprTree& tree, ExprId id, const Test& test) {
-  if (test(tree[id])) return true;
-  return std::ranges::any_of(tree.children(id),
-                             [&](ExprId child) { return holds_anywhere(tree, child, test); });
+  return std::ranges::any_of(nodes_below(tree, {id}), [&](ExprId each) { return test(tree[each]); });
 }
 
 bool has_sum(const ExprTree& tree, ExprId id) {

@@ -4,6 +4,8 @@
 
 #include "check/row/row.h"
 
+#include <algorithm>
+
 #include "base/ascii.h"
 #include "check/place/place.h"
 

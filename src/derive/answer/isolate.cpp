@@ -198,15 +198,15 @@ class Isolating {
 
   /// The letters of the hole itself.
   void note_own_letters() {
-    each_node(tree_, claim_.right, [&](ExprId id) {
+    for (const ExprId id : nodes_below(tree_, {claim_.right})) {
       if (tree_[id].op == Op::symbol && tree_[id].symbol == hole_) note_letters_on(id, own_);
-    });
+    }
   }
 
   /// The claim's free letters that are in an expression and not on the hole.
   std::vector<IndexId> leftover(ExprId root) const {
     std::set<IndexId> present;
-    each_node(tree_, root, [&](ExprId id) { note_letters_on(id, present); });
+    for (const ExprId id : nodes_below(tree_, {root})) note_letters_on(id, present);
     std::vector<IndexId> letters;
     for (const IndexId letter : claim_.indices) {
       if (present.contains(letter) && !own_.contains(letter)) letters.push_back(letter);
@@ -238,12 +238,12 @@ class Isolating {
 }  // namespace
 
 int occurrences_of(const ExprTree& tree, ExprId root, SymbolId symbol) {
+  if (tree[root].op == Op::symbol) return tree[root].symbol == symbol ? 1 : 0;
   int count = 0;
-  static_cast<void>(any_node(tree, root, [&](ExprId id) {
-    if (tree[id].op == Op::symbol && tree[id].symbol == symbol) ++count;
-    return count == 2;
-  }));
-  return count;
+  for (const ExprId child : tree.children(root)) {
+    if (count < 2) count += occurrences_of(tree, child, symbol);
+  }
+  return std::min(count, 2);
 }
 
 ExprId with_symbol_as(ExprTree& tree, ExprId root, SymbolId symbol, ExprId value) {

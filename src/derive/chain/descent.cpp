@@ -319,7 +319,7 @@ class Descending {
   }
 
   bool crosses_a_cross(ExprId root) const {
-    return any_node(tree_, root, [&](ExprId id) {
+    return std::ranges::any_of(nodes_below(tree_, {root}), [&](ExprId id) {
       return tree_[id].op == Op::cross && std::ranges::any_of(tree_.children(id), [&](ExprId child) {
                return tree_[child].op == Op::cross;
              });

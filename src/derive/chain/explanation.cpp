@@ -40,7 +40,7 @@ struct GluedChain {
 
 /// Is nothing written in index notation?
 bool is_direct(const ExprTree& tree, ExprId root) {
-  return !any_node(tree, root, [&](ExprId id) {
+  return std::ranges::none_of(nodes_below(tree, {root}), [&](ExprId id) {
     const Op op = tree[id].op;
     const bool index = op == Op::index_sum || op == Op::delta || op == Op::epsilon || op == Op::component ||
                        op == Op::table || op == Op::basis || op == Op::determinant || tree[id].slot_count > 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "derive/chain/line.h"
 
+#include <algorithm>
+
 #include "derive/chain/shape.h"
 #include "derive/polynomial/collected.h"
 #include "derive/polynomial/nodes.h"
@@ -38,7 +40,7 @@ void describe(ExprTree& tree, Line& line, const std::vector<IndexId>& open) {
 }
 
 bool contains(const ExprTree& tree, ExprId root, Op op) {
-  return any_node(tree, root, [&](ExprId id) { return tree[id].op == op; });
+  return std::ranges::any_of(nodes_below(tree, {root}), [&](ExprId id) { return tree[id].op == op; });
 }
 
 bool meets(const Line& a, const Line& b) {

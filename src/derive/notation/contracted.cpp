@@ -19,12 +19,12 @@ constexpr int most_contractions = 60;
 void note_free(const ExprTree& tree, ExprId root, LetterChoice& choice) {
   std::set<IndexId> bound;
   std::set<IndexId> present;
-  each_node(tree, root, [&](ExprId id) {
+  for (const ExprId id : nodes_below(tree, {root})) {
     if (tree[id].op == Op::index_sum) bound.insert(tree[id].index);
     for (const Slot& slot : tree.slots(id)) {
       if (slot.axis == 0) present.insert(slot.variable);
     }
-  });
+  }
   for (const IndexId letter : present) {
     if (!bound.contains(letter)) choice.taken.insert(tree.name(letter));
   }

@@ -103,11 +103,11 @@ class Lettering {
 }  // namespace
 
 void note_letters(const ExprTree& tree, ExprId root, LetterChoice& choice) {
-  each_node(tree, root, [&](ExprId id) {
+  for (const ExprId id : nodes_below(tree, {root})) {
     const ExprNode& node = tree[id];
     if (node.op == Op::index_sum) add_once(choice.indices, tree.name(node.index));
     if (node.op == Op::particle_sum) add_once(choice.particles, tree.name(node.particle));
-  });
+  }
 }
 
 ExprId with_letters(ExprTree& tree, ExprId root, const LetterChoice& choice) {

@@ -10,28 +10,6 @@
 
 namespace rigor {
 
-/// Shows all nodes under the root, itself among them, until `fits` takes one: is there such a node? Each
-/// comes before its children, and these from the left.
-template <class Fits>
-bool any_node(const ExprTree& tree, ExprId root, const Fits& fits) {
-  std::vector<ExprId> pending{root};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    if (fits(id)) return true;
-    const auto children = tree.children(id);
-    pending.insert(pending.end(), children.rbegin(), children.rend());
-  }
-  return false;
-}
-template <class Visit>
-void each_node(const ExprTree& tree, ExprId root, const Visit& visit) {
-  static_cast<void>(any_node(tree, root, [&](ExprId id) {
-    visit(id);
-    return false;
-  }));
-}
-
 /// The node with other children and slots; `id` tells the table of a table.
 [[nodiscard]] ExprId with_children(ExprTree& tree, ExprId id, const ExprNode& node,
                                    const std::vector<ExprId>& children, const std::vector<Slot>& slots);

@@ -25,7 +25,7 @@ bool holds_one_symbol(const SyntaxTree& syntax, SyntaxId id) {
 bool is_taken_at(const SyntaxTree& syntax, SyntaxId derivative, SyntaxId bracket) {
   if (syntax[derivative].kind != SyntaxKind::derivative || syntax[bracket].kind != SyntaxKind::group)
     return false;
-  return any_below(syntax, syntax.child(bracket, 0), [&](SyntaxId id) {
+  return std::ranges::any_of(nodes_below(syntax, {syntax.child(bracket, 0)}), [&](SyntaxId id) {
     return syntax[id].kind == SyntaxKind::symbol &&
            std::ranges::any_of(syntax.derivative(derivative).by, [&](const auto& each) {
              return each.symbol.letter == syntax.symbol(id).letter;
@@ -39,7 +39,7 @@ bool looks_like_argument(const Reading& reading, const WrittenSymbol& symbol, Sy
   if (syntax[bracket].kind != SyntaxKind::group || is_usual_coefficient(symbol.letter)) return false;
   if (is_declared_letter(reading.names, symbol)) return false;
   bool coordinate = false;
-  const bool more = any_below(syntax, syntax.child(bracket, 0), [&](SyntaxId id) {
+  const bool more = std::ranges::any_of(nodes_below(syntax, {syntax.child(bracket, 0)}), [&](SyntaxId id) {
     if (syntax[id].kind != SyntaxKind::symbol) return false;
     const WrittenSymbol& inside = syntax.symbol(id);
     coordinate = coordinate || is_usual_coordinate(inside.letter);

@@ -2,6 +2,8 @@
 // Bars and brackets with subscripts.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "elaborate/notation/derivative.h"
 #include "elaborate/notation/matrix.h"
 #include "elaborate/notation/notations.h"
@@ -13,7 +15,7 @@ namespace {
 
 /// Is there a symbol with two subscripts of its own?
 bool names_a_tensor(const SyntaxTree& syntax, SyntaxId id) {
-  return any_below(syntax, id, [&](SyntaxId each) {
+  return std::ranges::any_of(nodes_below(syntax, {id}), [&](SyntaxId each) {
     return syntax[each].kind == SyntaxKind::component ||
            (syntax[each].kind == SyntaxKind::symbol && syntax.symbol(each).lower.size() > 1);
   });
@@ -21,7 +23,7 @@ bool names_a_tensor(const SyntaxTree& syntax, SyntaxId id) {
 
 /// `(AB)_{ij}`, where `A_{ij}` occurs in the notes.
 bool is_matrix_product(const Reading& reading, SyntaxId id) {
-  return any_below(reading.syntax, id, [&](SyntaxId each) {
+  return std::ranges::any_of(nodes_below(reading.syntax, {id}), [&](SyntaxId each) {
     return reading.syntax[each].kind == SyntaxKind::symbol &&
            reading.names.symbols.sightings->indexed.contains({reading.syntax.symbol(each).letter, 2, false});
   });

@@ -2,8 +2,6 @@
 // What `elaborate` knows of notations: one function for each, in the file of its kind.
 #pragma once
 
-#include <algorithm>
-
 #include "elaborate/notation/elaborate.h"
 
 namespace rigor {
@@ -20,13 +18,6 @@ ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
 ReadPart elaborate_term;                                            // term.cpp
 ReadPart elaborate_unit;                                            // unit.cpp
 
-/// Does it hold for the part, or for one below it?
-template <typename Predicate>
-[[nodiscard]] bool any_below(const SyntaxTree& syntax, SyntaxId id, const Predicate& holds) {
-  return holds(id) || std::ranges::any_of(syntax.children(id), [&](const SyntaxChild& child) {
-           return any_below(syntax, child.id, holds);
-         });
-}
 /// The number that is written, also with a minus before it.
 [[nodiscard]] std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id);
 /// `sin`, `tanh`, `exp`…, as quotients of sines, cosines and exponentials.

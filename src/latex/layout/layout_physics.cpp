@@ -4,6 +4,8 @@
 #include "latex/layout/layout_reader.h"
 #include "latex/token/words.h"
 
+#include <algorithm>
+
 namespace rigor {
 namespace {
 
