@@ -5,7 +5,6 @@
 #include <array>
 #include <map>
 #include <span>
-#include <unordered_set>
 #include <utility>
 
 #include "latex/token/vocabulary.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/event/written_statements.h"
 
-#include <algorithm>
-#include <set>
 
 namespace rigor {
 
