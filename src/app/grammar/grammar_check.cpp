@@ -42,8 +42,7 @@ std::vector<std::string> names_of_formats() {
 }
 
 ReportFormat format_of_name(const std::string& name) {
-  return std::find_if(std::begin(format_names), std::end(format_names),
-                      [&](const FormatName& entry) { return entry.name == name; })
+  return std::ranges::find_if(format_names, [&](const FormatName& entry) { return entry.name == name; })
       ->format;
 }
 

@@ -90,8 +90,8 @@ std::string bare(const std::string& latex) {
   for (std::size_t k = 0; k < latex.size(); ++k) {
     const char c = latex[k];
     const std::string_view rest = std::string_view(latex).substr(k);
-    const auto face = std::find_if(std::begin(upright), std::end(upright),
-                                   [&](std::string_view each) { return rest.starts_with(each); });
+    const auto face =
+        std::ranges::find_if(upright, [&](std::string_view each) { return rest.starts_with(each); });
     if (face != std::end(upright)) {
       k += face->size() - 1;
       continue;

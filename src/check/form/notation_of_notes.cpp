@@ -27,8 +27,7 @@ bool is_common(const std::string& letter) {
   static constexpr std::string_view known[] = {
       "\\mathbf{", "\\boldsymbol{",         "\\vec{", "\\overrightarrow{",
       "\\mathsf{", "\\overleftrightarrow{", "\\hat{"};
-  return std::any_of(std::begin(known), std::end(known),
-                     [&](std::string_view face) { return letter.starts_with(face); });
+  return std::ranges::any_of(known, [&](std::string_view face) { return letter.starts_with(face); });
 }
 
 /// `\mathbf A` and `\vec\omega` with their braces.

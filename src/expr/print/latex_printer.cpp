@@ -15,8 +15,8 @@ namespace {
 bool is_tall(const std::string& text) {
   static constexpr std::string_view tall[] = {"\\frac",  "\\tfrac", "\\sum", "\\int",
                                               "\\begin", "\\left",  "\\sqrt"};
-  return std::any_of(std::begin(tall), std::end(tall),
-                     [&](std::string_view sign) { return text.find(sign) != std::string::npos; });
+  return std::ranges::any_of(tall,
+                             [&](std::string_view sign) { return text.find(sign) != std::string::npos; });
 }
 
 const char* sign_of(Function function) {

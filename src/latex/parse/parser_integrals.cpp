@@ -48,8 +48,8 @@ SyntaxId Parser::integral(Cursor& cursor) {
     again = again || (kind == TokenKind::subscript && bounded);
     bounded = bounded || kind == TokenKind::subscript;
     limits = limits || kind == TokenKind::superscript;
-    const auto known = std::find_if(
-        std::begin(regions), std::end(regions),
+    const auto known = std::ranges::find_if(
+        regions,
         [written = text_of(argument.content)](const Region& each) { return each.written == written; });
     whole_body = known != std::end(regions);
     if (whole_body) region = known->name;

@@ -42,7 +42,7 @@ std::size_t second_moment(std::size_t i, std::size_t j) {
 }
 
 bool is_finite(const PointSums& sums) {
-  return std::all_of(std::begin(sums.high), std::end(sums.high), [](double x) { return std::isfinite(x); });
+  return std::ranges::all_of(sums.high, [](double x) { return std::isfinite(x); });
 }
 
 double sum_of_squares(const PointSums& sums) {
