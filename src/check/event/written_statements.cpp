@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/event/written_statements.h"
 
-
 namespace rigor {
 
 std::vector<WrittenStatement> statements_in(const Notes& notes) {
