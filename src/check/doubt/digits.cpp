@@ -2,7 +2,6 @@
 #include "check/doubt/digits.h"
 
 #include <algorithm>
-#include <set>
 #include <string>
 
 #include "check/question/decision_cache.h"
@@ -185,20 +184,14 @@ bool is_a_number(const ExprTree& tree, const Names& names, ExprId root) {
 
 /// Is a number in it written with a point, definitions unfolded? Then it is measured or rounded already.
 bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
-  std::set<SymbolId> seen;
-  std::vector<ExprId> pending{root};
-  while (!pending.empty()) {
-    const ExprId id = pending.back();
-    pending.pop_back();
-    const ExprNode& node = tree[id];
-    if (node.op == Op::number && tree.digits(id).find('.') != std::string::npos) return true;
-    const std::span<const ExprId> children = tree.children(id);
-    pending.insert(pending.end(), children.begin(), children.end());
-    if (node.op != Op::symbol || !seen.insert(node.symbol).second) continue;
-    if (const NamedDefinition* named = definition_of(names.scope, node.symbol))
-      pending.push_back(named->definition.body);
+  const auto body_of = [&](SymbolId symbol) { return body_of_definition(names.scope, symbol); };
+  std::vector<ExprId> roots{root};
+  for (const SymbolId symbol : symbols_reached(tree, {root}, body_of)) {
+    if (const auto body = body_of(symbol)) roots.push_back(*body);
   }
-  return false;
+  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
+    return tree[id].op == Op::number && tree.digits(id).find('.') != std::string::npos;
+  });
 }
 
 }  // namespace

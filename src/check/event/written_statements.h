@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lints look through: the chains as they are written, and the nodes of their trees, parents first.
+// What lints look through: the chains as they are written.
 #pragma once
 
 #include <cstdint>
