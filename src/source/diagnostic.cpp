@@ -72,6 +72,7 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {plain_vector, "plain-vector", warning, "a vector is not set bold, unlike others"},
     {hidden_index, "hidden-index", warning, "a subscript that is read as a word ends in an index"},
     {idle_sum, "idle-sum", warning, "a sum is over an index that does not occur in it"},
+    {repeated_side, "repeated-side", warning, "a step of a chain repeats its left side"},
     {mixed_frames, "mixed-frames", warning,
      "components along two sets of axes, or rates in two frames, are added"},
     {scalar_zero, "scalar-zero", warning, "a vector is set equal to the number 0", true},

@@ -67,6 +67,7 @@ enum class DiagnosticKind : std::uint8_t {
   plain_vector,
   hidden_index,
   idle_sum,
+  repeated_side,
   mixed_frames,
   scalar_zero,
   mixed_parity,

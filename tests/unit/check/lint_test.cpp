@@ -89,6 +89,24 @@ TEST_CASE("a sum is idle over an index that its terms do not have, unless it cou
   CHECK(warnings(display("\\sum_i \\mathbf{e}_i\\cdot\\mathbf{e}_i = 3")).empty());
 }
 
+TEST_CASE("a step of a chain that repeats its left side is reported at the right one") {
+  CHECK(warnings(display("(a + b)^2 = (a + b)(a + b) = (a + b)(a + b)")) == "1:32 repeated-side");
+  CHECK(warnings(display("a b = ab = ba")) == "1:9 repeated-side");
+  CHECK(warnings(display("c = 2\\bigl(a\\bigr) = 2(a)")) == "1:24 repeated-side");
+  CHECK(warnings(display("a + b &= a + b\\\\ &= b + a")) == "1:12 repeated-side");
+  CHECK(warnings(display("a\\,\\sin\\theta\\approx a\\sin\\theta = a\\sin\\theta")) ==
+        "1:24 repeated-side, 1:38 repeated-side");
+}
+
+TEST_CASE("a side is not repeated in another spelling, by numbers, alone or farther on") {
+  CHECK(warnings(display("\\mathbf{A}\\cdot\\mathbf{B} = A_iB_i = A_jB_j")).empty());
+  CHECK(warnings(display("x^{12} = x^12 = 2x")).empty());
+  CHECK(warnings(display("a - a = 0 = 0")).empty());
+  CHECK(warnings(display("a\\omega = a\\omega")).empty());
+  CHECK(warnings(display("a = a, \\qquad b = b")).empty());
+  CHECK(warnings(display("a + b = b + a = a + b")).empty());
+}
+
 TEST_CASE("components of two vectors along two sets of axes are not added") {
   const std::string axes = rigor_says("rotation \\lambda") + rigor_says("vector \\mathbf{A}, \\mathbf{B}");
   CHECK(warnings(axes + display("A_1 + B_{1'} = B_{1'} + A_1")) == "3:9 mixed-frames, 3:27 mixed-frames");
