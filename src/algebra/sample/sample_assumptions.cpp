@@ -16,12 +16,6 @@ namespace {
   return std::ranges::all_of(values, [](const Rational& each) { return cln::zerop(each); });
 }
 
-/// How often a symbol is differentiated, in time, space and what is small together.
-[[nodiscard]] int order_of(const Symbol& symbol) {
-  return symbol.derivation ? symbol.derivation->time + symbol.derivation->space + symbol.derivation->small
-                           : 0;
-}
-
 constexpr std::uint32_t order_passes = 4;
 constexpr int equation_passes = 4;
 constexpr double largest_solved = 200;  // bits: a sample is to be read, and to be checked fast
@@ -109,7 +103,7 @@ AssumptionSolver::AssumptionSolver(const Scope& scope, std::vector<std::size_t> 
     has_particle_sums_ = has_particle_sums_ || reached.particle_sums;
     int order = 0;
     for (const SymbolId symbol : reached.symbols)
-      order = std::max(order, order_of(scope.tree().symbols[symbol]));
+      order = std::max(order, scope.tree().symbols[symbol].order());
     derivative_orders_.push_back(order);
     has_tensors_ =
         has_tensors_ ||
@@ -254,7 +248,7 @@ void AssumptionSolver::solve_derivatives(Search& search, int order) const {
     if (derivative_orders_[i] != order || equation(i).relation != Relation::equal) continue;
     together.push_back(i);
     for (const SymbolId symbol : symbols_[i]) {
-      if (order_of(scope_->tree().symbols[symbol]) == order && !is_one_of(symbol, symbols))
+      if (scope_->tree().symbols[symbol].order() == order && !is_one_of(symbol, symbols))
         symbols.push_back(symbol);
     }
   }

@@ -23,10 +23,9 @@ std::array<bool, 4> differentiated_axes(const ExprTree& tree, ExprId left, ExprI
   std::array<bool, 4> axes{};
   for (const ExprId id : nodes_below(tree, {left, right})) {
     if (tree[id].op != Op::symbol) continue;
-    const auto& derivation = tree.symbols[tree[id].symbol].derivation;
-    if (!derivation || derivation->space == 0) continue;
+    const auto orders = static_cast<std::size_t>(tree.symbols[tree[id].symbol].order(By::space));
     const auto slots = tree.slots(id);
-    for (std::size_t k = 0; k < derivation->space; ++k)
+    for (std::size_t k = 0; k < orders; ++k)
       axes[slots.size() > k ? slots[slots.size() - 1 - k].axis : 0u] = true;
   }
   return axes;
@@ -223,9 +222,9 @@ DimensionForm DimensionRecorder::form_of(ExprId id, std::vector<DimensionEquatio
   } else if (!is_pure_number(base)) {
     form.add(unknown_of(base), 1);
   }
-  if (const auto& derivation = tree_.symbols[node.symbol].derivation) {
-    form.add(time_unknown, SmallRational(-derivation->time));
-    form.add(space_unknown, SmallRational(-derivation->space));
+  if (const Symbol& own = tree_.symbols[node.symbol]; own.derivation) {
+    form.add(time_unknown, SmallRational(-own.order(By::time)));
+    form.add(space_unknown, SmallRational(-own.order(By::space)));
   }
   if (node.particle != no_particle && tree_.name(node.particle) == "∫") in_body(node, equations);
   return form;
@@ -295,8 +294,7 @@ void DimensionRecorder::relate(const Relation& relation) {
   made.assumed = assumed_;
   for (const ExprId side : {relation.left, relation.right}) {
     for (const SymbolId symbol : symbols_in(tree_, side)) {
-      const auto& derivation = tree_.symbols[symbol].derivation;
-      if (derivation && derivation->time > 0) {
+      if (tree_.symbols[symbol].order(By::time) > 0) {
         used_[time_unknown] = true;
         record_.unknowns[time_unknown].listed = true;
       }

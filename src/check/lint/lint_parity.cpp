@@ -87,7 +87,7 @@ class ParityReader {
     const SymbolId base = base_of(tree_.symbols, id);
     const std::string& name = tree_.symbols[base].name;
     Parity parity;
-    parity.odd = symbol.derivation && symbol.derivation->space % 2 == 1;
+    parity.odd = symbol.order(By::space) % 2 == 1;
     if (tree_.symbols[base].rotation) return parity;
     const bool position = tree_.symbols[base].rank == 1 && (name == "\\mathbf{r}" || name == "\\mathbf{x}");
     if (position) return Parity{{}, !parity.odd};

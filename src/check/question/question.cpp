@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -180,21 +182,16 @@ class Preparation {
   std::optional<FoundAssumption> definition_of(SymbolId symbol, int depth) {
     if (const NamedDefinition* named = rigor::definition_of(names_.scope, symbol))
       return FoundAssumption{named->definition, &named->origin, named->at_instant};
-    const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
-    if (!derivation || derivation->time + derivation->space + derivation->small > largest_order ||
-        depth > largest_order)
-      return std::nullopt;
+    const auto& derivation = tree_.symbols[symbol].derivation;
+    if (!derivation || derivation->by.size() > largest_order || depth > largest_order) return std::nullopt;
     if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
     std::optional<FoundAssumption> result;
-    for (const By by : {By::small, By::space, By::time}) {
-      if (result) break;
-      if (const auto parent = parent_of(*derivation, by)) {
-        const auto of = definition_of(*parent, depth + 1);
-        if (of && of->at_instant && by == By::time) {
-          note_unknown(derivation->base);
-        } else if (of) {
-          result = FoundAssumption{differentiated(*of, symbol, by), of->origin, of->at_instant};
-        }
+    for (auto by = derivation->by.rbegin(); by != derivation->by.rend() && !result; ++by) {
+      const auto of = definition_of(parent_of(*derivation, *by), depth + 1);
+      if (of && of->at_instant && *by == By::time) {
+        note_unknown(derivation->base);
+      } else if (of) {
+        result = FoundAssumption{differentiated(*of, symbol, *by), of->origin, of->at_instant};
       }
     }
     derived_[symbol] = result;
@@ -202,20 +199,12 @@ class Preparation {
   }
 
   /// The derivative of one order less.
-  std::optional<SymbolId> parent_of(Derivation derivation, By by) {
-    std::uint16_t& order = by == By::time    ? derivation.time
-                           : by == By::space ? derivation.space
-                                             : derivation.small;
-    if (order == 0) return std::nullopt;
-    --order;
-    SymbolId parent = derivation.base;
-    for (int k = 0; k < derivation.time; ++k) parent = tree_.symbols.derivative(parent, By::time);
-    for (int k = 0; k < derivation.space; ++k) parent = tree_.symbols.derivative(parent, By::space);
-    for (int k = 0; k < derivation.small; ++k) parent = tree_.symbols.derivative(parent, By::small);
-    return parent;
+  SymbolId parent_of(Derivation derivation, const Variable& by) {
+    derivation.by.erase(derivation.by.find(by));
+    return tree_.symbols.derivative(derivation);
   }
 
-  Definition differentiated(const FoundAssumption& of, SymbolId symbol, By by) {
+  Definition differentiated(const FoundAssumption& of, SymbolId symbol, const Variable& by) {
     Definition result = of.definition;
     result.symbol = symbol;
     result.by_square = false;
@@ -236,7 +225,7 @@ class Preparation {
     return result;
   }
 
-  Differentiator differentiator(By by, Slot axis = {}) {
+  Differentiator differentiator(const Variable& by, Slot axis = {}) {
     const auto dependence_of = [this, by](SymbolId symbol) {
       const Dependence dependence = this->dependence(symbol, by);
       const bool guessed =
@@ -247,7 +236,7 @@ class Preparation {
     return {tree_, by, dependence_of, budget_, axis};
   }
 
-  Dependence dependence(SymbolId symbol, By by) {
+  Dependence dependence(SymbolId symbol, const Variable& by) {
     const KnownChange known = change(names_, tree_, symbol, by);
     if (known.directive) prepared_.used.insert(*known.directive);
     return known.dependence;
@@ -260,21 +249,17 @@ class Preparation {
 
   /// A derivative of something that does not change.
   bool is_constant(SymbolId symbol) {
-    const std::optional<Derivation> derivation = tree_.symbols[symbol].derivation;
+    const auto& derivation = tree_.symbols[symbol].derivation;
     if (!derivation) return false;
-    const auto constant_by = [&](By by) {
+    return std::any_of(derivation->by.begin(), derivation->by.end(), [&](const Variable& by) {
       return dependence(derivation->base, by).kind == Dependence::Kind::constant;
-    };
-    return (derivation->time > 0 && constant_by(By::time)) ||
-           (derivation->space > 0 && constant_by(By::space)) ||
-           (derivation->small > 0 && constant_by(By::small));
+    });
   }
 
   /// A small quantity, or its rate, where that is a symbol of its own.
   bool vanishes_to_zeroth_order(SymbolId symbol) const {
     if (precision_ != Precision::small_order) return false;
-    const auto& derivation = tree_.symbols[symbol].derivation;
-    if (derivation && derivation->small > 0) return false;
+    if (tree_.symbols[symbol].order(By::small) > 0) return false;
     return std::ranges::any_of(*names_.scope.small, [&](const SmallQuantity& small) {
       const ExprNode& node = tree_[small.quantity];
       return node.slot_count == 0 && node.symbol == base_of(symbol);
@@ -286,8 +271,7 @@ class Preparation {
   SymbolId base_of(SymbolId symbol) const { return rigor::base_of(tree_.symbols, symbol); }
 
   Orders orders_of(SymbolId symbol) const {
-    const auto& derivation = tree_.symbols[symbol].derivation;
-    return derivation ? Orders{derivation->time, derivation->space} : Orders{};
+    return {tree_.symbols[symbol].order(By::time), tree_.symbols[symbol].order(By::space)};
   }
 
   /// What an equation is about, definitions unfolded.
@@ -433,7 +417,7 @@ class Preparation {
     if (auto at_zero = at_time_zero(tree_, names_, equation)) push(*at_zero, named);
   }
 
-  Equation derived(const Equation& equation, By by) {
+  Equation derived(const Equation& equation, const Variable& by) {
     Equation result = equation;
     Slot axis;
     if (by == By::space) {
@@ -453,22 +437,23 @@ class Preparation {
 
   /// n·n = 1 for all times makes n·ṅ = 0. A rotation's rate is not reasoned about.
   void add_lengths() {
-    std::map<SymbolId, Derivation> highest;
+    std::map<SymbolId, Derivation::Variables> highest;
     for (const SymbolId symbol : reached_) {
-      const auto derivation = tree_.symbols[symbol].derivation;
+      const auto& derivation = tree_.symbols[symbol].derivation;
       if (!derivation || definition_of(symbol, 0) || is_constant(symbol)) continue;
       const Symbol& base = tree_.symbols[derivation->base];
       if (base.rotation) note_unknown(derivation->base);
       if (!base.unit || rigor::definition_of(names_.scope, derivation->base) != nullptr) continue;
-      Derivation& known = highest[derivation->base];
-      known.time = std::max(known.time, derivation->time);
-      known.space = std::max(known.space, derivation->space);
-      known.small = std::max(known.small, derivation->small);
+      Derivation::Variables& known = highest[derivation->base];
+      Derivation::Variables both;
+      std::set_union(known.begin(), known.end(), derivation->by.begin(), derivation->by.end(),
+                     std::inserter(both, both.end()), std::greater<>());
+      known = std::move(both);
     }
-    for (const auto& [base, orders] : highest) add_length(base, orders);
+    for (const auto& [base, variables] : highest) add_length(base, variables);
   }
 
-  void add_length(SymbolId base, const Derivation& orders) {
+  void add_length(SymbolId base, const Derivation::Variables& variables) {
     const Span span = tree_.symbols[base].first_seen;
     ExprNode node{.op = Op::symbol, .rank = 1, .span = span, .symbol = base};
     Equation equation;
@@ -480,17 +465,13 @@ class Preparation {
     const std::array sides{vector, vector};
     equation.left = tree_.add({.op = Op::dot, .span = span}, sides);
     equation.right = tree_.add_number(span, "1");
-    const auto add_up_to = [&](int order, By by) {
-      Equation changed = equation;
-      for (int k = 0; k < order; ++k) {
-        changed = derived(changed, by);
-        push(changed, nullptr);
-      }
-    };
     const std::size_t unknown_before = prepared_.unknown_changes.size();
-    add_up_to(orders.time, By::time);
-    add_up_to(orders.space, By::space);
-    add_up_to(orders.small, By::small);
+    Equation changed;
+    for (auto by = variables.begin(); by != variables.end(); ++by) {
+      const bool first = by == variables.begin() || *by != *std::prev(by);
+      changed = derived(first ? equation : changed, *by);
+      push(changed, nullptr);
+    }
     prepared_.unknown_changes.resize(unknown_before);
   }
 

@@ -111,9 +111,9 @@ class Conditions {
 
   void rates() {
     for (const SymbolId id : symbols_) {
-      const auto& derivation = tree_.symbols[id].derivation;
-      if (!derivation || derivation->time == 0 || derivation->space > 0) continue;
-      const Symbol& base = tree_.symbols[derivation->base];
+      const Symbol& rate = tree_.symbols[id];
+      if (rate.order(By::time) == 0 || rate.order(By::space) > 0) continue;
+      const Symbol& base = tree_.symbols[rate.derivation->base];
       if (base.rank > 1 || base.rotation || (base.rank == 1 && !is_vector_name(base))) continue;
       const std::string label = base.per_particle ? "_" + particle_ : "";
       add(fmt::format("\\dot{{{}}}{} = 0", base.name, label));

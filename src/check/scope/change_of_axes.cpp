@@ -36,11 +36,12 @@ class Axes {
   Occurrence occurrence(ExprId id) const {
     const ExprNode& node = tree_[id];
     const Symbol& symbol = tree_.symbols[node.symbol];
-    Occurrence result{node.symbol, node.particle, 0, symbol.rank, {}, node.span};
-    if (symbol.derivation) {
-      result.base = symbol.derivation->base;
-      result.orders = symbol.derivation->time;
-    }
+    Occurrence result{base_of(tree_.symbols, node.symbol),
+                      node.particle,
+                      symbol.order(By::time),
+                      symbol.rank,
+                      {},
+                      node.span};
     result.slots.assign(tree_.slots(id).begin(), tree_.slots(id).end());
     return result;
   }
@@ -54,13 +55,9 @@ class Axes {
            !is_principal_value(names_.symbols, tree_.symbols, base);
   }
   bool is_gradient(SymbolId symbol) const {
-    const auto& derivation = tree_.symbols[symbol].derivation;
-    return derivation && derivation->space + derivation->small > 0;
+    return tree_.symbols[symbol].order() > tree_.symbols[symbol].order(By::time);
   }
-  bool is_rate(SymbolId symbol) const {
-    const auto& derivation = tree_.symbols[symbol].derivation;
-    return derivation && derivation->time > 0;
-  }
+  bool is_rate(SymbolId symbol) const { return tree_.symbols[symbol].order(By::time) > 0; }
 
   ExprId base(const Occurrence& of, const Slots& slots) {
     ExprNode node{.op = Op::symbol, .span = of.span, .symbol = of.base, .particle = of.particle};

@@ -27,8 +27,7 @@ std::optional<Definition> as_square(ExprTree& tree, const NameScope& scope, cons
 }  // namespace
 
 int derivative_order(const SymbolTable& symbols, SymbolId symbol) {
-  const auto& derivation = symbols[symbol].derivation;
-  return derivation ? derivation->time + derivation->space : 0;
+  return symbols[symbol].order(By::time) + symbols[symbol].order(By::space);
 }
 
 std::optional<Definition> as_definition(ExprTree& tree, const NameScope& scope, const Typed& left,

@@ -64,8 +64,8 @@ void declare_small(Walk& walk, const Directive& directive, const Typed& typed) {
 void assume_rates_vanish(Walk& walk, const Directive& directive, SymbolId symbol) {
   std::vector<Definition> rules;
   for (const NamedDefinition& named : *walk.names.scope.definitions) {
-    const auto& of = walk.tree.symbols[named.definition.symbol].derivation;
-    if (!of || of->base != symbol || of->time == 0) continue;
+    const SymbolId of = named.definition.symbol;
+    if (base_of(walk.tree.symbols, of) != symbol || walk.tree.symbols[of].order(By::time) == 0) continue;
     rules.push_back(named.definition);
     if (named.origin.directive) walk.used.insert(*named.origin.directive);
   }

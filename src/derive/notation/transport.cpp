@@ -87,7 +87,7 @@ std::vector<TurningFrame> turning_frames(ExprTree& tree, const Question& questio
   std::vector<TurningFrame> frames;
   for (const Definition& definition : question.definitions) {
     const auto& derivation = tree.symbols[definition.symbol].derivation;
-    if (!derivation || derivation->time != 1 || derivation->space != 0 || derivation->small != 0) continue;
+    if (!derivation || derivation->by != Derivation::Variables{By::time}) continue;
     const SymbolId rotation = derivation->base;
     if (const auto velocity = angular_velocity(tree, definition.body, rotation))
       frames.push_back({rotation, definition.symbol, *velocity});

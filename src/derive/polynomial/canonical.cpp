@@ -225,7 +225,7 @@ class Canonical {
 
   /// Symmetric tensors; repeated derivatives by space, whose axes come last.
   static void sort_symmetric(const Symbol& symbol, std::vector<std::string>& slots) {
-    const std::ptrdiff_t space = symbol.derivation ? symbol.derivation->space : 0;
+    const std::ptrdiff_t space = symbol.order(By::space);
     if (space > 1 && static_cast<std::ptrdiff_t>(slots.size()) >= space)
       std::sort(slots.end() - space, slots.end());
     if (symbol.symmetric && slots.size() >= 2 && std::ptrdiff_t(slots.size()) - space >= 2)

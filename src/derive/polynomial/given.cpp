@@ -182,8 +182,8 @@ void gather(IndexPolynomial& into, const IndexPolynomial& from) {
 /// How often a component is differentiated, by the time first.
 int rank_of(const SymbolTable& symbols, const IndexFactor& factor) {
   if (factor.kind != Kind::component || factor.exponent != 1) return -1;
-  const auto& derivation = symbols[factor.symbol].derivation;
-  return derivation ? 100 * derivation->time + derivation->space : 0;
+  const Symbol& symbol = symbols[factor.symbol];
+  return 100 * symbol.order(By::time) + symbol.order(By::space);
 }
 
 /// c·x + rest = 0 as x = −rest/c, with x the component that is differentiated most and c free of sums.

@@ -9,7 +9,7 @@ namespace {
 
 /// Known from a directive about this symbol, or about one with the same key.
 std::optional<KnownChange> declared_change(const Names& names, const SymbolTable& table, SymbolId base,
-                                           By by) {
+                                           const Variable& by) {
   const NameKey* key = key_of(names.symbols, base);
   for (const DeclaredConstant& constant : *names.scope.constants) {
     const NameKey* own = key_of(names.symbols, constant.symbol);
@@ -24,7 +24,7 @@ std::optional<KnownChange> declared_change(const Names& names, const SymbolTable
 }
 
 /// Known from its letter: π, the time t, the position.
-Dependence usual_change(const NameKey& key, bool declared, By by) {
+Dependence usual_change(const NameKey& key, bool declared, const Variable& by) {
   using Kind = Dependence::Kind;
   if (key == NameKey{"\\pi", 0, false} && !declared) return {Kind::constant};
   if (key == NameKey{"t", 0, false}) return {by == By::time ? Kind::variable : Kind::constant};
@@ -36,7 +36,8 @@ Dependence usual_change(const NameKey& key, bool declared, By by) {
   return {};
 }
 
-KnownChange change_but_for_squares(const Names& names, const ExprTree& tree, SymbolId symbol, By by) {
+KnownChange change_but_for_squares(const Names& names, const ExprTree& tree, SymbolId symbol,
+                                   const Variable& by) {
   if (by == By::small) return {};  // what does not change in time can be small
   const SymbolId base = base_of(tree.symbols, symbol);
   if (tree.symbols[base].unit_of_measure) return {{Dependence::Kind::constant}};
@@ -128,7 +129,7 @@ void open_section(Names& names, int level) {
   open_section(names.scope, level);
 }
 
-KnownChange change(const Names& names, const ExprTree& tree, SymbolId symbol, By by) {
+KnownChange change(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by) {
   KnownChange result = change_but_for_squares(names, tree, symbol, by);
   const NamedDefinition* named = definition_of(names.scope, symbol);
   if (named != nullptr && named->definition.by_square && named->definition.particle == no_particle)
@@ -136,7 +137,7 @@ KnownChange change(const Names& names, const ExprTree& tree, SymbolId symbol, By
   return result;
 }
 
-bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, By by) {
+bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by) {
   const SymbolId base = base_of(tree.symbols, symbol);
   if (tree.symbols[base].unit_of_measure) return true;
   if (definition_of(names.scope, base) != nullptr || definition_of(names.scope, symbol) != nullptr)
@@ -151,7 +152,7 @@ bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, By 
   return principal_values && has_rate(sightings, {key->base, 2, key->per_particle});
 }
 
-bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol, By by) {
+bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by) {
   if (change(names, tree, symbol, by).dependence.kind != Dependence::Kind::variable) return false;
   const NameKey* key = key_of(names.symbols, symbol);
   const Sightings& sightings = *names.symbols.sightings;
@@ -159,19 +160,16 @@ bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol,
 }
 
 bool is_field(const Names& names, const ExprTree& tree, SymbolId symbol) {
-  const auto& derivation = tree.symbols[symbol].derivation;
-  if (derivation && derivation->space > 0) return true;
-  const SymbolId base = derivation ? derivation->base : symbol;
+  if (tree.symbols[symbol].order(By::space) > 0) return true;
+  const SymbolId base = base_of(tree.symbols, symbol);
   const NameKey* key = key_of(names.symbols, base);
   if (key == nullptr || key->per_particle) return false;
   const bool partial_rate = names.symbols.sightings->partial_rates.contains({key->base, key->rank > 0});
   if (partial_rate || is_differentiated_by_place(names.symbols, *key)) return true;
   const NamedDefinition* named = definition_of(names.scope, base);
   if (named == nullptr) return false;
-  return std::ranges::any_of(symbols_in(tree, named->definition.body), [&](SymbolId each) {
-    const auto& by = tree.symbols[each].derivation;
-    return by && by->space > 0;
-  });
+  return std::ranges::any_of(symbols_in(tree, named->definition.body),
+                             [&](SymbolId each) { return tree.symbols[each].order(By::space) > 0; });
 }
 
 bool is_small_scalar(const Names& names, const ExprTree& tree, const std::string& base) {

@@ -40,11 +40,14 @@ struct KnownChange {
   Dependence dependence;
   std::optional<std::size_t> directive = {};
 };
-[[nodiscard]] KnownChange change(const Names& names, const ExprTree& tree, SymbolId symbol, By by);
+[[nodiscard]] KnownChange change(const Names& names, const ExprTree& tree, SymbolId symbol,
+                                 const Variable& by);
 /// Does anything say how a symbol changes: a declaration, a definition, a derivative that is written?
-[[nodiscard]] bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, By by);
+[[nodiscard]] bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol,
+                                const Variable& by);
 /// Is it the time, or the place where the notes speak of places and not of a body that moves?
-[[nodiscard]] bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol, By by);
+[[nodiscard]] bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol,
+                                    const Variable& by);
 /// Does a ∂ or ∇ occur before it, or in what defines it, somewhere in the file?
 [[nodiscard]] bool is_field(const Names& names, const ExprTree& tree, SymbolId symbol);
 /// Is the scalar of this name small by a directive?

@@ -17,7 +17,7 @@ bool reaches_place(Reading& reading, ExprId id) {
   });
 }
 
-Differentiator& differentiator(Reading& reading, By by, Slot axis, bool partial) {
+Differentiator& differentiator(Reading& reading, const Variable& by, Slot axis, bool partial) {
   const auto dependence_of = [&reading, by, partial](SymbolId symbol) {
     using Kind = Dependence::Kind;
     const Names& names = reading.names;

@@ -45,7 +45,7 @@ SymbolId symbol_named(Reading& reading, const NameKey& key, const std::string& n
   return resolve(reading.names.symbols, reading.tree, key, name, span);
 }
 
-Dependence change_of(Reading& reading, SymbolId symbol, By by) {
+Dependence change_of(Reading& reading, SymbolId symbol, const Variable& by) {
   const KnownChange known = change(reading.names, reading.tree, symbol, by);
   if (known.directive) reading.found.used.insert(*known.directive);
   return known.dependence;

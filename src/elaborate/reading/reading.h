@@ -91,7 +91,8 @@ struct Reading {
     Derivatives(const Derivatives&) = delete;  // the differentiators refer to the reading
     Derivatives& operator=(const Derivatives&) = delete;
     DerivativeBudget budget;  // used up inside a part: `elaborate` of that part fails
-    std::map<std::tuple<By, bool, std::uint8_t, IndexId>, Differentiator> by;  // each with what it knows
+    std::map<std::tuple<Variable, bool, std::uint8_t, IndexId>, Differentiator>
+        by;  // each with what it knows
   } derivatives = {};
 };
 
@@ -105,7 +106,7 @@ void note_position(Reading& reading, SymbolId symbol);
 /// The symbol of a key; the directive that declares it is used.
 SymbolId symbol_named(Reading& reading, const NameKey& key, const std::string& name, Span span);
 /// How a symbol changes; the directive that says so is used.
-[[nodiscard]] Dependence change_of(Reading& reading, SymbolId symbol, By by);
+[[nodiscard]] Dependence change_of(Reading& reading, SymbolId symbol, const Variable& by);
 
 /// The space that vectors, tensors and indices belong to here; the directive that says so is used.
 Space use_space(Reading& reading);

@@ -82,10 +82,8 @@ std::optional<ExprId> Differentiator::of_symbol(ExprId id) {
     slots.push_back(axis_);
     return tree_.add({.op = Op::delta, .span = span_}, {}, slots);  // ∂x_i/∂x_s
   }
-  const Derivation orders = tree_.symbols[node.symbol].derivation.value_or(Derivation{});
-  const int order = by_ == By::time ? orders.time : by_ == By::space ? orders.space : orders.small;
   const int most = by_ == By::space ? most_axes : most_rates;
-  if (order >= most) {
+  if (tree_.symbols[node.symbol].order(by_) >= most) {
     give_up(fmt::format("derivatives of an order above {}{} are not decided", most,
                         by_ == By::space ? " by coordinates" : ""));
     return std::nullopt;

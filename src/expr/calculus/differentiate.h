@@ -45,7 +45,8 @@ class Differentiator {
  public:
   using DependenceOf = std::function<Dependence(SymbolId)>;
 
-  Differentiator(ExprTree& tree, By by, DependenceOf dependence_of, DerivativeBudget& budget, Slot axis = {})
+  Differentiator(ExprTree& tree, const Variable& by, DependenceOf dependence_of, DerivativeBudget& budget,
+                 Slot axis = {})
       : tree_(tree), by_(by), axis_(axis), dependence_of_(std::move(dependence_of)), budget_(budget) {}
 
   /// Nothing where it is zero, or where the budget is exceeded.
@@ -80,7 +81,7 @@ class Differentiator {
   ExprId scaled(ExprId scalar, ExprId value);
 
   ExprTree& tree_;
-  By by_;
+  Variable by_;
   Slot axis_;
   DependenceOf dependence_of_;
   DerivativeBudget& budget_;

@@ -80,7 +80,7 @@ class LatexPrinter {
 
   // latex_printer_symbols.cpp
   Piece symbol(ExprId id);
-  Piece derivative(ExprId id, const Symbol& symbol, const Derivation& derivation);
+  Piece derivative(ExprId id, const Symbol& symbol);
   Piece plain_symbol(SymbolId base, const ExprNode& node, std::span<const Slot> slots, int dots) const;
   LatexName name_of(SymbolId base) const;
   std::string whole_letter(SymbolId base, const LatexName& name) const;

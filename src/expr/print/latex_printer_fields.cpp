@@ -28,8 +28,7 @@ const ExprNode* LatexPrinter::derivative_symbol(ExprId id, int orders) const {
   while (tree_[id].op == Op::tuple || tree_[id].op == Op::negate) id = child(id);
   const ExprNode& node = tree_[id];
   if (node.op != Op::symbol || node.slot_count == 0) return nullptr;
-  const auto& derivation = tree_.symbols[node.symbol].derivation;
-  return derivation && derivation->space == orders ? &node : nullptr;
+  return tree_.symbols[node.symbol].order(By::space) == orders ? &node : nullptr;
 }
 
 bool LatexPrinter::has_axes(ExprId id, SymbolId symbol, const std::vector<std::uint8_t>& axes) const {
@@ -70,7 +69,7 @@ std::optional<LatexPrinter::Piece> LatexPrinter::nabla(ExprId id) {
   const ExprNode* node = derivative_symbol(along ? child(first, 1) : curl ? child(first) : first, orders);
   if (node == nullptr) return std::nullopt;
   const SymbolId symbol = node->symbol;
-  const Derivation derivation = *tree_.symbols[symbol].derivation;
+  const Derivation& derivation = *tree_.symbols[symbol].derivation;
   const Symbol& base = tree_.symbols[derivation.base];
   std::vector<std::uint8_t> axes;
   std::string sign = "\\nabla";
@@ -96,10 +95,11 @@ std::optional<LatexPrinter::Piece> LatexPrinter::nabla(ExprId id) {
         return std::nullopt;
       ExprNode whole = direction;
       whole.slot_count = 0;
-      const Derivation of =
-          tree_.symbols[direction.symbol].derivation.value_or(Derivation{.base = direction.symbol});
-      if (of.space > 0 || of.small > 0 || (of.time > 0 && notation_.frame)) return std::nullopt;
-      sign = "(" + plain_symbol(of.base, whole, {}, of.time).text + "\\cdot\\nabla)\\,";
+      const Symbol& of = tree_.symbols[direction.symbol];
+      const int dots = of.order(By::time);
+      if (of.order() > dots || (dots > 0 && notation_.frame)) return std::nullopt;
+      const SymbolId letter = base_of(tree_.symbols, direction.symbol);
+      sign = "(" + plain_symbol(letter, whole, {}, dots).text + "\\cdot\\nabla)\\,";
     } else if (sum && orders == 1) {
       if (base.rank != 1 || !has_axes(each, symbol, {i, i})) return std::nullopt;
       sign = "\\nabla\\cdot";
@@ -111,7 +111,7 @@ std::optional<LatexPrinter::Piece> LatexPrinter::nabla(ExprId id) {
       if (sum) sign = "\\nabla^2";
     }
   }
-  if (derivation.time > 0 || derivation.small > 0) return std::nullopt;
+  if (derivation.by.size() > derivation.by.count(By::space)) return std::nullopt;
   const Piece operand = plain_symbol(derivation.base, *node, {}, 0);
   if (operand.text.front() != '\\' && !sign.ends_with(',')) sign += ' ';
   append_latex(sign, operand.text);
@@ -126,7 +126,7 @@ bool LatexPrinter::is_rate(ExprId rate, ExprId of) const {
     if (its.op != Op::symbol || node.slot_count > 0 || its.slot_count > 0 || its.particle != node.particle)
       return false;
     Derivation derivation = tree_.symbols[node.symbol].derivation.value_or(Derivation{.base = node.symbol});
-    ++derivation.time;
+    derivation.by.insert(By::time);
     return tree_.symbols.find(derivation) == its.symbol;
   }
   if (tree_[rate].op != Op::add) return false;

@@ -113,7 +113,7 @@ LatexPrinter::Piece LatexPrinter::plain_symbol(SymbolId base, const ExprNode& no
 LatexPrinter::Piece LatexPrinter::symbol(ExprId id) {
   const ExprNode& node = tree_[id];
   const Symbol& symbol = tree_.symbols[node.symbol];
-  if (symbol.derivation) return derivative(id, symbol, *symbol.derivation);
+  if (symbol.derivation) return derivative(id, symbol);
   // Cosines between axes that have no letter: \delta_{i'j}.
   if (symbol.rotation && symbol.name.ends_with('\'') && node.slot_count == 2) {
     const auto slots = tree_.slots(id);
@@ -127,21 +127,23 @@ LatexPrinter::Piece LatexPrinter::symbol(ExprId id) {
 
 /// `\dot{\mathbf{r}}_\alpha`, `\partial_i A_j`, `\frac{\partial \mathbf{E}}{\partial t}`, and the rate in a
 /// rotating frame, which the components are along.
-LatexPrinter::Piece LatexPrinter::derivative(ExprId id, const Symbol& symbol, const Derivation& derivation) {
+LatexPrinter::Piece LatexPrinter::derivative(ExprId id, const Symbol& symbol) {
   const ExprNode& node = tree_[id];
   const auto slots = tree_.slots(id);
-  const SymbolId base = derivation.base;
-  const std::size_t own = slots.empty() ? 0 : slots.size() - derivation.space;
-  const bool field = notation_.fields.contains(base) || derivation.space > 0;
+  const SymbolId base = symbol.derivation->base;
+  const int rates = symbol.order(By::time);
+  const int axes = symbol.order(By::space);
+  const std::size_t own = slots.empty() ? 0 : slots.size() - static_cast<std::size_t>(axes);
+  const bool field = notation_.fields.contains(base) || axes > 0;
   const bool in_frame = notation_.frame && slots.empty() && tree_.symbols[base].rank > 0;
-  const int dots = field || in_frame ? 0 : derivation.time;
+  const int dots = field || in_frame ? 0 : rates;
   Piece result = plain_symbol(base, node, slots.first(own), dots);
-  if (derivation.small > 0) {
+  if (symbol.order(By::small) > 0) {
     result.text = std::string(symbol.name);
     return result;
   }
-  if (derivation.time > 0 && dots == 0) {
-    const std::string order = derivation.time == 1 ? "" : "^" + std::to_string(derivation.time);
+  if (rates > 0 && dots == 0) {
+    const std::string order = rates == 1 ? "" : "^" + std::to_string(rates);
     const char* sign = field ? "\\partial" : "d";
     std::string above = sign + order;
     if (field && result.text.front() != '\\') above += ' ';
@@ -152,8 +154,8 @@ LatexPrinter::Piece LatexPrinter::derivative(ExprId id, const Symbol& symbol, co
     if (in_frame)
       result = {fmt::format("\\left({}\\right)_{{\\text{{{}}}}}", result.text, notation_.frame->rotating)};
   }
-  if (derivation.space > 0 && slots.empty()) {
-    for (int k = 0; k < derivation.space; ++k) {
+  if (axes > 0 && slots.empty()) {
+    for (int k = 0; k < axes; ++k) {
       std::string text = "\\nabla";
       append_latex(text, result.text);
       result = {text, Level::term, true};

@@ -50,8 +50,16 @@ void spaces_of(Archive& archive, AxisSpaces& axes, int rank) {
 }
 
 template <class Archive>
+void fields(Archive& archive, Variable& variable) {
+  archive.bounded(variable.by, static_cast<std::size_t>(By::letter) + 1);
+  if (variable.by == By::letter) archive(variable.letter);
+}
+
+template <class Archive>
 void fields(Archive& archive, Derivation& derivation) {
-  archive(derivation.base, derivation.time, derivation.space, derivation.small);
+  std::vector<Variable> by(derivation.by.begin(), derivation.by.end());
+  archive(derivation.base, by);
+  derivation.by = {by.begin(), by.end()};
 }
 
 template <class Archive>
@@ -146,8 +154,12 @@ bool fits(const ArchivedQuestion& all) {
   const auto all_below = [](const auto& ids, std::size_t count) {
     return std::ranges::all_of(ids, [&](auto id) { return is_below(id, count); });
   };
+  const auto variable = [&](const Variable& each) { return is_below(each.letter, all.symbols.size()); };
   for (const Symbol& symbol : all.symbols) {
-    if (symbol.derivation && !is_below(symbol.derivation->base, all.symbols.size())) return false;
+    const auto& derivation = symbol.derivation;
+    if (!derivation) continue;
+    const bool known = std::all_of(derivation->by.begin(), derivation->by.end(), variable);
+    if (!known || !is_below(derivation->base, all.symbols.size())) return false;
   }
   for (std::size_t k = 0; k < all.nodes.size(); ++k) {
     const ArchivedNode& each = all.nodes[k];

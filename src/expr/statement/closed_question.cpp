@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -30,10 +29,11 @@ class Numbering {
   std::vector<Id> ids_;
 };
 
-/// Derivatives are after what they are derivatives of: when they were first asked for does not count.
-auto place_of(const SymbolTable& symbols, SymbolId symbol) {
-  const Derivation derivation = symbols[symbol].derivation.value_or(Derivation{.base = symbol});
-  return std::tuple(derivation.base, derivation.time, derivation.space, derivation.small);
+/// Derivatives come after what they are derivatives of: when they were first asked for does not count.
+bool stands_before(const SymbolTable& symbols, SymbolId a, SymbolId b) {
+  const SymbolId first = base_of(symbols, a);
+  const SymbolId second = base_of(symbols, b);
+  return first != second ? first < second : symbols[a].derivation < symbols[b].derivation;
 }
 
 class Closing {
@@ -50,8 +50,7 @@ class Closing {
     for (const Equation& assumption : question.assumptions) reach(assumption);
     for (const SymbolId symbol : question.zeroed) reach(symbol);
     for (const SymbolId symbol : also) reach(symbol);
-    symbols_.finish(
-        [this](SymbolId a, SymbolId b) { return place_of(from_.symbols, a) < place_of(from_.symbols, b); });
+    symbols_.finish([this](SymbolId a, SymbolId b) { return stands_before(from_.symbols, a, b); });
     indices_.finish();
     particles_.finish();
     nodes_.finish();
@@ -78,9 +77,13 @@ class Closing {
   // --- what is reached
 
   void reach(SymbolId symbol) {
-    symbols_.add(symbol);
+    if (!symbols_.add(symbol)) return;
     const auto& derivation = from_.symbols[symbol].derivation;
-    if (derivation) symbols_.add(derivation->base);
+    if (!derivation) return;
+    reach(derivation->base);
+    for (const Variable& each : derivation->by) {
+      if (each.by == By::letter) reach(each.letter);
+    }
   }
 
   void reach(const Equation& equation) {
@@ -115,7 +118,12 @@ class Closing {
     Symbol copy = symbol;
     copy.first_seen = {};
     if (copy.unit_of_measure) copy.unit_of_measure = Dimension();
-    if (copy.derivation) copy.derivation->base = symbols_[copy.derivation->base];
+    if (symbol.derivation) {
+      copy.derivation = Derivation{symbols_[symbol.derivation->base]};
+      for (const Variable& each : symbol.derivation->by)
+        copy.derivation->by.insert(each.by == By::letter ? Variable(By::letter, symbols_[each.letter])
+                                                         : each);
+    }
     return copy;
   }
 

@@ -2,6 +2,7 @@
 // Walks over a whole tree, with a stack of their own: depth costs no call stack.
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <variant>
 
 #include "expr/tree/tree.h"

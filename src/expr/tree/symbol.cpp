@@ -10,20 +10,19 @@
 namespace rigor {
 namespace {
 
-std::array<std::uint32_t, 4> key_of(const Derivation& derivation) {
-  return {static_cast<std::uint32_t>(derivation.base), derivation.time, derivation.space, derivation.small};
-}
-
 /// `\dot{x}`, `\partial\partial \mathbf{A}`: as a reader would write it, but for the indices.
-std::string name_of_derivative(const std::string& base, const Derivation& derivation) {
-  std::string name = base;
-  if (derivation.time > 0) {
+std::string name_of_derivative(const SymbolTable& symbols, const Derivation& derivation) {
+  std::string name = symbols[derivation.base].name;
+  if (const auto dots = derivation.by.count(By::time); dots > 0) {
     const auto tail = std::min(name.find('_'), name.find('\''));  // `\dot{T}_{\text{rot}}`
     const std::string rest = tail == std::string::npos ? "" : name.substr(tail);
-    name = "\\" + std::string(derivation.time, 'd') + "ot{" + name.substr(0, tail) + "}" + rest;
+    name = "\\" + std::string(dots, 'd') + "ot{" + name.substr(0, tail) + "}" + rest;
   }
-  for (int i = 0; i < derivation.space; ++i) name.insert(0, "\\partial ");
-  for (int i = 0; i < derivation.small; ++i) name.insert(0, "\\delta ");
+  for (const Variable& each : derivation.by) {
+    if (each.by == By::letter) name.insert(0, "\\partial_{" + symbols[each.letter].name + "} ");
+    if (each.by == By::space) name.insert(0, "\\partial ");
+    if (each.by == By::small) name.insert(0, "\\delta ");
+  }
   return name;
 }
 
@@ -40,44 +39,38 @@ SymbolId SymbolTable::add(Symbol symbol) {
   return static_cast<SymbolId>(symbols_.size() - 1);
 }
 
-SymbolId SymbolTable::derivative(SymbolId of, By by) {
+SymbolId SymbolTable::derivative(SymbolId of, const Variable& by) {
   Derivation derivation = (*this)[of].derivation.value_or(Derivation{.base = of});
-  switch (by) {
-    case By::time:
-      ++derivation.time;
-      break;
-    case By::space:
-      ++derivation.space;
-      break;
-    case By::small:
-      ++derivation.small;
-      break;
-  }
-  for (const int order : {derivation.time, derivation.space, derivation.small})
-    RIGOR_CHECK(order <= largest_derivation, (*this)[of].name, order);
+  derivation.by.insert(by);
+  return derivative(derivation);
+}
+
+SymbolId SymbolTable::derivative(const Derivation& derivation) {
+  if (derivation.by.empty()) return derivation.base;
   if (const auto known = find(derivation)) return *known;
   const Symbol& base = (*this)[derivation.base];
+  RIGOR_CHECK(derivation.by.size() <= largest_derivation, base.name, derivation.by.size());
   Symbol symbol;
-  symbol.name = name_of_derivative(base.name, derivation);
-  symbol.rank = base.rank + derivation.space;
+  symbol.name = name_of_derivative(*this, derivation);
+  symbol.derivation = derivation;
+  symbol.rank = base.rank + symbol.order(By::space);
   symbol.axes = base.axes;
   symbol.per_particle = base.per_particle;
   symbol.symmetric = base.symmetric;
   symbol.declared = base.declared;
   symbol.first_seen = base.first_seen;
-  symbol.derivation = derivation;
   const SymbolId id = add(std::move(symbol));
-  derivatives_.emplace(key_of(derivation), id);
+  derivatives_.emplace(derivation, id);
   return id;
 }
 
 std::optional<SymbolId> SymbolTable::find(const Derivation& derivation) const {
-  const auto known = derivatives_.find(key_of(derivation));
+  const auto known = derivatives_.find(derivation);
   return known == derivatives_.end() ? std::nullopt : std::optional(known->second);
 }
 
 std::size_t canonical_component(const Symbol& symbol, std::size_t component) {
-  const std::size_t exchangeable = symbol.derivation ? symbol.derivation->space : 0;
+  const auto exchangeable = static_cast<std::size_t>(symbol.order(By::space));
   if (exchangeable < 2 && !symbol.symmetric) return component;
   std::vector<std::size_t> axes(static_cast<std::size_t>(symbol.rank));
   for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {

@@ -4,11 +4,13 @@
 // each particle).
 #pragma once
 
-#include <array>
+#include <compare>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "base/span.h"
@@ -19,17 +21,30 @@ namespace rigor {
 
 enum class SymbolId : std::uint32_t {};
 
-/// The variable of a derivative: the time, a coordinate of space (which adds one axis after the others), or
-/// the parameter that all small quantities are proportional to.
-enum class By : std::uint8_t { time, space, small };
+/// What is differentiated by.
+enum class By : std::uint8_t {
+  small,  // the parameter that all small quantities are proportional to
+  space,  // a coordinate; one more axis of the derivative, after the others, says which
+  time,
+  letter,  // any other symbol
+};
 
-/// A derivative is a symbol of its own, so that it is one more free quantity to the exact side. It says how
-/// often `base` is differentiated by what; the order does not matter.
+/// The variable of a derivative; a letter has a symbol of its own.
+struct Variable {
+  By by = By::time;
+  SymbolId letter{};
+  constexpr Variable() = default;
+  constexpr Variable(By kind, SymbolId symbol = {}) : by(kind), letter(symbol) {}
+  friend auto operator<=>(const Variable&, const Variable&) = default;
+};
+
+/// A derivative is a symbol of its own, so that it is one more free quantity to the exact side. Derivatives
+/// by letters are taken before those by the time; otherwise the order does not matter.
 struct Derivation {
+  using Variables = std::multiset<Variable, std::greater<>>;
   SymbolId base{};
-  std::uint16_t time = 0;
-  std::uint16_t space = 0;
-  std::uint16_t small = 0;
+  Variables by = {};
+  friend auto operator<=>(const Derivation&, const Derivation&) = default;
 };
 
 /// No order of a derivative goes beyond this; what notes may ask for is bounded in `Differentiator`.
@@ -45,8 +60,14 @@ struct Symbol {
   bool declared = false;      // a directive says what it is
   std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes
   Span first_seen = {};
-  std::optional<Derivation> derivation = {};  // of a derivative; its last `space` axes can be exchanged
+  std::optional<Derivation> derivation = {};  // of a derivative; the last axes, by space, can be exchanged
   AxisSpaces axes = {};                       // orthonormal
+
+  /// How often it is differentiated, by this or by anything.
+  [[nodiscard]] int order(const Variable& by) const {
+    return derivation ? static_cast<int>(derivation->by.count(by)) : 0;
+  }
+  [[nodiscard]] int order() const { return derivation ? static_cast<int>(derivation->by.size()) : 0; }
 };
 
 [[nodiscard]] inline std::size_t component_count(const Symbol& symbol) {
@@ -67,13 +88,14 @@ class SymbolTable {
 
   /// The derivative of a symbol (which may be a derivative itself), always the same one. Symmetric if the
   /// symbol is; never a unit vector or a rotation.
-  SymbolId derivative(SymbolId of, By by);
+  SymbolId derivative(SymbolId of, const Variable& by);
+  SymbolId derivative(const Derivation& derivation);
   /// The derivative if it was made before.
   [[nodiscard]] std::optional<SymbolId> find(const Derivation& derivation) const;
 
  private:
   std::deque<Symbol> symbols_;
-  std::map<std::array<std::uint32_t, 4>, SymbolId> derivatives_;  // by base and orders
+  std::map<Derivation, SymbolId> derivatives_;
 };
 
 /// The symbol that a derivative is of; any other symbol itself.

@@ -103,7 +103,7 @@ class SpinLaw::System {
   System(const ExprTree& tree, const std::vector<SymbolId>& spin, std::size_t particles)
       : tree_(tree), spin_(spin), particles_(particles) {
     for (const SymbolId symbol : spin) {
-      if (const auto rate = tree.symbols.find({.base = symbol, .time = 1})) rates_.push_back(*rate);
+      if (const auto rate = tree.symbols.find({symbol, {By::time}})) rates_.push_back(*rate);
     }
     left_out_ = spin_;
     left_out_.insert(left_out_.end(), rates_.begin(), rates_.end());

@@ -109,8 +109,8 @@ class Inference {
     if (symbol.derivation) {
       const auto base = of_symbol(symbol.derivation->base);
       if (!base) return std::nullopt;
-      return *base - time_dimension() * SmallRational(symbol.derivation->time) -
-             length_dimension() * SmallRational(symbol.derivation->space);
+      return *base - time_dimension() * SmallRational(symbol.order(By::time)) -
+             length_dimension() * SmallRational(symbol.order(By::space));
     }
     if (symbol.unit_of_measure) return symbol.unit_of_measure;
     if (symbol.unit || symbol.rotation) return Dimension();

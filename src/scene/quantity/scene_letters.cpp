@@ -54,7 +54,7 @@ SceneLetters::SceneLetters(const SceneFile& scene, const WrittenForms& forms, Di
     bind(symbols.principal_moments[i], {0, false}, SceneRole::moment, i);
   }
   for (const SymbolId spin : with_role(SceneRole::spin)) {
-    if (const auto rate = forms.tree.symbols.find({.base = spin, .time = 1})) {
+    if (const auto rate = forms.tree.symbols.find({spin, {By::time}})) {
       letters_.push_back({*rate, SceneRole::spin_rate, 0});
     }
   }

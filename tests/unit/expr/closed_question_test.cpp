@@ -107,6 +107,25 @@ TEST_CASE("which derivatives were asked for before does not show in a closed que
   CHECK(with_rates(false) == with_rates(true));
 }
 
+TEST_CASE("a closed question has the letters that are differentiated by, and they are archived") {
+  Built built;
+  build(built, 1);
+  SymbolTable& symbols = built.tree.symbols;
+  const SymbolId rate = symbols.derivative(SymbolId{2}, By::time);
+  const SymbolId slope = symbols.derivative(SymbolId{0}, {By::letter, rate});
+  const auto asked_of = [&](SymbolId symbol) {
+    built.question.claim.left = built.question.claim.right = symbol_node(built.tree, symbol);
+    return closed(built.question);
+  };
+  const ClosedQuestion asked = asked_of(slope);
+  CHECK(asked.symbols == std::vector<SymbolId>{SymbolId{0}, slope, SymbolId{2}, rate});
+  CHECK(asked.tree->symbols[SymbolId{1}].order({By::letter, SymbolId{3}}) == 1);
+  CHECK(archived(asked) != archived(asked_of(symbols.derivative(SymbolId{0}, {By::letter, SymbolId{2}}))));
+  const auto back = question_of_bytes(archived(asked));
+  REQUIRE(back);
+  CHECK(archived(*back) == archived(asked));
+}
+
 TEST_CASE("a closed question stays the same when the notes go on") {
   Built built;
   build(built, 0);

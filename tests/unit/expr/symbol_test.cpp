@@ -38,8 +38,22 @@ TEST_CASE("derivatives of a symbol commute and are made once", "[expr]") {
   CHECK(symbols.derivative(symbols.derivative(a, By::space), By::time) == both);
   CHECK(symbols[both].rank == 2);
   CHECK(symbols[both].per_particle);
-  CHECK(symbols.find({.base = a, .time = 1, .space = 1}) == both);
-  CHECK_FALSE(symbols.find({.base = a, .time = 2}).has_value());
+  CHECK(symbols.find({a, {By::time, By::space}}) == both);
+  CHECK_FALSE(symbols.find({a, {By::time, By::time}}).has_value());
+}
+
+TEST_CASE("a derivative by a letter is by that letter only", "[expr]") {
+  SymbolTable symbols;
+  const SymbolId energy = symbols.add({.name = "L"});
+  const SymbolId q = symbols.add({.name = "q"});
+  const SymbolId by_place = symbols.derivative(energy, {By::letter, q});
+  const SymbolId by_rate = symbols.derivative(energy, {By::letter, symbols.derivative(q, By::time)});
+  CHECK(by_place != by_rate);
+  CHECK(symbols[by_place].order() == 1);
+  CHECK(symbols[by_place].order(By::time) == 0);
+  CHECK(symbols[by_place].order({By::letter, q}) == 1);
+  CHECK(symbols[by_rate].name == "\\partial_{\\dot{q}} L");
+  CHECK(symbols[symbols.derivative(by_place, By::time)].name == "\\partial_{q} \\dot{L}");
 }
 
 TEST_CASE("a derivative is named as it is written, its label behind", "[expr]") {
@@ -80,8 +94,8 @@ TEST_CASE("orders do not wrap", "[expr]") {
   const SymbolId a = symbols.add({.name = "a"});
   SymbolId high = a;
   for (int k = 0; k < 300; ++k) high = symbols.derivative(high, By::time);
-  CHECK(symbols[high].derivation->time == 300);
-  CHECK_FALSE(symbols.find({.base = a, .time = 301}));
+  CHECK(symbols[high].order(By::time) == 300);
+  CHECK(symbols[high].order() == 300);
   for (int k = 300; k < largest_derivation; ++k) high = symbols.derivative(high, By::time);
   CHECK_THROWS_AS(symbols.derivative(high, By::time), InternalError);
 }
