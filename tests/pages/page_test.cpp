@@ -159,10 +159,10 @@ TEST_CASE("page and document show a problem of the file as a whole") {
   const Folder folder;
   const std::string page = page_of(folder, "n.md", "$$1 = 1$$\n\n<!-- rigor: nonsense x -->\n");
   CHECK(page.find("nothing needs attention") == std::string::npos);
-  CHECK(page.find("<b>1 problem of the notes as a whole</b>.") != std::string::npos);
+  CHECK(page.find("but there is <b>1 problem with the notes as a whole</b>.") != std::string::npos);
   const Outcome document = run_program({"report", folder.path("n.md"), "--latex", "-"});
   CHECK(document.code == 1);
-  CHECK(document.text.find("1 problem of the notes as a whole.") != std::string::npos);
+  CHECK(document.text.find("1 problem with the notes as a whole.") != std::string::npos);
   CHECK(document.text.find("error: \\texttt{nonsense} is not a directive") != std::string::npos);
 }
 
@@ -297,7 +297,7 @@ TEST_CASE("a missing file does not keep the others from the page") {
 TEST_CASE("notes without an equation make a page that says so") {
   const Folder folder;
   const std::string page = page_of(folder, "n.md", "Only words.\n");
-  CHECK(page.find("There is no step to check; 1 warning of the notes as a whole.") != std::string::npos);
+  CHECK(page.find("There is no step to check; 1 warning about the notes as a whole.") != std::string::npos);
   CHECK(page.find("no displayed equation was found") != std::string::npos);
 }
 

@@ -2,6 +2,8 @@
 // A double with a bound of its error, as a number of programs. The formulas are in `bounds.h`.
 #pragma once
 
+#include <limits>
+
 #include "numeric/run/run_numbers.h"
 
 namespace rigor {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <limits>
 
 #include "numeric/run/run_numbers.h"
 

@@ -5,6 +5,8 @@
 
 #include <qd/dd_real.h>
 
+#include <limits>
+
 #include "numeric/run/run_numbers.h"
 
 namespace rigor {
