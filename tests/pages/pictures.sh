@@ -38,5 +38,5 @@ shoot "$made/bare.html" "$folder/forms.png" 1100 1500
 shoot "$made/opened.html" "$folder/phone.png" 400 1500
 shoot "$made/page.html" "$folder/dark.png" 1280 900 --blink-settings=preferredColorScheme=0
 (cd "$made" && timeout 100 pdflatex -interaction=nonstopmode -halt-on-error notes.tex >/dev/null)
-pdftoppm -r 50 -png "$made/notes.pdf" "$folder/document"
+pdftoppm -r 50 -png -singlefile -f 2 -l 2 "$made/notes.pdf" "$folder/document"
 ls -l "$folder"
