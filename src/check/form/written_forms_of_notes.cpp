@@ -114,6 +114,26 @@ std::optional<Outcome> outcome_of(const Step& step) {
   }
 }
 
+/// The floating-point side and explanations know the common space of three dimensions: the expression, and
+/// all that its letters are defined by, must belong to it.
+bool is_common(const ExprTree& tree, const NameScope& scope, ExprId root) {
+  const auto body_is_common = [&](SymbolId symbol) {
+    const auto body = body_of_definition(scope, symbol);
+    return !body || is_of_common_space(tree, *body);
+  };
+  const std::vector<SymbolId> reached = symbols_reached(tree, scope, {root});
+  return is_of_common_space(tree, root) && std::ranges::all_of(reached, [&](SymbolId symbol) {
+           return body_is_common(symbol) && body_is_common(base_of(tree.symbols, symbol));
+         });
+}
+
+bool is_common(const ExprTree& tree, const NameScope& scope, const Question& question) {
+  const auto sides_are_common = [&](const Equation& equation) {
+    return is_common(tree, scope, equation.left) && is_common(tree, scope, equation.right);
+  };
+  return sides_are_common(question.claim) && std::ranges::all_of(question.assumptions, sides_are_common);
+}
+
 /// A tag or a heading; a diagnostic where there is none.
 std::optional<NamedPlace> place_asked_for(const Notes& notes, const std::string& name,
                                           Diagnostics& diagnostics) {
@@ -156,7 +176,7 @@ class FormCollector {
 
  private:
   void add(const Statement& statement, const Names& scope);
-  WrittenStep step_of(const Statement& statement, std::size_t which);
+  WrittenStep step_of(const Statement& statement, const NameScope& scope, std::size_t which);
   std::vector<std::string> headings_at(std::size_t event) const;
   void ask(const Names& start, const Names& scope);
   bool read(SyntaxId id, const std::string& source, const std::set<std::string>& known, Names& names);
@@ -188,14 +208,10 @@ std::vector<std::string> FormCollector::headings_at(std::size_t event) const {
 }
 
 /// The relation between two sides, with what was asked about it in the definitions of the notes only.
-WrittenStep FormCollector::step_of(const Statement& statement, std::size_t which) {
+WrittenStep FormCollector::step_of(const Statement& statement, const NameScope& scope, std::size_t which) {
   const WrittenRelation& relation = statement.chain->written.relations[which];
   WrittenStep step = statement.asked[which];
-  const auto is_common = [&](std::size_t side) {
-    const auto& typed = statement.sides[side];
-    return !typed || is_of_common_space(tree_, typed->id);
-  };
-  if (!is_common(which) || !is_common(which + 1)) step = {};
+  if (step.question && !is_common(tree_, scope, *step.question)) step = {};
   step.kind = relation.text;
   step.nearly = statement.first_order || relation.kind == RelationKind::nearly;
   if (which < statement.step_count) {
@@ -234,8 +250,7 @@ void FormCollector::add(const Statement& statement, const Names& scope) {
     WrittenForm form{
         .expr = {}, .source = folded(sources_.text(written.sides[k].span)), .span = written.sides[k].span};
     form.expanded = text_of(written.sides[k].tokens);
-    // The floating-point side knows the common space of three dimensions.
-    if (const auto& typed = statement.sides[k]; typed && is_of_common_space(tree_, typed->id)) {
+    if (const auto& typed = statement.sides[k]; typed && is_common(tree_, names.scope, typed->id)) {
       form.expr = typed->id;
       expressions.push_back(typed->id);
       merge_free(free, typed->free);
@@ -248,7 +263,12 @@ void FormCollector::add(const Statement& statement, const Names& scope) {
   Question question = question_about(tree_, names, expressions);
   forms.definitions = std::move(question.definitions);
   forms.assumptions = std::move(question.assumptions);
-  for (std::size_t k = 0; k < written.relations.size(); ++k) forms.steps.push_back(step_of(statement, k));
+  std::erase_if(forms.assumptions, [&](const Equation& assumption) {
+    return !is_common(tree_, names.scope, assumption.left) ||
+           !is_common(tree_, names.scope, assumption.right);
+  });
+  for (std::size_t k = 0; k < written.relations.size(); ++k)
+    forms.steps.push_back(step_of(statement, names.scope, k));
   if (request_.answer_holes && statement.chain->image == 0 && space_of(scope.symbols) == common_space)
     record_holes({notes_.syntax, tree_, names, *statement.chain, assumed, statement.first_order}, forms,
                  forms_.chains.size(), holes_);
@@ -284,6 +304,14 @@ bool FormCollector::read(SyntaxId id, const std::string& source, const std::set<
   const auto typed = elaborate(reading, id);
   report_.diagnostics.insert(report_.diagnostics.end(), own.begin(), own.end());
   if (!typed) return false;
+  if (!is_common(tree_, names.scope, typed->id)) {
+    report_.diagnostics.push_back(
+        {DiagnosticKind::unsupported, notes_.syntax[id].span,
+         fmt::format(
+             "`{}` belongs to a space other than that of three dimensions, where nothing is evaluated yet",
+             source)});
+    return false;
+  }
   forms_.asked.push_back({source, typed->id, ids_of(typed->free), ids_of(typed->particles)});
   return true;
 }
