@@ -28,7 +28,10 @@ std::vector<std::size_t> beginnings(const Notes& notes, std::optional<std::size_
 
 void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evidence& evidence) {
   for (const ParsedChain& chain : chains) {
-    for (const SyntaxId side : chain.sides) see_kinds(notes.syntax, side, evidence);
+    for (const SyntaxId side : chain.sides) {
+      see_kinds(notes.syntax, side, evidence);
+      see_changing(notes.syntax, side, evidence);
+    }
     see_components(notes.syntax, chain.sides, evidence);
     see_order(notes.syntax, chain.sides, chain.written, evidence);
     see_letters(notes.syntax, chain.sides, chain.written, evidence);

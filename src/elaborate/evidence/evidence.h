@@ -28,6 +28,9 @@ struct Evidence {
   std::set<std::string> units;                             // "the unit matrix $I$": 1 among matrices
   std::set<std::string> functionals;                       // `E[X]`: square brackets stand directly after
   std::map<std::string, std::set<std::string>> functions;  // \omega of `\omega(k) = …`, with k
+  std::map<std::string, std::set<std::vector<std::string>>>
+      applied;                     // `\psi(x, t)`: letters in brackets behind it
+  std::set<std::string> changing;  // letters of which a rate is written, or that have an argument
   bool third_axis = false;         // a component along z, or three of them: it is not about the plane alone
   bool operators = false;          // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
   bool speaks_of_order = false;    // the words speak of matrices or operators: then capitals may be some
@@ -94,7 +97,10 @@ void see_said_raised(std::string_view text, Evidence& evidence);
 void see_said_order(std::string_view text, Evidence& evidence);
 
 // --- seen_functions.cpp: Letters that are written with their argument: functions before other brackets as
-// well.
+// well. Letters that change.
+
+/// Letters with letters in brackets behind them, and letters with a dot or under d/dt.
+void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence);
 
 /// `\omega(k) = ck`: the first side of a chain.
 void see_functions(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
@@ -106,6 +112,19 @@ void see_inline_functions(std::string_view text, Evidence& evidence);
 /// is in itself, `n(n + 1)`, and a vector only to its own arguments.
 [[nodiscard]] const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId symbol,
                                                         SyntaxId bracket, const Evidence& evidence);
+
+/// Is it, or the letter that it is with labels and accents, among those that change?
+[[nodiscard]] bool is_changing(const Evidence& evidence, std::string_view name);
+
+/// Does the bracket only show what the symbol depends on, so that `x(t)` is x? It is so if the section
+/// applies the symbol to no other letters, and nobody would write such a product: several letters, a letter
+/// that the symbol is defined with, or a usual coordinate behind what is no usual coefficient.
+[[nodiscard]] bool is_argument(const SyntaxTree& syntax, SyntaxId symbol, SyntaxId bracket,
+                               const Evidence& evidence);
+
+/// What is differentiated or applied, through brackets, derivatives and arguments: `\psi` of
+/// `\partial_x\psi(x, t)`.
+[[nodiscard]] SyntaxId without_derivatives(const SyntaxTree& syntax, SyntaxId id);
 
 // --- seen_letters.cpp: Evidence that letters are real, complex, functionals or the ends of a segment: an
 // order, a conjugate, square brackets, and words.

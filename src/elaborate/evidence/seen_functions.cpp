@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elaborate/evidence/evidence.h"
 
+#include <algorithm>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "base/among.h"
 #include "base/ascii.h"
+#include "expr/print/usual_letters.h"
 
 namespace rigor {
 namespace {
@@ -15,6 +20,42 @@ std::string name_of(const WrittenSymbol& symbol) {
   std::string name = letter_with_marks(bare);
   for (const WrittenIndex& index : symbol.lower) name += "_" + index.text;
   return name;
+}
+
+/// The same with its face: `E(k)` and `\mathbf E(\mathbf r)` are two functions.
+std::string applied_name_of(const WrittenSymbol& symbol) {
+  WrittenSymbol bare = symbol;
+  bare.dots = 0;
+  return (symbol.face == Face::plain ? "" : "\\mathbf ") + name_of(bare);
+}
+
+/// The letters of `(\mathbf r, t)` as they stand; none if anything else is in the brackets.
+std::vector<std::string> letters_in_bracket(const SyntaxTree& syntax, SyntaxId bracket) {
+  std::vector<std::string> letters;
+  const SyntaxKind kind = syntax[bracket].kind;
+  if (kind != SyntaxKind::group && kind != SyntaxKind::tuple) return letters;
+  for (const SyntaxChild& child : syntax.children(bracket)) {
+    if (syntax[child.id].kind != SyntaxKind::symbol || syntax.symbol(child.id).dots > 0) return {};
+    const WrittenSymbol& symbol = syntax.symbol(child.id);
+    letters.push_back(applied_name_of(symbol) + std::string(symbol.primes, '\''));
+  }
+  return letters;
+}
+
+/// `x_0`, `t'`: a value of what the function depends on.
+bool is_marked(std::string_view letter) { return letter.find_first_of("_'") != std::string_view::npos; }
+
+/// Letters that are no functions, whatever stands behind them: π, i, orders, differentials, changes.
+bool is_never_applied(const WrittenSymbol& symbol) {
+  static constexpr std::string_view letters[] = {"\\pi", "i",       "d",       "D",      "O",
+                                                 "o",    "\\delta", "\\Delta", "\\nabla"};
+  return is_one_of(symbol.letter, letters) || !symbol.change.empty();
+}
+
+/// `x_0` alone is an initial value; any other subscript can be an index.
+void note_changing(const WrittenSymbol& symbol, Evidence& evidence) {
+  const bool initial = symbol.lower.size() == 1 && symbol.lower[0].text == "0";
+  evidence.changing.insert(initial ? symbol.letter + "_0" : symbol.letter);
 }
 
 /// The letters of `k` or `x, t`, if the brackets hold nothing else.
@@ -89,6 +130,70 @@ void see_inline_functions(std::string_view text, Evidence& evidence) {
     see_functions_in(text.substr(open + 2, close - open - 2), evidence);
     open = text.find("\\(", close + 2);
   }
+}
+
+SyntaxId without_derivatives(const SyntaxTree& syntax, SyntaxId id) {
+  for (;;) {
+    const SyntaxKind kind = syntax[id].kind;
+    const bool applied = kind == SyntaxKind::term && syntax[id].count == 2 &&
+                         !letters_in_bracket(syntax, syntax.child(id, 1)).empty();
+    if (kind != SyntaxKind::group && kind != SyntaxKind::derivative && !applied) return id;
+    id = syntax.child(id, 0);
+  }
+}
+
+void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
+  for (const SyntaxId id : nodes_below(syntax, {root})) {
+    const SyntaxKind kind = syntax[id].kind;
+    if (kind == SyntaxKind::symbol && syntax.symbol(id).dots > 0) note_changing(syntax.symbol(id), evidence);
+    if (kind == SyntaxKind::derivative) {
+      const SyntaxId of = without_derivatives(syntax, id);
+      if (syntax[of].kind == SyntaxKind::symbol) note_changing(syntax.symbol(of), evidence);
+    }
+    if (kind != SyntaxKind::term) continue;
+    const std::span<const SyntaxChild> factors = syntax.children(id);
+    for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+      const SyntaxId of = without_derivatives(syntax, factors[k].id);
+      if (factors[k + 1].joint != Joint::juxtaposed || syntax[of].kind != SyntaxKind::symbol) continue;
+      std::vector<std::string> letters = letters_in_bracket(syntax, factors[k + 1].id);
+      if (letters.empty() || is_never_applied(syntax.symbol(of))) continue;
+      note_changing(syntax.symbol(of), evidence);
+      evidence.applied[applied_name_of(syntax.symbol(of))].insert(std::move(letters));
+    }
+  }
+}
+
+bool is_changing(const Evidence& evidence, std::string_view name) {
+  const bool initial = name.ends_with("_{0}") || name.ends_with("_0");
+  for (std::size_t at = 0; at < name.size();) {
+    if (name[at] == '_') return false;  // labels
+    const std::string letter = take_letter(name, at);
+    if (evidence.changing.contains(initial ? letter + "_0" : letter)) return true;
+    if (letter.empty()) ++at;
+  }
+  return false;
+}
+
+bool is_argument(const SyntaxTree& syntax, SyntaxId applied, SyntaxId bracket, const Evidence& evidence) {
+  const SyntaxId id = without_derivatives(syntax, applied);
+  if (syntax[id].kind != SyntaxKind::symbol) return false;
+  const WrittenSymbol& symbol = syntax.symbol(id);
+  const std::vector<std::string> letters = letters_in_bracket(syntax, bracket);
+  const auto found = evidence.applied.find(applied_name_of(symbol));
+  if (letters.empty() || found == evidence.applied.end()) return false;
+  const auto is_plain = [](const std::vector<std::string>& each) {
+    return std::ranges::none_of(each, is_marked);
+  };
+  const auto plain = std::ranges::count_if(found->second, is_plain);
+  const bool only_one = plain == 1 ? is_plain(letters) : plain == 0 && found->second.size() == 1;
+  if (!only_one) return false;
+  const auto defined = evidence.functions.find(name_of(symbol));
+  const auto is_its_own = [&](const std::string& each) {
+    return defined != evidence.functions.end() && defined->second.contains(each);
+  };
+  const auto is_coordinate = [](const std::string& each) { return is_usual_coordinate(each); };
+  return letters.size() > 1 || std::ranges::all_of(letters, is_its_own) ||
+         (std::ranges::all_of(letters, is_coordinate) && !is_usual_coefficient(symbol.letter));
 }
 
 const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId symbol, SyntaxId bracket,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which of a statement's subscript letters are indices and which are labels. `v_i` next to `v_f` is an
-// initial velocity;
-// `\epsilon_{abc}` makes a, b, c indices; i … n are indices unless the statement says otherwise.
+// initial velocity; `\epsilon_{abc}` makes a, b, c indices; i … n are indices unless the statement says
+// otherwise.
 #pragma once
 
 #include <set>

@@ -88,16 +88,16 @@ SymbolId declare(Names& names, ExprTree& tree, const NameKey& named, Symbol symb
 
 bool enter_space(Names& names, const std::string& name, int dimension, std::size_t directive) {
   Symbols& symbols = names.symbols;
-  const auto known = symbols.spaces_by_name->find(name);
-  const bool taken = known != symbols.spaces_by_name->end();
+  const std::pair key(name, dimension);
+  const auto known = symbols.spaces_by_name->find(key);
   const auto next = static_cast<std::uint8_t>(symbols.spaces_by_name->size() + 1);
   Space space{static_cast<std::uint8_t>(dimension), next};
-  if (taken && known->second.dimension == dimension) {
+  if (known != symbols.spaces_by_name->end()) {
     space = known->second;
   } else if (symbols.spaces_by_name->size() == most_spaces) {
     return false;
   } else {
-    symbols.spaces_by_name.write()[taken ? name + std::to_string(dimension) : name] = space;
+    symbols.spaces_by_name.write()[key] = space;
   }
   symbols.spaces.write().push_back({space, {directive, names.scope.depth}});
   return true;
@@ -146,6 +146,8 @@ bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, con
   const NameKey* key = key_of(names.symbols, base);
   if (key == nullptr || by == By::small) return true;
   if (by == By::space) return is_differentiated_by_place(names.symbols, *key);
+  // What another section differentiates may be another quantity there.
+  if (!is_changing(*names.symbols.evidence, key->base)) return false;
   const Sightings& sightings = *names.symbols.sightings;
   if (has_rate(sightings, *key)) return true;
   const bool principal_values = key->rank == 1 && sightings.diagonal.contains(key->base);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the letters of one file stand for at a place: what they are (`Symbols`), and what holds there
 // (`NameScope`). This file has the functions that need both. A copy shares all that it holds, so that keeping
-// a place costs a few pointers, and nothing that is said later changes what it answers. A look-up returns the
-// directives it relied on, because a directive that nothing uses is an error.
+// a place costs a few pointers, and nothing that is said later changes what it answers. A look-up marks
+// nothing: whoever asks notes the directive behind the answer (`KnownChange::directive`, `declared_by`),
+// because a directive that nothing uses is an error.
 #pragma once
 
 #include <cstddef>

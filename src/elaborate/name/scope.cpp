@@ -70,7 +70,7 @@ void replace(NameScope& scope, Held held) {
   scope.assumptions = std::move(held.assumptions);
 }
 
-void declare_constant(NameScope& scope, SymbolId symbol, std::size_t directive) {
+void declare_constant(NameScope& scope, SymbolId symbol, std::optional<std::size_t> directive) {
   scope.constants.write().push_back({symbol, directive, scope.depth, scope.frames->size()});
 }
 
@@ -82,7 +82,7 @@ bool is_declared_constant(const NameScope& scope, SymbolId symbol) {
 Directives withdraw_constant(NameScope& scope, SymbolId symbol) {
   Directives withdrawn;
   for (const DeclaredConstant& each : *scope.constants) {
-    if (each.symbol == symbol) withdrawn.insert(each.directive);
+    if (each.symbol == symbol && each.directive) withdrawn.insert(*each.directive);
   }
   scope.constants.erase_if([&](const DeclaredConstant& each) { return each.symbol == symbol; });
   return withdrawn;

@@ -88,7 +88,7 @@ struct SmallQuantity {
 
 struct DeclaredConstant {
   SymbolId symbol{};
-  std::size_t directive = 0;
+  std::optional<std::size_t> directive = {};  // that says so; nothing: it is only taken to be
   int depth = 0;
   std::size_t frames = 0;  // in force where it stands
 };
@@ -127,7 +127,7 @@ void note_unread(NameScope& scope, UnreadAssumption unread);
 [[nodiscard]] inline Held held(const NameScope& scope) { return {scope.definitions, scope.assumptions}; }
 void replace(NameScope& scope, Held held);
 
-void declare_constant(NameScope& scope, SymbolId symbol, std::size_t directive);
+void declare_constant(NameScope& scope, SymbolId symbol, std::optional<std::size_t> directive);
 [[nodiscard]] bool is_declared_constant(const NameScope& scope, SymbolId symbol);
 /// Something else in the notes makes it change; how is then unknown. Returns the directives that called it
 /// constant: they count as used, since they are in the way.

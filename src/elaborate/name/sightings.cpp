@@ -26,17 +26,10 @@ void sight_rate(const WrittenSymbol& symbol, Names& names) {
   if (!plain) rates.insert({name.base, 2, particle});
 }
 
-/// What is differentiated, through brackets and further derivatives.
-SyntaxId differentiated(const SyntaxTree& syntax, SyntaxId id) {
-  while (syntax[id].kind == SyntaxKind::group || syntax[id].kind == SyntaxKind::derivative)
-    id = syntax.child(id, 0);
-  return id;
-}
-
 /// Its base, and whether it is a vector.
 std::optional<std::pair<std::string, bool>> face_of(const SyntaxTree& syntax, SyntaxId operand,
                                                     const Names& names) {
-  const SyntaxId id = differentiated(syntax, operand);
+  const SyntaxId id = without_derivatives(syntax, operand);
   if (syntax[id].kind != SyntaxKind::symbol) return std::nullopt;
   const WrittenSymbol& symbol = syntax.symbol(id);
   const WrittenName name = take_apart(symbol, Letters{}, names);
@@ -123,7 +116,7 @@ void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
         break;
       }
       case SyntaxKind::derivative: {
-        const SyntaxId operand = differentiated(syntax, id);
+        const SyntaxId operand = without_derivatives(syntax, id);
         const bool time = is_by_time(syntax.derivative(id));
         if (time && syntax[operand].kind == SyntaxKind::symbol) sight_rate(syntax.symbol(operand), names);
         if (!time) sight_field(syntax, operand, names);

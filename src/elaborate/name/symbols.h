@@ -16,6 +16,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/shared.h"
@@ -48,8 +49,8 @@ struct Symbols {
   Shared<std::map<SymbolId, NameKey>> keys;
   Shared<std::map<NameKey, SymbolId>> declared_before;  // in any section
   Shared<std::map<std::string, Declaration>> particle_letters;
-  Shared<std::vector<SpaceInForce>> spaces;             // the innermost last
-  Shared<std::map<std::string, Space>> spaces_by_name;  // of the file
+  Shared<std::vector<SpaceInForce>> spaces;                             // the innermost last
+  Shared<std::map<std::pair<std::string, int>, Space>> spaces_by_name;  // of the file: name and dimension
   Shared<std::set<NameKey>> plain;      // `vector A`: the plain letter is the vector itself, not its length
   std::optional<SymbolId> primed_axes;  // the rotation whose first axis is primed, if they were spoken of
   Shared<Sightings> sightings;

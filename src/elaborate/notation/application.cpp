@@ -168,6 +168,24 @@ std::optional<SpelledPart> number_run(const Reading& reading, std::span<const Sy
 
 }  // namespace
 
+std::vector<SyntaxChild> without_arguments(const Reading& reading, std::span<const SyntaxChild> factors) {
+  const SyntaxTree& syntax = reading.syntax;
+  const Evidence& evidence = *reading.names.symbols.evidence;
+  const auto is_declared_argument = [&](const SyntaxChild& child) {
+    return syntax[child.id].kind == SyntaxKind::symbol &&
+           is_declared(reading.names.symbols, {syntax.symbol(child.id).letter, 0, false});
+  };
+  std::vector<SyntaxChild> kept;
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const SyntaxChild& factor = factors[k];
+    const bool only_shows = k > 0 && factor.joint == Joint::juxtaposed &&
+                            is_argument(syntax, factors[k - 1].id, factor.id, evidence) &&
+                            std::ranges::none_of(syntax.children(factor.id), is_declared_argument);
+    if (!only_shows) kept.push_back(factor);
+  }
+  return kept;
+}
+
 std::optional<SpelledPart> doubt_of_product(const Reading& reading, std::span<const SyntaxChild> factors) {
   if (auto spelled = spelled_part(reading.syntax, factors, reading.names)) return spelled;
   if (auto doubt = application(reading, factors)) return doubt;

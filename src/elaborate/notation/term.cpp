@@ -94,7 +94,7 @@ MaybeTyped apply_operator(Reading& reading, std::span<const SyntaxChild> factors
 }  // namespace
 
 MaybeTyped elaborate_term(Reading& reading, SyntaxId id, const Around& around) {
-  const std::span<const SyntaxChild> factors = reading.syntax.children(id);
+  const std::vector<SyntaxChild> factors = without_arguments(reading, reading.syntax.children(id));
   std::vector<Operand> operands;
   bool failed = false;
   for (std::size_t k = 0; k < factors.size();) {

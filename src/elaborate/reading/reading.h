@@ -79,6 +79,7 @@ struct Reading {
     std::optional<std::string> region;      // of its integrals
     std::optional<Span> dyad;               // bold letters side by side, which may be matrices
     std::optional<Obstacle> guess;          // see guess_of()
+    bool circle_number = false;             // π was taken as any number: what fails so need not fail
     std::vector<SymbolId> unknown_changes;  // differentiated though nothing says whether they change: such a
                                             // statement may be proved, never refuted
     std::set<std::string> positions;        // the ways in which it writes the position

@@ -259,7 +259,7 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   if (auto fixed = unit_or_basis(reading, written, span, around)) return *std::move(fixed);
   if (const auto obstacle = no_quantity(reading.names, written)) return fail(reading, span, *obstacle);
   if (written.letter == "\\pi" && is_bare_and_undeclared(reading.names, written))
-    reading.found.guess = unread("`\\pi` was taken as any number");
+    reading.found.circle_number = true;
   WrittenName name = take_apart(written, reading.letters, reading.names);
   reading.found.used.insert(name.used.begin(), name.used.end());
   if (hides_small_factor(reading, written, name)) {

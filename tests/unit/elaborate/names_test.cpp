@@ -290,3 +290,20 @@ TEST_CASE("who withdraws a constant is told which directives called it so") {
   CHECK_FALSE(is_declared_constant(scope, symbol));
   CHECK(withdraw_constant(scope, symbol).empty());
 }
+
+TEST_CASE("a space that is named again is the same one, and another dimension is another space") {
+  ExprTree tree;
+  Names names;
+  const auto entered = [&](const std::string& name, int dimension) {
+    REQUIRE(enter_space(names, name, dimension, 0));
+    return space_of(names.symbols);
+  };
+  const Space plane = entered("plane", 2);
+  const Space solid = entered("plane", 3);
+  CHECK(entered("plane", 3) == solid);
+  CHECK(entered("plane", 2) == plane);
+  const Space other = entered("other", 4);
+  CHECK(solid.id != plane.id);
+  CHECK(other.id != plane.id);
+  CHECK(other.id != solid.id);
+}
