@@ -12,8 +12,8 @@
 namespace rigor {
 namespace {
 
-static_assert(static_cast<int>(StepVerdict::skipped) == static_cast<int>(Verdict::skipped) &&
-              verdict_count == 7);
+static_assert(static_cast<int>(StepVerdict::suspect) == static_cast<int>(Verdict::suspect) &&
+              verdict_count == 9);
 
 /// The exact side's libraries share memory between threads without asking, so that only one call runs.
 [[nodiscard]] std::unique_lock<std::mutex> turn() {
@@ -26,9 +26,9 @@ constexpr std::uint32_t message_width = 76;
 
 /// From what settles least of a chain to what settles most.
 std::size_t rank_of(StepVerdict verdict) {
-  constexpr std::array order{StepVerdict::refuted, StepVerdict::not_understood, StepVerdict::undecided,
-                             StepVerdict::skipped, StepVerdict::definition,     StepVerdict::given,
-                             StepVerdict::proved};
+  constexpr std::array order{StepVerdict::refuted,   StepVerdict::suspect, StepVerdict::not_understood,
+                             StepVerdict::undecided, StepVerdict::skipped, StepVerdict::definition,
+                             StepVerdict::given,     StepVerdict::law,     StepVerdict::proved};
   return static_cast<std::size_t>(std::ranges::find(order, verdict) - order.begin());
 }
 

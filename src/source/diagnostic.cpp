@@ -40,8 +40,8 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {unknown_anchor, "unknown-anchor", error, "a sidecar names a place that the notes do not have"},
     {unknown_quantity, "unknown-quantity", error, "a quantity is asked for that the notes do not have"},
 
-    {undeclared_symbol, "undeclared-symbol", not_understood,
-     "nothing says that a symbol is meant for all values"},
+    {follows_from_nothing, "follows-from-nothing", Severity::undecided,
+     "an equation is announced as a conclusion, and follows from nothing that stands above it"},
     {ambiguous_reading, "ambiguous-reading", not_understood, "the notation allows two readings"},
     {free_index_mismatch, "free-index-mismatch", error, "the free indices of two sides or two terms differ"},
     {index_repeats, "index-repeats", error, "an index occurs more than twice in one term"},
@@ -72,6 +72,8 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
     {plain_vector, "plain-vector", warning, "a vector is not set bold, unlike others"},
     {hidden_index, "hidden-index", warning, "a subscript that is read as a word ends in an index"},
     {idle_sum, "idle-sum", warning, "a sum is over an index that does not occur in it"},
+    {near_name, "near-name", warning,
+     "a name stands in one equation only, and differs by a slip from another one"},
     {repeated_side, "repeated-side", warning, "a step of a chain repeats its left side"},
     {mixed_frames, "mixed-frames", warning,
      "components along two sets of axes, or rates in two frames, are added"},
@@ -129,6 +131,8 @@ std::string_view name_of(Severity severity) {
       return "not understood";
     case Severity::warning:
       return "warning";
+    case Severity::suspect:
+      return "suspect";
   }
   return "error";
 }

@@ -15,7 +15,7 @@
 
 namespace rigor {
 
-enum class Severity : std::uint8_t { error, refuted, undecided, not_understood, warning };
+enum class Severity : std::uint8_t { error, refuted, undecided, not_understood, warning, suspect };
 
 /// One entry of `diagnostic_table()` each; `docs/diagnostics.md` has a paragraph for each.
 enum class DiagnosticKind : std::uint8_t {
@@ -43,7 +43,7 @@ enum class DiagnosticKind : std::uint8_t {
   unknown_anchor,
   unknown_quantity,
   // meaning
-  undeclared_symbol,
+  follows_from_nothing,
   ambiguous_reading,
   free_index_mismatch,
   index_repeats,
@@ -67,6 +67,7 @@ enum class DiagnosticKind : std::uint8_t {
   plain_vector,
   hidden_index,
   idle_sum,
+  near_name,
   repeated_side,
   mixed_frames,
   scalar_zero,

@@ -38,6 +38,7 @@ Paint paint_of(Severity severity) {
     case Severity::undecided:
     case Severity::not_understood:
     case Severity::warning:
+    case Severity::suspect:
       return Paint::open;
   }
   return Paint::plain;

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 using Order = std::vector<std::size_t>;
 
-/// A folder that is gone behind the test.
+/// A folder that is removed when its object goes out of scope.
 class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / ("rigor-order-" + std::to_string(::getpid()))) {

@@ -55,14 +55,16 @@ bool has(const Step& step, std::initializer_list<DiagnosticKind> kinds) {
 Outcome outcome_of(const Step& step) {
   if (step.verdict == Verdict::proved) return Outcome::proved_equal;
   if (step.verdict == Verdict::refuted && step.counterexample) return Outcome::refuted;
-  if (step.verdict == Verdict::undecided) return Outcome::undecided;
+  if (step.verdict == Verdict::law) return Outcome::law_like;
+  if (step.verdict == Verdict::undecided)
+    return has(step, {DiagnosticKind::follows_from_nothing}) ? Outcome::law_like : Outcome::undecided;
   if (step.verdict != Verdict::not_understood) return Outcome::failed;
   if (has(step, {DiagnosticKind::free_index_mismatch, DiagnosticKind::index_repeats,
                  DiagnosticKind::index_clash, DiagnosticKind::rank_mismatch,
                  DiagnosticKind::ambiguous_reading, DiagnosticKind::no_real_value})) {
     return Outcome::malformed;
   }
-  return has(step, {DiagnosticKind::undeclared_symbol}) ? Outcome::law_like : Outcome::failed;
+  return Outcome::failed;
 }
 
 std::string summary_of(const Step& step) {
@@ -212,7 +214,8 @@ class Mutations {
     if (step == nullptr) return {};
     std::string broken_by;
     if (step->verdict == Verdict::proved) broken_by = failure_of_proofs(path_, std::move(text), relation);
-    const bool open = has(*step, {DiagnosticKind::undeclared_symbol, DiagnosticKind::ambiguous_reading});
+    const bool open = step->verdict == Verdict::law ||
+                      has(*step, {DiagnosticKind::follows_from_nothing, DiagnosticKind::ambiguous_reading});
     return {outcome_of(*step), summary_of(*step),         step->source,          open,
             step->repairs,     step->repair_milliseconds, uses_asked_for(*step), std::move(broken_by)};
   }

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "algebra/decide/decide.h"
+#include "algebra/engine/undecidable.h"
 #include "algebra/sample/refute.h"
 #include "algebra/sample/sample_text.h"
 
@@ -92,7 +93,11 @@ std::optional<Sample> satisfying_sample(const Question& question, const Sample& 
   Budget own;
   Limits counted = limits;
   if (counted.budget == nullptr) counted.budget = &own;
-  return Search(scope, counted).run(known);
+  try {
+    return Search(scope, counted).run(known);
+  } catch (const Undecidable&) {
+    return std::nullopt;  // it takes too much to look
+  }
 }
 
 }  // namespace rigor

@@ -23,7 +23,17 @@
 namespace rigor {
 
 /// What is known of a step: as docs/trust.md has it.
-enum class StepVerdict { proved, refuted, given, definition, undecided, not_understood, skipped };
+enum class StepVerdict {
+  proved,
+  refuted,
+  given,
+  definition,
+  undecided,
+  not_understood,
+  skipped,
+  law,
+  suspect
+};
 
 /// `proved`, `not-understood`, ...: as in the JSON.
 RIGOR_API std::string_view name_of(StepVerdict verdict);
@@ -31,14 +41,14 @@ RIGOR_API std::string_view name_of(StepVerdict verdict);
 /// One relation, and what became of it. Mathematics is LaTeX in the author's notation.
 struct CheckedStep {
   StepVerdict verdict = StepVerdict::not_understood;
-  bool holds = false;     // proved, or given, defined, skipped, or refuted where the notes expect that;
-                          // and nothing is wrong with it or with its context
-  std::string file;       // where it stands: a path; `<statement>.tex` for a text in memory
-  unsigned line = 1;      // from 1
-  unsigned column = 1;    // from 1, in code points
-  std::string tag;        // as written; empty: none
-  std::string statement;  // as written, blanks folded
-  std::string route;      // how it was decided
+  bool holds = false;   // proved, or given, defined, a law, skipped, or refuted where the notes expect that;
+                        // and nothing is wrong with it or with its context
+  std::string file;     // where it stands: a path; `<statement>.tex` for a text in memory
+  unsigned line = 1;    // from 1
+  unsigned column = 1;  // from 1, in code points
+  std::string tag;      // as written; empty: none
+  std::string statement;             // as written, blanks folded
+  std::string route;                 // how it was decided
   std::vector<std::string> uses;     // the definitions, assumptions and conventions that this rests on
   std::string sample;                // of a refuted step: exact values on which the sides differ; else empty
   std::vector<std::string> repairs;  // true statements near by, each proved, the nearest first

@@ -18,11 +18,10 @@ enum class Part : std::uint8_t {
   mistaken,  // refuted
 };
 
-/// A step that is not understood is a law if all that is missing is for which values it is meant.
-bool is_law(const Step& step) {
+/// A step that is not understood may still say what its dimensions are.
+bool is_read(const Step& step) {
   return std::ranges::all_of(step.diagnostics, [](const Diagnostic& diagnostic) {
-    return diagnostic.kind == DiagnosticKind::undeclared_symbol ||
-           diagnostic.kind == DiagnosticKind::unknown_change ||
+    return diagnostic.kind == DiagnosticKind::unknown_change ||
            diagnostic.kind == DiagnosticKind::no_real_value || diagnostic.severity() == Severity::warning;
   });
 }
@@ -32,7 +31,7 @@ Part part_of(const DimensionStatement& statement, const Step& step) {
     case Verdict::skipped:
       return Part::none;
     case Verdict::not_understood:
-      if (!is_law(step)) return Part::none;
+      if (!is_read(step)) return Part::none;
       break;
     case Verdict::refuted:
       return step.expected_refuted ? Part::none : Part::mistaken;
@@ -41,6 +40,8 @@ Part part_of(const DimensionStatement& statement, const Step& step) {
     case Verdict::given:
     case Verdict::definition:
     case Verdict::undecided:
+    case Verdict::law:
+    case Verdict::suspect:
       break;
   }
   return statement.source == DimensionSource::law ? Part::source : Part::follows;

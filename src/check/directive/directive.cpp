@@ -173,9 +173,12 @@ class DirectiveReader {
   std::optional<Directive> expectation(Span rest, Directive directive) {
     std::size_t at = 0;
     const std::string word = next_word(sources_.text(rest), at);
-    if (word == "refuted") return directive;
-    return bad(directive.span, fmt::format("`expect {}` is not known", word),
-               "`expect refuted` says that the next statement is false");
+    if (word == "law") directive.expected = Verdict::law;
+    if (word == "refuted" || word == "law") return directive;
+    return bad(
+        directive.span, fmt::format("`expect {}` is not known", word),
+        "`expect refuted` says that the next statement is false, `expect law` that it is stated and not "
+        "concluded");
   }
 
   /// `frame rot rotates with \boldsymbol{\omega} in in`

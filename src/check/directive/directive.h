@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "check/directive/remainder.h"
+#include "check/step/report.h"
 #include "expr/tree/dimension.h"
 #include "latex/macro/macros.h"
 #include "latex/reading/readings.h"
@@ -65,6 +66,7 @@ struct Directive {
   std::vector<ParsedChain> chains;            // let, given, where, claim
   std::vector<DiagnosticKind> warnings = {};  // allow, warn
   std::vector<std::string> places = {};       // use: tags, `line 12`
+  Verdict expected = Verdict::refuted;        // expect: or a law
   bool here = false;                          // allow, warn: of the next statement only
   std::string space;                          // space: its name
   int dimension = 0;                          // and dimension

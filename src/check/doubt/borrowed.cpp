@@ -19,11 +19,8 @@ namespace rigor {
 namespace {
 
 bool is_open(const Judgement& judgement) {
-  const bool law = judgement.verdict == Verdict::not_understood &&
-                   std::ranges::any_of(judgement.diagnostics, [](const Diagnostic& diagnostic) {
-                     return diagnostic.kind == DiagnosticKind::undeclared_symbol;
-                   });
-  return law || judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided;
+  return judgement.verdict == Verdict::law || judgement.verdict == Verdict::refuted ||
+         judgement.verdict == Verdict::undecided;
 }
 
 /// The letters that it leads to, definitions unfolded.

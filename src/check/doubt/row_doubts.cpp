@@ -30,9 +30,8 @@ std::optional<OpenPart> unread_part(const SyntaxTree& syntax, const ParsedChain&
     if (syntax[id].kind != SyntaxKind::opaque || is_malformation(syntax.obstacle(id).kind)) continue;
     return OpenPart{syntax[id].span, syntax.obstacle(id).message};
   }
-  const auto unread = std::ranges::find_if(diagnostics, [](const Diagnostic& each) {
-    return each.severity() == Severity::not_understood && each.kind != DiagnosticKind::undeclared_symbol;
-  });
+  const auto unread = std::ranges::find_if(
+      diagnostics, [](const Diagnostic& each) { return each.severity() == Severity::not_understood; });
   if (unread != diagnostics.end()) return OpenPart{unread->span, unread->message};
   const WrittenChain& written = parsed.written;
   if (written.condition) return OpenPart{written.condition_span, written.condition->message};

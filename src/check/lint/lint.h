@@ -51,6 +51,7 @@ Findings lint_spelling(const LintInput& input);     // mixed-spelling
 Findings lint_faces(const LintInput& input);        // plain-vector
 Findings lint_subscripts(const LintInput& input);   // hidden-index
 Findings lint_sums(const LintInput& input);         // idle-sum
+Findings lint_names(const LintInput& input);        // near-name
 Findings lint_repeats(const LintInput& input);      // repeated-side
 Findings lint_frames(const LintInput& input);       // mixed-frames
 Findings lint_zeros(const LintInput& input);        // scalar-zero

@@ -75,7 +75,8 @@ Findings lint_other_lengths(const LintInput& input) {
   Findings findings;
   for (const StatedEquation& stated : input.stated) {
     const Step& step = input.report.steps[stated.step];
-    const bool open = step.verdict == Verdict::not_understood || step.verdict == Verdict::refuted;
+    const bool open = step.verdict == Verdict::law || step.verdict == Verdict::undecided ||
+                      step.verdict == Verdict::refuted;
     const bool length = tree[stated.left].op == Op::length && stated.is_equation();
     if (!stated.by_notes || !open || step.expected_refuted || !length) continue;
     const ExprId vector = tree.children(stated.left)[0];

@@ -59,11 +59,12 @@ std::size_t term_count(const ExprTree& tree, ExprId id) {
 
 std::vector<SymbolId> symbols_not_for_all(const ExprTree& tree, const NameScope& scope,
                                           const std::set<SymbolId>& symbols) {
-  std::vector<SymbolId> open;
+  std::vector<SymbolId> open;  // numbers and axes are no claim
   std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open), [&](SymbolId symbol) {
     const SymbolId base = base_of(tree.symbols, symbol);
     const Symbol& known = tree.symbols[base];
-    return !is_for_all(scope, base) && !known.unit_of_measure && !known.rotation;  // axes are no claim
+    const bool circle_number = known.name == "\\pi" && !known.declared;
+    return !is_for_all(scope, base) && !known.unit_of_measure && !known.rotation && !circle_number;
   });
   return open;
 }
@@ -88,11 +89,6 @@ std::vector<ExprId> bare_terms(const ExprTree& tree, ExprId id) {
   return terms;
 }
 
-struct SignedTerm {
-  bool negative = false;
-  ExprId id;
-};
-
 void add_terms(const ExprTree& tree, ExprId id, bool negative, std::vector<SignedTerm>& terms) {
   while (tree[id].op == Op::negate) {
     id = tree.children(id)[0];
@@ -102,12 +98,20 @@ void add_terms(const ExprTree& tree, ExprId id, bool negative, std::vector<Signe
   for (const ExprId term : tree.children(id)) add_terms(tree, term, negative, terms);
 }
 
+}  // namespace
+
+std::vector<SignedTerm> signed_terms(const ExprTree& tree, ExprId side) {
+  std::vector<SignedTerm> terms;
+  add_terms(tree, side, false, terms);
+  return terms;
+}
+
+namespace {
+
 /// `H + \partial_tF = H`: all terms of one side are on the other. That the rest vanishes is a condition.
 bool says_that_terms_vanish(const ExprTree& tree, const Equation& claim) {
-  std::vector<SignedTerm> more;
-  std::vector<SignedTerm> fewer;
-  add_terms(tree, claim.left, false, more);
-  add_terms(tree, claim.right, false, fewer);
+  std::vector<SignedTerm> more = signed_terms(tree, claim.left);
+  std::vector<SignedTerm> fewer = signed_terms(tree, claim.right);
   if (more.size() < fewer.size()) std::swap(more, fewer);
   return std::ranges::all_of(fewer, [&](const SignedTerm& term) {
     const auto same = std::ranges::find_if(more, [&](const SignedTerm& other) {
@@ -199,8 +203,7 @@ bool are_a_term_of_their_own(const Question& question, ExprId side, const std::s
   if (std::ranges::any_of(own, [&](SymbolId each) { return tree.symbols[each].derivation.has_value(); }))
     return true;  // a derivative of a product does
   while (tree[side].op == Op::component || tree[side].op == Op::index_sum) side = tree.children(side)[0];
-  std::vector<SignedTerm> terms;
-  add_terms(tree, side, false, terms);
+  const std::vector<SignedTerm> terms = signed_terms(tree, side);
   const auto holding =
       std::ranges::count_if(terms, [&](const SignedTerm& term) { return holds_own(term.id); });
   return terms.size() > 1 && holding == 1;

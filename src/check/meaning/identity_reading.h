@@ -33,6 +33,13 @@ class DecisionCache;
                                                 bool restates = false, const std::set<SymbolId>& frames = {},
                                                 DecisionCache* cache = nullptr);
 
+/// A term of a side: a sum within a sum belongs to the outer one.
+struct SignedTerm {
+  bool negative = false;
+  ExprId id;
+};
+[[nodiscard]] std::vector<SignedTerm> signed_terms(const ExprTree& tree, ExprId side);
+
 /// The symbols below both sides, with the definitions in the question unfolded: what the equation is about in
 /// the end.
 [[nodiscard]] std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root);

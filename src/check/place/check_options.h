@@ -22,7 +22,7 @@ struct CheckOptions {
   std::function<void(std::size_t done, std::size_t all)> progress = {};  // called after each display
   Repairs repairs = Repairs::of_unexpected;
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again
-  DecisionCache* cache = nullptr;     // decisions of earlier runs; none: they are only counted
+  DecisionCache* cache = nullptr;     // answers of earlier runs; null: one that only counts the work is made
   std::uint64_t effort = default_effort;  // for each step, and again for what helps where it is wrong
 };
 

@@ -11,6 +11,7 @@
 
 #include "check/doubt/borrowed.h"
 #include "check/event/notes.h"
+#include "check/law/from_laws.h"
 #include "check/ledger/ledger.h"
 #include "check/place/check_options.h"
 #include "check/verdict/chain_reading.h"
@@ -20,10 +21,18 @@ namespace rigor {
 
 using Side = ChainReading::Side;
 
+/// A law, or a row that follows from laws, with what its letters meant.
+struct StatedLaw {
+  PageLaw law;
+  NameScope scope;
+  bool of_a_section = false;  // its heading is about a special case: "Electrostatics"
+};
+
 /// What rows and directives leave for the rows below them.
 struct SaidAbove {
   std::vector<UseDirective> uses = {};
   std::vector<Fact> laws = {};                                 // and definitions after their first use
+  std::vector<StatedLaw> stated = {};                          // what rows below can follow from
   std::vector<std::pair<std::size_t, Span>> unread_rows = {};  // where, and what: relations such as `\perp`
 };
 
@@ -41,6 +50,7 @@ struct RowPlace {
   struct Found {
     Directives used = {};  // by what was read and decided
     std::vector<Fact> laws = {};
+    std::vector<StatedLaw> stated = {};
   } found = {};
 };
 

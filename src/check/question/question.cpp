@@ -24,7 +24,7 @@ constexpr int largest_order = 2 * most_rates + most_axes;
 constexpr int most_compared = 3;
 
 /// A definition that the notes give, or that follows for a derivative.
-struct FoundAssumption {
+struct FoundDefinition {
   Definition definition;
   const Origin* origin;
   bool at_instant;
@@ -179,19 +179,19 @@ class Preparation {
 
   // --- definitions
 
-  std::optional<FoundAssumption> definition_of(SymbolId symbol, int depth) {
+  std::optional<FoundDefinition> definition_of(SymbolId symbol, int depth) {
     if (const NamedDefinition* named = rigor::definition_of(names_.scope, symbol))
-      return FoundAssumption{named->definition, &named->origin, named->at_instant};
+      return FoundDefinition{named->definition, &named->origin, named->at_instant};
     const auto& derivation = tree_.symbols[symbol].derivation;
     if (!derivation || derivation->by.size() > largest_order || depth > largest_order) return std::nullopt;
     if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
-    std::optional<FoundAssumption> result;
+    std::optional<FoundDefinition> result;
     for (auto by = derivation->by.rbegin(); by != derivation->by.rend() && !result; ++by) {
       const auto of = definition_of(parent_of(*derivation, *by), depth + 1);
       if (of && of->at_instant && *by == By::time) {
         note_unknown(derivation->base);
       } else if (of) {
-        result = FoundAssumption{differentiated(*of, symbol, *by), of->origin, of->at_instant};
+        result = FoundDefinition{differentiated(*of, symbol, *by), of->origin, of->at_instant};
       }
     }
     derived_[symbol] = result;
@@ -204,7 +204,7 @@ class Preparation {
     return tree_.symbols.derivative(derivation);
   }
 
-  Definition differentiated(const FoundAssumption& of, SymbolId symbol, const Variable& by) {
+  Definition differentiated(const FoundDefinition& of, SymbolId symbol, const Variable& by) {
     Definition result = of.definition;
     result.symbol = symbol;
     result.by_square = false;
@@ -486,7 +486,7 @@ class Preparation {
   int highest_order_ = 0;  // of a derivative in the claim, definitions unfolded
   int highest_law_ = 0;    // of a derivative in an assumption as it stands
   int beyond_ = 0;         // how far above it derivatives of assumptions are taken: 0, then `slack_`
-  std::map<SymbolId, std::optional<FoundAssumption>> derived_;
+  std::map<SymbolId, std::optional<FoundDefinition>> derived_;
   std::map<ExprId, Equation> vanishing_;
   std::set<std::tuple<ExprId, ExprId, int, int>> taken_;
   std::set<std::tuple<ExprId, ExprId, int, int>> at_zero_;

@@ -4,7 +4,6 @@
 // times and places, so its derivatives are assumptions, too.
 #pragma once
 
-#include <set>
 #include <span>
 #include <vector>
 
@@ -20,7 +19,7 @@ struct Prepared {
   std::size_t without_slack = 0;                    // so many of the assumptions would be there without slack
   std::optional<std::string> too_large = {};        // why derivatives are missing: then nothing is decided
   std::vector<SymbolId> unknown_changes;            // differentiated, though nothing says whether they change
-  std::set<std::size_t> used = {};  // directives that say how something changes, or that it is small
+  Directives used = {};                             // that say how something changes, or that it is small
   bool has_rates_or_times = false;  // something in the assumptions has a rate, or speaks of the time or place
   /// Taken, speaks of the time or place itself, and leaves no quantity free to follow it: what it says at all
   /// times would have to be compared coefficient by coefficient.

@@ -42,7 +42,8 @@ Directives compare_dimensions(const Ledger& ledger, const Notes& notes, const So
   return used;
 }
 
-bool asks_for_nothing_yet(DirectiveKind kind) {
+/// It is used by the next statement alone, unless none comes before the end of its section.
+bool waits_for_a_statement(DirectiveKind kind) {
   return kind == DirectiveKind::expect || kind == DirectiveKind::skip || kind == DirectiveKind::first_order;
 }
 
@@ -52,7 +53,7 @@ void report_unused(const Ledger& ledger, const Notes& notes, const Directives& u
     const auto* placed = std::get_if<PlacedDirective>(&event);
     if (placed == nullptr) continue;
     const Directive& directive = placed->directive;
-    const bool is_used = asks_for_nothing_yet(directive.kind)
+    const bool is_used = waits_for_a_statement(directive.kind)
                              ? !is_one_of(&directive, ledger.unmatched)
                              : used.contains(directive.number) || ledger.used.contains(directive.number);
     // what it is about may be in a step that is not read

@@ -99,6 +99,7 @@ void settle(RowPlace& place, const StepReading& row, const Claim& claim, Judgeme
 
 void accept(Judgement judgement, Step& step) {
   step.verdict = judgement.verdict;
+  step.restates = judgement.restates;
   step.route = std::move(judgement.route);
   step.uses = std::move(judgement.uses);
   step.counterexample = std::move(judgement.counterexample);

@@ -11,10 +11,7 @@
 
 namespace rigor {
 
-[[nodiscard]] inline bool is_open(const Judgement& judgement) {
-  return judgement.verdict == Verdict::refuted || judgement.verdict == Verdict::undecided ||
-         judgement.verdict == Verdict::not_understood;
-}
+[[nodiscard]] inline bool is_open(const Judgement& judgement) { return judgement.verdict != Verdict::proved; }
 
 /// Nothing: the step has its verdict, by another reading or as a condition.
 [[nodiscard]] std::optional<Judgement> ask(RowPlace& place, const StepReading& row, const Claim& claim,
@@ -51,6 +48,15 @@ bool replay_by_digits(RowPlace& place, const Claim& claim, Step& step);
 [[nodiscard]] std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place,
                                                                             const StepReading& row,
                                                                             const Claim& claim);
+
+// --- page_laws.cpp: What a row takes from the laws above it, and what it leaves to the rows below it.
+
+/// Proved from laws of the page, or said by one of them already; else the judgement stays as it is.
+[[nodiscard]] bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim,
+                                     Judgement& judgement);
+/// A law is left to the rows below. One that is announced as a conclusion is undecided: it follows from
+/// nothing.
+void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement);
 
 // --- readings.cpp: Chains with places that can be read in two ways. All readings are decided, and only a
 // verdict that all share counts.

@@ -49,12 +49,6 @@ bool share_a_letter(const SyntaxTree& syntax, const ParsedChain& one, const Pars
                              [&](const std::string& letter) { return others.contains(letter); });
 }
 
-bool is_law(const Judgement& judgement) {
-  return std::ranges::any_of(judgement.diagnostics, [](const Diagnostic& diagnostic) {
-    return diagnostic.kind == DiagnosticKind::undeclared_symbol;
-  });
-}
-
 /// `\approx` and rounded decimals: numbers agree to the digits shown, and nothing else fails where nothing is
 /// small.
 void heed_digits(ExprTree& tree, const Names& names, const Claim& claim, Judgement& judgement,
@@ -294,6 +288,7 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
   if (judgement.verdict == Verdict::proved) return;
   Standpoint at = standpoint(place, parsed);
   at.denied = denial_of(place.notes.prose, place.event);
+  if (!at.denied && follows_from_page(place, row, claim, judgement)) return;
   if (judgement.verdict == Verdict::refuted)
     at.around =
         said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);
@@ -360,8 +355,12 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
     remember(true);
   } else if (chooses_axes) {
     remember(true);
-  } else if (judgement.verdict != Verdict::refuted && is_law(judgement) && !claim.nearly && !at.denied) {
-    remember(false);
+  } else if (judgement.verdict == Verdict::law && at.denied) {
+    withdraw(DiagnosticKind::restricted,
+             fmt::format("`{}` next to it may say that it does not hold", *at.denied), {});
+  } else if (judgement.verdict == Verdict::law) {
+    if (!claim.nearly) remember(false);
+    state_law(place, row, claim, judgement);
   }
 }
 

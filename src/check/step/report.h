@@ -10,11 +10,24 @@
 #include <vector>
 
 #include "source/diagnostic.h"
+#include "source/source_map.h"
 
 namespace rigor {
 
-enum class Verdict : std::uint8_t { proved, refuted, given, definition, undecided, not_understood, skipped };
-inline constexpr std::size_t verdict_count = 7;
+/// `law`: read whole, meant for some values only, and it follows from nothing that stands here. `suspect`: it
+/// does not follow, and one slip of the pen away stands something that does.
+enum class Verdict : std::uint8_t {
+  proved,
+  refuted,
+  given,
+  definition,
+  undecided,
+  not_understood,
+  skipped,
+  law,
+  suspect
+};
+inline constexpr std::size_t verdict_count = 9;
 
 /// `not-understood` and so on: as in the JSON.
 [[nodiscard]] std::string_view name_of(Verdict verdict);
@@ -60,6 +73,10 @@ struct Repair {
   bool adds_a_term = false;      // rather than changing what is there
 };
 
+/// `law (3)`, or without a tag `law in line 12`, where its relation stands.
+[[nodiscard]] std::string name_of_law(const std::string& tag, Span relation, const SourceMap& sources,
+                                      std::string_view word);
+
 /// Diagnostics that are mended by a true statement near by: a refutation, indices or ranks that do not fit.
 [[nodiscard]] bool shows_repairs(DiagnosticKind kind);
 
@@ -76,6 +93,7 @@ struct Step {
   std::string right;
   Verdict verdict = Verdict::not_understood;
   bool expected_refuted = false;  // a directive says that the step is false
+  bool restates = false;          // of a law: it says again what another one says
   std::string route;
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`
   std::optional<Counterexample> counterexample;

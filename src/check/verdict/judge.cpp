@@ -20,22 +20,10 @@
 #include "check/verdict/decide_by_record.h"
 #include "check/verdict/law_diagnostic.h"
 #include "check/verdict/other_reading.h"
+#include "check/verdict/rational_expression.h"
 
 namespace rigor {
 namespace {
-
-/// `-3/2` as an expression.
-ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
-  const bool negative = value.starts_with('-');
-  const std::string digits = negative ? value.substr(1) : value;
-  const auto slash = digits.find('/');
-  ExprId number = tree.add_number(span, digits.substr(0, slash));
-  if (slash != std::string::npos) {
-    const ExprId parts[] = {number, tree.add_number(span, digits.substr(slash + 1))};
-    number = tree.add({.op = Op::divide, .span = span}, parts);
-  }
-  return negative ? tree.add({.op = Op::negate, .span = span}, std::span(&number, 1)) : number;
-}
 
 class Judging {
  public:
@@ -304,11 +292,24 @@ class Judging {
     judgement_.route += fmt::format("; nothing is left out up to order {}", highest);
   }
 
+  /// A definition that the claim reaches has a rate of it, and says so wherever it is used.
+  [[nodiscard]] bool changes_in_definitions(SymbolId symbol) const {
+    const SymbolId base = base_of(tree_.symbols, symbol);
+    const auto is_rate = [&](SymbolId each) {
+      return tree_.symbols[each].order(By::time) > 0 && base_of(tree_.symbols, each) == base;
+    };
+    return std::ranges::any_of(prepared_.question.definitions, [&](const Definition& definition) {
+      return !tree_.symbols[definition.symbol].derivation &&
+             std::ranges::any_of(symbols_in(tree_, definition.body), is_rate);
+    });
+  }
+
   /// If nothing says whether a differentiated quantity changes, only a proof counts.
   bool doubts_change() {
     std::vector<SymbolId> unknown = prepared_.unknown_changes;
     const std::vector<SymbolId>& written = claim_.reading->found.unknown_changes;
     unknown.insert(unknown.end(), written.begin(), written.end());
+    std::erase_if(unknown, [this](SymbolId symbol) { return changes_in_definitions(symbol); });
     if (unknown.empty()) return false;
     unknown = bases_of(tree_, unknown);
     const bool one = unknown.size() == 1;
@@ -419,11 +420,17 @@ class Judging {
       law = law_symbols(prepared_.question, names_.scope, restates_definition(), rotations(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
-      judgement_.verdict = Verdict::not_understood;
-      const bool assumed = std::ranges::any_of(prepared_.assumptions, [](const NamedAssumption* each) {
+      judgement_.verdict = Verdict::law;
+      judgement_.not_for_all = bases_of(tree_, law);
+      judgement_.despite_given = std::ranges::any_of(prepared_.assumptions, [](const NamedAssumption* each) {
         return each != nullptr && each->origin.directive;
       });
-      judgement_.diagnostics.push_back(law_diagnostic(tree_, names_, claim_, law, assumed));
+      return;
+    }
+    if (claim_.reading->found.circle_number) {
+      judgement_.verdict = Verdict::not_understood;
+      add(DiagnosticKind::unsupported,
+          "`\\pi` was taken as any number; the equation does not hold in the reading that was tried");
       return;
     }
     prepared_.question.tree = &tree_;

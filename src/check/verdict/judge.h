@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From one elaborated equation to one verdict. The exact side answers first; then the answer is weighed. A
-// refutation counts only if the equation is meant for all values (it may be a law or a condition) and every
+// refutation counts only if the equation is meant for all values (else it is a law or a condition) and every
 // assumption that bears on it was read. A proof counts only if the assumptions can hold together and its
 // letters can only be real numbers. A verdict carries what it used, so that a directive without any use is
 // found.
@@ -33,7 +33,10 @@ struct Judgement {
   QuestionNames names = {};                            // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
   std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
-  std::set<std::size_t> used = {};                     // directives that were needed, whatever the verdict
+  bool restates = false;                               // a law: it says again what another one says
+  bool despite_given = false;              // a law: it fails, though assumptions of directives bear on it
+  std::vector<SymbolId> not_for_all = {};  // a law: the letters for which it reads as one
+  std::set<std::size_t> used = {};         // directives that were needed, whatever the verdict
 };
 
 /// What is judged, and where it is written.

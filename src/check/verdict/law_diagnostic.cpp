@@ -68,37 +68,34 @@ std::string bare_name(std::string name) {
   return name;
 }
 
-Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
-                          const std::vector<SymbolId>& open, bool assumed) {
-  const std::vector<SymbolId> symbols = bases_of(tree, open);
+Diagnostic without_ground(const ExprTree& tree, const Names& names, const Claim& claim,
+                          const Judgement& judgement) {
+  const std::vector<SymbolId>& not_for_all = judgement.not_for_all;
   Diagnostic diagnostic{
-      DiagnosticKind::undeclared_symbol, claim.relation,
-      fmt::format(
-          "{}nothing says that {} {} meant for all values, so this reads as a law or a condition, not as an "
-          "identity",
-          assumed ? "it does not follow from what is assumed, and " : "", quoted_names(tree, symbols),
-          symbols.size() == 1 ? "is" : "are")};
+      DiagnosticKind::follows_from_nothing, claim.relation,
+      fmt::format("{}, and nothing says that {} {} meant for all values",
+                  judgement.despite_given ? "it does not follow from what is assumed"
+                                          : "no proof of this conclusion from what stands above it was found",
+                  quoted_names(tree, not_for_all), not_for_all.size() == 1 ? "is" : "are")};
   const std::vector<std::string> known = known_names(names, tree);
   std::set<std::string> in_statement;
   for (const ExprId side : {claim.equation.left, claim.equation.right}) {
     for (const SymbolId symbol : symbols_in(tree, side)) in_statement.insert(tree.symbols[symbol].name);
   }
-  for (const SymbolId symbol : symbols) in_statement.insert(tree.symbols[symbol].name);
-  for (const SymbolId symbol : symbols) {
+  for (const SymbolId symbol : not_for_all) in_statement.insert(tree.symbols[symbol].name);
+  for (const SymbolId symbol : not_for_all) {
     const std::string& name = tree.symbols[symbol].name;
     if (const auto near = likely_meant(name, known, in_statement))
       diagnostic.help.push_back(fmt::format("is `{}` meant for `{}`?", *near, name));
   }
   constexpr std::size_t longest_line = 120;
   const bool fits = !claim.written.empty() && claim.written.size() <= longest_line;
-  const std::string_view written = fits ? std::string_view(claim.written) : "EQUATION";
-  if (assumed)
-    diagnostic.help.push_back(fmt::format("`rigor: claim {}` asks for values for which it fails", written));
-  diagnostic.help.push_back(fmt::format(
-      "`rigor: given {}` assumes it; `rigor: let …`, with a symbol on the left, defines that symbol",
-      written));
-  diagnostic.help.emplace_back(
-      "if it is an identity, `rigor: for all …` lists the letters that may have any value");
+  if (judgement.despite_given)
+    diagnostic.help.push_back(fmt::format("`rigor: claim {}` asks for values for which it fails",
+                                          fits ? std::string_view(claim.written) : "EQUATION"));
+  else
+    diagnostic.help.emplace_back(
+        "what it follows from can stand above it, as an equation or as `rigor: given …`");
   return diagnostic;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The diagnostic of an equation that reads as a law: nothing is known about some of its symbols, and known
-// ones with similar names may be meant.
+// How verdicts name letters, and what is said of a conclusion that follows from nothing.
 #pragma once
 
 #include <string>
@@ -19,9 +18,9 @@ namespace rigor {
 /// A symbol's name without face and braces: `\boldsymbol{\omega}` is `\omega`.
 [[nodiscard]] std::string bare_name(std::string name);
 
-/// The claim depends on these symbols, and nothing says that all their values are meant. `assumed`: it fails
-/// though assumptions bear on it.
-[[nodiscard]] Diagnostic law_diagnostic(const ExprTree& tree, const Names& names, const Claim& claim,
-                                        const std::vector<SymbolId>& open, bool assumed);
+/// The claim is a law by its letters, but announced as a conclusion, or assumptions bear on it: and it
+/// follows from nothing. Known letters with similar names may be meant.
+[[nodiscard]] Diagnostic without_ground(const ExprTree& tree, const Names& names, const Claim& claim,
+                                        const Judgement& judgement);
 
 }  // namespace rigor

@@ -31,19 +31,24 @@ bool fits(const ParsedChain& parsed, ChainReading& reading) {
   return true;
 }
 
-/// Each expectation is about one refuted step of the next chain, the first ones; cyclic images are the same
-/// statement again.
-void excuse_refuted(Walk& walk, const ParsedChain& parsed, std::size_t first_step) {
+/// Each expectation is about one step of the next chain with this verdict, the first ones; cyclic images are
+/// the same statement again.
+void meet_expectations(Walk& walk, const ParsedChain& parsed, std::size_t first_step) {
   if (parsed.image == 0) walk.next.in_force = std::exchange(walk.next.expectations, {});
-  std::size_t excused = 0;
-  for (std::size_t k = first_step; k < walk.report.steps.size() && excused < walk.next.in_force.size(); ++k) {
-    if (walk.report.steps[k].verdict != Verdict::refuted) continue;
-    walk.report.steps[k].expected_refuted = true;
-    ++excused;
+  std::set<std::size_t> met;
+  for (const Directive* expectation : walk.next.in_force) {
+    std::size_t k = first_step;
+    const auto meets = [&] {
+      return walk.report.steps[k].verdict == expectation->expected && !met.contains(k);
+    };
+    while (k < walk.report.steps.size() && !meets()) ++k;
+    if (k < walk.report.steps.size()) {
+      met.insert(k);
+      walk.report.steps[k].expected_refuted = expectation->expected == Verdict::refuted;
+    } else if (parsed.image == 0) {
+      report_unmet(walk, *expectation, parsed.written.span);
+    }
   }
-  if (parsed.image > 0) return;
-  for (; excused < walk.next.in_force.size(); ++excused)
-    report_unmet(walk, *walk.next.in_force[excused], parsed.written.span);
 }
 
 /// An expression without a relation is passed over with a warning, unless it cannot even be read: then it is
@@ -119,9 +124,9 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
          {},
          {"write `(\\text{no sum})` next to the equation"}});
   }
-  if (walk.request.explains) walk.asked.assign(parsed.written.relations.size(), {});
+  std::vector<WrittenStep> asked(walk.request.explains ? parsed.written.relations.size() : 0);
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k)
-    take_step(walk, parsed, k, *reading, context);
+    take_step(walk, parsed, k, *reading, context, asked.empty() ? nullptr : &asked[k]);
   if (walk.options.recorded == nullptr && decides(walk) && !context.first_order) {
     RowPlace place = place_here(walk);
     explain_slips(place, parsed, *reading, first_step, std::span(walk.report.steps).subspan(first_step));
@@ -129,7 +134,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
   }
   const std::vector<Side>& sides = reading->sides;
   if (parsed.others.empty()) mark_seen(walk, sides);
-  if (is_claimed(context.role)) excuse_refuted(walk, parsed, first_step);
+  if (is_claimed(context.role)) meet_expectations(walk, parsed, first_step);
   const auto guess = guess_of(reading->reading());
   Statement statement{.chain = &parsed,
                       .event = walk.event,
@@ -139,7 +144,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
                       .guessed = guess && guess->kind == DiagnosticKind::ambiguous_reading,
                       .first_step = first_step,
                       .step_count = walk.report.steps.size() - first_step,
-                      .asked = std::exchange(walk.asked, {})};
+                      .asked = std::move(asked)};
   for (const Side& side : sides) statement.sides.push_back(side.typed);
   walk.ledger.entries.push_back({scope_here(walk), std::move(statement)});
 }
@@ -163,7 +168,8 @@ void report_unmet(Walk& walk, const Directive& expectation, Span statement) {
   if (!decides(walk)) return;
   walk.report.diagnostics.push_back({DiagnosticKind::unexpected_verdict,
                                      expectation.span,
-                                     "the next statement was expected to be refuted and is not",
+                                     fmt::format("the next statement was expected to be {} and is not",
+                                                 expectation.expected == Verdict::law ? "a law" : "refuted"),
                                      {{statement, "this statement"}}});
 }
 

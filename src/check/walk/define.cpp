@@ -209,13 +209,15 @@ bool redefines(Walk& walk, const Judgement& judgement, const ParsedChain& parsed
     return false;
   const NamedDefinition* earlier =
       definition_of(walk.names.scope, as_definition(walk.tree, walk.names.scope, left, right)->symbol);
-  const bool law = std::ranges::any_of(judgement.diagnostics, [](const Diagnostic& diagnostic) {
-    return diagnostic.kind == DiagnosticKind::undeclared_symbol;
-  });
   const std::string& lead = walk.notes.prose.beside[walk.event].lead;
   const bool stated = !concludes(walk, *earlier) && !word_that_demands(lead) && !word_of_a_case(lead);
-  const bool elsewhere = law && earlier->origin.section != walk.section;
+  const bool elsewhere = judgement.verdict == Verdict::law && earlier->origin.section != walk.section;
   if (!elsewhere && !(judgement.verdict == Verdict::refuted && stated)) return false;
+  // `\omega_0 = 5.0\,\mathrm{s^{-1}}` is a value of what was defined.
+  const std::vector<SymbolId> right_symbols = symbols_in(walk.tree, right.id);
+  const bool value = std::ranges::all_of(
+      right_symbols, [&](SymbolId each) { return walk.tree.symbols[each].unit_of_measure.has_value(); });
+  if (value && !right_symbols.empty()) return false;
   RowPlace here = place_here(walk);
   const bool holds_here = is_used_here(standpoint(here, parsed), walk.names, earlier->origin,
                                        earlier->definition.symbol, here.found.used);

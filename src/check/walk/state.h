@@ -61,7 +61,6 @@ struct Walk {
   std::vector<std::pair<std::size_t, SymbolId>> for_all = {};    // the same
   Sample sample = {};  // the last one that met the assumptions in force
   SaidAbove above = {};
-  std::vector<WrittenStep> asked = {};  // of the chain at hand, where that is wanted
   SaidForNext next = {};
 };
 
@@ -76,13 +75,16 @@ inline void add_used(Walk& walk, const Directives& used) { walk.used.insert(used
 
 /// Is the chain, or the one that it is a cyclic image of, expected to be refuted?
 [[nodiscard]] inline bool expects_refuted(const Walk& walk, const ParsedChain& parsed) {
-  return !walk.next.expectations.empty() || (parsed.image > 0 && !walk.next.in_force.empty());
+  const auto refuted = [](const Directive* each) { return each->expected == Verdict::refuted; };
+  return std::ranges::any_of(walk.next.expectations, refuted) ||
+         (parsed.image > 0 && std::ranges::any_of(walk.next.in_force, refuted));
 }
 
 /// What a decision found.
 inline void take_over(Walk& walk, RowPlace::Found found) {
   add_used(walk, found.used);
   std::move(found.laws.begin(), found.laws.end(), std::back_inserter(walk.above.laws));
+  std::move(found.stated.begin(), found.stated.end(), std::back_inserter(walk.above.stated));
 }
 
 /// Where the walk is, for a decision.

@@ -161,7 +161,7 @@ void add_step(Walk& walk, Step step) {
 }
 
 void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainReading& reading,
-               const Context& context) {
+               const Context& context, WrittenStep* asked) {
   const auto start = Clock::now();
   walk.options.cache->begin(walk.options.effort);
   Step step = new_step(walk, parsed, which, context);
@@ -173,7 +173,7 @@ void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainRe
                   .role = context.role,
                   .first_order = context.first_order,
                   .unsettled = is_unsettled(parsed, step.span),
-                  .asked = walk.request.explains ? &walk.asked[which] : nullptr};
+                  .asked = asked};
   const bool up_to_order = decides(walk) && is_up_to_order(row);
   for (const std::size_t side : {which, which + 1}) {
     if (up_to_order) break;  // they are not read as wholes

@@ -50,7 +50,8 @@ void report_unmet(Walk& walk, const Directive& expectation, Span statement);
 [[nodiscard]] Step new_step(const Walk& walk, const ParsedChain& parsed, std::size_t which,
                             const Context& context);
 void add_step(Walk& walk, Step step);
+/// `asked` gets what the exact side was asked; null where that is not wanted.
 void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainReading& reading,
-               const Context& context);
+               const Context& context, WrittenStep* asked);
 
 }  // namespace rigor

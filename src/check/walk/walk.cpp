@@ -40,15 +40,20 @@ const WrittenChain* chain_of(const ParsedDisplay& display, const Step& step) {
   return nullptr;
 }
 
+/// It is not meant for all values.
+bool may_be_condition(const Step& step) {
+  return step.verdict == Verdict::law ||
+         std::ranges::any_of(step.diagnostics, [](const Diagnostic& diagnostic) {
+           return diagnostic.kind == DiagnosticKind::follows_from_nothing;
+         });
+}
+
 /// `(A×B)² = A²B², A·B = 0`: a law next to an equation on its line may be the condition under which it holds.
 /// Then what is refuted without it is not understood. So a line's verdicts are final when its display is
 /// over.
 void settle_lines(const ParsedDisplay& display, std::span<Step> steps) {
   for (const Step& law : steps) {
-    const bool is_law = std::ranges::any_of(law.diagnostics, [](const Diagnostic& reason) {
-      return reason.kind == DiagnosticKind::undeclared_symbol;
-    });
-    const WrittenChain* condition = is_law ? chain_of(display, law) : nullptr;
+    const WrittenChain* condition = may_be_condition(law) ? chain_of(display, law) : nullptr;
     if (condition == nullptr) continue;
     for (Step& step : steps) {
       if (step.verdict != Verdict::refuted || step.expected_refuted) continue;
@@ -184,6 +189,7 @@ void follow(Walk& walk, const Heading& heading) {
   end_section(walk);
   leave_frames(walk.tree, walk.names, heading.level, walk.used);
   open_section(walk.names, heading.level);
+  walk.names.symbols.evidence = Shared(evidence_of_section(walk.sources, walk.notes, walk.event));
   walk.ledger.entries.push_back({scope_here(walk), SectionBegins{}});
   walk.section = heading.title;
 }
@@ -192,8 +198,6 @@ Ledger to_the_end(Walk& walk) {
   for (std::size_t k = 0; k < walk.notes.events.size(); ++k) {
     walk.event = k;
     std::visit([&](const auto& event) { follow(walk, event); }, walk.notes.events[k]);
-    if (std::holds_alternative<Heading>(walk.notes.events[k]))
-      walk.names.symbols.evidence = Shared(evidence_of_section(walk.sources, walk.notes, k));
     walk.ledger.behind_events.push_back(scope_here(walk));
     if (walk.options.progress) walk.options.progress(k + 1, walk.notes.events.size());
   }

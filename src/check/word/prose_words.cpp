@@ -330,6 +330,24 @@ bool announces_a_conclusion(std::string_view lead) {
   return false;
 }
 
+bool says_that_it_follows(std::string_view lead) {
+  static constexpr std::array<std::string_view, 12> concluding{
+      "therefore", "hence",    "thus",   "follows", "consequently", "accordingly",
+      "implies",   "conclude", "obtain", "obtains", "becomes",      "reduces"};
+  static constexpr std::array<std::string_view, 6> of_degree{"far",   "called", "small",
+                                                             "large", "long",   "much"};
+  static constexpr std::array<std::string_view, 4> pointing{"which", "this", "that", "it"};
+  const Words words = words_of(lead);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one_of(words[k], concluding)) return true;
+    if (words[k] == "so" && !is_one_of(word_at(words, k + 1), of_degree)) return true;
+    if (words[k] == "we" && word_at(words, k + 1) == "find") return true;
+    const bool gives = word_at(words, k + 1) == "gives" || word_at(words, k + 1) == "yields";
+    if (gives && is_one_of(words[k], pointing)) return true;
+  }
+  return false;
+}
+
 bool has_own_words(std::string_view lead) {
   static constexpr std::array<std::string_view, 66> pointing{"we",
                                                              "this",

@@ -36,6 +36,9 @@ namespace rigor {
 [[nodiscard]] std::optional<std::string> word_of_a_case(std::string_view sentence);
 /// "therefore", "hence", "we find", "gives", "i.e.": what follows is concluded.
 [[nodiscard]] bool announces_a_conclusion(std::string_view lead);
+/// "therefore", "hence", "so", "which gives": only words that claim that it follows. "Then" and "is equal to"
+/// also bring in what is merely stated.
+[[nodiscard]] bool says_that_it_follows(std::string_view lead);
 /// Does it name anything of its own, as "going down, so" and "the plate then gives" do, and "this gives" and
 /// "we therefore find" do not?
 [[nodiscard]] bool has_own_words(std::string_view lead);

@@ -6,6 +6,7 @@
 
 #include "base/version.h"
 #include "report/data/json_value.h"
+#include "report/wording/laws_of.h"
 
 namespace rigor {
 namespace {
@@ -118,6 +119,9 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
   const auto json_of_dimension = [](const SymbolDimension& entry) {
     return Json{{"symbol", entry.symbol}, {"dimension", or_null(entry.dimension)}};
   };
+  const auto json_of_law = [&](const LawUse& law) {
+    return placed({{"name", law.name}, {"used", law.used}}, law.span, sources);
+  };
   return {{"file", file.path},
           {"steps", array_of(file.steps, [&](const Step& step) { return json_of(step, sources); })},
           {"diagnostics", json_of(file.diagnostics, sources)},
@@ -125,6 +129,7 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
           {"counts", json_of(file.counts)},
           {"sidecar", or_null(file.sidecar)},
           {"dimensions", array_of(file.dimensions, json_of_dimension)},
+          {"laws", array_of(laws_of(file, sources), json_of_law)},
           {"failure", or_null(file.failure)}};
 }
 
@@ -133,6 +138,7 @@ Json json_of(const FileReport& file, const SourceMap& sources) {
 std::string to_json(const Report& report, const SourceMap& sources) {
   return to_text(
       {{"rigor", version},
+       {"format", 2},
        {"files", array_of(report.files, [&](const FileReport& file) { return json_of(file, sources); })},
        {"counts", json_of(report.counts)}});
 }

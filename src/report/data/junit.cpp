@@ -100,7 +100,8 @@ class JunitSuites {
                    step.span, step.milliseconds};
     Weight worst = Weight::warning;
     for (const Diagnostic& diagnostic : step.diagnostics) tell(test, {&diagnostic, &step}, worst);
-    const bool open = step.verdict == Verdict::undecided || step.verdict == Verdict::not_understood;
+    const bool open = step.verdict == Verdict::undecided || step.verdict == Verdict::not_understood ||
+                      step.verdict == Verdict::suspect;
     if (test.outcome.empty() && (open || (step.verdict == Verdict::refuted && !step.expected_refuted))) {
       test.outcome = "failure";
       test.type = name_of(step.verdict);

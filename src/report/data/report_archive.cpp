@@ -74,12 +74,12 @@ void fields(Archive& archive, Repair& repair) {
 template <class Archive>
 void fields(Archive& archive, Step& step) {
   auto& [span, relation_span, tag, label, section, source, left, relation, right, verdict, expected_refuted,
-         route, uses, counterexample, chain, repairs, conditions, repair_milliseconds, diagnostics,
+         restates, route, uses, counterexample, chain, repairs, conditions, repair_milliseconds, diagnostics,
          milliseconds, work] = step;
   archive(span, relation_span, tag, label, section, source, left, relation, right);
   archive.bounded(verdict, verdict_count);
-  archive(expected_refuted, route, uses, counterexample, chain, repairs, conditions, repair_milliseconds,
-          diagnostics, milliseconds, work);
+  archive(expected_refuted, restates, route, uses, counterexample, chain, repairs, conditions,
+          repair_milliseconds, diagnostics, milliseconds, work);
 }
 
 template <class Archive>

@@ -78,6 +78,10 @@ std::string document_mark(const Step& step) {
         return {"open", "?"};
       case Verdict::not_understood:
         return {"open", "\\oslash"};
+      case Verdict::law:
+        return {"quiet", "\\S"};
+      case Verdict::suspect:
+        return {"refuted", "!"};
       case Verdict::skipped:
         break;
     }

@@ -31,10 +31,12 @@ StepMark mark_of(const Step& step) {
       return malformed ? StepMark::open : StepMark::proved;
     case Verdict::given:
     case Verdict::definition:
+    case Verdict::law:
       return malformed ? StepMark::open : StepMark::given;
     case Verdict::undecided:
     case Verdict::not_understood:
     case Verdict::skipped:
+    case Verdict::suspect:
       break;
   }
   return StepMark::open;

@@ -148,7 +148,9 @@ constexpr std::array<VerdictMeaning, verdict_count> meanings{
      {Verdict::definition, "gives a name to something"},
      {Verdict::undecided, "neither proved nor refuted, for the reason that is given"},
      {Verdict::not_understood, "the notation is not read, so nothing is claimed"},
-     {Verdict::skipped, "left out because a directive says so"}}};
+     {Verdict::skipped, "left out because a directive says so"},
+     {Verdict::law, "stated, not concluded: it relates quantities, and later rows can follow from it"},
+     {Verdict::suspect, "does not follow, but one slip of the pen away stands something that does"}}};
 
 std::string filter_button(std::string_view kind, std::string_view sign, std::string_view words,
                           std::size_t count, bool pressed) {

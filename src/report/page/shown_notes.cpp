@@ -163,9 +163,11 @@ bool needs_attention(const Step& step) {
       return !step.expected_refuted;
     case Verdict::undecided:
     case Verdict::not_understood:
+    case Verdict::suspect:
       return true;
     case Verdict::given:
     case Verdict::definition:
+    case Verdict::law:
     case Verdict::skipped:
       break;
   }
@@ -173,7 +175,8 @@ bool needs_attention(const Step& step) {
 }
 
 std::string_view sign_of(Verdict verdict) {
-  static constexpr std::array<std::string_view, verdict_count> signs{"✓", "✗", "◆", "≔", "?", "⊘", "–"};
+  static constexpr std::array<std::string_view, verdict_count> signs{"✓", "✗", "◆", "≔", "?",
+                                                                     "⊘", "–", "§", "!"};
   return signs.at(static_cast<std::size_t>(verdict));
 }
 

@@ -45,10 +45,12 @@ std::string print_summary(const Report& report) {
   const auto count = [&](Verdict verdict) { return report.counts[static_cast<std::size_t>(verdict)]; };
   std::string text = count_of(extras.steps, "step");
   if (report.files.size() > 1) text += fmt::format(" in {} files", report.files.size());
-  text += fmt::format(": {} proved, {}, {} given, {} refuted", count(Verdict::proved),
-                      count_of(count(Verdict::definition), "definition"), count(Verdict::given),
-                      count(Verdict::refuted));
+  text += fmt::format(": {} proved, {}, {} given, ", count(Verdict::proved),
+                      count_of(count(Verdict::definition), "definition"), count(Verdict::given));
+  if (count(Verdict::law) > 0) text += count_of(count(Verdict::law), "law") + ", ";
+  text += fmt::format("{} refuted", count(Verdict::refuted));
   if (extras.expected > 0) text += fmt::format(" ({} as expected)", extras.expected);
+  if (count(Verdict::suspect) > 0) text += fmt::format(", {} suspect", count(Verdict::suspect));
   text += fmt::format("; {} undecided, {} not understood, {} skipped", count(Verdict::undecided),
                       count(Verdict::not_understood), count(Verdict::skipped));
   if (extras.errors > 0) text += "; " + count_of(extras.errors, "error");

@@ -10,6 +10,7 @@
 #include "base/paint.h"
 #include "base/utf8.h"
 #include "report/wording/diagnostics_of.h"
+#include "report/wording/laws_of.h"
 #include "report/wording/sample.h"
 #include "source/render.h"
 
@@ -51,9 +52,11 @@ Paint paint_of(const Step& step) {
       return step.expected_refuted ? Paint::good : Paint::bad;
     case Verdict::given:
     case Verdict::definition:
+    case Verdict::law:
       return Paint::plain;
     case Verdict::undecided:
     case Verdict::not_understood:
+    case Verdict::suspect:
       return Paint::open;
     case Verdict::skipped:
       return Paint::faint;
@@ -167,6 +170,8 @@ std::string print_report(const Report& report, const SourceMap& sources, const T
     if (!file.failure.empty())
       text += paint("internal error: ", Paint::bad, options.color) + printable(file.failure) + "\n";
     if (options.dimensions) text += print_dimensions(file);
+    if (const std::string laws = print_laws(laws_of(file, sources)); !laws.empty())
+      text += "\n" + printable(laws) + "\n";
     text += "\n";
   }
   return text + print_summary(report) + "\n";

@@ -31,6 +31,7 @@ Weight weight_of(const PlacedDiagnostic& placed, bool strict) {
       return placed.step != nullptr && placed.step->expected_refuted ? Weight::expected : Weight::wrong;
     case Severity::undecided:
     case Severity::not_understood:
+    case Severity::suspect:
       return Weight::open;
     case Severity::warning:
       return strict ? Weight::wrong : Weight::warning;

@@ -105,7 +105,7 @@ TEST_CASE("the format follows from the name of the file") {
 TEST_CASE("a sidecar beside the notes is found by itself") {
   const Folder folder;
   const std::string notes = folder.write("notes.md", symmetric);
-  CHECK(checked_file(notes) == "not-understood ");
+  CHECK(checked_file(notes) == "law ");
   folder.write("notes.rigor", "symmetric tensor T\n");
   CHECK(checked_file(notes) == "proved ");
 }
@@ -167,7 +167,6 @@ TEST_CASE("progress is told while a file is checked") {
   std::size_t told = 0;
   CheckOptions options;
   options.progress = [&](std::size_t done, std::size_t all) { told += done == all ? 1U : 0U; };
-  CHECK(kinds(check_text(sources, "notes.md", symmetric + symmetric, options)) ==
-        "not-understood not-understood ");
+  CHECK(kinds(check_text(sources, "notes.md", symmetric + symmetric, options)) == "law proved ");
   CHECK(told == 1);
 }

@@ -89,6 +89,18 @@ TEST_CASE("a sum is idle over an index that its terms do not have, unless it cou
   CHECK(warnings(display("\\sum_i \\mathbf{e}_i\\cdot\\mathbf{e}_i = 3")).empty());
 }
 
+TEST_CASE("a name that differs from another one by a slip is reported where it stands alone") {
+  const std::string known = display("2T_{rot} = I\\omega^2") + display("T_{rot} = K");
+  CHECK(warnings(known + display("aT_{rto} = b")) == "3:4 near-name");
+  CHECK(warnings(known + display("aT_{rat} = b")) == "3:4 near-name");
+  CHECK(warnings(known + display("aT_{kin} = b")).empty());
+  CHECK(warnings(known + display("aE_{rto} = b")).empty());
+  CHECK(warnings(known + display("aT_{rto} = T_{rot}")).empty());
+  CHECK(warnings(known + display("aT_{rto} = b") + display("cT_{rto} = b")).empty());
+  CHECK(warnings(known + "<!-- rigor: scalar T_{rto} -->\n\n" + display("aT_{rto} = b")).empty());
+  CHECK(warnings(display("a\\omega_p = b") + display("c\\omega_c = d")).empty());
+}
+
 TEST_CASE("a step of a chain that repeats its left side is reported at the right one") {
   CHECK(warnings(display("(a + b)^2 = (a + b)(a + b) = (a + b)(a + b)")) == "1:32 repeated-side");
   CHECK(warnings(display("a b = ab = ba")) == "1:9 repeated-side");

@@ -115,7 +115,7 @@ TEST_CASE("an assumption about a sum over particles is used inside other sums") 
 
 TEST_CASE("a declaration makes a letter hold for all values") {
   const std::string symmetric = "$$T_{ij} = T_{ji}$$\n";
-  CHECK(lines_of(symmetric) == "not-understood 1:10 undeclared-symbol\n");
+  CHECK(lines_of(symmetric) == "law\n");
   CHECK(lines_of(rigor_says("for all T_{ij}") + symmetric) == "refuted 2:10 refuted\n");
   CHECK(lines_of(rigor_says("symmetric tensor T") + symmetric) == "proved\n");
   CHECK(lines_of(rigor_says("for all T_{ij}") + rigor_says("symmetric tensor S") + symmetric +

@@ -25,12 +25,13 @@ using Keys = std::vector<std::string>;
 TEST_CASE("the keys of the report, a file, the counts and a step are the documented ones, in order") {
   SourceMap sources;
   const Json json = parsed(example_report(sources), sources);
-  CHECK(keys_of(json) == Keys{"rigor", "files", "counts"});
+  CHECK(keys_of(json) == Keys{"rigor", "format", "files", "counts"});
   CHECK(json["rigor"] == std::string(version));
   const Json& file = json["files"][0];
-  CHECK(keys_of(file) ==
-        Keys{"file", "steps", "diagnostics", "silenced", "counts", "sidecar", "dimensions", "failure"});
-  const Keys verdicts{"proved", "refuted", "given", "definition", "undecided", "not-understood", "skipped"};
+  CHECK(keys_of(file) == Keys{"file", "steps", "diagnostics", "silenced", "counts", "sidecar", "dimensions",
+                              "laws", "failure"});
+  const Keys verdicts{"proved",         "refuted", "given", "definition", "undecided",
+                      "not-understood", "skipped", "law",   "suspect"};
   CHECK(keys_of(json["counts"]) == verdicts);
   CHECK(file["counts"] == json["counts"]);
   CHECK(keys_of(file["steps"][0]) ==
@@ -71,7 +72,7 @@ TEST_CASE("labels and help of a diagnostic are arrays, and a severity of two wor
   SourceMap sources;
   Report report = example_report(sources);
   const FileId sidecar = sources.add("notes/products.rigor", "vector A\n");
-  report.files[0].diagnostics.push_back({DiagnosticKind::undeclared_symbol,
+  report.files[0].diagnostics.push_back({DiagnosticKind::unknown_change,
                                          Span{sidecar, 7, 8},
                                          "`A` is not declared",
                                          {{Span{0, 2, 4}, "used here"}},

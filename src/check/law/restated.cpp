@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/law/restated.h"
+
+#include <array>
+
+#include "check/question/decision_cache.h"
+#include "check/verdict/rational_expression.h"
+
+namespace rigor {
+namespace {
+
+ExprId difference(ExprTree& tree, ExprId left, ExprId right) {
+  const ExprNode node = tree[left];
+  const std::array negated{right};
+  const std::array terms{left, tree.add({.op = Op::negate, .rank = node.rank, .span = node.span}, negated)};
+  return tree.add({.op = Op::add, .rank = node.rank, .span = node.span}, terms);
+}
+
+ExprId product(ExprTree& tree, ExprId number, ExprId value) {
+  const std::array factors{number, value};
+  const ExprNode node = tree[value];
+  return tree.add({.op = Op::multiply, .rank = node.rank, .span = node.span}, factors);
+}
+
+}  // namespace
+
+bool restates(ExprTree& tree, const Equation& claim, const Equation& law, DecisionCache* cache) {
+  const bool repeats =
+      !claim.indices.empty() || !claim.particles.empty() || !law.indices.empty() || !law.particles.empty();
+  if (repeats || claim.relation != Relation::equal || law.relation != Relation::equal) return false;
+  if (tree[claim.left].rank != tree[law.left].rank) return false;
+  Question question{.tree = &tree, .claim = claim};
+  const Decision decision = decide(cache, question, {.simplest_sample = false});
+  if (decision.outcome != Outcome::refuted) return false;
+  const Sample& sample = *decision.sample;
+  question.claim = law;
+  const auto sides = replay(question, sample);
+  if (!sides) return false;
+  const Span span = tree[claim.left].span;
+  const auto number = [&](const std::string& left, const std::string& right) {
+    return difference(tree, add_rational(tree, span, left), add_rational(tree, span, right));
+  };
+  const ExprId of_law = number(sides->left, sides->right);
+  const ExprId of_claim = number(sample.left, sample.right);
+  question.claim.left = product(tree, of_law, difference(tree, claim.left, claim.right));
+  question.claim.right = product(tree, of_claim, difference(tree, law.left, law.right));
+  const Decision same = decide(cache, question, {.simplest_sample = false});
+  return same.outcome == Outcome::proved && !same.vanishes;
+}
+
+}  // namespace rigor

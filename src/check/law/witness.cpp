@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/law/witness.h"
+
+#include <array>
+#include <set>
+
+#include "check/meaning/identity_reading.h"
+#include "check/question/decision_cache.h"
+#include "check/question/question.h"
+
+namespace rigor {
+namespace {
+
+class NonZero {
+ public:
+  explicit NonZero(ExprTree& tree) : tree_(tree) {}
+
+  void add(const Equation& equation) {
+    for (const ExprId side : {equation.left, equation.right}) {
+      const ExprId other = side == equation.left ? equation.right : equation.left;
+      const bool vanishes = tree_.is_zero_literal(other);
+      if (vanishes && tree_[side].op == Op::symbol) zero_.insert(tree_[side].symbol);
+      for (const SymbolId symbol : symbols_in(tree_, side)) letters_.insert(base_of(tree_.symbols, symbol));
+      const bool repeats = !equation.indices.empty() || !equation.particles.empty();
+      if (repeats || tree_.is_zero_literal(side)) continue;
+      const std::vector<SignedTerm> terms = signed_terms(tree_, side);
+      if (!vanishes) exprs_.insert(side);
+      if (terms.size() == 1) continue;
+      for (const SignedTerm& term : terms) exprs_.insert(term.id);
+    }
+  }
+
+  /// As assumptions.
+  [[nodiscard]] std::vector<Equation> conditions(const std::vector<SymbolId>& zeroed) {
+    const std::set<SymbolId> zeros(zeroed.begin(), zeroed.end());
+    std::vector<Equation> conditions;
+    const auto take = [&](ExprId expr) {
+      if (auto condition = is_not_zero(expr)) conditions.push_back(*std::move(condition));
+    };
+    for (const SymbolId letter : letters_) {
+      const Symbol symbol = tree_.symbols[letter];
+      if (symbol.per_particle || symbol.rank > 1 || symbol.rotation || symbol.unit_of_measure) continue;
+      if (zero_.contains(letter) || zeros.contains(letter)) continue;
+      take(tree_.add({.op = Op::symbol, .rank = static_cast<std::uint8_t>(symbol.rank), .symbol = letter}));
+    }
+    for (const ExprId expr : exprs_) take(expr);
+    return conditions;
+  }
+
+ private:
+  [[nodiscard]] std::optional<Equation> is_not_zero(ExprId expr) {
+    const ExprNode node = tree_[expr];
+    if (node.rank > 1 || symbols_in(tree_, expr).empty()) return std::nullopt;
+    Equation condition;
+    condition.left = expr;
+    if (node.rank == 1) {
+      const std::array sides{expr, expr};
+      condition.left = tree_.add({.op = Op::dot, .span = node.span}, sides);
+    }
+    condition.right = tree_.add_number(node.span, "0");
+    condition.relation = Relation::unequal;
+    return condition;
+  }
+
+  ExprTree& tree_;
+  std::set<SymbolId> letters_;
+  std::set<SymbolId> zero_;  // set equal to 0 as they stand
+  std::set<ExprId> exprs_;
+};
+
+}  // namespace
+
+bool is_met_without_zeros(ExprTree& tree, const Names& names, const Equation& claim,
+                          const std::vector<const PageLaw*>& laws, DecisionCache* cache) {
+  NonZero nonzero(tree);
+  nonzero.add(claim);
+  for (const PageLaw* law : laws) nonzero.add(law->equation);
+  Question question = prepare(tree, names, claim).question;
+  for (Equation& condition : nonzero.conditions(question.zeroed))
+    question.assumptions.push_back(std::move(condition));
+  question.tree = &tree;
+  return satisfying_sample(cache, question, {}, {}).has_value();
+}
+
+}  // namespace rigor

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An exact value of a sample as a part of another question.
+#pragma once
+
+#include <string>
+
+#include "expr/tree/tree.h"
+
+namespace rigor {
+
+/// `-3/2` as an expression.
+[[nodiscard]] ExprId add_rational(ExprTree& tree, Span span, const std::string& value);
+
+}  // namespace rigor
