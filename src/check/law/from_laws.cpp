@@ -114,7 +114,8 @@ class Following {
   }
 
   [[nodiscard]] static Names with(Names names, const Laws& laws, const std::vector<SymbolId>& constants) {
-    for (const PageLaw* law : laws) assume(names.scope, {law->equation, Origin{law->name, {}, std::nullopt}});
+    for (const PageLaw* law : laws)
+      assume(names.scope, {law->equation, Origin{law->name, {}, std::nullopt}, 0, law->at_instant});
     for (const SymbolId constant : constants) declare_constant(names.scope, constant, std::nullopt);
     return names;
   }
@@ -129,7 +130,7 @@ class Following {
     std::erase_if(unknown, [&](SymbolId symbol) {
       const NameKey* key = key_of(names.symbols, symbol);
       return tree_.symbols[symbol].rank > 0 || key == nullptr ||
-             is_changing(*names.symbols.evidence, key->base);
+             may_be_changing(*names.symbols.evidence, key->base);
     });
     // Who differentiates a whole term means it to change: g of `\nabla(f + g)`.
     for (const ExprId term : terms_of(prepared)) {
@@ -190,7 +191,10 @@ class Following {
   }
 
   std::optional<FromLaws> prove_with(const Laws& set) {
-    const std::vector<SymbolId> constants = constants_by_evidence(with(names_, set, {}));
+    // What holds at one moment says nothing of rates, so nothing is concluded of what is constant there.
+    const bool momentary = std::ranges::any_of(set, [](const PageLaw* law) { return law->at_instant; });
+    const std::vector<SymbolId> constants =
+        momentary ? std::vector<SymbolId>{} : constants_by_evidence(with(names_, set, {}));
     if (set.empty() && constants.empty()) return std::nullopt;
     const auto named = named_in_proof(with(names_, set, constants));
     if (!named) return std::nullopt;
@@ -198,7 +202,8 @@ class Following {
     std::copy_if(set.begin(), set.end(), std::back_inserter(used),
                  [&](const PageLaw* law) { return is_one_of(law->name, *named); });
     if (used.size() < set.size() && used.empty() && constants.empty()) return std::nullopt;
-    const std::vector<SymbolId> needed = constants_by_evidence(with(names_, used, {}));
+    const std::vector<SymbolId> needed =
+        momentary ? std::vector<SymbolId>{} : constants_by_evidence(with(names_, used, {}));
     const Names from = with(names_, used, needed);
     FromLaws found{judge(tree_, from, claim_, limits_of_sets, cache_)};
     if (found.judgement.verdict != Verdict::proved) return std::nullopt;

@@ -25,6 +25,7 @@ struct PageLaw {
   Span span = {};
   std::size_t place = 0;      // its section, as `Sections` counts them
   std::size_t paragraph = 0;  // and its paragraph
+  bool at_instant = false;    // it may hold at one moment or place only: it says nothing of rates
   bool of_a_case = false;     // behind "for critical damping": it holds in its paragraph only
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -28,17 +29,6 @@ bool means_the_same(const RowPlace& place, const StatedLaw& stated) {
     const auto then = body_of_definition(stated.scope, letter);
     return !then || then == body_of_definition(place.names.scope, letter);
   });
-}
-
-/// Above in this section or one around it; of earlier sections, what is not said for a case or an example.
-bool is_available(const RowPlace& place, const StatedLaw& stated) {
-  const ProseBeside& here = beside(place);
-  const Sections& sections = place.notes.prose.sections;
-  const PageLaw& law = stated.law;
-  if (law.of_a_case && law.paragraph != here.paragraph) return false;
-  const bool reaches = sections.reaches(law.place, here.place);
-  if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place))) return false;
-  return means_the_same(place, stated);
 }
 
 /// `\omega_0 = 5.0\,\mathrm{s^{-1}}`: a letter and a number, of an example.
@@ -65,15 +55,88 @@ bool names_coordinates(const ExprTree& tree, const Equation& equation) {
   return tree[equation.left].op == Op::symbol && tree[equation.right].op == Op::tuple;
 }
 
+/// "At the top", "the boundary condition is", "for instance": words before a row that say it for a moment, a
+/// place or one example.
+bool is_of_a_moment(const RowPlace& place) {
+  static constexpr auto moments = std::to_array<std::string_view>(
+      {"when",    "where",   "whenever",    "initially", "boundary", "surface", "interface", "edge",
+       "wall",    "top",     "bottom",      "turning",   "instant",  "moment",  "meet",      "meets",
+       "reaches", "reached", "vanishes",    "maximum",   "minimum",  "once",    "until",     "after",
+       "before",  "during",  "starts",      "ends",      "instance", "example", "however",   "clamped",
+       "fixed",   "rest",    "equilibrium", "grounded",  "finally"});
+  static constexpr std::array<std::string_view, 5> all{"all", "any", "every", "each", "least"};
+  const std::string lead = lowered(beside(place).lead);
+  const std::vector<std::string_view> words = words_of(lead);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one_of(words[k], moments)) return true;
+    if (words[k] == "at" && (k + 1 == words.size() || !is_one_of(words[k + 1], all))) return true;
+  }
+  const std::string tail = lowered(beside(place).tail);
+  const std::vector<std::string_view> behind = words_of(tail);
+  return !behind.empty() && (behind[0] == "at" || behind[0] == "when" || behind[0] == "initially");
+}
+
+/// `\dot x = 0`, `x = a`, `\phi_1 = \phi_2`: letters and nothing else.
+bool sets_letters_equal(const ExprTree& tree, const Equation& equation) {
+  const auto is_bare = [&](ExprId side) {
+    return tree[side].op == Op::symbol || tree[side].op == Op::number;
+  };
+  return (is_bare(equation.left) || tree.is_zero_literal(equation.left)) &&
+         (is_bare(equation.right) || tree.is_zero_literal(equation.right));
+}
+
+/// `H\psi = E\psi`: who does not cancel the common factor does not mean a product of numbers.
+bool keeps_a_common_factor(const ExprTree& tree, const Equation& equation) {
+  const auto factors_of = [&](ExprId side) {
+    std::vector<SymbolId> factors;
+    if (tree[side].op != Op::multiply) return factors;
+    for (const ExprId factor : tree.children(side)) {
+      if (tree[factor].op == Op::symbol) factors.push_back(tree[factor].symbol);
+    }
+    return factors;
+  };
+  const std::vector<SymbolId> right = factors_of(equation.right);
+  return std::ranges::any_of(factors_of(equation.left),
+                             [&](SymbolId each) { return is_one_of(each, right); });
+}
+
+/// The letter that a law says alone on its left side what it is: F of `F = -kx`.
+std::optional<SymbolId> letter_of_law(const ExprTree& tree, const Equation& equation) {
+  const ExprNode& left = tree[equation.left];
+  const bool alone = left.op == Op::symbol && !tree.symbols[left.symbol].derivation;
+  return alone ? std::optional(left.symbol) : std::nullopt;
+}
+
+/// `F = -kx` and `F = mg`: two cases, each of which holds in its paragraph.
+bool is_one_of_several(const RowPlace& place, const StatedLaw& stated) {
+  const auto letter = letter_of_law(place.tree, stated.law.equation);
+  return letter && std::ranges::any_of(place.above.stated, [&](const StatedLaw& other) {
+           return &other != &stated && letter_of_law(place.tree, other.law.equation) == letter;
+         });
+}
+
+/// Above in this section or one around it; of earlier sections, what is not said for a case or an example.
+bool is_available(const RowPlace& place, const StatedLaw& stated) {
+  const ProseBeside& here = beside(place);
+  const Sections& sections = place.notes.prose.sections;
+  const PageLaw& law = stated.law;
+  if (law.of_a_case && law.paragraph != here.paragraph) return false;
+  if (law.paragraph != here.paragraph && is_one_of_several(place, stated)) return false;
+  const bool reaches = sections.reaches(law.place, here.place);
+  if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place))) return false;
+  return means_the_same(place, stated);
+}
+
 void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::string_view word) {
   if (claim.nearly || claim.equation.relation != Relation::equal || is_alternative(place, row.parsed) ||
-      names_coordinates(place.tree, claim.equation))
+      names_coordinates(place.tree, claim.equation) || keeps_a_common_factor(place.tree, claim.equation))
     return;
   const ProseBeside& here = beside(place);
+  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, claim.equation);
   place.found.stated.push_back(
       {{claim.equation, name_of_law(row.parsed.written.tag, claim.relation, place.sources, word),
-        claim.relation, here.place, here.paragraph,
-        is_conditional(place) || is_value(place.tree, claim.equation)},
+        claim.relation, here.place, here.paragraph, momentary,
+        momentary || is_conditional(place) || is_value(place.tree, claim.equation)},
        place.names.scope,
        is_of_a_case(place) || is_headed_as_example(place)});
 }

@@ -33,6 +33,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
       see_changing(notes.syntax, side, evidence);
     }
     see_components(notes.syntax, chain.sides, evidence);
+    see_ties(notes.syntax, chain.sides, evidence);
     see_order(notes.syntax, chain.sides, chain.written, evidence);
     see_letters(notes.syntax, chain.sides, chain.written, evidence);
     see_functions(notes.syntax, chain.sides, evidence);
@@ -49,6 +50,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   see_said(text, evidence);
   see_unit_matrices(text, evidence);
   see_spaces(text, evidence);
+  see_said_changes(text, evidence);
   see_inline_functions(text, evidence);
   see_said_raised(text, evidence);
 }
@@ -72,6 +74,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_said(title->title, evidence);
         see_heading(title->title, evidence);
         see_spaces(title->title, evidence);
+        see_said_changes(title->title, evidence);
         see_said_raised(title->title, evidence);
       }
       last = place;
@@ -84,7 +87,11 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
     }
     for (const SaidInLine& said : notes.prose.said) {
       if (said.before < begin || said.before > k) continue;
-      for (const ParsedChain& chain : said.chains) see_components(notes.syntax, chain.sides, evidence);
+      for (const ParsedChain& chain : said.chains) {
+        see_components(notes.syntax, chain.sides, evidence);
+        see_ties(notes.syntax, chain.sides, evidence);
+        for (const SyntaxId side : chain.sides) see_changing(notes.syntax, side, evidence);
+      }
     }
     if (k == notes.events.size()) {
       const auto size = static_cast<std::uint32_t>(sources.text(notes.file).size());
@@ -92,6 +99,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
     }
   }
   settle_order(evidence);
+  settle_changes(evidence);
   return evidence;
 }
 

@@ -31,9 +31,12 @@ struct Evidence {
   std::map<std::string, std::set<std::vector<std::string>>>
       applied;                     // `\psi(x, t)`: letters in brackets behind it
   std::set<std::string> changing;  // letters of which a rate is written, or that have an argument
-  bool third_axis = false;         // a component along z, or three of them: it is not about the plane alone
-  bool operators = false;          // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
-  bool speaks_of_order = false;    // the words speak of matrices or operators: then capitals may be some
+  std::map<std::string, std::set<std::string>> tied;  // m of `m = \mu t`, with what stands on the other sides
+  std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument
+  bool speaks_of_change = false;     // "variable mass", "grows": any letter may change
+  bool third_axis = false;           // a component along z, or three of them: it is not about the plane alone
+  bool operators = false;            // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
+  bool speaks_of_order = false;      // the words speak of matrices or operators: then capitals may be some
   bool order_in_heading = false;   // a heading does, or words of a group: then small letters may be some, too
   bool speaks_of_numbers = false;  // they say "numbers" and name none
   bool speaks_of_complex = false;  // the words do
@@ -101,6 +104,12 @@ void see_said_order(std::string_view text, Evidence& evidence);
 
 /// Letters with letters in brackets behind them, and letters with a dot or under d/dt.
 void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence);
+/// What a letter alone is set equal to.
+void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+/// "The mass grows", "an inhomogeneous medium".
+void see_said_changes(std::string_view text, Evidence& evidence);
+/// When all is seen: what may change because something else does.
+void settle_changes(Evidence& evidence);
 
 /// `\omega(k) = ck`: the first side of a chain.
 void see_functions(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
@@ -115,6 +124,8 @@ void see_inline_functions(std::string_view text, Evidence& evidence);
 
 /// Is it, or the letter that it is with labels and accents, among those that change?
 [[nodiscard]] bool is_changing(const Evidence& evidence, std::string_view name);
+/// Can it change, as far as the section shows?
+[[nodiscard]] bool may_be_changing(const Evidence& evidence, std::string_view name);
 
 /// Does the bracket only show what the symbol depends on, so that `x(t)` is x? It is so if the section
 /// applies the symbol to no other letters, and nobody would write such a product: several letters, a letter

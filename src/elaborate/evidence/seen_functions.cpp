@@ -53,9 +53,13 @@ bool is_never_applied(const WrittenSymbol& symbol) {
 }
 
 /// `x_0` alone is an initial value; any other subscript can be an index.
-void note_changing(const WrittenSymbol& symbol, Evidence& evidence) {
+std::string changing_name(const WrittenSymbol& symbol) {
   const bool initial = symbol.lower.size() == 1 && symbol.lower[0].text == "0";
-  evidence.changing.insert(initial ? symbol.letter + "_0" : symbol.letter);
+  return initial ? symbol.letter + "_0" : symbol.letter;
+}
+
+void note_changing(const WrittenSymbol& symbol, Evidence& evidence) {
+  evidence.changing.insert(changing_name(symbol));
 }
 
 /// The letters of `k` or `x, t`, if the brackets hold nothing else.
@@ -79,6 +83,17 @@ std::string take_letter(std::string_view text, std::size_t& at) {
     return at - begin > 1 ? std::string(text.substr(begin, at - begin)) : std::string{};
   }
   return at < text.size() && is_letter(text[at]) ? std::string(1, text[at++]) : std::string{};
+}
+
+bool is_among(const std::set<std::string>& letters, std::string_view name) {
+  const bool initial = name.ends_with("_{0}") || name.ends_with("_0");
+  for (std::size_t at = 0; at < name.size();) {
+    if (name[at] == '_') return false;  // labels
+    const std::string letter = take_letter(name, at);
+    if (letters.contains(initial ? letter + "_0" : letter)) return true;
+    if (letter.empty()) ++at;
+  }
+  return false;
 }
 
 void see_functions_in(std::string_view formula, Evidence& evidence) {
@@ -153,6 +168,10 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
     if (kind != SyntaxKind::term) continue;
     const std::span<const SyntaxChild> factors = syntax.children(id);
     for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+      const bool differential = syntax[factors[k].id].kind == SyntaxKind::symbol &&
+                                syntax.symbol(factors[k].id).letter == "d" &&
+                                syntax[factors[k + 1].id].kind == SyntaxKind::symbol;
+      if (differential) note_changing(syntax.symbol(factors[k + 1].id), evidence);
       const SyntaxId of = without_derivatives(syntax, factors[k].id);
       if (factors[k + 1].joint != Joint::juxtaposed || syntax[of].kind != SyntaxKind::symbol) continue;
       std::vector<std::string> letters = letters_in_bracket(syntax, factors[k + 1].id);
@@ -164,14 +183,63 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
 }
 
 bool is_changing(const Evidence& evidence, std::string_view name) {
-  const bool initial = name.ends_with("_{0}") || name.ends_with("_0");
-  for (std::size_t at = 0; at < name.size();) {
-    if (name[at] == '_') return false;  // labels
-    const std::string letter = take_letter(name, at);
-    if (evidence.changing.contains(initial ? letter + "_0" : letter)) return true;
-    if (letter.empty()) ++at;
+  return is_among(evidence.changing, name);
+}
+
+bool may_be_changing(const Evidence& evidence, std::string_view name) {
+  return evidence.speaks_of_change || is_among(evidence.may_change, name);
+}
+
+void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  for (const SyntaxId side : sides) {
+    if (syntax[side].kind != SyntaxKind::symbol) continue;
+    std::set<std::string>& tied = evidence.tied[changing_name(syntax.symbol(side))];
+    for (const SyntaxId other : sides) {
+      if (other == side) continue;
+      for (const SyntaxId id : nodes_below(syntax, {other})) {
+        if (syntax[id].kind == SyntaxKind::symbol) tied.insert(changing_name(syntax.symbol(id)));
+      }
+    }
   }
-  return false;
+}
+
+void see_said_changes(std::string_view text, Evidence& evidence) {
+  static constexpr std::string_view words[] = {"variable",       "varies",
+                                               "varying",        "grows",
+                                               "growing",        "increases",
+                                               "increasing",     "decreases",
+                                               "decreasing",     "shrinks",
+                                               "modulated",      "inhomogeneous",
+                                               "depends on",     "depending on",
+                                               "leaves",         "leave the",
+                                               "loses",          "accretes",
+                                               "evaporates",     "leaks",
+                                               "time-dependent", "position-dependent",
+                                               "nonuniform",     "non-uniform"};
+  const std::string small = lowered(text);
+  evidence.speaks_of_change =
+      evidence.speaks_of_change || std::ranges::any_of(words, [&](std::string_view word) {
+        return small.find(word) != std::string::npos;
+      });
+}
+
+void settle_changes(Evidence& evidence) {
+  static constexpr std::string_view variables[] = {"t", "x", "y", "z", "r"};
+  std::set<std::string>& may_change = evidence.may_change;
+  may_change = evidence.changing;
+  may_change.insert(std::begin(variables), std::end(variables));
+  for (const auto& [name, arguments] : evidence.functions) {
+    std::size_t at = 0;
+    may_change.insert(take_letter(name, at));
+  }
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const auto& [letter, others] : evidence.tied) {
+      const bool changes =
+          std::ranges::any_of(others, [&](const std::string& other) { return may_change.contains(other); });
+      grew = (changes && may_change.insert(letter).second) || grew;
+    }
+  }
 }
 
 bool is_argument(const SyntaxTree& syntax, SyntaxId applied, SyntaxId bracket, const Evidence& evidence) {
