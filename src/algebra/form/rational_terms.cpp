@@ -2,7 +2,7 @@
 #include "algebra/form/rational_terms.h"
 
 #include <algorithm>
-#include <compare>
+#include <tuple>
 #include <utility>
 
 #include "algebra/engine/exact_number.h"
@@ -126,7 +126,6 @@ std::vector<std::size_t> RationalAtoms::order() const {
     std::size_t group;
     std::vector<int> axes;
     std::size_t position;
-    auto operator<=>(const Place&) const = default;
   };
   std::map<SymbolId, std::size_t> groups;
   std::vector<Place> places;
@@ -139,7 +138,9 @@ std::vector<std::size_t> RationalAtoms::order() const {
     }
     places.push_back(std::move(place));
   }
-  std::ranges::sort(places);
+  std::ranges::sort(places, [](const Place& a, const Place& b) {
+    return std::tie(a.group, a.axes, a.position) < std::tie(b.group, b.axes, b.position);
+  });
   std::vector<std::size_t> positions;
   for (const Place& place : places) positions.push_back(place.position);
   return positions;

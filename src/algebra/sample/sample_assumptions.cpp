@@ -55,6 +55,25 @@ class Residual {
     return false;
   }
 
+  /// Makes the residual 0 by this number if it is a quotient of two linear functions of it, as
+  /// `1/f - 1/a - 1/b` is of each; else leaves it. Such a function keeps cross-ratios, so that three of its
+  /// values say where it is 0. What it says is put in, since the function need not be one.
+  [[nodiscard]] bool solve_quotient_for(const Coordinate& at) const {
+    const Rational before = point_[at];
+    std::vector<std::pair<Rational, Rational>> seen;
+    for (const int number : {1, 2, 3, -1, 5}) {
+      if (seen.size() == 3) break;
+      const auto value = value_with(at, number);
+      if (value && !cln::zerop(*value)) seen.emplace_back(number, *value);
+    }
+    if (const auto zero = zero_of_quotient(seen)) {
+      const auto value = value_with(at, *zero);
+      if (value && cln::zerop(*value)) return true;
+    }
+    point_.set(at, before);
+    return false;
+  }
+
   /// The value of the number at which the residual is 0, and how it rises; none where it is not linear in it.
   struct Zero {
     Rational at;
@@ -86,6 +105,28 @@ class Residual {
   [[nodiscard]] Rational with(const Coordinate& at, const Rational& value) const {
     point_.set(at, value);
     return now();
+  }
+
+  /// Nothing: there is no value.
+  [[nodiscard]] std::optional<Rational> value_with(const Coordinate& at, const Rational& value) const {
+    try {
+      return with(at, value);
+    } catch (const PointRejected&) {
+      return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] static std::optional<Rational> zero_of_quotient(
+      std::span<const std::pair<Rational, Rational>> seen) {
+    if (seen.size() < 3) return std::nullopt;
+    const auto& [x1, y1] = seen[0];
+    const auto& [x2, y2] = seen[1];
+    const auto& [x3, y3] = seen[2];
+    if (y1 == y3 || y2 == y3 || y1 == y2) return std::nullopt;
+    const Rational of_values = (y1 - y3) * y2 / ((y2 - y3) * y1);
+    const Rational of_numbers = (x1 - x3) / (x2 - x3);
+    if (of_values == of_numbers) return std::nullopt;
+    return (of_values * x1 - of_numbers * x2) / (of_values - of_numbers);
   }
 
   SampleEvaluator& evaluator_;
@@ -260,18 +301,26 @@ void AssumptionSolver::solve_derivatives(Search& search, int order) const {
   }
 }
 
-/// The components one after the other, each for any one number in which it is linear.
+/// The components one after the other, each for any one number in which it is linear, or a quotient of two
+/// linear functions.
 bool AssumptionSolver::solve_place_by_place(Search& search, std::size_t assumption) const {
   search.evaluator.look_at(search.point);
   for (const Place& place : search.evaluator.places(equation(assumption))) {
     const Residual residual(search.evaluator, search.point, equation(assumption), place);
     if (cln::zerop(residual.now())) continue;
-    bool solved = false;
-    for (const Coordinate& at : candidates(search.point, assumption, search.attempt)) {
+    const auto solves = [&](const Coordinate& at, bool quotient) {
       const bool owned = std::ranges::any_of(search.owned, [&](const Owned& each) { return each.at == at; });
-      if (owned || !residual.solve_for(at, 0)) continue;
-      if (bit_size(search.point[at]) > largest_solved) return false;
-      search.owned.push_back({at, assumption});
+      if (owned) return false;
+      return quotient ? residual.solve_quotient_for(at) : residual.solve_for(at, 0);
+    };
+    const std::vector<Coordinate> numbers = candidates(search.point, assumption, search.attempt);
+    bool solved = false;
+    for (const bool quotient : {false, true}) {
+      const auto found =
+          std::ranges::find_if(numbers, [&](const Coordinate& at) { return solves(at, quotient); });
+      if (found == numbers.end()) continue;
+      if (bit_size(search.point[*found]) > largest_solved) return false;
+      search.owned.push_back({*found, assumption});
       solved = true;
       break;
     }
