@@ -25,7 +25,7 @@ void raise_headings(Document& document) {
 Document read_document(SourceMap& sources, FileId file, Diagnostics& diagnostics) {
   DocumentReading reading{sources, diagnostics};
   reading.document.file = file;
-  if (format_of(sources.path(file)) == Format::latex) {
+  if (format_of(sources, file) == Format::latex) {
     InputFiles inputs(sources, file, diagnostics);
     read_latex(reading, file, inputs);
     raise_headings(reading.document);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/among.h"
+#include "latex/token/words.h"
 #include "source/read_file.h"
 
 namespace rigor {
@@ -22,6 +23,17 @@ fs::path real_path(const fs::path& path) {
   std::error_code error;
   fs::path result = fs::weakly_canonical(fs::absolute(path, error), error);
   return error ? fs::path() : result;
+}
+
+/// Packages whose notation is read by its names: their own files are programs, even where they lie beside the
+/// notes.
+bool is_known_package(std::string_view name) {
+  static const WordSet names(
+      "amsbsy amscd amsfonts amsmath amssymb amstext amsthm bm braket cancel commath derivative diffcoeff "
+      "empheq esdiff esint etoolbox fontspec geometry graphicx hyperref ifthen isomath leftidx mathrsfs "
+      "mathtools nicefrac physics physics2 siunitx slashed tensor tikz unicode-math upgreek xcolor xfrac "
+      "xparse");
+  return names.contains(name);
 }
 
 /// LaTeX writes a name with blanks in quotes; they belong to no name.
@@ -53,7 +65,25 @@ std::optional<FileId> InputFiles::open(std::string_view name, Span place) {
     return report(DiagnosticKind::missing_input, place,
                   fmt::format("`{}` is read more than {} files deep, and left out", shown, deepest_input));
   }
-  const fs::path path = find(asked);
+  return add(find(asked, ".tex"), shown, place);
+}
+
+std::optional<FileId> InputFiles::open_package(std::string_view name, std::string_view extension,
+                                               Span place) {
+  if (requests_ > most_requests || stack_.size() > deepest_input || is_known_package(name))
+    return std::nullopt;
+  const std::string shown = std::string(name) + std::string(extension);
+  const fs::path path = find(fs::path(name), extension);
+  std::error_code error;
+  const fs::path real = real_path(path);
+  const bool reads = !real.empty() && is_inside(real) && fs::exists(path, error) &&
+                     !is_one_of(real, stack_) && !claims_in_.contains(real);
+  if (!reads) return std::nullopt;
+  ++requests_;
+  return add(path, shown, place);
+}
+
+std::optional<FileId> InputFiles::add(const fs::path& path, const std::string& shown, Span place) {
   const fs::path real = real_path(path);
   if (real.empty())
     return report(DiagnosticKind::missing_input, place, fmt::format("`{}` is not a path", shown));
@@ -98,9 +128,9 @@ std::optional<FileId> InputFiles::report(DiagnosticKind kind, Span place, std::s
 
 /// LaTeX looks from the folder of the main file; \subfile and many editors from that of the file itself. Each
 /// looks for `NAME.tex` before `NAME`.
-fs::path InputFiles::find(const fs::path& name) const {
+fs::path InputFiles::find(const fs::path& name, std::string_view extension) const {
   fs::path with_extension = name;
-  if (name.extension() != ".tex") with_extension += ".tex";
+  if (name.extension() != extension) with_extension += extension;
   const fs::path beside = stack_.back().parent_path().lexically_relative(root_);
   for (const fs::path& folder : {folder_, folder_ / beside}) {
     for (const fs::path& each : {with_extension, name}) {

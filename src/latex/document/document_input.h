@@ -25,12 +25,17 @@ class InputFiles {
   /// diagnostic, for one that is outside, missing, inside itself, nested too deep or past the 1000th. A file
   /// that is returned is on the stack until `close`.
   std::optional<FileId> open(std::string_view name, Span place);
+  /// The same for a package or a class, `extension` being `.sty` or `.cls`, if it lies beside the notes and
+  /// is none whose notation is known. Nothing, in silence, for all others: those that are installed.
+  std::optional<FileId> open_package(std::string_view name, std::string_view extension, Span place);
   /// `has_claims`: the file, or what it reads, has displays or directives.
   void close(bool has_claims);
 
  private:
+  std::optional<FileId> add(const std::filesystem::path& path, const std::string& shown, Span place);
   std::optional<FileId> report(DiagnosticKind kind, Span place, std::string message);
-  [[nodiscard]] std::filesystem::path find(const std::filesystem::path& name) const;
+  [[nodiscard]] std::filesystem::path find(const std::filesystem::path& name,
+                                           std::string_view extension) const;
   [[nodiscard]] bool is_inside(const std::filesystem::path& canonical) const;
 
   SourceMap& sources_;

@@ -23,7 +23,8 @@ class LatexReader : NotesReader {
   LatexReader(DocumentReading& reading, FileId file, InputFiles& inputs)
       : NotesReader(reading, file, Format::latex), inputs_(inputs) {
     const std::size_t document = text_.find("\\begin{document}", 0);
-    if (reading.sources.path(file).ends_with(".sty")) {
+    const std::string& path = reading.sources.path(file);
+    if (path.ends_with(".sty") || path.ends_with(".cls")) {
       preamble_end_ = text_.size();
     } else if (document < text_.size()) {
       preamble_end_ = document;
@@ -168,6 +169,9 @@ class LatexReader : NotesReader {
     if (word == "end") return read_end_of_document();
     if (word == "verb" || word == "lstinline") return read_verb(at_ + 1 + word.size());
     if (word == "input" || word == "include" || word == "subfile") return read_input(at_ + 1 + word.size());
+    if (word == "usepackage" || word == "RequirePackage") return read_packages(at_ + 1 + word.size(), ".sty");
+    if (word == "documentclass" || word.starts_with("LoadClass"))
+      return read_packages(at_ + 1 + word.size(), ".cls");
     if (word == "endinput") return read_end_of_file();
     if (read_conditional(word) || read_own_verbatim(word)) return true;
     if (const int rank = heading_rank(word); rank >= 0) return read_heading(rank, at_ + 1 + word.size());
@@ -337,6 +341,29 @@ class LatexReader : NotesReader {
     return true;
   }
 
+  /// `\usepackage[options]{a,b}`: of files beside the notes, what they define.
+  bool read_packages(std::size_t at, std::string_view extension) {
+    at = text_.skip_gap(at);
+    const auto options = text_[at] == '[' ? text_.bracket_end(at) : std::optional(at);
+    const std::size_t open = options ? text_.skip_gap(*options) : at;
+    const auto close = text_[open] == '{' ? text_.group_end(open, true) : std::nullopt;
+    if (!close) return false;
+    const Span place = text_.span(at_, *close);
+    at_ = *close;
+    for (std::size_t begin = open + 1; begin < *close;) {
+      const std::string_view rest = text_.between(begin, *close - 1);
+      const std::size_t length = std::min(rest.find(','), rest.size());
+      const Span name = text_.trimmed(begin, begin + length);
+      const auto file = inputs_.open_package(text_.between(name.begin, name.end), extension, place);
+      if (file) {
+        read_package(reading_, *file, inputs_);
+        inputs_.close(false);
+      }
+      begin += length + 1;
+    }
+    return true;
+  }
+
   struct ArgumentEnd {
     std::size_t end = 0;
     std::string_view control = {};  // empty: of a group
@@ -354,6 +381,27 @@ class LatexReader : NotesReader {
 
 void read_latex(DocumentReading& reading, FileId file, InputFiles& inputs) {
   LatexReader(reading, file, inputs).read();
+}
+
+/// A package is a program: of all that is in it, only what it defines is taken, and nothing in it is a
+/// mistake of the notes.
+void read_package(DocumentReading& reading, FileId file, InputFiles& inputs) {
+  Diagnostics unheard;
+  DocumentReading own{reading.sources, unheard, {}, std::move(reading.aliases)};
+  const auto heard = static_cast<std::ptrdiff_t>(reading.diagnostics.size());
+  LatexReader(own, file, inputs).read();
+  reading.diagnostics.erase(reading.diagnostics.begin() + heard, reading.diagnostics.end());  // of `inputs`
+  reading.aliases = std::move(own.aliases);
+  int open = 0;
+  for (Item& item : own.document.items) {
+    if (auto* const macro = std::get_if<MacroText>(&item)) macro->quiet = true;
+    const auto* const group = std::get_if<MacroGroup>(&item);
+    if (group != nullptr) open += group->opens ? 1 : -1;
+    if (group != nullptr || std::holds_alternative<MacroText>(item))
+      reading.document.items.push_back(std::move(item));
+  }
+  const auto size = static_cast<std::uint32_t>(reading.sources.text(file).size());
+  for (; open > 0; --open) reading.document.items.emplace_back(MacroGroup{{file, size, size}, false});
 }
 
 }  // namespace rigor

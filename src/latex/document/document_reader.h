@@ -84,6 +84,8 @@ class NotesReader {
 
 /// Read one file into `reading`.
 void read_latex(DocumentReading& reading, FileId file, InputFiles& inputs);
+/// What a package or a class defines.
+void read_package(DocumentReading& reading, FileId file, InputFiles& inputs);
 void read_markdown(DocumentReading& reading, FileId file);
 
 }  // namespace rigor

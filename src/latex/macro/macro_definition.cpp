@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "latex/macro/macro_conditional.h"
 #include "latex/token/words.h"
 
 namespace rigor {
@@ -42,9 +43,10 @@ class DefinitionReader {
     if (form != primitive && form != synonym) take_star();
     if (!read_name()) return false;
     if (!read_rest(form)) return false;
-    if (macro_.use != MacroUse::unreadable && highest_parameter(macro_.body) > macro_.parameters) {
-      reject(fmt::format("uses `#{}` and has {} parameter{}", highest_parameter(macro_.body),
-                         macro_.parameters, macro_.parameters == 1 ? "" : "s"));
+    const auto parameters = static_cast<int>(macro_.parameters.size());
+    if (macro_.use != MacroUse::unreadable && highest_parameter(macro_.body) > parameters) {
+      reject(fmt::format("uses `#{}` and has {} parameter{}", highest_parameter(macro_.body), parameters,
+                         parameters == 1 ? "" : "s"));
     }
     if (form != provided_command || !macros_.contains(name_))
       macros_.insert_or_assign(name_, std::move(macro_));
@@ -66,7 +68,7 @@ class DefinitionReader {
       case math_operator:
         return read_operator();
       case DefinitionForm::delimiters:
-        macro_.parameters = 1;
+        macro_.parameters.resize(1);
         return read_delimiters(true);
       case delimiters_around:
         return read_count() && read_delimiters(false);
@@ -101,7 +103,7 @@ class DefinitionReader {
     if (!count) return stop();
     const TokenView digits = trim(count->tokens);
     if (digits.size() == 1 && digits[0].kind == TokenKind::digit) {
-      macro_.parameters = static_cast<std::uint8_t>(digits[0].text[0] - '0');
+      macro_.parameters.resize(static_cast<std::size_t>(digits[0].text[0] - '0'));
     } else {
       reject(fmt::format("is defined with `[{}]`, which is not a number of arguments", text_of(digits)));
     }
@@ -113,8 +115,11 @@ class DefinitionReader {
     if (!next_is_bracket()) return true;
     auto value = stream_.take_optional();
     if (!value) return stop();
-    if (macro_.parameters == 0) reject("has a default for an argument that it does not take");
-    macro_.first_default = std::move(value->tokens);
+    if (macro_.parameters.empty()) {
+      reject("has a default for an argument that it does not take");
+    } else {
+      macro_.parameters[0] = {MacroParameter::Kind::optional, std::move(value->tokens)};
+    }
     return true;
   }
 
@@ -134,8 +139,8 @@ class DefinitionReader {
         return true;
       }
       const bool next = token->kind == TokenKind::parameter && !token->text.empty() &&
-                        token->text[0] - '0' == macro_.parameters + 1;
-      if (next) ++macro_.parameters;
+                        token->text[0] - '1' == static_cast<int>(macro_.parameters.size());
+      if (next) macro_.parameters.emplace_back();
       delimited = delimited || !next;
       stream_.take();
     }
@@ -182,24 +187,32 @@ class DefinitionReader {
     return true;
   }
 
-  /// `m m` or `O{default} m`; the other types of xparse are not read.
+  /// `m m`, `O{default} m`, `s o m`: no other types of xparse are read. `+` says that an argument may be
+  /// long.
   bool read_argument_types() {
+    using enum MacroParameter::Kind;
     const auto types = stream_.take_argument();
     if (!types) return stop();
     MacroStream rest(types->tokens);
     for (rest.skip_spaces(); const auto type = rest.take(); rest.skip_spaces()) {
-      const bool first = macro_.parameters == 0;
-      auto value = type->text == "O" && first ? rest.take_argument() : std::nullopt;
-      if (type->text != "m" && !value) {
+      if (is_sign(*type, "+")) continue;
+      auto value = type->text == "O" ? rest.take_argument() : std::nullopt;
+      MacroParameter parameter;
+      if (value) {
+        parameter = {optional, std::move(value->tokens)};
+      } else if (type->text == "o") {
+        parameter = {optional, {no_value()}};
+      } else if (type->text == "s") {
+        parameter.kind = star;
+      } else if (type->text != "m") {
         reject(fmt::format("has an argument of type `{}`, which is not read", type->text));
         return true;
       }
-      if (macro_.parameters == 9) {
+      if (macro_.parameters.size() == 9) {
         reject("has more than 9 arguments");
         return true;
       }
-      ++macro_.parameters;
-      if (value) macro_.first_default = std::move(value->tokens);
+      macro_.parameters.push_back(std::move(parameter));
     }
     return true;
   }

@@ -5,9 +5,12 @@
 
 #include <utility>
 
+#include "latex/macro/faces.h"
+#include "latex/macro/macro_conditional.h"
 #include "latex/macro/macro_definition.h"
 #include "latex/macro/macro_output.h"
 #include "latex/macro/macro_stream.h"
+#include "latex/macro/plain_names.h"
 
 namespace rigor {
 namespace {
@@ -30,17 +33,14 @@ class Expander {
       whole = expand_token(*token);
     }
     while (!before_.empty()) close_group();
-    return whole ? std::optional(output_.take()) : std::nullopt;
+    return whole ? std::optional(with_faces_spread(output_.take())) : std::nullopt;
   }
 
  private:
   bool expand_token(const Token& token) {
     if (token.kind == TokenKind::begin_group) open_group();
     if (token.kind == TokenKind::end_group && before_.size() > 1) close_group();
-    if (token.kind != TokenKind::control) {
-      output_.add(token);
-      return true;
-    }
+    if (token.kind != TokenKind::control) return add(token);
     const auto macro = macros_.find(token.text);
     if (macro == macros_.end()) return pass(token);
     switch (macro->second.use) {
@@ -53,6 +53,8 @@ class Expander {
       }
       case MacroUse::unreadable:
         return fail(token, "has a definition that is not read");
+      case MacroUse::unseen:
+        return fail(token, "has a definition in a package that is not read", DiagnosticKind::unsupported);
     }
     return false;
   }
@@ -64,8 +66,42 @@ class Expander {
         return define(token, *form);
       }
       if (token.text == "global" && next_defines()) return true;
+      if (const auto test = macro_test(token.text)) return choose(token, *test);
+      if (token.text == "mathchoice") return choose_display_style(token);
+      if (is_spacing_class(token.text)) return unwrap(token);
+      if (const auto sign = sign_named(token.text)) return add({sign->kind, sign->text, token.span});
     }
+    return add(token);
+  }
+
+  bool add(const Token& token) {
     output_.add(token);
+    return true;
+  }
+
+  /// The first of four: mathematics of a display in its own line.
+  bool choose_display_style(const Token& control) {
+    std::optional<Tokens> first;
+    for (int k = 0; k < 4; ++k) {
+      auto argument = stream_.take_argument();
+      if (!argument) return fail(control, "takes 4 arguments, and has fewer here");
+      if (!first) first = std::move(argument->tokens);
+    }
+    stream_.push(std::move(*first));
+    return true;
+  }
+
+  /// `\mathop{}\!\mathrm d`: a class around nothing, or around a differential, only sets spaces.
+  bool unwrap(const Token& control) {
+    auto argument = stream_.take_argument();
+    if (!argument) return add(control);
+    const bool bare = holds_no_more_than_differential(argument->tokens);
+    if (!bare) {
+      output_.add(control);
+      argument->tokens.insert(argument->tokens.begin(), {TokenKind::begin_group, "{", argument->span});
+      argument->tokens.push_back({TokenKind::end_group, "}", argument->span});
+    }
+    stream_.push(std::move(argument->tokens));
     return true;
   }
 
@@ -129,20 +165,34 @@ class Expander {
       if (next_is_bracket() && !stream_.take_optional())
         return fail(control, "has an argument that is not closed");
     }
-    if (macro.first_default) {
-      stream_.skip_spaces();
-      auto first = next_is_bracket() ? stream_.take_optional() : TakenArgument{*macro.first_default, {}};
-      if (!first) return fail(control, "has an argument that is not closed");
-      arguments.push_back(std::move(*first));
-    }
-    while (arguments.size() < macro.parameters) {
-      auto argument = stream_.take_argument();
+    for (const MacroParameter& parameter : macro.parameters) {
+      auto argument = take(parameter);
+      if (!argument && parameter.kind == MacroParameter::Kind::optional)
+        return fail(control, "has an argument that is not closed");
       if (!argument) {
-        return fail(control, fmt::format("takes {} argument{}, and has {} here", macro.parameters,
-                                         macro.parameters == 1 ? "" : "s", arguments.size()));
+        const std::size_t count = macro.parameters.size();
+        return fail(control, fmt::format("takes {} argument{}, and has {} here", count, count == 1 ? "" : "s",
+                                         arguments.size()));
       }
       arguments.push_back(std::move(*argument));
     }
+    return true;
+  }
+
+  std::optional<TakenArgument> take(const MacroParameter& parameter) {
+    if (parameter.kind == MacroParameter::Kind::plain) return stream_.take_argument();
+    stream_.skip_spaces();
+    if (parameter.kind == MacroParameter::Kind::star)
+      return TakenArgument{{truth_value(stream_.take_sign("*"))}, {}};
+    return next_is_bracket() ? stream_.take_optional() : TakenArgument{parameter.value, {}};
+  }
+
+  /// `\IfNoValueTF{#1}{…}{…}`: the branch takes the place of the whole.
+  bool choose(const Token& control, const MacroTest& test) {
+    if (++expansions_ > most_expansions) return fail_endless(control);
+    auto branch = chosen_branch(stream_, test);
+    if (!branch) return fail(control, "asks what is not known here", DiagnosticKind::unsupported);
+    stream_.push(std::move(*branch));
     return true;
   }
 
@@ -179,9 +229,8 @@ class Expander {
     for (std::size_t i = from; i < tokens.size(); ++i) tokens[i].span = written;
   }
 
-  bool fail(const Token& control, std::string_view what) {
-    diagnostics_.push_back(
-        {DiagnosticKind::bad_macro, control.span, fmt::format("`\\{}` {}", control.text, what)});
+  bool fail(const Token& control, std::string_view what, DiagnosticKind kind = DiagnosticKind::bad_macro) {
+    diagnostics_.push_back({kind, control.span, fmt::format("`\\{}` {}", control.text, what)});
     return false;
   }
 

@@ -35,10 +35,32 @@ TokenView letter_run(TokenView tokens, std::size_t at) {
 
 /// `A_\perp`, `n_+`, `M_\odot`: signs that name a quantity.
 bool is_label_sign(const Token& token) {
-  static constexpr std::string_view controls[] = {"perp", "parallel", "pm",   "mp",  "infty",
-                                                  "odot", "oplus",    "circ", "ast", "star"};
-  if (token.kind == TokenKind::control) return is_one_of(token.text, controls);
-  return false;
+  static const WordSet controls(
+      "perp bot parallel pm mp infty odot oplus ominus otimes circ ast star "
+      "uparrow downarrow rightarrow leftarrow triangle");
+  return is_control_of(token, controls);
+}
+
+/// `r_{\max}` is `r_{\text{max}}`.
+bool is_label_word(const Token& token) {
+  static const WordSet controls("max min sup inf lim det dim ker arg");
+  return is_control_of(token, controls);
+}
+
+/// `n+1`, `k-1`, `1/2`, `i\to f`, `-1`: signs and numbers together are one label. Without a sign among them
+/// they are none, nor are those with a comma or a relation.
+bool is_label_of_signs(TokenView tokens) {
+  bool sign = false;
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    const Token& token = tokens[at];
+    const bool joins = is_sign_of(token, "+-/") || is_control_of(token, {"to", "rightarrow", "leftarrow"});
+    sign = sign || joins;
+    const std::string letter = letter_of(token);
+    const bool part = joins || is_blank(token) || is_spacing(token) || token.kind == TokenKind::digit ||
+                      (!letter.empty() && letter != hole_letter);
+    if (!part) return false;
+  }
+  return sign && tokens.size() > 1;
 }
 
 class IndexReader {
@@ -46,6 +68,12 @@ class IndexReader {
   explicit IndexReader(TokenView tokens, int depth = 0) : tokens_(trim(tokens)), depth_(depth) {}
 
   IndexReading read() {
+    if (depth_ == 0 && is_label_of_signs(tokens_)) {
+      std::string text = text_of(tokens_);
+      std::erase(text, ' ');
+      add(std::move(text), IndexForm::word, span_of(tokens_));
+      return std::move(reading_);
+    }
     while (at_ < tokens_.size() && !reading_.obstacle) step();
     return std::move(reading_);
   }
@@ -123,17 +151,36 @@ class IndexReader {
       ++at_;
       return;
     }
+    if (is_label_word(token)) {
+      add(std::string(token.text), IndexForm::word, token.span);
+      ++at_;
+      return;
+    }
     if (letter == hole_letter) {
       refuse("a hole is not an index");
       return;
     }
     if (letter.empty()) {
+      if (separates_labels(token)) {
+        ++at_;
+        return;
+      }
       refuse(is_sign(token, ",") ? "a comma in a subscript can separate indices or be a derivative"
                                  : fmt::format("`{}` in a subscript is not read", text_of({&token, 1})));
       return;
     }
     add(letter, is_greek(letter) ? IndexForm::greek : IndexForm::letter, token.span);
     ++at_;
+  }
+
+  /// `C_{V,\text{m}}`, `T_{\text{in},1}`, `v_{\text{ext},x}`: a comma beside a word is no derivative.
+  [[nodiscard]] bool separates_labels(const Token& token) const {
+    if (!is_sign(token, ",") || reading_.indices.empty()) return false;
+    const std::size_t next = skip_blank(tokens_, at_ + 1);
+    if (next >= tokens_.size()) return false;
+    const bool word_behind = holds_words(tokens_[next]) || is_label_word(tokens_[next]) ||
+                             is_subscript_word(letters_of(letter_run(tokens_, next)));
+    return word_behind || reading_.indices.back().form == IndexForm::word;
   }
 
   void refuse(std::string message) {

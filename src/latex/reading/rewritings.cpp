@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "latex/reading/exchanges.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -324,7 +325,17 @@ Tokens shown_after(TokenView side, const Rewriting& rewriting) {
 }
 
 std::vector<Rewriting> rewritings_of(TokenView side, const std::vector<TokenView>& chain, bool whole_side) {
-  return side.empty() ? std::vector<Rewriting>{} : Rewriter(side).all(chain, whole_side);
+  if (side.empty()) return {};
+  std::vector<Rewriting> rewritings = Rewriter(side).all(chain, whole_side);
+  const auto is_same = [](const Rewriting& a, const Rewriting& b) {
+    return a.begin == b.begin && a.end == b.end && text_of(a.text) == text_of(b.text);
+  };
+  for (Rewriting& each : exchanges_of(side, chain)) {
+    const bool known =
+        std::ranges::any_of(rewritings, [&](const Rewriting& other) { return is_same(each, other); });
+    if (!known) rewritings.push_back(std::move(each));
+  }
+  return rewritings;
 }
 
 }  // namespace rigor

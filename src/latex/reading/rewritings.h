@@ -24,9 +24,16 @@ enum class Slip : std::uint8_t {
   bars,
   term_missing,
   term_extra,
-  rate,    // a dot over a letter
-  prime,   // on a letter
-  letter,  // another one
+  rate,               // a dot over a letter
+  prime,              // on a letter
+  letter,             // another one
+  indices_exchanged,  // of two factors
+  terms_exchanged,    // neighbouring ones; their signs stay
+  letters_exchanged,
+  function,        // `\cos` for `\sin`
+  inverted,        // a fraction
+  factor_missing,  // a letter
+  factor_extra,
 };
 
 /// `begin` to `end` of the side's tokens become `text`. `shown_begin` to `shown_end` is what a reader
@@ -82,6 +89,11 @@ struct SideTerm {
 [[nodiscard]] std::vector<TokenView> letters_of(const std::vector<TokenView>& chain);
 /// X·Y, X×Y, XY and X² of these: the simplest terms that can be missing.
 [[nodiscard]] std::vector<Tokens> products_of(const std::vector<TokenView>& letters);
+
+/// What a side has when its brackets and the numerators of its fractions are multiplied out, term by term.
+[[nodiscard]] std::vector<Tokens> expanded_terms_of(TokenView side);
+/// Where a chain has a `\nabla`: f∇·A, A·∇f, (A·∇)B… of its letters.
+[[nodiscard]] std::vector<Tokens> field_terms_of(const std::vector<TokenView>& chain);
 
 /// Products of up to three vectors of a chain, after what comes before vectors in it:
 /// m\mathbf{a}\times\mathbf{b}, (A·B)C, A×(B×C).

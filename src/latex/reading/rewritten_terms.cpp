@@ -8,7 +8,9 @@
 #include <string_view>
 #include <utility>
 
+#include "latex/reading/placed_letters.h"
 #include "latex/reading/rewritings.h"
+#include "latex/token/vocabulary.h"
 
 namespace rigor {
 namespace {
@@ -204,6 +206,57 @@ Tokens exchanged(TokenView term, const std::vector<Role>& roles, Role role, cons
   return result;
 }
 
+bool is_inside(TokenView part, const Token& token) {
+  return &token >= part.data() && &token < part.data() + part.size();
+}
+
+/// `\cos a\sin b` for `\sin a\cos b`: each function for its neighbour alone, and all at once.
+std::vector<Tokens> with_other_functions(TokenView term) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> neighbours{
+      {{"sin", "cos"}, {"cos", "sin"}, {"sinh", "cosh"}, {"cosh", "sinh"}}};
+  const auto neighbour = [](const Token& token) {
+    return token.kind == TokenKind::control
+               ? std::ranges::find(neighbours, token.text,
+                                   &std::pair<std::string_view, std::string_view>::first)
+               : neighbours.end();
+  };
+  std::vector<Tokens> images;
+  Tokens all(term.begin(), term.end());
+  for (std::size_t k = 0; k < term.size(); ++k) {
+    const auto other = neighbour(term[k]);
+    if (other == neighbours.end()) continue;
+    Tokens one(term.begin(), term.end());
+    one[k].text = all[k].text = other->second;
+    images.push_back(std::move(one));
+  }
+  if (images.size() > 1) images.push_back(std::move(all));
+  return images;
+}
+
+/// `a\dot b` for `\dot ab`.
+std::vector<Tokens> with_moved_dot(TokenView term) {
+  std::vector<Tokens> images;
+  for (std::size_t k = 0; k < term.size(); ++k) {
+    if (dots_of(term[k]) == 0) continue;
+    const Argument under = argument_at(term, k + 1);
+    for (const PlacedLetter& letter : letters_in(term)) {
+      if (letter.begin >= k && letter.end <= under.next) continue;
+      Tokens image;
+      for (std::size_t i = 0; i < term.size(); ++i) {
+        if (i == letter.begin) {
+          image.push_back(term[k]);
+          image.push_back({TokenKind::begin_group, "{", term[k].span});
+        }
+        const bool of_dot = i == k || (i > k && i < under.next && !is_inside(under.content, term[i]));
+        if (!of_dot) image.push_back(term[i]);
+        if (i + 1 == letter.end) image.push_back({TokenKind::end_group, "}", term[k].span});
+      }
+      images.push_back(std::move(image));
+    }
+  }
+  return images;
+}
+
 }  // namespace
 
 Tokens without_layout(TokenView tokens) {
@@ -306,6 +359,12 @@ std::vector<Tokens> images_of_term(TokenView term, const std::vector<TokenView>&
   add_turns(of_indices, TokenKind::digit, {"1", "2", "3"});
   add(Role::letter, of_letters);
   add(Role::index, of_indices);
+  for (Tokens& image : with_other_functions(term)) {
+    if (known.insert(text_of(image)).second) images.push_back(std::move(image));
+  }
+  for (Tokens& image : with_moved_dot(term)) {
+    if (known.insert(text_of(image)).second) images.push_back(std::move(image));
+  }
   return images;
 }
 

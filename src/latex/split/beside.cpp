@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "latex/split/beside.h"
 
+#include <algorithm>
+
+#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/split/blocks.h"
 #include "latex/split/differential.h"
 #include "latex/token/accounting.h"
 #include "latex/token/remarks.h"
+#include "latex/token/vocabulary.h"
 
 namespace rigor {
 namespace {
@@ -119,6 +123,72 @@ Beside behind_space(TokenView before, TokenView tokens, std::size_t at) {
       left != first && relation < before.size() && relation_kind(before[relation]) &&
       bare_letter(before.subspan(first, left - first)) == bare_letter(tokens.subspan(at, end - at));
   return again ? Beside::begins : Beside::unclear;
+}
+
+bool is_equation_number(TokenView block) {
+  block = trim(block);
+  if (block.size() < 3 || block.size() > 10 || !is_sign(block.front(), "(") || !is_sign(block.back(), ")"))
+    return false;
+  bool digit = false;
+  for (const Token& token : block.subspan(1, block.size() - 2)) {
+    digit = digit || token.kind == TokenKind::digit;
+    const bool fits = token.kind == TokenKind::digit || is_sign_of(token, ".'-*") ||
+                      (token.kind == TokenKind::letter && token.text.size() == 1);
+    if (!fits) return false;
+  }
+  return digit;
+}
+
+bool is_index_range(TokenView block) {
+  std::string text;
+  for (const Token& token : block) {
+    if (!is_blank(token) && !is_spacing(token)) text += text_of({&token, 1});
+  }
+  if (!text.empty() && text.front() == '(' && text.back() == ')') text = text.substr(1, text.size() - 2);
+  const auto equal = text.find('=');
+  if (equal == std::string::npos || equal == 0) return false;
+  for (std::size_t i = 0; i < equal; ++i) {
+    if (i % 2 == 0 ? !is_small_letter(text[i]) : text[i] != ',') return false;
+  }
+  const std::string range = text.substr(equal + 1);
+  return range == "1,2,3" ||
+         is_one_of(range, {"1,2,3.", "1\\ldots3", "1,\\ldots,3", "1,\\dots,3", "x,y,z", "x,y,z."});
+}
+
+bool is_ornament(TokenView block) {
+  return std::ranges::all_of(block, [](const Token& token) {
+    return is_blank(token) || is_spacing(token) || is_sign_of(token, ".,;:") ||
+           is_control_of(token, {"checkmark", "blacksquare", "qed", "Box", "square", "therefore", "because"});
+  });
+}
+
+bool lists_values(TokenView block) {
+  block = without_stop(block);
+  Nesting nesting(false);
+  std::size_t relation = block.size();
+  bool goes_on = false;
+  bool comma = false;
+  for (std::size_t at = 0; at < block.size(); ++at) {
+    if (nesting.enter(block[at]) != 0) continue;
+    if (relation_kind(block[at]) || is_control(block[at], "in")) {
+      if (relation != block.size()) return false;
+      relation = at;
+    }
+    if (relation == block.size()) continue;
+    goes_on = goes_on || is_control_of(block[at], {"dots", "ldots", "cdots", "dotsc"});
+    comma = comma || is_sign(block[at], ",");
+  }
+  if (relation == block.size() || trim(block.first(relation)).empty() ||
+      !lists_symbols(block.first(relation)))
+    return false;
+  return is_control(block[relation], "in") || (is_sign(block[relation], "=") && goes_on && comma);
+}
+
+TokenView without_stop(TokenView block) {
+  block = trim(block);
+  while (!block.empty() && (is_sign_of(block.back(), ".,;:") || is_spacing(block.back())))
+    block = trim(block.first(block.size() - 1));
+  return block;
 }
 
 }  // namespace rigor

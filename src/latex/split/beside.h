@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a remark such as "(no sum over i)" ends, and where the next equation begins without a wide space.
+// What stands next to an equation: where a remark such as "(no sum over i)" ends, where the next equation
+// begins without a wide space, and short stretches that are no equation.
 #pragma once
 
 #include <cstddef>
@@ -36,5 +37,16 @@ enum class Beside : std::uint8_t {
 };
 /// `before`: an equation with its relation.
 [[nodiscard]] Beside behind_space(TokenView before, TokenView tokens, std::size_t at);
+
+/// In brackets, an equation number: `(6)`, `(2.3a)`, `(A1')`.
+[[nodiscard]] bool is_equation_number(TokenView block);
+/// `i, j = 1, 2, 3`: says only what every index does.
+[[nodiscard]] bool is_index_range(TokenView block);
+/// `n = 0, \pm1, \dots`, `l = 0, 1, \ldots, n - 1`, `n \in \mathbb{Z}`: which values letters take.
+[[nodiscard]] bool lists_values(TokenView block);
+/// Punctuation, `\checkmark`, `\qed`.
+[[nodiscard]] bool is_ornament(TokenView block);
+/// Without a full stop or comma at its end.
+[[nodiscard]] TokenView without_stop(TokenView block);
 
 }  // namespace rigor

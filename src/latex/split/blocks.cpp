@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
-#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/split/acting.h"
 #include "latex/split/beside.h"
 #include "latex/split/chain.h"
 #include "latex/split/conditions.h"
+#include "latex/split/differential.h"
+#include "latex/split/inference.h"
+#include "latex/split/line_notes.h"
 #include "latex/token/remarks.h"
 #include "latex/unit/units.h"
 
@@ -20,93 +23,35 @@ namespace {
 struct Block {
   Tokens tokens;
   bool related = false;  // a relation is outside all brackets
+  Link link = Link::none;
+  bool before_link = false;  // something is inferred from it directly
   Span span() const { return span_of(trim(tokens)); }
 };
 
-/// A block in brackets that is an equation number: `(6)`, `(2.3a)`, `(A1')`.
-bool is_tag(TokenView block) {
-  block = trim(block);
-  if (block.size() < 3 || block.size() > 10 || !is_sign(block.front(), "(") || !is_sign(block.back(), ")"))
-    return false;
-  bool digit = false;
-  for (const Token& token : block.subspan(1, block.size() - 2)) {
-    digit = digit || token.kind == TokenKind::digit;
-    const bool fits = token.kind == TokenKind::digit || is_sign_of(token, ".'-*") ||
-                      (token.kind == TokenKind::letter && token.text.size() == 1);
-    if (!fits) return false;
-  }
-  return digit;
-}
-
-/// `i, j = 1, 2, 3`: says only what every index does.
-bool is_index_range(TokenView block) {
-  std::string text;
-  for (const Token& token : block) {
-    if (!is_blank(token) && !is_spacing(token)) text += text_of({&token, 1});
-  }
-  if (!text.empty() && text.front() == '(' && text.back() == ')') text = text.substr(1, text.size() - 2);
-  const auto equal = text.find('=');
-  if (equal == std::string::npos || equal == 0) return false;
-  for (std::size_t i = 0; i < equal; ++i) {
-    if (i % 2 == 0 ? !is_small_letter(text[i]) : text[i] != ',') return false;
-  }
-  const std::string range = text.substr(equal + 1);
-  return range == "1,2,3" ||
-         is_one_of(range, {"1,2,3.", "1\\ldots3", "1,\\ldots,3", "1,\\dots,3", "x,y,z", "x,y,z."});
-}
-
-bool is_ornament(TokenView block) {
-  return std::ranges::all_of(block, [](const Token& token) {
-    return is_blank(token) || is_spacing(token) || is_sign_of(token, ".,;:") ||
-           is_control_of(token, {"checkmark", "blacksquare", "qed", "Box", "square", "therefore", "because"});
-  });
-}
-
-/// "or", "or else".
-bool says_or(const std::string& words) {
-  std::string letters = " ";
-  for (const char c : words + " ") letters += is_letter(c) ? c : ' ';
-  return letters.find(" or ") != std::string::npos;
-}
-
 class StatementSplitter {
  public:
-  StatementSplitter(TokenView tokens, TokenUses& uses) : tokens_(tokens), uses_(uses) {}
+  StatementSplitter(TokenView tokens, TokenUses& uses) : tokens_(tokens), uses_(uses), notes_(tokens, uses) {}
 
   std::vector<WrittenChain> split() {
     cut_into_blocks();
-    for (const Block& block : blocks_) add_block(block);
+    for (const Block& block : blocks_) add_linked(block);
     for (WrittenChain& chain : chains_) {
       chain.tag = tag_;
-      chain.no_sum = no_sum_;
-      chain.cyclic = cyclic_;
-      chain.assumed = assumed_;
-      chain.alternative = alternatives_;
-      if (alternatives_)
-        chain.doubt = Obstacle{DiagnosticKind::restricted, "it is one of several alternatives", {}};
-      if (condition_) {
-        chain.condition = condition_;
-        chain.condition_span = condition_span_;
-      }
+      notes_.apply(chain);
     }
     return std::move(chains_);
   }
 
  private:
-  void set_condition(TokenView tokens, std::string message) {
-    uses_.mark(tokens, TokenUse::condition);
-    const Span span = span_of(tokens);
-    if (condition_) return;
-    condition_ = Obstacle{DiagnosticKind::unsupported, std::move(message), {}};
-    condition_span_ = span;
-  }
-
   /// Boundaries: wide space, words, implications; each only where an equation stands complete before it.
   void cut_into_blocks() {
     Nesting nesting(false);
     Block block;
     const auto cut = [&] {
-      if (!trim(block.tokens).empty()) blocks_.push_back(std::move(block));
+      if (!trim(block.tokens).empty()) {
+        block.link = std::exchange(link_, Link::none);
+        blocks_.push_back(std::move(block));
+      }
       block = Block{};
     };
     for (std::size_t at = 0; at < tokens_.size();) {
@@ -136,43 +81,47 @@ class StatementSplitter {
           at = end;
           continue;
         }
-        const std::size_t end = remark_end(tokens_, words);
-        note_words(tokens_.subspan(at, end - at), block.related || !blocks_.empty());
+        const std::size_t end = note_words(block, at, words);
         cut();
+        link_behind(at);
         at = end;
         continue;
       }
       const bool may_close = depth == 0 && !ends_open(block.tokens);
       if (const std::size_t end = may_close ? bracketed_remark_end(tokens_, at) : at; end != at) {
-        note_words(tokens_.subspan(at, end - at), block.related || !blocks_.empty());
+        notes_.note_remark(tokens_.subspan(at, end - at), block.related || !blocks_.empty());
         cut();
         while (++at < end) nesting.enter(tokens_[at]);
         continue;
       }
       if (depth == 0 && block.related) note_beside(block, at, cut);
-      if (depth == 0 && relation_kind(token) == RelationKind::implies) {
-        set_condition(tokens_.subspan(at, 1),
-                      fmt::format("`{}` between equations is not decided yet", text_of({&token, 1})));
+      if (const auto link = depth == 0 ? link_at(tokens_, at) : std::nullopt;
+          link && may_link(block, token)) {
+        const TokenView arrow = tokens_.subspan(at, link->next - at);
+        uses_.mark(arrow, TokenUse::relation);
+        if (link->marked) notes_.set_doubt(arrow);
         cut();
-        ++at;
+        infer(link->link);
+        while (++at < link->next) nesting.enter(tokens_[at]);
         continue;
       }
-      if (depth == 0 && (is_control(token, "therefore") || is_control(token, "forall"))) {
+      if (depth == 0 && is_control(token, "forall")) {
         cut();
-        if (is_control(token, "forall")) {
-          const TokenView rest = tokens_.subspan(at);
-          const bool names_only =
-              lists_symbols(rest.subspan(1)) && knows(symbols_in(rest.subspan(1)), tokens_.first(at));
-          if (!blocks_.empty() && names_only) {
-            uses_.mark(rest, TokenUse::remark);
-            return;  // what follows only names the symbols
-          }
-          set_condition(rest, "what `\\forall` says about the equation is not read");
-          at = blocks_.empty() ? at + 1 : next_wide_space(at);
-          continue;
+        const TokenView rest = tokens_.subspan(at);
+        const bool names_only =
+            lists_symbols(rest.subspan(1)) && knows(symbols_in(rest.subspan(1)), tokens_.first(at));
+        if (!blocks_.empty() && names_only) {
+          uses_.mark(rest, TokenUse::remark);
+          return;  // what follows only names the symbols
         }
-        uses_.mark(tokens_.subspan(at, 1), TokenUse::remark);
-        ++at;
+        if (blocks_.empty()) {
+          notes_.set_condition(rest, "what `\\forall` says about the equation is not read");
+          ++at;
+        } else {
+          const std::size_t end = next_wide_space(at);
+          notes_.set_doubt(tokens_.subspan(at, end - at));
+          at = end;
+        }
         continue;
       }
       block.related =
@@ -184,6 +133,26 @@ class StatementSplitter {
     cut();
   }
 
+  /// `x \quad\to\quad y` relates two expressions; only behind an equation it is an arrow between two.
+  static bool may_link(const Block& block, const Token& arrow) {
+    return block.related || relation_kind(arrow) != RelationKind::other;
+  }
+
+  /// What stands before is assumed for what comes, or the other way round.
+  void infer(Link link) {
+    const auto last =
+        std::find_if(blocks_.rbegin(), blocks_.rend(), [](const Block& each) { return each.related; });
+    if (last != blocks_.rend() && link != Link::ground) last->before_link = true;
+    link_ = link;
+  }
+
+  /// "hence", "where" at `at` after an equation, or at the beginning of the line.
+  void link_behind(std::size_t at) {
+    const std::string words = text_of(argument_at(tokens_, at + 1).content);
+    if (is_detail(words)) return infer(Link::detail);
+    if (remark_of(words) == Remark::connective && concludes(words)) infer(Link::conclusion);
+  }
+
   template <class Cut>
   void note_beside(const Block& block, std::size_t at, const Cut& cut) {
     switch (behind_space(block.tokens, tokens_, at)) {
@@ -192,11 +161,10 @@ class StatementSplitter {
       case Beside::begins:
         return cut();
       case Beside::unclear:
-        if (condition_) return;
-        condition_ = Obstacle{DiagnosticKind::ambiguous_reading,
+        notes_.set_condition(tokens_[at].span,
+                             {DiagnosticKind::ambiguous_reading,
                               "what follows the space can be a factor, or begin the next equation",
-                              {"write `\\,` before a factor, `\\quad` before an equation"}};
-        condition_span_ = tokens_[at].span;
+                              {"write `\\,` before a factor, `\\quad` before an equation"}});
         return;
     }
   }
@@ -250,7 +218,8 @@ class StatementSplitter {
     const bool joins = kind == Remark::connective;
     if (!block.related && (!before.empty() || blocks_.empty())) {
       const bool opens = before.empty() && behind < tokens_.size() && !is_operator(tokens_[behind]);
-      return !(opens && (joins || (kind == Remark::remark && said.ends_with(":"))));
+      const bool labels = kind == Remark::remark && said.ends_with(":");
+      return !(opens && (joins || labels || leads(tokens_, said, words.next)));
     }
     const bool apart = before.empty() || is_wide_space(before.back()) || is_sign_of(before.back(), ",;.") ||
                        stands_apart(said);
@@ -263,29 +232,9 @@ class StatementSplitter {
 
   /// `\text{for } x > 0` after an equation: the place after it; `at` if it is not read to its end.
   std::size_t note_condition(const Block& block, std::size_t at, const Argument& words) {
-    if (!block.related && blocks_.empty()) return at;
-    Nesting nesting(false);
-    std::size_t end = words.next;
-    for (; end < tokens_.size(); ++end) {
-      if (nesting.enter(tokens_[end]) != 0) continue;
-      if (relation_kind(tokens_[end]) == RelationKind::implies) break;
-      if (is_wide_space(tokens_[end]) && !trim(tokens_.subspan(words.next, end - words.next)).empty()) break;
-    }
-    return assume(tokens_.subspan(at, end - at), conditions_behind_words) ? end : at;
-  }
-
-  template <class Read>
-  bool assume(TokenView tokens, Read read) {
-    const auto conditions = read(tokens);
-    if (!conditions) return false;
-    uses_.mark(tokens, TokenUse::remark);
-    for (const Tokens& condition : *conditions) assumed_.push_back(chain_of(condition, uses_));
-    return true;
-  }
-
-  /// Are all of these symbols of the statement?
-  static bool knows(const std::set<std::string>& symbols, TokenView statement) {
-    return std::ranges::includes(symbols_in(statement), symbols);
+    const std::size_t end = condition_end(tokens_, words.next);
+    if (!block.related && blocks_.empty() && !has_relation(tokens_.subspan(end))) return at;
+    return notes_.assume(tokens_.subspan(at, end - at), conditions_behind_words) ? end : at;
   }
 
   /// `\text{for all } a, b` to the end of the statement, with symbols that are before it.
@@ -299,72 +248,72 @@ class StatementSplitter {
            knows(symbols_in_words(said), tokens_.first(at));
   }
 
-  void note_words(TokenView tokens, bool after_equation) {
-    const std::string words = spoken(tokens);
-    Remark kind = remark_of(words);
-    if (!knows(symbols_in_words(words), tokens_) || (kind == Remark::cyclic && !after_equation))
-      kind = Remark::unread;
-    alternatives_ = alternatives_ || (kind == Remark::connective && after_equation && says_or(words));
-    no_sum_ = no_sum_ || kind == Remark::no_sum;
-    cyclic_ = cyclic_ || kind == Remark::cyclic;
-    if (kind != Remark::unread) return uses_.mark(tokens, TokenUse::remark);
-    set_condition(tokens, fmt::format("the words `{}` next to the equation are not read", words));
+  /// The place after words and what belongs to them.
+  std::size_t note_words(const Block& block, std::size_t at, const Argument& words) {
+    const std::string said = text_of(words.content);
+    const bool after_equation = block.related || !blocks_.empty() || leads(tokens_, said, words.next);
+    if (after_equation && is_detail(said) && opens_equation(tokens_, words.next)) {
+      uses_.mark(tokens_.subspan(at, words.next - at), TokenUse::remark);
+      return words.next;
+    }
+    std::size_t end = remark_end(tokens_, words);
+    const TokenView before = trim(block.tokens);
+    const bool opens = opens_a_condition(said);
+    const bool apart = opens || before.empty() || is_wide_space(before.back()) ||
+                       is_sign_of(before.back(), ",;.") || stands_apart(said);
+    if (!after_equation || !apart || remark_of(said) != Remark::unread) {
+      notes_.note_remark(tokens_.subspan(at, end - at), after_equation);
+      return end;
+    }
+    if (opens) end = condition_end(tokens_, words.next);
+    notes_.note_restriction(tokens_.subspan(at, end - at));
+    return end;
+  }
+
+  /// Its equations hang on those before it as its arrow says; an arrow after it makes a premise of it.
+  void add_linked(const Block& block) {
+    const std::size_t first = chains_.size();
+    add_block(block);
+    if (block.link != Link::none) {
+      inherited_ = block.link;
+    } else if (block.before_link) {
+      inherited_ = Link::none;
+    }
+    for (std::size_t k = first; k < chains_.size(); ++k) {
+      WrittenChain& chain = chains_[k];
+      if (inherited_ == Link::conclusion) chain.inference = Inference::conclusion;
+      if (inherited_ == Link::equivalence) chain.inference = Inference::equivalence;
+      chain.explains = inherited_ == Link::detail;
+      chain.premise = block.before_link;
+      if (block.link != Link::ground) continue;
+      for (std::size_t earlier = 0; earlier < first; ++earlier) chains_[earlier].assumed.push_back(chain);
+    }
   }
 
   void add_block(const Block& block) {
-    const TokenView tokens = trim(block.tokens);
+    TokenView tokens = trim(block.tokens);
     if (tokens.empty()) return;
     if (is_ornament(tokens)) return uses_.mark(tokens, TokenUse::layout);
-    if (is_index_range(tokens) && ranges_over_known(tokens)) return uses_.mark(tokens, TokenUse::remark);
-    if (is_tag(tokens)) {
+    if (is_index_range(tokens) && notes_.ranges_over_known(tokens))
+      return uses_.mark(tokens, TokenUse::remark);
+    if (is_equation_number(tokens)) {
       tag_ = text_of(tokens);
       return uses_.mark(tokens, TokenUse::name);
     }
-    if (!chains_.empty() && relates_index_letters(tokens)) {
-      if (assume(tokens, conditions_in)) return;
-      set_condition(tokens,
-                    fmt::format("the condition `{}` next to the equation is not read yet", text_of(tokens)));
-      return;
+    if (!chains_.empty()) {
+      const TokenView said = without_stop(tokens);
+      uses_.mark(tokens.subspan(said.size()), TokenUse::layout);
+      tokens = said;
+      if (relates_index_letters(tokens)) {
+        if (!notes_.assume(tokens, conditions_in)) notes_.set_doubt(tokens);
+        return;
+      }
+      if (lists_values(tokens) && notes_.ranges_over_known(tokens)) return notes_.set_doubt(tokens);
     }
     if (!has_relation(tokens) && !chains_.empty()) {
-      add_remark(tokens);
-      return;
+      return notes_.note_aside(tokens);
     }
     add_equations(tokens);
-  }
-
-  /// `(\text{no sum})`, `(a, b constant)`: signs next to an equation that are no equation.
-  void add_remark(TokenView tokens) {
-    const Remark whole = remark_of(spoken(tokens));
-    if (whole == Remark::no_sum || whole == Remark::cyclic) return note_words(tokens, true);
-    std::string words;
-    bool only_words = true;
-    for (std::size_t at = 0; at < tokens.size();) {
-      if (is_words(tokens[at]) || is_control(tokens[at], "mathrm")) {
-        const Argument argument = argument_at(tokens, at + 1);
-        words += text_of(argument.content) + " ";
-        at = argument.next;
-        continue;
-      }
-      only_words = only_words && (is_sign_of(tokens[at], "()[]") || is_ornament(tokens.subspan(at, 1)));
-      ++at;
-    }
-    if (only_words && remark_of(words) != Remark::unread && knows(symbols_in_words(words), tokens_))
-      return uses_.mark(tokens, TokenUse::remark);
-    if (is_sign(tokens.front(), "(") && assume(tokens, conditions_in)) return;
-    set_condition(tokens, fmt::format("`{}` next to the equation is not read, and may change what it says",
-                                      text_of(tokens)));
-  }
-
-  /// Of `i, j = 1, 2, 3`: do the letters occur in the statement elsewhere, too?
-  bool ranges_over_known(TokenView range) const {
-    const auto equal = std::ranges::find_if(range, [](const Token& token) { return is_sign(token, "="); });
-    std::size_t known = 0;
-    for (const std::string& letter : symbols_in({range.begin(), equal})) {
-      const auto same = [&](const Token& token) { return token.text == letter; };
-      known += std::ranges::count_if(tokens_, same) > std::ranges::count_if(range, same) ? 1 : 0;
-    }
-    return known == symbols_in({range.begin(), equal}).size();
   }
 
   /// Commas separate equations where every piece is one; `a = b, i = 1, 2, 3` keeps its range out.
@@ -377,9 +326,15 @@ class StatementSplitter {
       if (!is_sign_of(tokens[at], ",;")) continue;
       const TokenView rest = tokens.subspan(at + 1);
       const TokenView piece = trim(tokens.subspan(begin, at - begin));
-      if (!piece.empty() && has_relation(piece) && rest.size() <= 24 && is_index_range(rest) &&
-          ranges_over_known(rest)) {
+      const bool after_equation = !piece.empty() && has_relation(piece);
+      if (after_equation && rest.size() <= 24 && is_index_range(rest) && notes_.ranges_over_known(rest)) {
         uses_.mark(tokens.subspan(at), TokenUse::remark);
+        tokens = tokens.first(at);
+        break;
+      }
+      if (after_equation && lists_values(rest) && notes_.ranges_over_known(rest)) {
+        notes_.set_doubt(tokens.subspan(at + 1));
+        uses_.mark(tokens.subspan(at, 1), TokenUse::layout);
         tokens = tokens.first(at);
         break;
       }
@@ -393,9 +348,7 @@ class StatementSplitter {
     uses_.mark(tokens, TokenUse::layout);  // commas between; what is between them follows
     for (const TokenView piece : pieces) {
       if (!chains_.empty() && relates_index_letters(piece)) {
-        if (assume(piece, conditions_in)) continue;
-        set_condition(piece,
-                      fmt::format("the condition `{}` next to the equation is not read yet", text_of(piece)));
+        if (!notes_.assume(piece, conditions_in)) notes_.set_doubt(piece);
       } else {
         chains_.push_back(chain_of(piece, uses_));
       }
@@ -406,13 +359,10 @@ class StatementSplitter {
   TokenUses& uses_;
   std::vector<Block> blocks_;
   std::vector<WrittenChain> chains_;
-  std::vector<WrittenChain> assumed_;
+  LineNotes notes_;
   std::string tag_;
-  std::optional<Obstacle> condition_;
-  Span condition_span_;
-  bool no_sum_ = false;
-  bool cyclic_ = false;
-  bool alternatives_ = false;
+  Link link_ = Link::none;       // before the block that comes next
+  Link inherited_ = Link::none;  // of the equation added last
 };
 
 }  // namespace

@@ -90,10 +90,11 @@ bool is_space(const Token& token) {
 
 /// How many of the first items are the words of a phrase that brings a condition in; 0 for none.
 std::size_t condition_words(SentenceItems items, bool& orders_only) {
-  static constexpr std::array<std::string_view, 16> phrases{
-      "if",         "for",       "for all",  "for any",       "for every", "for each",
-      "when",       "whenever",  "assuming", "assuming that", "provided",  "provided that",
-      "as long as", "valid for", "where",    "with"};
+  static constexpr std::array<std::string_view, 25> phrases{
+      "if",         "for",       "for all",       "for any",  "for every",     "for each", "when",
+      "whenever",   "assuming",  "assuming that", "provided", "provided that", "given",    "given that",
+      "as long as", "valid for", "valid if",      "at",       "since",         "because",  "in case",
+      "only if",    "only for",  "where",         "with"};
   std::size_t most = 0;
   for (const std::string_view phrase : phrases) {
     const std::vector<std::string_view> words = words_in(phrase);
@@ -175,7 +176,7 @@ std::optional<std::vector<Tokens>> pieces_of(SentenceItems items, bool orders_on
   std::vector<Tokens> conditions;
   std::vector<Tokens> letters;
   for (Tokens& piece : pieces) {
-    while (!piece.empty() && (is_space(piece.back()) || is_sign(piece.back(), "."))) piece.pop_back();
+    while (!piece.empty() && (is_space(piece.back()) || is_sign_of(piece.back(), ".:"))) piece.pop_back();
     while (!piece.empty() && is_space(piece.front())) piece.erase(piece.begin());
     if (piece.empty()) continue;
     if (!has_relation(piece)) {

@@ -47,6 +47,13 @@ bool starts_with_operator(TokenView tokens) {
          factor_joint(tokens[at]) != Joint::none;
 }
 
+/// `\theta > 0`, `0 < x \le 1`: a condition, and no equation.
+bool orders_only(TokenView tokens) {
+  return conditions_in(tokens) && std::ranges::none_of(tokens, [](const Token& token) {
+           return relation_kind(token) == RelationKind::equal || is_words(token);
+         });
+}
+
 int count_open_brackets(TokenView tokens) {
   int depth = 0;
   for (const Token& token : tokens) {
@@ -141,7 +148,8 @@ class RowJoiner {
     }
     // `a &= b & \text{if } i \ne j`: what is next to an equation belongs to it.
     const bool beside = column > 0 && column <= open_.size() && !starts_with_relation(tokens) &&
-                        (!has_relation(tokens) || relates_index_letters(tokens) || is_words(tokens.front()));
+                        (!has_relation(tokens) || relates_index_letters(tokens) || is_words(tokens.front()) ||
+                         orders_only(tokens));
     if (beside) {
       Token space = tokens.front();
       space.kind = TokenKind::control;

@@ -26,22 +26,32 @@ struct WrittenSide {
   Span span;
 };
 
+/// How an equation hangs on those before it on its line.
+enum class Inference : std::uint8_t {
+  none,
+  conclusion,   // `\Rightarrow`, `\therefore`, "hence" is before it: they are assumed for it
+  equivalence,  // `\iff`: so they are; the other direction is not asked for
+};
+
 /// `sides[k] relations[k] sides[k + 1]`; one side more than relations.
 struct WrittenChain {
   std::vector<WrittenSide> sides;
   std::vector<WrittenRelation> relations;
   std::string tag;
   std::string label;
-  /// Words or signs next to the equation that change what it says ("no sum", "if i ≠ j", an implication) and
-  /// are not read.
+  /// Words or signs next to the equation that change what it says and are not read.
   std::optional<Obstacle> condition;
   Span condition_span;
-  /// Words next to the equation that may restrict it ("to first order"): it may be proved, never refuted.
+  /// Words or signs next to the equation that may restrict it ("to first order", `i \ne j`): it may be
+  /// proved, never refuted.
   std::optional<Obstacle> doubt;
   /// Relations that say when it holds: after "for" or "if", in its tag, at its braces. Where there are some,
   /// there is a doubt.
   std::vector<WrittenChain> assumed;
   bool alternative = false;  // "or" is next to it
+  Inference inference = Inference::none;
+  bool premise = false;   // something is inferred from it on its line
+  bool explains = false;  // "where", "with" is before it: it says what a letter of its line is
   /// "(no sum)" next to the equation: no letter is summed but under an explicit sign.
   bool no_sum = false;
   /// "and cyclic permutations", "etc." next to the equation or right after the display: it is said for

@@ -40,6 +40,7 @@ struct Display {
 struct MacroText {
   Span span;
   bool global = false;  // \gdef, \global: outlives the groups around it
+  bool quiet = false;   // of a package: what is not read in it is no mistake of the notes
 };
 
 /// LaTeX: a group in which macros are defined begins before the first of them, or it ends.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "latex/macro/macros.h"
@@ -23,6 +24,8 @@ class ScopedMacros {
   [[nodiscard]] MacroTable& table() { return table_; }
 
  private:
+  void define_quietly(std::span<const Token> tokens);
+
   MacroTable table_;
   std::vector<MacroTable> before_;  // before each group in which we are
 };

@@ -53,7 +53,34 @@ const WordSet& names() {
 const WordSet& connectives() {
   static const WordSet words(R"(
       and or so thus hence therefore ie also while but giving gives which similarly it likewise now again
-      finally follows consequently accordingly)");
+      finally follows consequently accordingly implies implying yields yielding then)");
+  return words;
+}
+
+/// Joints after which something is concluded.
+const WordSet& conclusions() {
+  static const WordSet words(R"(
+      so thus hence therefore giving gives follows consequently accordingly implies implying yields yielding
+      then)");
+  return words;
+}
+
+/// They bring in a condition, a case or a place.
+const WordSet& openings() {
+  static const WordSet words(R"(
+      if for when whenever where with at in on as inside outside within near beyond behind below under during
+      along across across between while assuming provided given since because valid whose only)");
+  return words;
+}
+
+/// Next to an equation they can turn it into another statement: they deny it, go on with it, or are units.
+const WordSet& altering() {
+  static const WordSet words(R"(
+      not no never none nor neither non isn doesn don cannot wrong wrongly false incorrect incorrectly untrue
+      invalid fail fails failed mistake error counterexample or instead rather versus vs than
+      plus minus times squared cubed over per divided multiplied half mod modulo conj conjugate transposed
+      const percent dozen ft foot feet inch inches lb lbs mph mile miles yard yards erg ergs gauss
+      dyn dyne cal kcal eV keV MeV GeV TeV year years yr amu au ly pc atm mmHg rpm deg degree degrees)");
   return words;
 }
 
@@ -199,6 +226,27 @@ Remark remark_of(const std::string& words) {
   }
   if (joins) return Remark::connective;
   return names_it ? Remark::remark : Remark::unread;
+}
+
+bool concludes(const std::string& words) {
+  return std::ranges::any_of(spoken_in(words).words,
+                             [](const std::string& word) { return conclusions().contains(lowered(word)); });
+}
+
+bool opens_a_condition(const std::string& words) {
+  const Spoken spoken = spoken_in(words);
+  return !spoken.words.empty() && openings().contains(lowered(spoken.words.front()));
+}
+
+bool can_only_restrict(const std::string& words) {
+  const Spoken spoken = spoken_in(words);
+  if (words.find_first_of("?!") != std::string::npos) return false;
+  if (spoken.foreign && !opens_a_condition(words)) return false;
+  const bool named = std::ranges::any_of(
+      spoken.words, [](const std::string& word) { return word.size() > 1 && is_of_word(word[0]); });
+  return named && std::ranges::none_of(spoken.words, [](const std::string& word) {
+           return altering().contains(word) || altering().contains(lowered(word));
+         });
 }
 
 bool stands_apart(const std::string& words) {

@@ -21,6 +21,16 @@ enum class Remark : std::uint8_t {
 /// English words. A letter among them stands for the symbol of that name.
 [[nodiscard]] Remark remark_of(const std::string& words);
 
+/// Words that claim that what follows them is concluded: "hence", "so that", "which gives".
+[[nodiscard]] bool concludes(const std::string& words);
+
+/// "if", "for", "where", "in the limit": the words begin to say when an equation holds.
+[[nodiscard]] bool opens_a_condition(const std::string& words);
+
+/// Words that are in no list and can at most say when an equation holds, or how its parts are called: "in the
+/// bulk". Not "false", "is not zero", "times", "mod", "lb", which change what it says.
+[[nodiscard]] bool can_only_restrict(const std::string& words);
+
 /// Words that tell at once that they are not part of the equation: "by Jacobi", "(definition)", ", as above".
 [[nodiscard]] bool stands_apart(const std::string& words);
 

@@ -136,6 +136,7 @@ std::string letter_of(const Token& token) {
   static const WordSet other_letters("imath jmath ell hbar varphi vartheta varrho varsigma varkappa");
   if (token.kind == TokenKind::control) {
     if (token.text == "varepsilon") return "\\epsilon";
+    if (token.text == "hslash") return "\\hbar";
     if (token.text == "square" || token.text == "Box") return std::string(hole_letter);
     const bool is_letter = other_letters.contains(token.text) || !signs.find(token.text).empty();
     return is_letter ? "\\" + std::string(token.text) : std::string();

@@ -49,7 +49,7 @@ struct Stretch {
 };
 
 /// `a = b = c`, then its tag and label in brackets, then `?` and the kind of what stands beside it and is not
-/// read; `!no-sum` and `!cyclic` where words say so.
+/// read; `!no-sum` and `!cyclic` where words say so; `~restricted`, and `<=` behind an arrow.
 [[nodiscard]] inline std::string dump_chain(const WrittenChain& chain) {
   std::string text;
   for (std::size_t k = 0; k < chain.sides.size(); ++k) {
@@ -59,6 +59,10 @@ struct Stretch {
   for (const std::string& name : {chain.tag, chain.label}) text += name.empty() ? "" : " [" + name + "]";
   if (chain.no_sum) text += " !no-sum";
   if (chain.cyclic) text += " !cyclic";
+  if (chain.doubt && !chain.alternative) text += " ~restricted";
+  if (chain.inference == Inference::conclusion) text += " <=";
+  if (chain.inference == Inference::equivalence) text += " <=>";
+  if (chain.explains) text += " :explains";
   return chain.condition ? text + " ?" + std::string(info(chain.condition->kind).name) : text;
 }
 

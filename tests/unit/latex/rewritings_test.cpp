@@ -102,8 +102,10 @@ TEST_CASE("powers, bars, dots and primes come and go") {
 }
 
 TEST_CASE("a letter is replaced by others with the same face") {
-  CHECK(rewritings(Slip::letter, "m\\mathbf{a}\\cdot\\mathbf{b}") ==
-        Texts{"m\\mathbf{b}\\cdot\\mathbf{b}", "m\\mathbf{a}\\cdot\\mathbf{a}"});
+  const Texts offered = rewritings(Slip::letter, "m\\mathbf{a}\\cdot\\mathbf{b}");
+  CHECK(has(offered, "m\\mathbf{b}\\cdot\\mathbf{b}"));
+  CHECK(has(offered, "m\\mathbf{a}\\cdot\\mathbf{a}"));
+  CHECK_FALSE(has(offered, "\\mathbf{a}\\mathbf{a}\\cdot\\mathbf{b}"));
 }
 
 TEST_CASE("a coefficient takes the sign and the number that stand there into account") {

@@ -77,8 +77,8 @@ TEST_CASE("columns of equations are read downwards") {
 TEST_CASE("words in a column of their own belong to the equation beside them") {
   CHECK(split("align", "a &= b && \\text{(law)} \\\\ c &= d") == "a = b // c = d");
   CHECK(split("align", "a &= b && \\text{no sum} \\\\ c &= d") == "a = b !no-sum // c = d");
-  CHECK(split("align", "a &= b && \\text{if so} \\\\ c &= d") == "a = b ?unsupported // c = d");
-  CHECK(split("align", "a_i &= b_i && i \\ne j \\\\ c &= d") == "a_i = b_i ?unsupported // c = d");
+  CHECK(split("align", "a &= b && \\text{if so} \\\\ c &= d") == "a = b ~restricted // c = d");
+  CHECK(split("align", "a_i &= b_i && i \\ne j \\\\ c &= d") == "a_i = b_i ~restricted // c = d");
 }
 
 TEST_CASE("a system in cases is one chain a row") {

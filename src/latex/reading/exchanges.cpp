@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Slips that are no matter of one sign or index: two things exchanged, a face, a function, a factor at the
+// wrong place.
+#include "latex/reading/exchanges.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "latex/reading/placed_letters.h"
+#include "latex/token/vocabulary.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::size_t most_exchanges = 60;  // of indices in one term
+
+bool differentiates(TokenView tokens) {
+  return std::ranges::any_of(tokens, [](const Token& token) {
+    return is_control_of(token, {"partial", "nabla", "mathrm"}) ||
+           (token.kind == TokenKind::letter && token.text == "d");
+  });
+}
+
+class Exchanger {
+ public:
+  Exchanger(TokenView side, const std::vector<TokenView>& chain) : side_(side), chain_(chain) {}
+
+  std::vector<Rewriting> all() {
+    collect_factors();
+    for (const PieceLevel& level : levels_with_exponents(side_)) {
+      if (!level.may_be_sum) continue;
+      const std::vector<PieceTerm> terms = terms_of(level);
+      for (std::size_t k = 0; k < terms.size(); ++k) {
+        indices_between(terms[k].tokens);
+        letters_within(terms[k].tokens);
+        missing_factors(terms[k].tokens);
+        if (k > 0) exchange(Slip::terms_exchanged, terms[k - 1].tokens, terms[k].tokens);
+      }
+      for (const Piece& piece : level.pieces) {
+        if (piece.kind == PieceKind::big_sum)
+          missing_factors_at(place(piece.tokens) + piece.tokens.size(), piece.tokens);
+      }
+      quotients(level);
+      extra_factors(level);
+    }
+    for (std::size_t k = 0; k < side_.size(); ++k) {
+      function(k);
+      fraction(k);
+      rate(k);
+    }
+    letters();
+    return std::move(rewritings_);
+  }
+
+ private:
+  std::size_t place(TokenView part) const { return static_cast<std::size_t>(part.data() - side_.data()); }
+  Token made(TokenKind kind, std::string_view text, std::size_t at) const {
+    const Span beside = side_[std::min(at, side_.size() - 1)].span;
+    return {kind, text, {beside.file, beside.begin, beside.begin}};
+  }
+
+  void add(Slip slip, std::size_t begin, std::size_t end, Tokens to, TokenView shown) {
+    std::string key;
+    for (const Token& token : to) key += std::string(token.text) + " ";
+    if (!known_.insert({begin, end, std::move(key)}).second) return;
+    Rewriting change{.slip = slip, .begin = begin, .end = end, .text = std::move(to)};
+    change.shown_begin = std::min(place(shown), begin);
+    change.shown_end = std::max(place(shown) + shown.size(), end);
+    rewritings_.push_back(std::move(change));
+  }
+
+  void exchange(Slip slip, TokenView first, TokenView second) {
+    if (first.data() + first.size() > second.data() || text_of(first) == text_of(second)) return;
+    const TokenView between(first.data() + first.size(), second.data());
+    Tokens to(second.begin(), second.end());
+    to.insert(to.end(), between.begin(), between.end());
+    to.insert(to.end(), first.begin(), first.end());
+    const TokenView all(first.data(), second.data() + second.size());
+    add(slip, place(all), place(all) + all.size(), std::move(to), all);
+  }
+
+  /// `\delta_{jl}\delta_{km}` for `\delta_{kl}\delta_{jm}`; the factors are shown as a whole.
+  void indices_between(TokenView term) {
+    std::vector<std::pair<std::size_t, const Token*>> indices;
+    const std::vector<TokenView> subscripts = subscripts_of(term);
+    for (std::size_t k = 0; k < subscripts.size(); ++k) {
+      for (const Token* index : indices_in(subscripts[k])) indices.emplace_back(k, index);
+    }
+    std::size_t count = 0;
+    for (std::size_t apart = 1; apart < subscripts.size(); ++apart) {
+      for (std::size_t a = 0; a < indices.size(); ++a) {
+        for (std::size_t b = a + 1; b < indices.size(); ++b) {
+          const bool wanted = indices[b].first - indices[a].first == apart &&
+                              indices[a].second->kind == indices[b].second->kind;
+          if (wanted && ++count <= most_exchanges)
+            exchange(Slip::indices_exchanged, {indices[a].second, 1}, {indices[b].second, 1});
+        }
+      }
+    }
+  }
+
+  /// Letters near each other with one face.
+  void letters_within(TokenView term) {
+    constexpr std::size_t furthest = 3;
+    const std::vector<PlacedLetter> letters = letters_in(term);
+    for (std::size_t apart = 1; apart <= furthest; ++apart) {
+      for (std::size_t k = 0; k + apart < letters.size(); ++k) {
+        const PlacedLetter& one = letters[k];
+        const PlacedLetter& other = letters[k + apart];
+        if (one.face == other.face)
+          exchange(Slip::letters_exchanged, term.subspan(one.at, 1), term.subspan(other.at, 1));
+      }
+    }
+  }
+
+  /// What may be missing before a term: the plain factors of the chain, and their letters.
+  void collect_factors() {
+    constexpr std::size_t most = 10;
+    std::set<std::string> known;
+    const auto collect = [&](TokenView tokens) {
+      if (factors_.size() < most && !tokens.empty() && known.insert(text_of(tokens)).second)
+        factors_.push_back(tokens);
+    };
+    for (const TokenView side : chain_) {
+      for (const PieceLevel& level : levels_of(side)) {
+        if (!level.may_be_sum) continue;
+        for (const Piece& piece : level.pieces) {
+          if (!is_plain_letter(piece)) continue;
+          collect(piece.tokens);
+          collect(piece.tokens.first(1));
+        }
+      }
+    }
+  }
+
+  /// One letter without a face, with its scripts.
+  static bool is_plain_letter(const Piece& piece) {
+    if (piece.kind != PieceKind::factor) return false;
+    const std::vector<PlacedLetter> letters = letters_in(piece.tokens.first(1));
+    return letters.size() == 1 && letters[0].at == 0;
+  }
+
+  void missing_factors(TokenView term) {
+    std::size_t digits = 0;
+    while (is_kind_at(term, digits, TokenKind::digit)) ++digits;
+    if (is_control_of(term[0], {"frac", "tfrac", "dfrac"})) {
+      const Argument lower = argument_at(term, argument_at(term, 1).next);
+      const bool number = std::ranges::all_of(
+          lower.content, [](const Token& token) { return token.kind == TokenKind::digit; });
+      if (number) digits = lower.next;
+    }
+    missing_factors_at(place(term) + digits, term);
+  }
+
+  void missing_factors_at(std::size_t at, TokenView shown) {
+    for (const TokenView factor : factors_)
+      add(Slip::factor_missing, at, at, {factor.begin(), factor.end()}, shown);
+  }
+
+  void extra_factors(const PieceLevel& level) {
+    const auto is_factor = [&](std::size_t at) {
+      return at < level.pieces.size() && level.pieces[at].kind == PieceKind::factor;
+    };
+    for (std::size_t k = 0; k < level.pieces.size(); ++k) {
+      const Piece& piece = level.pieces[k];
+      const bool alone = !(k > 0 && is_factor(k - 1)) && !is_factor(k + 1);
+      const std::size_t at = place(piece.tokens);
+      if (!alone && is_plain_letter(piece))
+        add(Slip::factor_extra, at, at + piece.tokens.size(), {}, piece.tokens);
+    }
+  }
+
+  /// `b/a` for `a/b`.
+  void quotients(const PieceLevel& level) {
+    for (std::size_t k = 1; k + 1 < level.pieces.size(); ++k) {
+      const bool divides = is_sign(level.pieces[k].tokens[0], "/");
+      if (divides) exchange(Slip::inverted, level.pieces[k - 1].tokens, level.pieces[k + 1].tokens);
+    }
+  }
+
+  void fraction(std::size_t k) {
+    if (!is_fraction(side_[k])) return;
+    const Argument upper = argument_at(side_, k + 1);
+    const Argument lower = argument_at(side_, upper.next);
+    if (upper.content.empty() || lower.content.empty() || differentiates(lower.content)) return;
+    const TokenView whole = side_.subspan(k, lower.next - k);
+    const bool braced = is_kind_at(side_, upper.next, TokenKind::begin_group);
+    if (braced == is_kind_at(side_, k + 1, TokenKind::begin_group))
+      exchange(Slip::inverted, upper.content, lower.content);
+    if (!braced) return;
+    // A number in the denominator: 2 more, or without it.
+    const std::size_t at = place(lower.content);
+    std::size_t digits = 0;
+    while (is_kind_at(lower.content, digits, TokenKind::digit)) ++digits;
+    if (digits == 0) {
+      for (const std::string_view number : {"2", "4"})
+        add(Slip::factor, at, at, {made(TokenKind::digit, number, at)}, whole);
+    } else if (digits < lower.content.size()) {
+      add(Slip::factor, at, at + digits, {}, whole);
+    }
+  }
+
+  void function(std::size_t k) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> neighbours{{
+        {"sin", "cos"},
+        {"sinh", "cosh"},
+        {"tan", "cot"},
+        {"tanh", "coth"},
+        {"sec", "csc"},
+        {"sin", "sinh"},
+        {"cos", "cosh"},
+        {"tan", "tanh"},
+        {"arcsin", "arccos"},
+        {"exp", "ln"},
+    }};
+    if (side_[k].kind != TokenKind::control) return;
+    bool is_function = false;
+    for (const auto& [one, other] : neighbours) {
+      for (const auto& [from, to] : {std::pair(one, other), std::pair(other, one)}) {
+        if (side_[k].text != from) continue;
+        is_function = true;
+        add(Slip::function, k, k + 1, {made(TokenKind::control, to, k)}, side_.subspan(k, 1));
+      }
+    }
+    if (is_function && !is_kind_at(side_, k + 1, TokenKind::superscript))
+      add(Slip::power, k + 1, k + 1, {made(TokenKind::superscript, "^", k), made(TokenKind::digit, "2", k)},
+          side_.subspan(k, 1));
+  }
+
+  void rate(std::size_t k) {
+    if (dots_of(side_[k]) == 0) return;
+    const Argument under = argument_at(side_, k + 1);
+    const TokenView whole = side_.subspan(k, under.next - k);
+    add(Slip::rate, k, under.next, Tokens(under.content.begin(), under.content.end()), whole);
+    add(Slip::rate, k, k + 1, {made(TokenKind::control, dots_of(side_[k]) == 1 ? "ddot" : "dot", k)}, whole);
+  }
+
+  /// Another letter of the chain with the same face; a dot or a prime more or less.
+  void letters() {
+    std::vector<std::pair<Token, std::string_view>> others;
+    for (const TokenView side : chain_) {
+      for (const PlacedLetter& letter : letters_in(side)) {
+        const bool known = std::ranges::any_of(others, [&](const auto& other) {
+          return other.first.text == side[letter.at].text && other.second == letter.face;
+        });
+        if (!known) others.emplace_back(side[letter.at], letter.face);
+      }
+    }
+    for (const PlacedLetter& letter : letters_in(side_)) {
+      const TokenView whole = side_.subspan(letter.begin, letter.end - letter.begin);
+      for (const auto& [other, face] : others) {
+        if (face == letter.face && other.text != side_[letter.at].text)
+          add(Slip::letter, letter.at, letter.at + 1, {other}, whole);
+      }
+      dot_and_prime(letter, whole);
+    }
+  }
+
+  void dot_and_prime(const PlacedLetter& letter, TokenView whole) {
+    if (is_sign_at(side_, letter.end, "'")) {
+      add(Slip::prime, letter.end, letter.end + 1, {}, whole);
+      return;
+    }
+    const auto is_rate = [&](std::size_t at) { return at < side_.size() && dots_of(side_[at]) > 0; };
+    if (letter.begin > 0 &&
+        (is_rate(letter.begin - 1) || side_[letter.begin - 1].kind == TokenKind::superscript))
+      return;
+    if (letter.begin > 1 && is_rate(letter.begin - 2)) return;
+    add(Slip::prime, letter.end, letter.end, {made(TokenKind::other, "'", letter.at)}, whole);
+    Tokens dotted{made(TokenKind::control, "dot", letter.at), made(TokenKind::begin_group, "{", letter.at)};
+    dotted.insert(dotted.end(), whole.begin(), whole.end());
+    dotted.push_back(made(TokenKind::end_group, "}", letter.at));
+    add(Slip::rate, letter.begin, letter.end, std::move(dotted), whole);
+  }
+
+  TokenView side_;
+  const std::vector<TokenView>& chain_;
+  std::vector<TokenView> factors_;
+  std::vector<Rewriting> rewritings_;
+  std::set<std::tuple<std::size_t, std::size_t, std::string>> known_;
+};
+
+}  // namespace
+
+std::vector<Rewriting> exchanges_of(TokenView side, const std::vector<TokenView>& chain) {
+  return side.empty() ? std::vector<Rewriting>{} : Exchanger(side, chain).all();
+}
+
+}  // namespace rigor
