@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -47,6 +48,7 @@ struct Evidence {
   std::string other_arithmetic;    // words of sums and products that are not those of real numbers
   std::set<std::string> raised;    // x of `x^\mu`, `x^1 = x`: its upper indices are no powers
   bool speaks_of_raised = false;   // the words do, and name no letter
+  std::set<std::string> counters;  // n of `x_{n+1}`: in a subscript it counts the members of a sequence
   bool speaks_of_segments = false;  // of triangles and segments: `AB` can be the name of one
   bool sentence_is_open = false;    // while reading: such a sentence goes on with the next display
 
@@ -59,6 +61,11 @@ void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence);
 
 /// Adds what equations between a vector and its components show.
 void see_components(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+
+/// Adds the letters that count the members of a sequence in a subscript.
+void see_subscripts(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence);
+/// The letters of a subscript that is a formula: n of `n+1`. Empty for all others.
+[[nodiscard]] std::vector<std::string> counters_in(const WrittenIndex& index);
 
 /// `\hat n` for `\hat n_i`: letter, accent, change and primes.
 [[nodiscard]] std::string letter_with_marks(const WrittenSymbol& symbol);
@@ -126,6 +133,13 @@ void see_inline_functions(std::string_view text, Evidence& evidence);
 [[nodiscard]] bool is_changing(const Evidence& evidence, std::string_view name);
 /// Can it change, as far as the section shows?
 [[nodiscard]] bool may_be_changing(const Evidence& evidence, std::string_view name);
+
+/// Does the section write the symbol as a function: `V(r)`, `\omega(k) = \dots`? Its variables, of which
+/// the letters in other brackets, `V(r_0)`, are values; nothing where several could be that.
+[[nodiscard]] std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol,
+                                                                   const Evidence& evidence);
+/// Letters that are no functions, whatever stands behind them: π, i, orders, differentials, changes.
+[[nodiscard]] bool is_never_applied(const WrittenSymbol& symbol);
 
 /// Does the bracket only show what the symbol depends on, so that `x(t)` is x? It is so if the section
 /// applies the symbol to no other letters, and nobody would write such a product: several letters, a letter

@@ -2,6 +2,7 @@
 #include "elaborate/evidence/evidence.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,13 +45,6 @@ std::vector<std::string> letters_in_bracket(const SyntaxTree& syntax, SyntaxId b
 
 /// `x_0`, `t'`: a value of what the function depends on.
 bool is_marked(std::string_view letter) { return letter.find_first_of("_'") != std::string_view::npos; }
-
-/// Letters that are no functions, whatever stands behind them: π, i, orders, differentials, changes.
-bool is_never_applied(const WrittenSymbol& symbol) {
-  static constexpr std::string_view letters[] = {"\\pi", "i",       "d",       "D",      "O",
-                                                 "o",    "\\delta", "\\Delta", "\\nabla"};
-  return is_one_of(symbol.letter, letters) || !symbol.change.empty();
-}
 
 /// `x_0` alone is an initial value; any other subscript can be an index.
 std::string changing_name(const WrittenSymbol& symbol) {
@@ -182,6 +176,12 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
   }
 }
 
+bool is_never_applied(const WrittenSymbol& symbol) {
+  static constexpr std::string_view letters[] = {"\\pi", "i",       "d",       "D",      "O",
+                                                 "o",    "\\delta", "\\Delta", "\\nabla"};
+  return is_one_of(symbol.letter, letters) || !symbol.change.empty();
+}
+
 bool is_changing(const Evidence& evidence, std::string_view name) {
   return is_among(evidence.changing, name);
 }
@@ -242,26 +242,35 @@ void settle_changes(Evidence& evidence) {
   }
 }
 
-bool is_argument(const SyntaxTree& syntax, SyntaxId applied, SyntaxId bracket, const Evidence& evidence) {
-  const SyntaxId id = without_derivatives(syntax, applied);
-  if (syntax[id].kind != SyntaxKind::symbol) return false;
-  const WrittenSymbol& symbol = syntax.symbol(id);
-  const std::vector<std::string> letters = letters_in_bracket(syntax, bracket);
-  const auto found = evidence.applied.find(applied_name_of(symbol));
-  if (letters.empty() || found == evidence.applied.end()) return false;
-  const auto is_plain = [](const std::vector<std::string>& each) {
+std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol, const Evidence& evidence) {
+  const auto applied = evidence.applied.find(applied_name_of(symbol));
+  if (applied == evidence.applied.end()) return std::nullopt;
+  std::vector<std::vector<std::string>> plain;
+  std::ranges::copy_if(applied->second, std::back_inserter(plain), [](const std::vector<std::string>& each) {
     return std::ranges::none_of(each, is_marked);
+  });
+  const auto are_coordinates = [](const std::vector<std::string>& each) {
+    return std::ranges::all_of(each, [](const std::string& letter) { return is_usual_coordinate(letter); });
   };
-  const auto plain = std::ranges::count_if(found->second, is_plain);
-  const bool only_one = plain == 1 ? is_plain(letters) : plain == 0 && found->second.size() == 1;
-  if (!only_one) return false;
+  if (plain.empty() && applied->second.size() == 1) return *applied->second.begin();
+  // `u(y)`, `u(h)`: the letter that is a coordinate.
+  if (plain.size() > 1) std::erase_if(plain, [&](const auto& each) { return !are_coordinates(each); });
+  if (plain.size() != 1) return std::nullopt;
+  const std::vector<std::string>& variables = plain.front();
   const auto defined = evidence.functions.find(name_of(symbol));
   const auto is_its_own = [&](const std::string& each) {
     return defined != evidence.functions.end() && defined->second.contains(each);
   };
-  const auto is_coordinate = [](const std::string& each) { return is_usual_coordinate(each); };
-  return letters.size() > 1 || std::ranges::all_of(letters, is_its_own) ||
-         (std::ranges::all_of(letters, is_coordinate) && !is_usual_coefficient(symbol.letter));
+  const bool sure = variables.size() > 1 || std::ranges::all_of(variables, is_its_own) ||
+                    (are_coordinates(variables) && !is_usual_coefficient(symbol.letter));
+  return sure ? std::optional(variables) : std::nullopt;
+}
+
+bool is_argument(const SyntaxTree& syntax, SyntaxId applied, SyntaxId bracket, const Evidence& evidence) {
+  const SyntaxId id = without_derivatives(syntax, applied);
+  if (syntax[id].kind != SyntaxKind::symbol) return false;
+  const std::vector<std::string> letters = letters_in_bracket(syntax, bracket);
+  return !letters.empty() && variables_of(syntax.symbol(id), evidence) == letters;
 }
 
 const std::set<std::string>* arguments_of(const SyntaxTree& syntax, SyntaxId symbol, SyntaxId bracket,

@@ -128,6 +128,32 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
   }
 }
 
+/// n of `x_{n+1}` labels x_n beside it, too; elsewhere in the section where no term repeats it.
+void read_counters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names,
+                   Letters& letters) {
+  std::set<std::string> counters = names.symbols.evidence->counters;
+  std::set<std::string> here;
+  for_each_node(syntax, sides, [&](SyntaxId id) {
+    if (syntax[id].kind == SyntaxKind::symbol) {
+      for (const WrittenIndex& index : syntax.symbol(id).lower) {
+        const std::vector<std::string> own = counters_in(index);
+        here.insert(own.begin(), own.end());
+      }
+    }
+    if (syntax[id].kind != SyntaxKind::term) return;
+    std::set<std::string> in_term;
+    for (const SyntaxChild& child : syntax.children(id)) {
+      if (syntax[child.id].kind != SyntaxKind::symbol) continue;
+      for (const std::string& letter : latin_letters(syntax.symbol(child.id).lower)) {
+        if (!in_term.insert(letter).second) counters.erase(letter);
+      }
+    }
+  });
+  counters.merge(here);
+  std::ranges::copy_if(counters, std::inserter(letters.labels, letters.labels.end()),
+                       [&](const std::string& letter) { return !letters.indices.contains(letter); });
+}
+
 /// Is it declared with its subscripts as one letter: `scalar \omega_n`?
 bool is_declared_with_labels(const WrittenSymbol& symbol, const Names& names) {
   return !symbol.lower.empty() &&
@@ -249,10 +275,12 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   for_each_node(syntax, sides, [&](SyntaxId id) { read_definite(syntax, id, letters); });
   read_permutations(syntax, sides, letters);
   read_labels(syntax, sides, letters);
+  read_counters(syntax, sides, names, letters);
   for_each_node(syntax, sides, [&](SyntaxId id) { read_by_company(syntax, id, names, letters); });
   for_each_node(syntax, sides, [&](SyntaxId id) { read_repetition(syntax, id, letters); });
   for_each_node(syntax, sides, [&](SyntaxId id) {
     if (syntax[id].kind != SyntaxKind::symbol) return;
+    if (!syntax.symbol(id).change.empty()) letters.changes.insert(syntax.symbol(id).change);
     if (is_declared_with_labels(syntax.symbol(id), names)) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);
     if (syntax.symbol(id).face == Face::vector) {

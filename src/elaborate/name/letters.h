@@ -18,6 +18,7 @@ struct Letters {
   std::set<std::string> indices;          // letters other than i … n that are indices in this statement
   std::set<std::string> labels;           // letters of i … n that are labels in this statement
   std::set<std::string> indexed_vectors;  // bases that occur with one index letter in this statement
+  std::set<std::string> changes;          // \delta of `\delta x`
   std::set<std::string> bold_vectors;     // bases that occur in bold or under an arrow in this statement
   std::set<std::string> bare;             // plain letters that stand without a subscript
   bool evidence =

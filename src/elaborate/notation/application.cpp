@@ -9,6 +9,7 @@
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/symbol/named_symbol.h"
+#include "expr/print/print_latex.h"
 #include "expr/print/usual_letters.h"
 
 namespace rigor {
@@ -30,6 +31,13 @@ bool is_taken_at(const SyntaxTree& syntax, SyntaxId derivative, SyntaxId bracket
            std::ranges::any_of(syntax.derivative(derivative).by, [&](const auto& each) {
              return each.symbol.letter == syntax.symbol(id).letter;
            });
+  });
+}
+
+/// `n(n + 1)`: nobody takes a function of itself.
+bool holds_letter(const SyntaxTree& syntax, SyntaxId bracket, const std::string& letter) {
+  return std::ranges::any_of(nodes_below(syntax, {bracket}), [&](SyntaxId id) {
+    return syntax[id].kind == SyntaxKind::symbol && syntax.symbol(id).letter == letter;
   });
 }
 
@@ -88,8 +96,14 @@ std::optional<SpelledPart> repeated_greek(const Reading& reading, std::span<cons
   return std::nullopt;
 }
 
+bool is_greek_d(const WrittenSymbol& symbol) {
+  return (symbol.letter == "\\delta" || symbol.letter == "\\Delta") && symbol.lower.empty() &&
+         symbol.face == Face::plain && symbol.accent == Accent::none && symbol.primes == 0 &&
+         symbol.change.empty();
+}
+
 /// `f(x)` and `\omega(t)` can be a value of a function or a product; `dx` a differential or a product.
-std::optional<SpelledPart> application(const Reading& reading, std::span<const SyntaxChild> factors) {
+std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxChild> factors) {
   const SyntaxTree& syntax = reading.syntax;
   for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
     const SyntaxId id = factors[k].id;
@@ -102,22 +116,19 @@ std::optional<SpelledPart> application(const Reading& reading, std::span<const S
                          {"a sign between them says which is meant"}};
     if (is_taken_at(syntax, id, next))
       return SpelledPart{both, "this can be a product, or the derivative at the value in the bracket", {}};
+    const bool power_of_symbol =
+        syntax[id].kind == SyntaxKind::power && syntax[syntax.child(id, 0)].kind == SyntaxKind::symbol;
+    if (power_of_symbol && is_greek_d(syntax.symbol(syntax.child(id, 0))))
+      return SpelledPart{both, "this can be a change of second order, or a power and a factor", {}};
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, id)) continue;
-    if (holds_one_symbol(syntax, next) || looks_like_argument(reading, symbol, next) ||
-        (syntax[next].kind == SyntaxKind::tuple && symbol.face == Face::plain)) {
-      const SyntaxId argument = syntax.child(next, 0);
-      const bool one_symbol =
-          syntax[argument].kind == SyntaxKind::symbol && syntax[next].kind == SyntaxKind::group;
-      if (one_symbol && is_declared(reading.names.symbols, {syntax.symbol(argument).letter, 0, false}))
-        continue;
-      return SpelledPart{both,
-                         "this can be a product or the value of a function",
-                         {"write a function without its argument in definitions and claims",
-                          fmt::format("`rigor: scalar {}` makes it a product",
-                                      one_symbol ? syntax.symbol(argument).letter : symbol.letter)}};
-    }
+    const BracketPart part = part_of_bracket(reading, id, next);
+    if (part == BracketPart::argument ||
+        (part == BracketPart::open && reading.rules.open != OpenBracket::refused))
+      continue;
+    if (part == BracketPart::open)
+      return SpelledPart{both, reading.found.applied->message, reading.found.applied->help};
     if (applies_elsewhere(reading, id, next))
       return SpelledPart{
           both,
@@ -129,11 +140,16 @@ std::optional<SpelledPart> application(const Reading& reading, std::span<const S
     SyntaxId changed = next;
     if (syntax[changed].kind == SyntaxKind::power) changed = syntax.child(changed, 0);
     const SyntaxKind of = syntax[changed].kind;
-    const bool greek_d = (symbol.letter == "\\delta" || symbol.letter == "\\Delta") && symbol.lower.empty() &&
-                         symbol.face == Face::plain && symbol.accent == Accent::none && symbol.primes == 0;
-    if (greek_d && of == SyntaxKind::group &&
-        !is_declared(reading.names.symbols, {symbol.letter, 0, false}) &&
-        !is_small_scalar(reading.names, reading.tree, symbol.letter))
+    const bool greek_d = is_greek_d(symbol);
+    const bool is_letter = is_declared(reading.names.symbols, {symbol.letter, 0, false}) ||
+                           is_small_scalar(reading.names, reading.tree, symbol.letter);
+    if (greek_d && of != SyntaxKind::group && !is_letter)
+      return SpelledPart{
+          syntax[id].span,
+          fmt::format("`{}` before another factor reads as a small change of it, which is not decided yet",
+                      symbol.letter),
+          {fmt::format("`rigor: scalar {}` makes it a factor", symbol.letter)}};
+    if (greek_d && of == SyntaxKind::group && !is_letter)
       return SpelledPart{
           syntax[id].span,
           fmt::format("`{}` before a bracket can be a change of what is in it, a function, or a factor",
@@ -168,6 +184,69 @@ std::optional<SpelledPart> number_run(const Reading& reading, std::span<const Sy
 
 }  // namespace
 
+BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracket) {
+  const SyntaxTree& syntax = reading.syntax;
+  if (syntax[function].kind != SyntaxKind::symbol) return BracketPart::factor;
+  const WrittenSymbol& symbol = syntax.symbol(function);
+  const SyntaxKind kind = syntax[bracket].kind;
+  if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, function) ||
+      is_never_applied(symbol) || (kind != SyntaxKind::group && kind != SyntaxKind::tuple) ||
+      holds_letter(syntax, bracket, symbol.letter))
+    return BracketPart::factor;
+  const SyntaxId argument = syntax.child(bracket, 0);
+  const bool one_symbol = syntax[argument].kind == SyntaxKind::symbol && kind == SyntaxKind::group;
+  if (one_symbol && is_declared(reading.names.symbols, {syntax.symbol(argument).letter, 0, false}))
+    return BracketPart::factor;
+  if (kind == SyntaxKind::group && whole_number(syntax, argument) == 0) return BracketPart::argument;
+  if (const auto variables = variables_of(symbol, *reading.names.symbols.evidence)) {
+    const bool of_variable = std::ranges::any_of(
+        *variables, [&](const std::string& letter) { return holds_letter(syntax, bracket, letter); });
+    const bool declared = std::ranges::any_of(*variables, [&](const std::string& letter) {
+      return is_declared(reading.names.symbols, {letter, 0, false});
+    });
+    if (!declared &&
+        (holds_one_symbol(syntax, bracket) || (of_variable && !is_usual_coefficient(symbol.letter))))
+      return BracketPart::argument;
+  }
+  if (!holds_one_symbol(syntax, bracket) && !looks_like_argument(reading, symbol, bracket) &&
+      (kind != SyntaxKind::tuple || symbol.face != Face::plain))
+    return BracketPart::factor;
+  reading.found.applied =
+      Obstacle{DiagnosticKind::ambiguous_reading,
+               "this can be a product or the value of a function",
+               {"write a function without its argument in definitions and claims",
+                fmt::format("`rigor: scalar {}` makes it a product",
+                            one_symbol ? syntax.symbol(argument).letter : symbol.letter)}};
+  return BracketPart::open;
+}
+
+MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId bracket, const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  const Span span = cover(syntax[function].span, syntax[bracket].span);
+  const auto of = elaborate(reading, function, around);
+  if (!of) return std::nullopt;
+  bool open = !of->free.empty() || !of->particles.empty();
+  std::string arguments;
+  for (const SyntaxChild& child : syntax.children(bracket)) {
+    const auto argument = elaborate(reading, child.id, around);
+    if (!argument) return std::nullopt;
+    open = open || !argument->free.empty() || !argument->particles.empty();
+    arguments += (arguments.empty() ? "" : ", ") + print_latex(reading.tree, argument->id);
+  }
+  if (open || of->rank > 1)
+    return unsupported(reading, span, "the value of a function with indices is not decided");
+  const std::string name = fmt::format("{}({})", print_latex(reading.tree, of->id), arguments);
+  reading.found.values = true;
+  const SymbolId symbol = symbol_named(reading, {name, of->rank, false}, name, span);
+  Typed value{.rank = of->rank};
+  value.id = reading.tree.add({.op = Op::symbol,
+                               .rank = static_cast<std::uint8_t>(of->rank),
+                               .span = span,
+                               .symbol = symbol,
+                               .axes = reading.tree[of->id].axes});
+  return value;
+}
+
 std::vector<SyntaxChild> without_arguments(const Reading& reading, std::span<const SyntaxChild> factors) {
   const SyntaxTree& syntax = reading.syntax;
   const Evidence& evidence = *reading.names.symbols.evidence;
@@ -186,7 +265,7 @@ std::vector<SyntaxChild> without_arguments(const Reading& reading, std::span<con
   return kept;
 }
 
-std::optional<SpelledPart> doubt_of_product(const Reading& reading, std::span<const SyntaxChild> factors) {
+std::optional<SpelledPart> doubt_of_product(Reading& reading, std::span<const SyntaxChild> factors) {
   if (auto spelled = spelled_part(reading.syntax, factors, reading.names)) return spelled;
   if (auto doubt = application(reading, factors)) return doubt;
   if (auto doubt = repeated_greek(reading, factors)) return doubt;

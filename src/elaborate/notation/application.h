@@ -2,6 +2,8 @@
 // Factors side by side that can be something else than a product.
 #pragma once
 
+#include <cstdint>
+
 #include "elaborate/name/spelled.h"
 #include "elaborate/reading/reading.h"
 
@@ -12,8 +14,22 @@ namespace rigor {
 [[nodiscard]] std::vector<SyntaxChild> without_arguments(const Reading& reading,
                                                          std::span<const SyntaxChild> factors);
 
+/// What a bracket directly behind a symbol is: a factor, the argument of a function, or either of them.
+enum class BracketPart : std::uint8_t {
+  factor,
+  argument,
+  open,
+};
+/// An argument where the section writes the symbol as a function, or behind any letter where it is 0. That it
+/// is open is noted in what the reading found.
+[[nodiscard]] BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracket);
+
+/// A symbol that is named after the function and its argument: nothing else is known of it.
+[[nodiscard]] MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId bracket,
+                                           const Around& around);
+
 /// The first such place among the factors of a term, if any.
-[[nodiscard]] std::optional<SpelledPart> doubt_of_product(const Reading& reading,
+[[nodiscard]] std::optional<SpelledPart> doubt_of_product(Reading& reading,
                                                           std::span<const SyntaxChild> factors);
 
 }  // namespace rigor

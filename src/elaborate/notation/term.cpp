@@ -91,6 +91,13 @@ MaybeTyped apply_operator(Reading& reading, std::span<const SyntaxChild> factors
   return act(reading, id, joint, *operand, around);
 }
 
+bool is_applied(Reading& reading, SyntaxId function, const SyntaxChild& next) {
+  if (next.joint != Joint::juxtaposed) return false;
+  const BracketPart part = part_of_bracket(reading, function, next.id);
+  return part == BracketPart::argument ||
+         (part == BracketPart::open && reading.rules.open == OpenBracket::argument);
+}
+
 }  // namespace
 
 MaybeTyped elaborate_term(Reading& reading, SyntaxId id, const Around& around) {
@@ -100,9 +107,12 @@ MaybeTyped elaborate_term(Reading& reading, SyntaxId id, const Around& around) {
   for (std::size_t k = 0; k < factors.size();) {
     const SyntaxChild& child = factors[k];
     std::size_t next = k + 1;
+    const bool applied = next < factors.size() && is_applied(reading, child.id, factors[next]);
     auto typed = acts_as_operator(reading.syntax, child.id)
                      ? apply_operator(reading, factors, k, next, around)
-                     : elaborate(reading, child.id, around);
+                 : applied ? value_of_function(reading, child.id, factors[next].id, around)
+                           : elaborate(reading, child.id, around);
+    if (applied) ++next;
     failed = failed || !typed;
     if (typed) operands.push_back({*std::move(typed), child.joint, child.joint_span});
     k = next;

@@ -21,6 +21,11 @@ Id variable_of(Reading::Variables<Id>& variables, const std::string& letter, con
 }  // namespace
 
 std::optional<Obstacle> guess_of(const Reading& reading) {
+  if (auto guess = lasting_guess_of(reading)) return guess;
+  return reading.found.belongs ? reading.found.belongs : reading.found.applied;
+}
+
+std::optional<Obstacle> lasting_guess_of(const Reading& reading) {
   const Reading::Found& found = reading.found;
   if (found.guess || !found.differentiates_position || found.positions.size() < 2) return found.guess;
   return Obstacle{DiagnosticKind::ambiguous_reading,

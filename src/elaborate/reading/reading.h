@@ -34,13 +34,22 @@ struct Hole {
   Span span;
 };
 
+/// A bracket that can be a factor or the argument of a function.
+enum class OpenBracket : std::uint8_t {
+  refused,
+  factor,
+  argument,
+};
+
 /// How a statement is read where the plain reading is not what is meant.
 struct ReadingRules {
   bool no_sum = false;                  // "(no sum)": no letter is summed but under an explicit sign
   std::set<std::string> unsummed = {};  // nor are these
   bool primes_on_axes = false;          // i' and i are one letter; the prime only says along which axes
   bool dots_on_vectors = false;         // \dot r of the length r is |\dot{\mathbf r}|
-  std::optional<HoleShape> hole = {};   // nothing: a hole is not read
+  bool apart = false;                   // what can belong to a vector of this letter is a symbol of its own
+  OpenBracket open = OpenBracket::refused;
+  std::optional<HoleShape> hole = {};  // nothing: a hole is not read
 };
 
 /// What is around the part that is read. It is handed down, and kept nowhere.
@@ -72,14 +81,17 @@ struct Reading {
 
   /// What the statement says apart from its meaning.
   struct Found {
-    std::vector<std::string> conventions;   // that were needed: "`A` is the length of `\mathbf{A}`"
-    std::set<std::string> summed_letters;   // because they stand twice
-    std::vector<Hole> holes;                // in the order in which they were read
-    std::optional<Span> dotted_length;      // \dot r, squared, where r is the length of a particle's vector
-    std::optional<std::string> region;      // of its integrals
-    std::optional<Span> dyad;               // bold letters side by side, which may be matrices
-    std::optional<Obstacle> guess;          // see guess_of()
-    bool circle_number = false;             // π was taken as any number: what fails so need not fail
+    std::vector<std::string> conventions;  // that were needed: "`A` is the length of `\mathbf{A}`"
+    std::set<std::string> summed_letters;  // because they stand twice
+    std::vector<Hole> holes;               // in the order in which they were read
+    std::optional<Span> dotted_length;     // \dot r, squared, where r is the length of a particle's vector
+    std::optional<std::string> region;     // of its integrals
+    bool values = false;                   // it has values of functions: `V(r_0)`, a symbol of its own
+    std::optional<Span> dyad;              // bold letters side by side, which may be matrices
+    std::optional<Obstacle> guess;         // see guess_of()
+    std::optional<Obstacle> belongs;  // a letter was taken for a part of a vector: see ReadingRules::apart
+    std::optional<Obstacle> applied;  // a bracket can be a factor or an argument: see OpenBracket
+    bool circle_number = false;       // π was taken as any number: what fails so need not fail
     std::vector<SymbolId> unknown_changes;  // differentiated though nothing says whether they change: such a
                                             // statement may be proved, never refuted
     std::set<std::string> positions;        // the ways in which it writes the position
@@ -99,6 +111,8 @@ struct Reading {
 
 /// A reading that nothing but the statement itself suggests: such a statement may be proved, never refuted.
 [[nodiscard]] std::optional<Obstacle> guess_of(const Reading& reading);
+/// The same without guesses that leave one other reading.
+[[nodiscard]] std::optional<Obstacle> lasting_guess_of(const Reading& reading);
 void note(Reading& reading, std::string convention);
 /// Of x, y, z, the vector r and the vector x, any one can be the position; nothing says how two of them are
 /// related.

@@ -53,8 +53,9 @@ void warn_of_bold_index(Reading& reading, const WrittenName& name, Span span) {
 }
 
 /// Bold somewhere else in the notes makes a letter a vector, yet nothing in the statement says so: `R_1` may
-/// be a resistance. A length is settled by the vector's use in this section.
-void guess_vector(Reading& reading, const WrittenName& name, bool as_length) {
+/// be a resistance. A length is settled by the vector's use in this section. Is it read as a symbol of its
+/// own?
+bool stands_apart(Reading& reading, const WrittenName& name, bool as_length) {
   const NameKey key{name.base, 1, name.per_particle()};
   const Names& names = reading.names;
   const auto symbol = find_symbol(names.symbols, key);
@@ -63,12 +64,29 @@ void guess_vector(Reading& reading, const WrittenName& name, bool as_length) {
                        reading.letters.indexed_vectors.contains(name.base) ||
                        (symbol && definition_of(names.scope, *symbol) != nullptr) ||
                        (symbol && as_length && seen_in_equation(names.scope, *symbol));
-  if (settled) return;
-  reading.found.guess =
+  if (settled) return false;
+  reading.found.belongs =
       Obstacle{DiagnosticKind::ambiguous_reading,
                fmt::format("`{}` can belong to the vector `{}`, or be a symbol of its own", name.base,
                            bold(name.base)),
                {fmt::format("`rigor: vector {}` or `rigor: scalar …` settles it", bold(name.base))}};
+  return reading.rules.apart;
+}
+
+/// `a` and `a_i` in one statement: a length and its components, or two letters.
+bool stands_apart_in_company(Reading& reading, const WrittenName& name) {
+  reading.found.belongs = Obstacle{
+      DiagnosticKind::ambiguous_reading,
+      fmt::format("`{}` can be the length of the vector with components `{}_i`, or a symbol of its own",
+                  name.base, name.base),
+      {fmt::format("`rigor: vector {}` or `rigor: scalar {}` settles it", bold(name.base), name.base)}};
+  return reading.rules.apart;
+}
+
+/// A symbol that other rows may take for a part of a vector.
+MaybeTyped symbol_apart(Reading& reading, const Occurrence& at, const std::string& base) {
+  note(reading, fmt::format("`{}` is a symbol of its own", base));
+  return named_symbol(reading, at, base, 0);
 }
 
 /// δ, ε and basis vectors; nothing for other letters.
@@ -99,7 +117,8 @@ bool is_bare_and_undeclared(const Names& names, const WrittenSymbol& written) {
 }
 
 /// Why a letter is no quantity that is read: it stands for a change, an average or i.
-std::optional<Obstacle> no_quantity(const Names& names, const WrittenSymbol& written) {
+std::optional<Obstacle> no_quantity(const Reading& reading, const WrittenSymbol& written) {
+  const Names& names = reading.names;
   const std::string& letter = written.letter;
   if (letter.starts_with("\\mathbb") && !is_declared_letter(names, written))
     return unread(
@@ -107,7 +126,9 @@ std::optional<Obstacle> no_quantity(const Names& names, const WrittenSymbol& wri
                     letter),
         {fmt::format("`rigor: scalar {}` makes it a quantity", letter)});
   if (!is_bare_and_undeclared(names, written)) return std::nullopt;
-  if (letter == "\\delta" || letter == "\\Delta" || letter == "\\mathrm{d}")
+  // `\frac{\delta}{\delta q}`: what is no change by itself may be one beside others.
+  const bool beside_changes = reading.letters.changes.contains(letter);
+  if (((letter == "\\delta" || letter == "\\Delta") && beside_changes) || letter == "\\mathrm{d}")
     return unread(
         fmt::format("`{}` without indices reads as a small change, which is not decided yet", letter));
   if ((letter == "i" || letter == "j") && written.primes == 0)
@@ -179,17 +200,12 @@ MaybeTyped length_or_scalar(Reading& reading, const Occurrence& at) {
   const bool component = here.components.contains(name.base);
   if (is_declared(names.symbols, scalar) || defined || component || (!bold_seen && !by_company))
     return named_symbol(reading, at, name.base, 0);
+  if ((bold_seen && stands_apart(reading, name, true)) ||
+      (by_company && stands_apart_in_company(reading, name)))
+    return symbol_apart(reading, at, name.base);
   const auto vector = named_symbol(reading, at, name.base, 1);
   if (!vector) return vector;
   note(reading, fmt::format("`{}` is the length of `{}`", name.base, bold(name.base)));
-  if (bold_seen) guess_vector(reading, name, true);
-  if (by_company) {
-    reading.found.guess = Obstacle{
-        DiagnosticKind::ambiguous_reading,
-        fmt::format("`{}` can be the length of the vector with components `{}_i`, or a symbol of its own",
-                    name.base, name.base),
-        {fmt::format("`rigor: vector {}` or `rigor: scalar {}` settles it", bold(name.base), name.base)}};
-  }
   return apply_op(reading.tree, Op::length, at.span, 0, {*vector});
 }
 
@@ -221,7 +237,10 @@ MaybeTyped plain_symbol(Reading& reading, Occurrence at) {
   }
   const bool mixed =
       !all_of_form(name.axes, IndexForm::digit) && !std::ranges::all_of(name.axes, is_axis_letter);
-  if (known && !labelled_known && rank == 1) guess_vector(reading, name, false);
+  if (known && !labelled_known && rank == 1 && stands_apart(reading, name, false)) {
+    name.axes.clear();
+    return symbol_apart(reading, at, labelled);
+  }
   if ((known && !labelled_known) || mixed) return named_symbol(reading, at, name.base, rank, name.axes);
   name.base = labelled;
   name.axes.clear();
@@ -257,7 +276,7 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   if (written.dots > 0) return dotted_symbol(reading, written, span, around);
   if (written.letter == "\\nabla") return unsupported(reading, span, "`\\nabla` has nothing to act on here");
   if (auto fixed = unit_or_basis(reading, written, span, around)) return *std::move(fixed);
-  if (const auto obstacle = no_quantity(reading.names, written)) return fail(reading, span, *obstacle);
+  if (const auto obstacle = no_quantity(reading, written)) return fail(reading, span, *obstacle);
   if (written.letter == "\\pi" && is_bare_and_undeclared(reading.names, written))
     reading.found.circle_number = true;
   WrittenName name = take_apart(written, reading.letters, reading.names);
@@ -271,6 +290,17 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   const auto greek_label = [](const WrittenIndex& index) { return index.form == IndexForm::greek; };
   if (std::ranges::count_if(written.lower, greek_label) > 1) {
     return unsupported(reading, span, "two Greek subscripts, as of space-time, are not decided");
+  }
+  for (const WrittenIndex& index : written.lower) {
+    const std::vector<std::string> counters = counters_in(index);
+    const bool bound = std::ranges::any_of(counters, [&](const std::string& letter) {
+      return reading.letters.is_index(letter) || reading.indices.summed.contains(letter) ||
+             reading.particles.summed.contains(letter);
+    });
+    const bool several =
+        counters.size() > 1 && (written.letter == "\\delta" || written.letter == "\\epsilon");
+    if (bound || several)
+      return unsupported(reading, span, fmt::format("`{}` beside an index is not read", index.text));
   }
   const bool capital = is_capital_letter(written.letter);
   if (written.accent == Accent::hat && written.face == Face::plain && capital &&
