@@ -42,6 +42,8 @@ constexpr auto table = std::to_array<DiagnosticInfo>({
 
     {follows_from_nothing, "follows-from-nothing", Severity::undecided,
      "an equation is announced as a conclusion, and follows from nothing that stands above it"},
+    {suspect, "suspect", Severity::suspect,
+     "an equation does not follow, but one slip of the pen away stands one that does"},
     {ambiguous_reading, "ambiguous-reading", not_understood, "the notation allows two readings"},
     {free_index_mismatch, "free-index-mismatch", error, "the free indices of two sides or two terms differ"},
     {index_repeats, "index-repeats", error, "an index occurs more than twice in one term"},

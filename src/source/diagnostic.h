@@ -44,6 +44,7 @@ enum class DiagnosticKind : std::uint8_t {
   unknown_quantity,
   // meaning
   follows_from_nothing,
+  suspect,
   ambiguous_reading,
   free_index_mismatch,
   index_repeats,

@@ -35,7 +35,7 @@ constexpr std::array directive_words{
     DirectiveWord{"order", DirectiveKind::first_order}, DirectiveWord{"allow", DirectiveKind::allow},
     DirectiveWord{"warn", DirectiveKind::warn},         DirectiveWord{"units", DirectiveKind::units},
     DirectiveWord{"for all", DirectiveKind::for_all},   DirectiveWord{"use", DirectiveKind::use},
-    DirectiveWord{"space", DirectiveKind::space}};
+    DirectiveWord{"space", DirectiveKind::space},       DirectiveWord{"law next", DirectiveKind::expect}};
 
 /// Those of symbols, before or after the kind.
 bool describes_symbols(const std::string& word) {
@@ -43,7 +43,7 @@ bool describes_symbols(const std::string& word) {
 }
 
 /// Of two words, the first: it opens a line and says nothing yet.
-bool is_half(const std::string& word) { return word == "first" || word == "for"; }
+bool is_half(const std::string& word) { return word == "first" || word == "for" || word == "law"; }
 
 bool is_adjective(const std::string& word) { return describes_symbols(word) || is_half(word); }
 
@@ -79,8 +79,11 @@ Opening read_opening(const SourceMap& sources, Span line) {
       break;
     }
     if (word.empty()) break;
-    const bool second = word == "all" && opening.words == std::vector<std::string>{"for"};
-    opening.words.push_back(second ? "for all" : word);
+    opening.words.push_back(word);
+    for (const std::string_view two : {"for all", "law next"}) {
+      if (opening.words.size() == 2 && fmt::format("{}", fmt::join(opening.words, " ")) == two)
+        opening.words = {std::string(two)};
+    }
   }
   opening.rest = {line.file, line.begin + static_cast<std::uint32_t>(at), line.end};
   return opening;
@@ -127,6 +130,10 @@ class DirectiveReader {
     if (directive.kind == DirectiveKind::frame) return frame(opening.rest, std::move(directive));
     if (directive.kind == DirectiveKind::space) return space(opening.rest, std::move(directive));
     if (directive.kind == DirectiveKind::use) return use(opening.rest, std::move(directive));
+    if (is_one_of("law next", opening.words)) {
+      directive.expected = Verdict::law;
+      return directive;
+    }
     if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
     const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
@@ -173,12 +180,15 @@ class DirectiveReader {
   std::optional<Directive> expectation(Span rest, Directive directive) {
     std::size_t at = 0;
     const std::string word = next_word(sources_.text(rest), at);
-    if (word == "law") directive.expected = Verdict::law;
-    if (word == "refuted" || word == "law") return directive;
+    for (const Verdict each : {Verdict::refuted, Verdict::law, Verdict::suspect}) {
+      if (word != name_of(each)) continue;
+      directive.expected = each;
+      return directive;
+    }
     return bad(
         directive.span, fmt::format("`expect {}` is not known", word),
-        "`expect refuted` says that the next statement is false, `expect law` that it is stated and not "
-        "concluded");
+        "`expect refuted` says that the next statement is false, `expect suspect` that it is likely to "
+        "be, `expect law` that it is stated and not concluded");
   }
 
   /// `frame rot rotates with \boldsymbol{\omega} in in`

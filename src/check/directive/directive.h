@@ -66,7 +66,7 @@ struct Directive {
   std::vector<ParsedChain> chains;            // let, given, where, claim
   std::vector<DiagnosticKind> warnings = {};  // allow, warn
   std::vector<std::string> places = {};       // use: tags, `line 12`
-  Verdict expected = Verdict::refuted;        // expect: or a law
+  Verdict expected = Verdict::refuted;        // expect: or a law, or suspect
   bool here = false;                          // allow, warn: of the next statement only
   std::string space;                          // space: its name
   int dimension = 0;                          // and dimension

@@ -23,6 +23,7 @@ std::optional<Anchor> read_anchor(std::string_view text, Span span) {
     if (!text.starts_with(word)) return std::nullopt;
     return trimmed(text.substr(word.size()));
   };
+  if (text == "start") return anchor;
   if (text.size() > 2 && text.front() == '(' && text.back() == ')') {
     anchor.kind = AnchorKind::tag;
     anchor.text = std::string(text);
@@ -72,7 +73,7 @@ std::vector<SidecarLine> read_sidecar(const SourceMap& sources, FileId file, Dia
          bare,
          fmt::format("`{}` names no place", text),
          {},
-         {"places are `at (6)`, `at label eq:name`, `at section \"Title\"`, `at line 57`"}});
+         {"places are `at start`, `at (6)`, `at label eq:name`, `at section \"Title\"`, `at line 57`"}});
   }
   return lines;
 }

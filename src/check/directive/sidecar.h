@@ -7,6 +7,7 @@
 //   claim A_iA_i = A^2
 //   at section "Kinetic energy"     # directly below the heading
 //   at line 57
+//   at start                        # from the start of the notes again
 #pragma once
 
 #include <string>

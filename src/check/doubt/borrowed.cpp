@@ -326,8 +326,8 @@ class Heeding {
     withdraw(DiagnosticKind::borrowed,
              elsewhere
                  ? fmt::format("it fails only with `{}`, which {}", borrowed.front().origin.text,
-                               borrowed.front().origin.conditional
-                                   ? "a word in its own sentence may limit to a case"
+                               borrowed.front().origin.conditional || borrowed.front().origin.on_its_line
+                                   ? "its own sentence may limit to a case"
                                    : "is not said for this section")
                  : fmt::format("it fails only with `{}`, and `{}` in its sentence may mean another case",
                                borrowed.front().origin.text, *case_word),
@@ -355,7 +355,7 @@ bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& cla
 }
 
 bool is_said_for(const Standpoint& at, const Origin& origin) {
-  if (origin.conditional && origin.event != at.event) return false;
+  if (origin.on_its_line || (origin.conditional && origin.event != at.event)) return false;
   return at.prose.sections.reaches(origin.place, at.beside().place);
 }
 

@@ -41,7 +41,8 @@ bool is_another_case(std::string_view earlier, std::string_view lead) {
   if (first.empty() || second.empty()) return false;
   const bool contrasts =
       std::ranges::any_of(second, [](std::string_view word) { return is_one_of(word, contrasting); });
-  return contrasts || (is_one_of(first[0], opening) && is_one_of(second[0], opening));
+  const bool opens = first.size() > 1 && is_one_of(first[0], opening);  // a bare "with" names no case
+  return contrasts || (opens && is_one_of(second[0], opening));
 }
 
 }  // namespace

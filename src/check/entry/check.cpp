@@ -12,6 +12,7 @@
 #include "check/question/decision_cache.h"
 #include "check/review/review.h"
 #include "check/walk/walk.h"
+#include "latex/text/format.h"
 #include "source/read_file.h"
 
 namespace rigor {
@@ -50,13 +51,22 @@ std::string refusal(const std::filesystem::path& sidecar) {
 /// The named sidecar, or the one next to the notes if there is one.
 std::optional<Sidecar> find_sidecar(const std::string& notes, const CheckOptions& options) {
   if (options.sidecar) return Sidecar{*options.sidecar};
-  if (notes.empty()) return std::nullopt;
+  if (notes.empty() || notes == standard_input) return std::nullopt;
   std::filesystem::path beside(notes);
   beside.replace_extension(".rigor");
   std::error_code error;
   const bool there =
       beside.string() != notes && std::filesystem::exists(std::filesystem::symlink_status(beside, error));
   return there ? std::optional(Sidecar{beside.string(), refusal(beside)}) : std::nullopt;
+}
+
+/// What is in it, and below that what the options say.
+Result<std::string> sidecar_text(const std::optional<Sidecar>& sidecar, const CheckOptions& options) {
+  if (!sidecar) return options.directives;
+  if (!sidecar->refused.empty()) return tl::make_unexpected(Error{sidecar->refused});
+  auto content = read_file(sidecar->path);
+  if (content && !options.directives.empty()) *content += "\n" + options.directives;
+  return content;
 }
 
 /// Reads and decides the notes, and then looks at the ledger; with a request, also for what that asks for.
@@ -85,13 +95,13 @@ FormsReading read_text(SourceMap& sources, const std::string& path, std::string 
   FileReport report;
   report.path = path;
   std::optional<FileId> sidecar;
-  if (const auto beside = find_sidecar(path, options)) {
-    if (!beside->refused.empty()) return {.report = unreadable(sources, beside->path, beside->refused)};
-    auto content = read_file(beside->path);
+  const auto beside = find_sidecar(path, options);
+  if (beside || !options.directives.empty()) {
+    auto content = sidecar_text(beside, options);
     if (!content) return {.report = unreadable(sources, beside->path, content.error().reason)};
-    report.sidecar = beside->path;
+    report.sidecar = beside ? beside->path : "";
     Diagnostics mended = mend_text(*content, 0);
-    sidecar = sources.add(beside->path, std::move(*content));
+    sidecar = sources.add(beside ? beside->path : "directives", std::move(*content));
     for (Diagnostic& diagnostic : mended) diagnostic.span.file = *sidecar;
     report.diagnostics = std::move(mended);
   }

@@ -11,35 +11,18 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
+#include "check/law/page_law.h"
 #include "check/verdict/judge.h"
 
 namespace rigor {
 
-/// A relation that the page states, or that follows from such.
-struct PageLaw {
-  Equation equation;
-  std::string name;  // as a verdict names it: `law (3)`, `law in line 12`, `result in line 14`
-  Span span = {};
-  std::size_t place = 0;      // its section, as `Sections` counts them
-  std::size_t paragraph = 0;  // and its paragraph
-  bool at_instant = false;    // it may hold at one moment or place only: it says nothing of rates
-  bool of_a_case = false;     // behind "for critical damping": it holds in its paragraph only
-};
-
-struct FromLaws {
-  Judgement judgement;                // proved, or a law that is restated; `uses` names the laws
-  const PageLaw* restated = nullptr;  // the row says the same as this law, up to its sides and a number
-};
-
-/// The smallest set of laws that was found to prove the claim; nothing if none was found. `available`: in the
-/// order of the notes. What nothing on the page differentiates is taken as constant, which `uses` says. A few
-/// sets of laws are tried: those that share letters with the claim, bring in few others and stand near it
-/// come first. That takes at most a share of the work that the step may take.
-[[nodiscard]] std::optional<FromLaws> follow_from_laws(ExprTree& tree, const Names& names, const Claim& claim,
-                                                       const std::vector<const PageLaw*>& available,
-                                                       DecisionCache& cache);
+/// Proved, with the smallest set of laws that was found, or a law that is restated, with its name under
+/// `uses`; nothing if neither is so. `available`: in the order of the notes. A few sets of laws are tried:
+/// those that share letters with the claim, bring in few others and stand near it come first. That takes at
+/// most a share of the work that the step may take.
+[[nodiscard]] std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names,
+                                                        const Claim& claim, const Laws& available,
+                                                        DecisionCache& cache);
 
 }  // namespace rigor

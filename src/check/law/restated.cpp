@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/law/restated.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "check/question/decision_cache.h"
 #include "check/verdict/rational_expression.h"
+#include "expr/calculus/differentiate.h"
 
 namespace rigor {
 namespace {
@@ -42,10 +45,23 @@ bool restates(ExprTree& tree, const Equation& claim, const Equation& law, Decisi
   };
   const ExprId of_law = number(sides->left, sides->right);
   const ExprId of_claim = number(sample.left, sample.right);
-  question.claim.left = product(tree, of_law, difference(tree, claim.left, claim.right));
-  question.claim.right = product(tree, of_claim, difference(tree, law.left, law.right));
-  const Decision same = decide(cache, question, {.simplest_sample = false});
-  return same.outcome == Outcome::proved && !same.vanishes;
+  const auto is_same = [&](ExprId own, ExprId other) {
+    question.claim.left = product(tree, of_law, own);
+    question.claim.right = product(tree, of_claim, other);
+    const Decision same = decide(cache, question, {.simplest_sample = false});
+    return same.outcome == Outcome::proved && !same.vanishes;
+  };
+  if (!is_same(difference(tree, claim.left, claim.right), difference(tree, law.left, law.right)))
+    return false;
+  const ExprId zero = zero_of_rank(tree, span, tree[law.right].rank, tree[law.right].axes);
+  const std::array kept{std::pair(claim.left, law.left), std::pair(claim.right, law.right)};
+  const std::array exchanged{std::pair(claim.right, difference(tree, zero, law.left)),
+                             std::pair(claim.left, difference(tree, zero, law.right))};
+  // One side is enough; a side that is 0 shows nothing.
+  const auto is_same_side = [&](const auto& sides_of_both) {
+    return is_same(sides_of_both.first, sides_of_both.second);
+  };
+  return std::ranges::any_of(kept, is_same_side) || std::ranges::any_of(exchanged, is_same_side);
 }
 
 }  // namespace rigor

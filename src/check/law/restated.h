@@ -8,8 +8,9 @@ namespace rigor {
 
 class DecisionCache;
 
-/// Is the difference of the claim's sides a multiple of that of the law, by a number, for all values of their
-/// letters? Equations with free indices or particles are not compared.
+/// Are the claim's sides those of the law, perhaps exchanged, each times one number, for all values of their
+/// letters? `1 - a = 1 - b` says more than that it restates `a = b`: it follows from that. Equations with
+/// free indices or particles are not compared.
 [[nodiscard]] bool restates(ExprTree& tree, const Equation& claim, const Equation& law, DecisionCache* cache);
 
 }  // namespace rigor

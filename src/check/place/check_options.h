@@ -19,6 +19,7 @@ enum class Repairs : std::uint8_t { none, of_unexpected, of_all };
 
 struct CheckOptions {
   std::optional<std::string> sidecar = {};  // without it, `NAME.rigor` next to the notes, if there is one
+  std::string directives = {};              // read as if they stood at the end of the sidecar
   std::function<void(std::size_t done, std::size_t all)> progress = {};  // called after each display
   Repairs repairs = Repairs::of_unexpected;
   RecordedSteps* recorded = nullptr;  // refuted steps of an earlier report: their samples are put in again

@@ -11,7 +11,7 @@
 
 #include "check/doubt/borrowed.h"
 #include "check/event/notes.h"
-#include "check/law/from_laws.h"
+#include "check/law/page_law.h"
 #include "check/ledger/ledger.h"
 #include "check/place/check_options.h"
 #include "check/verdict/chain_reading.h"
@@ -46,6 +46,7 @@ struct RowPlace {
   std::string section;      // its title
   std::size_t event = 0;    // of the notes
   bool heeds_words = true;  // what stands around a row bears on its verdict: not where its author expects one
+  bool is_stated = false;   // a directive says so of the row: it is no conclusion, and not suspected
 
   struct Found {
     Directives used = {};  // by what was read and decided
@@ -62,6 +63,7 @@ struct StepReading {
   Role role = Role::display;
   bool first_order = false;          // `=` means ≈
   bool unsettled = false;            // a place of it can be read in two ways
+  ChainReading* other = nullptr;     // where a letter or a bracket is open: see settle_in_both()
   RecordedStep* recorded = nullptr;  // of an earlier report
   WrittenStep* asked = nullptr;      // where what the exact side was asked is kept, if that is wanted
 

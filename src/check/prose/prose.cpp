@@ -9,6 +9,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/word/prose_behind.h"
+#include "check/word/words_behind.h"
 
 namespace rigor {
 namespace {
@@ -89,9 +90,10 @@ Cue cue_of(std::string_view word) {
       "nor",    "neither",       "away",   "around",    "close",   "about", "beyond", "approaches",
       "tends",  "approximately", "nearly", "almost",    "roughly", "far",   "limit",  "cannot"};
   if (is_one_of(word, apart)) return Cue::apart;
-  static constexpr std::array<std::string_view, 17> definitions{
-      "with",  "where",   "define",  "defining", "defined",   "let", "put",  "putting",   "set",
-      "write", "writing", "setting", "denote",   "introduce", "by",  "here", "abbreviate"};
+  static constexpr std::array<std::string_view, 20> definitions{
+      "with",    "where", "define",     "defining", "defined",     "let",     "put",
+      "putting", "set",   "write",      "writing",  "setting",     "denote",  "introduce",
+      "by",      "here",  "abbreviate", "call",     "introducing", "denoting"};
   static constexpr std::array<std::string_view, 15> conditions{
       "if",       "when",    "whenever", "for",   "at",      "case", "provided", "assume",
       "assuming", "suppose", "given",    "since", "because", "on",   "while"};
@@ -177,7 +179,7 @@ class ProseReader {
       SaidInLine& said = prose_.said[k];
       said.alone = !has_display;
       const SaidOf of = said_of_each[said.maths];
-      said.named = of == SaidOf::a_name;
+      said.named = said.named || of == SaidOf::a_name;
       if (of == SaidOf::something && said.cue != Cue::apart) said.cue = Cue::none;
     }
     maths_.clear();
@@ -204,7 +206,7 @@ class ProseReader {
   }
 
   void take(Span span) {
-    const Format format = format_of(sources_.path(span.file));
+    const Format format = format_of(sources_, span.file);
     const std::string text = without_comments(sources_.text(span), format);
     const std::size_t place = walk_.here();
     walk_.text(text, format);
@@ -264,6 +266,15 @@ class ProseReader {
     return sentence_.substr(begin);
   }
 
+  /// Directly before the `$` that was read last.
+  std::string word_before_mathematics() const {
+    std::size_t end = sentence_.size() - 1;
+    while (end > 0 && sentence_[end - 1] == ' ') --end;
+    std::size_t begin = end;
+    while (begin > 0 && is_letter(sentence_[begin - 1])) --begin;
+    return sentence_.substr(begin, end - begin);
+  }
+
   /// Commands of the text are no words; `\item`, `\begin` and `\par` end a sentence.
   std::size_t read_control(const std::string& text, std::size_t at) {
     std::size_t end = at + 1;
@@ -295,6 +306,10 @@ class ProseReader {
       prose_.said.push_back({{span.file, offset(begin), offset(end)}, cue_, number_, event_, walk_.here()});
       prose_.said.back().at_place = at_place_;
       prose_.said.back().maths = texts_.size() - 1;
+      if (cue_ == Cue::none && is_named_quantity(word_before_mathematics())) {
+        prose_.said.back().cue = Cue::definition;  // "the reduced mass $\mu = …$"
+        prose_.said.back().named = true;
+      }
     }
     return end + (dollar ? 1 : 2);
   }

@@ -5,6 +5,8 @@
 // used again for the very same question.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -56,6 +58,25 @@ class DecisionCache {
   CacheUse use_;
   Budget budget_;
   bool changed_ = false;
+};
+
+/// As long as it lives, at most this much of what is left of a step's work may be used; then the rest of that
+/// is there again.
+class ShareOfWork {
+ public:
+  ShareOfWork(DecisionCache& cache, std::uint64_t most) : cache_(cache), of_step_(cache.budget()) {
+    cache_.budget() = Budget(std::min(of_step_.left(), most));
+  }
+  ~ShareOfWork() {
+    of_step_.count(std::min(cache_.budget().used(), of_step_.left()));
+    cache_.budget() = of_step_;
+  }
+  ShareOfWork(const ShareOfWork&) = delete;
+  ShareOfWork& operator=(const ShareOfWork&) = delete;
+
+ private:
+  DecisionCache& cache_;
+  Budget of_step_;
 };
 
 /// Remembered, or decided; with no cache, decided.

@@ -97,6 +97,7 @@ class Conditions {
       if (!tensor->symmetric) {
         given("{0}_{{ij}} = {0}_{{ji}}", name);
         given("{0}_{{ij}} = -{0}_{{ji}}", name);
+        given("{0}_{{ki}}{0}_{{kj}} = \\delta_{{ij}}", name);
       } else {
         given("{0}_{{12}} = {0}_{{23}} = {0}_{{31}} = 0", name);
       }

@@ -18,16 +18,9 @@
 namespace rigor {
 namespace {
 
-constexpr std::size_t most_judged = 8;
+constexpr std::size_t most_judged = 24;
 constexpr std::size_t most_tokens = 400;          // of both sides; longer ones are not mended
 constexpr std::size_t most_to_first_order = 150;  // candidates, since each is differentiated
-/// A neighbour of a typical step is proved with a hundredth of this.
-constexpr Limits limits_of_candidates{.expanded_terms = 10'000,
-                                      .steps = 60'000,
-                                      .quick_points = 2,
-                                      .quick_steps = 4'000,
-                                      .sample_attempts = 12,
-                                      .fewest_assumptions = false};
 /// For samples that candidates are compared on.
 [[nodiscard]] Limits screening(DecisionCache* cache) {
   return {.steps = 200'000, .budget = cache == nullptr ? nullptr : &cache->budget()};
@@ -54,9 +47,11 @@ bool have_same_places(const ExprTree& tree, const Equation& a, const Equation& b
 
 class RepairSearch {
  public:
-  RepairSearch(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
+  RepairSearch(ExprTree& tree, Names& names, const WrongStep& wrong, const NeighbourProof& proof,
+               DecisionCache* cache)
       : tree_(tree),
         names_(names),
+        proof_(proof),
         cache_(cache),
         wrong_(wrong),
         chain_(wrong.parsed),
@@ -69,7 +64,7 @@ class RepairSearch {
     reading_ = read_chain(syntax_, tree_, names_, chain_);
   }
 
-  std::vector<Repair> run() {
+  std::vector<TrueNeighbour> run() {
     if (candidates_.side(0).size() + candidates_.side(1).size() > most_tokens) return {};
     const std::optional<Claim> original = claim_between(typed(0), typed(1));
     const bool by_terms = original && !original->nearly && original->equation.relation == Relation::equal;
@@ -258,25 +253,28 @@ class RepairSearch {
 
   // --- what is true
 
-  std::vector<Repair> prove_the_nearest(const std::vector<RepairCandidate>& candidates) {
-    std::vector<Repair> repairs;
+  std::vector<TrueNeighbour> prove_the_nearest(const std::vector<RepairCandidate>& candidates) {
+    std::vector<TrueNeighbour> found;
     std::size_t judged = 0;
     int nearest = 0;
     bool mends_a_term = false;  // then a term more says the same: it makes up for it
     for (const RepairCandidate& candidate : candidates) {
-      const bool far = !repairs.empty() && candidate.distance > nearest + widest_choice;
+      const bool far = !found.empty() && candidate.distance > nearest + widest_choice;
       const bool says_the_same = candidate.slip == Slip::term_missing && mends_a_term;
       if (says_the_same || says_nothing(candidate)) continue;
-      if (far || repairs.size() == most_repairs || judged++ == most_judged) break;
-      if (!is_proved(candidate)) continue;
-      if (repairs.empty()) nearest = candidate.distance;
+      if (far || found.size() == most_repairs || judged++ == most_judged) break;
+      auto uses = proved(candidate);
+      if (!uses) continue;
+      if (found.empty()) nearest = candidate.distance;
       mends_a_term = mends_a_term || candidate.slip == Slip::sign || candidate.slip == Slip::factor ||
                      candidate.slip == Slip::term_missing || text_of(candidate.tokens) == "0";
-      repairs.push_back({candidate.side == 0, statement_of(candidate), candidate.change,
-                         text_of(candidates_.side(candidate.side)), text_of(candidate.tokens),
-                         candidate.slip == Slip::term_missing});
+      found.push_back({{candidate.side == 0, statement_of(candidate), candidate.change,
+                        text_of(candidates_.side(candidate.side)), text_of(candidate.tokens),
+                        candidate.slip == Slip::term_missing},
+                       candidate.slip,
+                       *std::move(uses)});
     }
-    return repairs;
+    return found;
   }
 
   /// A term next to a 0 only repeats the other side, and so does one that is the other side: X = X + 0. What
@@ -289,21 +287,20 @@ class RepairSearch {
     return old == "0" || now == old + " + " + other || now == old + "+" + other || now == old + other;
   }
 
-  /// As it would be read in place of what was written.
-  bool is_proved(const RepairCandidate& candidate) {
-    if (trim(candidate.tokens).empty()) return false;
+  /// As it would be read in place of what was written: what its proof uses.
+  std::optional<std::vector<std::string>> proved(const RepairCandidate& candidate) {
+    if (trim(candidate.tokens).empty()) return std::nullopt;
     ParsedChain chain = chain_;
     const std::size_t place = wrong_.which + candidate.side;
     chain.written.sides[place].tokens = candidate.tokens;
     chain.sides[place] = parse_side(candidate.tokens, chain.written.sides[place].span, syntax_);
     const auto reading = read_chain(syntax_, tree_, names_, chain);
-    if (!reading->sides[wrong_.which].typed || !reading->sides[wrong_.which + 1].typed) return false;
+    if (!reading->sides[wrong_.which].typed || !reading->sides[wrong_.which + 1].typed) return std::nullopt;
     Diagnostics mismatches;
     const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
-    if (!claim || !mismatches.empty()) return false;
-    if (is_trivial(tree_, claim->equation.left, claim->equation.right)) return false;
-    const Judgement judgement = judge(tree_, names_, *claim, limits_of_candidates, cache_);
-    return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
+    if (!claim || !mismatches.empty()) return std::nullopt;
+    if (is_trivial(tree_, claim->equation.left, claim->equation.right)) return std::nullopt;
+    return proof_(tree_, names_, *claim, candidate.slip);
   }
 
   std::string statement_of(const RepairCandidate& candidate) const {
@@ -315,6 +312,7 @@ class RepairSearch {
 
   ExprTree& tree_;
   Names& names_;
+  const NeighbourProof& proof_;
   DecisionCache* cache_;
   const WrongStep& wrong_;
   SyntaxTree syntax_;
@@ -329,11 +327,25 @@ class RepairSearch {
 
 }  // namespace
 
-std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names, const WrongStep& wrong,
-                                            DecisionCache* cache) {
+std::vector<TrueNeighbour> true_neighbours(const ExprTree& tree, const Names& names, const WrongStep& wrong,
+                                           const NeighbourProof& proof, DecisionCache* cache) {
   ExprTree own_tree = tree;
   Names own_names = names;
-  return RepairSearch(own_tree, own_names, wrong, cache).run();
+  return RepairSearch(own_tree, own_names, wrong, proof, cache).run();
+}
+
+std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names, const WrongStep& wrong,
+                                            DecisionCache* cache) {
+  const NeighbourProof proof = [cache](ExprTree& grown, const Names& read, const Claim& claim,
+                                       Slip) -> std::optional<std::vector<std::string>> {
+    Judgement judgement = judge(grown, read, claim, limits_of_candidates, cache);
+    if (judgement.verdict != Verdict::proved || !judgement.diagnostics.empty()) return std::nullopt;
+    return std::move(judgement.uses);
+  };
+  std::vector<Repair> repairs;
+  for (TrueNeighbour& each : true_neighbours(tree, names, wrong, proof, cache))
+    repairs.push_back(std::move(each.repair));
+  return repairs;
 }
 
 }  // namespace rigor

@@ -2,11 +2,15 @@
 // What a wrong step may have been meant to say: the statements nearest to it that can be proved.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "algebra/engine/limits.h"
 #include "check/repair/repair_candidates.h"
 #include "check/step/report.h"
+#include "check/verdict/judge.h"
 #include "elaborate/name/names.h"
 #include "expr/tree/tree.h"
 
@@ -24,12 +28,38 @@ inline constexpr Limits limits_of_guesses{.expanded_terms = 3'000,
                                           .sample_attempts = 12,
                                           .fewest_assumptions = false};
 
-/// At most three, the nearest first; none where no slip of the pen makes it true. Of a refuted step, or of
-/// one whose indices or ranks do not fit. Method: each side is rewritten; terms are compared by the number
-/// that the difference of the sides is of each (`left − right = c · term`); what holds on exact samples is
-/// read anew with its whole chain, and proved. Trivial statements (a = a, 0 = 0, v − v = 0) are left out. It
-/// works on copies. Cost: a few milliseconds for a typical step (tests/bench/repair_bench.cpp); sides of more
-/// than 400 tokens are not mended.
+/// For the proof of a neighbour; that of a typical step takes a hundredth of this.
+inline constexpr Limits limits_of_candidates{.expanded_terms = 10'000,
+                                             .steps = 60'000,
+                                             .quick_points = 2,
+                                             .quick_steps = 4'000,
+                                             .sample_attempts = 12,
+                                             .fewest_assumptions = false};
+
+/// Is a claim that takes this slip back true? Then what that rests on. The tree and the names are copies that
+/// have grown by what was read, so what was read before is in them as well.
+using NeighbourProof =
+    std::function<std::optional<std::vector<std::string>>(ExprTree&, const Names&, const Claim&, Slip)>;
+
+/// A true statement within one slip of the wrong one.
+struct TrueNeighbour {
+  Repair repair;
+  Slip slip = Slip::sign;         // that it takes back
+  std::vector<std::string> uses;  // as the proof said
+};
+
+/// At most three, the nearest first; none where no slip of the pen makes it true. Of a refuted step, of one
+/// whose indices or ranks do not fit, or of one that is not proved. Method: each side is rewritten; terms are
+/// compared by the number that the difference of the sides is of each (`left − right = c · term`); what holds
+/// on exact samples is read anew with its whole chain, and proved. The samples meet what `names` assumes, so
+/// laws are assumed there if the proof is to use them. Trivial statements (a = a, 0 = 0, v − v = 0) are left
+/// out. It works on copies. Cost: a few milliseconds for a typical step (tests/bench/repair_bench.cpp); sides
+/// of more than 400 tokens are not mended.
+[[nodiscard]] std::vector<TrueNeighbour> true_neighbours(const ExprTree& tree, const Names& names,
+                                                         const WrongStep& wrong, const NeighbourProof& proof,
+                                                         DecisionCache* cache = nullptr);
+
+/// Those that are judged to be proved, without a warning.
 [[nodiscard]] std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names,
                                                           const WrongStep& wrong,
                                                           DecisionCache* cache = nullptr);

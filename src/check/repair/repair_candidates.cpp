@@ -33,10 +33,20 @@ int distance_of(Slip slip) {
     case Slip::term_extra:
     case Slip::term_missing:
       return 26;
+    case Slip::indices_exchanged:
+      return 22;
+    case Slip::function:
+    case Slip::inverted:
+    case Slip::terms_exchanged:
+    case Slip::letters_exchanged:
+      return 24;
     case Slip::rate:
     case Slip::prime:
     case Slip::letter:
-      return 30;
+      return 28;
+    case Slip::factor_missing:
+    case Slip::factor_extra:
+      return 29;
   }
   return 40;
 }
@@ -113,7 +123,7 @@ std::vector<RepairCandidate> RepairCandidates::insertions() const {
 
 template <class Rewrite>
 std::vector<RepairCandidate> RepairCandidates::made_by(const Rewrite& rewrite) const {
-  constexpr std::size_t most = 400;
+  constexpr std::size_t most = 1200;
   std::vector<RepairCandidate> candidates;
   for (const std::size_t which : {1u, 0u}) {
     for (const Rewriting& change : rewrite(side(which))) candidates.push_back(made(which, change));
@@ -124,7 +134,7 @@ std::vector<RepairCandidate> RepairCandidates::made_by(const Rewrite& rewrite) c
 }
 
 std::vector<ComparedTerm> RepairCandidates::terms() const {
-  constexpr std::size_t most = 240;
+  constexpr std::size_t most = 480;
   std::vector<ComparedTerm> terms;
   std::array<std::set<std::string>, 2> known;
   for (const std::size_t which : {0u, 1u}) {
@@ -148,6 +158,10 @@ std::vector<ComparedTerm> RepairCandidates::terms() const {
   for (const TokenView other : wrong_.near) {
     for (const SideTerm& term : terms_of_side(other)) add_more(term.tokens, 2);
   }
+  for (const TokenView other : nearby) {
+    for (const Tokens& term : expanded_terms_of(other)) add_more(term, 0);
+  }
+  for (const Tokens& term : field_terms_of(nearby)) add_more(term, 1);
   for (const std::size_t which : {1u, 0u}) {
     for (const SideTerm& term : terms_of_side(side(which))) {
       for (const Tokens& image : images_of_term(term.tokens, nearby)) add_more(image, 1);

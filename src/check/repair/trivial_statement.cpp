@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/repair/trivial_statement.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rigor {
 namespace {
@@ -48,7 +52,66 @@ bool has_cancelling_terms(const ExprTree& tree, ExprId side) {
   return false;
 }
 
+class InOrder {
+ public:
+  explicit InOrder(const ExprTree& tree) : tree_(tree) {}
+
+  /// As a product of powers in the order of their texts: `xyx` and `x^2y` are written alike.
+  [[nodiscard]] std::string product(ExprId id) const {
+    std::map<std::string, int> powers;
+    bool negative = false;
+    collect(id, 1, powers, negative);
+    std::string text = negative ? "-" : "";
+    for (const auto& [factor, power] : powers) {
+      if (power != 0) text += fmt::format("{}^{} ", factor, power);
+    }
+    return text;
+  }
+
+ private:
+  void collect(ExprId id, int power, std::map<std::string, int>& powers, bool& negative) const {
+    const auto children = tree_.children(id);
+    switch (tree_[id].op) {
+      case Op::negate:
+        negative = negative != (power % 2 != 0);
+        return collect(children[0], power, powers, negative);
+      case Op::multiply:
+        for (const ExprId child : children) collect(child, power, powers, negative);
+        return;
+      case Op::divide:
+        collect(children[0], power, powers, negative);
+        return collect(children[1], -power, powers, negative);
+      case Op::power:
+        return collect(children[0], power * tree_[id].exponent, powers, negative);
+      default:
+        break;
+    }
+    if (!is_one(id)) powers[factor(id)] += power;
+  }
+
+  [[nodiscard]] bool is_one(ExprId id) const { return tree_[id].op == Op::number && tree_.digits(id) == "1"; }
+
+  [[nodiscard]] std::string factor(ExprId id) const {
+    const auto children = tree_.children(id);
+    if (children.empty()) return dump(tree_, id);
+    const ExprNode& node = tree_[id];
+    std::vector<std::string> parts;
+    for (const ExprId child : children) parts.push_back(product(child));
+    if (node.op == Op::add || node.op == Op::dot) std::ranges::sort(parts);
+    return fmt::format("({} {} {} {} {} {})", static_cast<int>(node.op), static_cast<int>(node.function),
+                       node.payload, static_cast<std::uint32_t>(node.index),
+                       static_cast<std::uint32_t>(node.particle), fmt::join(parts, " "));
+  }
+
+  const ExprTree& tree_;
+};
+
 }  // namespace
+
+bool is_trivial_up_to_order(const ExprTree& tree, ExprId left, ExprId right) {
+  const InOrder in_order(tree);
+  return is_trivial(tree, left, right) || in_order.product(left) == in_order.product(right);
+}
 
 bool is_trivial(const ExprTree& tree, ExprId left, ExprId right) {
   return dump(tree, left) == dump(tree, right) || has_cancelling_terms(tree, left) ||

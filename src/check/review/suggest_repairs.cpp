@@ -5,6 +5,7 @@
 #include "check/question/decision_cache.h"
 #include "check/repair/missing_condition.h"
 #include "check/repair/repair.h"
+#include "check/repair/sides_near.h"
 #include "check/review/review.h"
 
 namespace rigor {
@@ -16,32 +17,8 @@ using Clock = std::chrono::steady_clock;
 bool is_malformed(const Step& step) {
   return step.verdict == Verdict::not_understood &&
          std::ranges::any_of(step.diagnostics, [](const Diagnostic& diagnostic) {
-           return shows_repairs(diagnostic.kind) && diagnostic.kind != DiagnosticKind::refuted;
+           return diagnostic.severity() == Severity::error && shows_repairs(diagnostic.kind);
          });
-}
-
-/// What is in the lines before and after a chain.
-std::vector<TokenView> sides_near(const Notes& notes, const ParsedChain& parsed) {
-  constexpr std::size_t before = 6;
-  constexpr std::size_t behind = 2;
-  std::vector<const ParsedChain*> chains;
-  std::size_t own = 0;
-  const auto take = [&](const std::vector<ParsedChain>& more) {
-    for (const ParsedChain& chain : more) {
-      if (chain.written.span == parsed.written.span && chain.image == parsed.image) own = chains.size();
-      chains.push_back(&chain);
-    }
-  };
-  for (const Event& event : notes.events) {
-    if (const auto* display = std::get_if<ParsedDisplay>(&event)) take(display->chains);
-    if (const auto* placed = std::get_if<PlacedDirective>(&event)) take(placed->directive.chains);
-  }
-  std::vector<TokenView> sides;
-  for (std::size_t k = own - std::min(own, before); k < chains.size() && k <= own + behind; ++k) {
-    if (k == own) continue;
-    for (const WrittenSide& side : chains[k]->written.sides) sides.emplace_back(side.tokens);
-  }
-  return sides;
 }
 
 /// A side that another step supports is less likely to hold the slip.

@@ -30,6 +30,12 @@ bool is_assumed_about(const RowPlace& place, SymbolId symbol) {
   });
 }
 
+/// `12.5`, `0.3\,\mathrm m`: of an example.
+bool is_measured_value(const ExprTree& tree, ExprId id) {
+  return std::ranges::all_of(symbols_in(tree, id),
+                             [&](SymbolId each) { return tree.symbols[each].unit_of_measure.has_value(); });
+}
+
 /// "In the medium $k = 2\pi n/\lambda$" below `k = 2\pi/\lambda`: the definitions that a line of the section
 /// has replaced since.
 std::vector<SymbolId> said_anew(RowPlace& place) {
@@ -47,7 +53,7 @@ std::vector<SymbolId> said_anew(RowPlace& place) {
       const auto& left = reading->sides[0].typed;
       const auto& right = reading->sides[1].typed;
       if (!left || !right || place.tree[left->id].op != Op::symbol ||
-          symbols_in(place.tree, right->id).empty())
+          is_measured_value(place.tree, right->id))
         continue;
       const NamedDefinition* named = definition_of(place.names.scope, place.tree[left->id].symbol);
       if (named == nullptr || named->origin.directive || said.before <= named->origin.event) continue;
@@ -61,11 +67,19 @@ std::vector<SymbolId> said_anew(RowPlace& place) {
   return anew;
 }
 
+/// "which does not change, because": the reason limits nothing to a case.
+std::size_t begin_of_reason(const std::string& tail) {
+  std::size_t begin = tail.size();
+  for (const std::string_view word : {"because", "since"}) begin = std::min(begin, tail.find(word));
+  return begin;
+}
+
 }  // namespace
 
 bool is_conditional(const RowPlace& place) {
   const ProseBeside& beside = place.notes.prose.beside[place.event];
-  return word_that_demands(beside.lead) || word_of_a_special_case(beside.lead + " " + beside.tail);
+  const std::string behind = beside.tail.substr(0, begin_of_reason(beside.tail));
+  return word_that_demands(beside.lead) || word_of_a_special_case(beside.lead + " " + behind);
 }
 
 bool is_of_a_case(const RowPlace& place) {
@@ -74,6 +88,14 @@ bool is_of_a_case(const RowPlace& place) {
   const std::string heading = lowered(place.section);
   return restriction_in_heading(heading) || word_of_a_special_heading(heading) ||
          std::ranges::any_of(words_of(heading), [](std::string_view word) { return is_one_of(word, cases); });
+}
+
+bool is_one_of_the_cases(const RowPlace& place, const ParsedChain& parsed) {
+  const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[place.event]);
+  if (display == nullptr || !parsed.written.premise) return false;
+  return std::ranges::any_of(display->chains, [&](const ParsedChain& chain) {
+    return chain.written.premise && chain.written.statement != parsed.written.statement;
+  });
 }
 
 void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {

@@ -14,6 +14,8 @@
 #include "base/ascii.h"
 #include "check/law/from_laws.h"
 #include "check/place/place.h"
+#include "check/repair/sides_near.h"
+#include "check/repair/suspicion.h"
 #include "check/verdict/law_diagnostic.h"
 #include "check/word/prose_words.h"
 
@@ -127,12 +129,16 @@ bool is_available(const RowPlace& place, const StatedLaw& stated) {
   return means_the_same(place, stated);
 }
 
+/// `\partial_z\phi = 0 \quad (z = 0)`: a condition next to it says where, when or in which case.
+bool holds_on_its_line(const WrittenChain& written) { return written.doubt.has_value(); }
+
 void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::string_view word) {
   if (claim.nearly || claim.equation.relation != Relation::equal || is_alternative(place, row.parsed) ||
       names_coordinates(place.tree, claim.equation) || keeps_a_common_factor(place.tree, claim.equation))
     return;
   const ProseBeside& here = beside(place);
-  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, claim.equation);
+  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, claim.equation) ||
+                         holds_on_its_line(row.parsed.written);
   place.found.stated.push_back(
       {{claim.equation, name_of_law(row.parsed.written.tag, claim.relation, place.sources, word),
         claim.relation, here.place, here.paragraph, momentary,
@@ -141,37 +147,81 @@ void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::str
        is_of_a_case(place) || is_headed_as_example(place)});
 }
 
-}  // namespace
-
-bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
-  if (row.role != Role::display || row.unsettled || is_meant_for_all(place.tree, place.names, claim))
-    return false;
-  std::vector<const PageLaw*> available;
+/// Not the other links of its own chain.
+Laws available_to(const RowPlace& place, const StepReading& row) {
+  Laws available;
   for (const StatedLaw& stated : place.above.stated) {
     const Span at = stated.law.span;
     const Span own = row.parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
     if (!of_this_chain && is_available(place, stated)) available.push_back(&stated.law);
   }
-  auto found = follow_from_laws(place.tree, place.names, claim, available, *place.options.cache);
+  return available;
+}
+
+/// As a conclusion: by its words, behind an arrow, or as a later link of a chain.
+bool is_announced(const RowPlace& place, const StepReading& row) {
+  return row.which > 0 || row.parsed.written.inference != Inference::none ||
+         says_that_it_follows(beside(place).lead);
+}
+
+}  // namespace
+
+bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (row.role != Role::display || row.unsettled || is_meant_for_all(place.tree, place.names, claim))
+    return false;
+  auto found =
+      follow_from_laws(place.tree, place.names, claim, available_to(place, row), *place.options.cache);
   if (!found) return false;
   add_used(place, judgement.used);
-  judgement = std::move(found->judgement);
+  judgement = *std::move(found);
   add_used(place, judgement.used);
-  if (found->restated != nullptr) return true;
+  if (judgement.restates) return true;
   heed_proof(place, row.parsed, claim, judgement);
   if (judgement.verdict == Verdict::proved) leave(place, row, claim, "result");
   return true;
 }
 
+bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  const bool asks = place.options.repairs != Repairs::none && !place.is_stated && row.role == Role::display &&
+                    !row.unsettled && claim.recorded == nullptr;
+  if (!asks) return false;
+  // What is also the right side of the link before it is less likely to hold the slip.
+  const WrongStep wrong{.parsed = row.parsed,
+                        .which = row.which,
+                        .left = row.which > 0 ? Trust::supported : Trust::unknown,
+                        .near = sides_near(place.notes, row.parsed)};
+  auto found =
+      suspicion(place.tree, place.names, {wrong, claim, available_to(place, row), is_announced(place, row)},
+                *place.options.cache);
+  if (!found) return false;
+  judgement.verdict = Verdict::suspect;
+  judgement.route = "one slip of the pen away from what follows";
+  judgement.uses = std::move(found->uses);
+  judgement.counterexample.reset();
+  judgement.sample.reset();
+  judgement.diagnostics = {{DiagnosticKind::suspect,
+                            claim.relation,
+                            judgement.uses.empty()
+                                ? fmt::format("it does not follow, but `{}` holds", found->repair.statement)
+                                : fmt::format("it does not follow, but `{}` follows from {}",
+                                              found->repair.statement, fmt::join(judgement.uses, ", ")),
+                            {},
+                            {"`rigor: law next` says that it is meant as it stands"}}};
+  judgement.repairs = {std::move(found->repair)};
+  return true;
+}
+
 void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (is_suspect(place, row, claim, judgement)) return;
   // Who assumes something about its letters means it to follow from that.
-  if (row.which == 0 && !judgement.despite_given && !says_that_it_follows(beside(place).lead)) {
+  if (place.is_stated || (!judgement.despite_given && !is_announced(place, row))) {
     judgement.route = "stated; it follows from nothing above it";
     return leave(place, row, claim, "law");
   }
   judgement.verdict = Verdict::undecided;
   judgement.diagnostics.push_back(without_ground(place.tree, place.names, claim, judgement));
+  leave(place, row, claim, "conclusion");
 }
 
 }  // namespace rigor

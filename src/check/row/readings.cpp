@@ -44,7 +44,59 @@ bool is_nonsense(RowPlace& place, const ParsedChain& parsed, const std::vector<S
   return false;
 }
 
+/// The row in its other reading, as far as it can be read so.
+std::optional<Step> settled_otherwise(RowPlace& place, const StepReading& row, const Claim& claim,
+                                      const Step& before) {
+  ChainReading& reading = *row.other;
+  add_used(place, reading.used());
+  if (!reading.sides[row.which].typed || !reading.sides[row.which + 1].typed) return std::nullopt;
+  Diagnostics mismatches;
+  auto other = reading.claim(row.parsed, row.which, claim.nearly, mismatches);
+  if (!other) return std::nullopt;
+  other->in_both_readings = true;
+  Step step = before;
+  const StepReading again{.parsed = row.parsed,
+                          .which = row.which,
+                          .reading = reading,
+                          .role = row.role,
+                          .first_order = row.first_order};
+  settle(place, again, *other, judge_here(place, *other), step);
+  return step;
+}
+
 }  // namespace
+
+void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim, Judgement judgement,
+                    Step& step) {
+  const bool bracket = claim.reading->found.applied.has_value();
+  const Step before = step;
+  settle(place, row, claim, std::move(judgement), step);
+  if (step.verdict == Verdict::proved || claim.recorded != nullptr) return;
+  std::vector<StatedLaw>& stated = place.found.stated;
+  const std::size_t by_first = stated.size();
+  const auto other = settled_otherwise(place, row, claim, before);
+  if (!other && bracket && step.verdict != Verdict::refuted) return;  // no product can be meant
+  if (other && other->verdict == Verdict::proved && !bracket) {
+    stated.erase(stated.begin(), stated.begin() + static_cast<std::ptrdiff_t>(by_first));
+    step = *other;
+    return;
+  }
+  if (bracket) stated.resize(by_first);  // of a symbol of its own it says the least
+  if (other && other->verdict == step.verdict) return;
+  stated.clear();
+  const auto is_law_or_open = [](const Step& each) {
+    return each.verdict == Verdict::law || each.verdict == Verdict::undecided;
+  };
+  if (other && is_law_or_open(step) && is_law_or_open(*other)) {
+    if (other->verdict == Verdict::undecided) step = *other;
+    return;
+  }
+  const Obstacle guess = *guess_of(*claim.reading);
+  step = before;
+  step.verdict = Verdict::not_understood;
+  step.diagnostics.push_back(
+      {guess.kind, claim.relation, guess.message + "; the readings have different verdicts", {}, guess.help});
+}
 
 Diagnostic two_readings(const ParsedChain& parsed) {
   const Choice& choice = parsed.choices.front();

@@ -176,6 +176,7 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
   const auto letter = reading->read(right_end->letter);
   const auto other = left_end ? reading->read(left_end->letter) : letter;
   add_used(place, reading->used());
+  if (reading->reading().found.values) return open("a value of a function up to an order is not decided");
   const StepReading without_orders{
       .parsed = pair, .reading = *reading, .role = row.role, .first_order = row.first_order};
   const Side& left = reading->sides[0];

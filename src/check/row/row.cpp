@@ -94,6 +94,9 @@ void settle(RowPlace& place, const StepReading& row, const Claim& claim, Judgeme
     judgement.verdict = Verdict::definition;
     judgement.route += ", agrees with the built-in symbol";
   }
+  const bool both_ways = row.parsed.written.inference == Inference::equivalence;
+  if (both_ways && judgement.verdict == Verdict::proved && !judgement.uses.empty())
+    judgement.route += ", in this direction";
   accept(std::move(judgement), step);
 }
 
@@ -102,6 +105,7 @@ void accept(Judgement judgement, Step& step) {
   step.restates = judgement.restates;
   step.route = std::move(judgement.route);
   step.uses = std::move(judgement.uses);
+  step.repairs = std::move(judgement.repairs);
   step.counterexample = std::move(judgement.counterexample);
   step.diagnostics.insert(step.diagnostics.end(), judgement.diagnostics.begin(), judgement.diagnostics.end());
 }

@@ -31,6 +31,8 @@ bool proves_alternatives(RowPlace& place, const ParsedChain& parsed, Step& step)
 bool is_conditional(const RowPlace& place);
 /// Is its heading about a special case: "Electrostatics", "In vacuum"?
 bool is_of_a_case(const RowPlace& place);
+/// `f = e^{-x} \Rightarrow …` on one of several such lines of a display: each is a case of its own.
+bool is_one_of_the_cases(const RowPlace& place, const ParsedChain& parsed);
 /// Takes a proof back that rests on a definition for another case, or on one that has been replaced since.
 void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement);
 
@@ -49,13 +51,25 @@ bool replay_by_digits(RowPlace& place, const Claim& claim, Step& step);
                                                                             const StepReading& row,
                                                                             const Claim& claim);
 
+// --- linked.cpp: Rows that hang on others of their line or sentence.
+
+/// "where" is before it: it says what its left side is, also after that was used.
+bool is_said_to_explain(const RowPlace& place, const ParsedChain& parsed);
+/// `H = T + V` after "where", on the line of the row or in the rest of its sentence.
+std::vector<const ParsedChain*> definitions_behind(const RowPlace& place, const ParsedChain& parsed);
+/// What the row is inferred from, where that cannot be taken for granted: it was not read.
+std::string unread_premise(RowPlace& place, const ParsedChain& parsed);
+
 // --- page_laws.cpp: What a row takes from the laws above it, and what it leaves to the rows below it.
 
 /// Proved from laws of the page, or said by one of them already; else the judgement stays as it is.
 [[nodiscard]] bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim,
                                      Judgement& judgement);
-/// A law is left to the rows below. One that is announced as a conclusion is undecided: it follows from
-/// nothing.
+/// One slip of the pen away from what follows. No row below rests on it.
+[[nodiscard]] bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim,
+                              Judgement& judgement);
+/// A law is left to the rows below, unless it is suspect. One that is announced as a conclusion is undecided:
+/// it follows from nothing.
 void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement);
 
 // --- readings.cpp: Chains with places that can be read in two ways. All readings are decided, and only a
@@ -65,6 +79,12 @@ void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judg
 [[nodiscard]] Diagnostic two_readings(const ParsedChain& parsed);
 /// Without readings that are nonsense: if one is left, it is the only one; if none is, the first shows why.
 ParsedChain sensible_readings(RowPlace& place, const ParsedChain& parsed);
+/// Settles a row in which a letter can be part of a vector or a symbol of its own, or a bracket can be a
+/// factor or an argument. As a symbol of its own it says the least: what is proved so holds in each reading.
+/// A part of a vector proves as well, by the convention that it names; a factor does not. All else must be
+/// the verdict of both.
+void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim, Judgement judgement,
+                    Step& step);
 /// The verdict is the one that all readings have in common, if there is one.
 void decide_in_all_readings(RowPlace& place, const StepReading& row, const Claim& claim, Step& step);
 

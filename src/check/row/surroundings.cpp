@@ -252,6 +252,13 @@ Standpoint standpoint(RowPlace& place, const ParsedChain& parsed) {
     said.chains.push_back(*chain);
     add_said(place, said, parsed, at);
   }
+  for (const ParsedChain* chain : definitions_behind(place, parsed)) {
+    SaidInLine said{.span = chain->written.span, .cue = Cue::definition, .sentence = at.beside().sentence};
+    said.place = at.beside().place;
+    said.chains.push_back(*chain);
+    add_said(place, said, parsed, at);
+  }
+  if (at.unread.empty()) at.unread = unread_premise(place, parsed);
   for (const ParsedChain& chain : parsed.assumed) {
     SaidInLine said{.span = chain.written.span, .cue = Cue::condition, .sentence = at.beside().sentence};
     said.words = text_of(chain.written);

@@ -31,6 +31,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
     for (const SyntaxId side : chain.sides) {
       see_kinds(notes.syntax, side, evidence);
       see_changing(notes.syntax, side, evidence);
+      see_subscripts(notes.syntax, side, evidence);
     }
     see_components(notes.syntax, chain.sides, evidence);
     see_ties(notes.syntax, chain.sides, evidence);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "check/step/failure_rule.h"
+
 namespace rigor {
 
 std::string_view name_of(Verdict verdict) {
@@ -19,34 +21,11 @@ std::string name_of_law(const std::string& tag, Span relation, const SourceMap& 
 }
 
 bool shows_repairs(DiagnosticKind kind) {
-  return kind == DiagnosticKind::refuted || kind == DiagnosticKind::free_index_mismatch ||
-         kind == DiagnosticKind::index_repeats || kind == DiagnosticKind::index_clash ||
-         kind == DiagnosticKind::rank_mismatch;
+  return kind == DiagnosticKind::refuted || kind == DiagnosticKind::suspect ||
+         kind == DiagnosticKind::free_index_mismatch || kind == DiagnosticKind::index_repeats ||
+         kind == DiagnosticKind::index_clash || kind == DiagnosticKind::rank_mismatch;
 }
 
-Tally tally(const Report& report, bool strict) {
-  Tally total;
-  const auto note = [&](const Diagnostics& diagnostics, bool refutation_is_expected) {
-    for (const Diagnostic& diagnostic : diagnostics) {
-      const Severity severity = diagnostic.severity();
-      total.wrong = total.wrong || severity == Severity::error || (severity == Severity::warning && strict) ||
-                    (severity == Severity::refuted && !refutation_is_expected);
-      total.open = total.open || severity == Severity::undecided || severity == Severity::not_understood ||
-                   severity == Severity::suspect;
-    }
-  };
-  for (const FileReport& file : report.files) {
-    total.failed = total.failed || !file.failure.empty();
-    total.unreadable = total.unreadable || file.unreadable;
-    note(file.diagnostics, false);
-    for (const Step& step : file.steps) {
-      note(step.diagnostics, step.expected_refuted);
-      total.wrong = total.wrong || (step.verdict == Verdict::refuted && !step.expected_refuted);
-      total.open = total.open || step.verdict == Verdict::undecided ||
-                   step.verdict == Verdict::not_understood || step.verdict == Verdict::suspect;
-    }
-  }
-  return total;
-}
+Tally tally(const Report& report, bool strict) { return tally(report, usual_rule(strict)); }
 
 }  // namespace rigor

@@ -92,7 +92,7 @@ struct Step {
   std::string relation;
   std::string right;
   Verdict verdict = Verdict::not_understood;
-  bool expected_refuted = false;  // a directive says that the step is false
+  bool expected_refuted = false;  // a directive says that the step is false, or suspected
   bool restates = false;          // of a law: it says again what another one says
   std::string route;
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`

@@ -138,7 +138,8 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
                .right = parsed.written.sides[which + 1].span,
                .written = written_step(parsed, which),
                .reading = &reading_,
-               .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr};
+               .doubt = parsed.written.doubt ? &*parsed.written.doubt : nullptr,
+               .alternative = parsed.written.alternative};
 }
 
 bool ChainReading::is_balanced() const {
@@ -155,11 +156,11 @@ bool ChainReading::is_balanced() const {
 }
 
 std::unique_ptr<ChainReading> read_chain(const SyntaxTree& syntax, ExprTree& tree, Names& names,
-                                         const ParsedChain& parsed) {
+                                         const ParsedChain& parsed, ReadingRules plain) {
   const auto read = [&](const ReadingRules& how) {
     return std::make_unique<ChainReading>(syntax, tree, names, parsed, how);
   };
-  const ReadingRules plain{.no_sum = parsed.written.no_sum};
+  plain.no_sum = parsed.written.no_sum;
   auto first = read(plain);
   if (parsed.sides.size() < 2 || first->is_balanced()) return first;
   ReadingRules unsummed = plain;

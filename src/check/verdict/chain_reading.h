@@ -58,6 +58,6 @@ class ChainReading {
 /// side is not summed on another, or a prime does not make another letter of it. What was looked up for those
 /// that did not fit is used as well.
 [[nodiscard]] std::unique_ptr<ChainReading> read_chain(const SyntaxTree& syntax, ExprTree& tree, Names& names,
-                                                       const ParsedChain& parsed);
+                                                       const ParsedChain& parsed, ReadingRules plain = {});
 
 }  // namespace rigor

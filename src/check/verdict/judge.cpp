@@ -9,6 +9,7 @@
 #include "algebra/decide/decide.h"
 #include "base/among.h"
 #include "check/meaning/divisors.h"
+#include "check/meaning/function_value.h"
 #include "check/meaning/identity_reading.h"
 #include "check/meaning/negative_squares.h"
 #include "check/meaning/sign_doubt.h"
@@ -392,21 +393,39 @@ class Judging {
     return std::nullopt;
   }
 
+  /// Why the way in which it was read is only a guess, if its other reading is not asked as well.
+  [[nodiscard]] std::optional<Obstacle> own_guess() const {
+    return claim_.in_both_readings ? lasting_guess_of(*claim_.reading) : guess_of(*claim_.reading);
+  }
+
+  /// `\sqrt{x^2} = -x`: beside a condition this is an identity for a case, and no law.
+  [[nodiscard]] bool relates_the_same_letters() {
+    prepared_.question.tree = &tree_;
+    const auto letters_of = [&](ExprId side) {
+      const std::vector<SymbolId> letters = primitive_symbols(prepared_.question, side);
+      return std::set<SymbolId>(letters.begin(), letters.end());
+    };
+    return letters_of(claim_.equation.left) == letters_of(claim_.equation.right);
+  }
+
+  /// It fails as it was read, and that is a guess, or holds in a case only.
+  void doubted() {
+    const std::optional<Obstacle> of_reading = own_guess();
+    const Obstacle& guess = of_reading ? *of_reading : *claim_.doubt;
+    const bool restricted = guess.kind == DiagnosticKind::restricted;
+    judgement_.verdict = restricted ? Verdict::undecided : Verdict::not_understood;
+    add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried", guess.help);
+  }
+
   void refuted(const Decision& decision) {
     mark_all_assumptions();
-    if (doubts_change()) return;
+    if (doubts_change()) return law_of_unknown_rates();
     if (rests_on_the_impossible(
             decision, "no sample was found that satisfies all assumptions in force, so none can refute it"))
       return;
     if (may_be_excused()) return;
-    if (guess_of(*claim_.reading) || claim_.doubt != nullptr) {
-      const Obstacle& guess = guess_of(*claim_.reading) ? *guess_of(*claim_.reading) : *claim_.doubt;
-      const bool restricted = guess.kind == DiagnosticKind::restricted;
-      judgement_.verdict = restricted ? Verdict::undecided : Verdict::not_understood;
-      add(guess.kind, guess.message + "; the equation does not hold in the reading that was tried",
-          guess.help);
-      return;
-    }
+    if (own_guess() || claim_.alternative) return doubted();
+    if (claim_.doubt != nullptr && relates_the_same_letters()) return doubted();
     if (const auto both = component_declared_alone()) {
       judgement_.verdict = Verdict::not_understood;
       add(DiagnosticKind::ambiguous_reading,
@@ -423,8 +442,15 @@ class Judging {
       judgement_.verdict = Verdict::law;
       judgement_.not_for_all = bases_of(tree_, law);
       judgement_.despite_given = std::ranges::any_of(prepared_.assumptions, [](const NamedAssumption* each) {
-        return each != nullptr && each->origin.directive;
+        return each != nullptr && each->origin.directive && each->equation.relation == Relation::equal;
       });
+      return;
+    }
+    if (claim_.doubt != nullptr) return doubted();
+    if (speaks_of_values()) {
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided,
+          "it was found to fail only where values of a function are taken as any numbers");
       return;
     }
     if (claim_.reading->found.circle_number) {
@@ -453,6 +479,23 @@ class Judging {
                                       claim_.relation,
                                       difference() + (claim_.as_a_whole ? "" : sides),
                                       {{claim_.left, ""}, {claim_.right, ""}}});
+  }
+
+  /// What relates quantities is a law, whether or not they change.
+  void law_of_unknown_rates() {
+    if (claim_.for_all || own_guess() || claim_.doubt != nullptr) return;
+    const std::vector<SymbolId> law =
+        law_symbols(prepared_.question, names_.scope, restates_definition(), rotations(), cache_);
+    if (law.empty()) return;
+    judgement_.verdict = Verdict::law;
+    judgement_.not_for_all = bases_of(tree_, law);
+    judgement_.diagnostics.clear();
+  }
+
+  /// `f(2x)` and `f(x + x)` are two symbols to us.
+  [[nodiscard]] bool speaks_of_values() const {
+    return std::ranges::any_of(symbols_of(prepared_.question),
+                               [this](SymbolId symbol) { return is_function_value(names_, tree_, symbol); });
   }
 
   /// An assumption could not be read, or not all that it says was looked at: it may make the claim true.

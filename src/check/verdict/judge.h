@@ -33,6 +33,7 @@ struct Judgement {
   QuestionNames names = {};                            // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
   std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
+  std::vector<Repair> repairs = {};                    // suspect: what may have been meant
   bool restates = false;                               // a law: it says again what another one says
   bool despite_given = false;              // a law: it fails, though assumptions of directives bear on it
   std::vector<SymbolId> not_for_all = {};  // a law: the letters for which it reads as one
@@ -52,6 +53,8 @@ struct Claim {
   std::string written = {};          // both sides and the relation, where they can be pasted
   const Reading* reading = nullptr;  // for its conventions and guesses
   const Obstacle* doubt = nullptr;   // words next to it that may restrict it
+  bool alternative = false;          // it is one of several that may hold
+  bool in_both_readings = false;     // a letter or bracket is open, and its other reading is asked, too
   bool explains = false;             // `names` and `nearly_question` are wanted
   RecordedStep* recorded = nullptr;  // a sample to be put in instead of a search
 };

@@ -15,10 +15,24 @@ namespace rigor {
 namespace {
 
 /// The chain as it is read here; what that looks up is used.
-std::unique_ptr<ChainReading> read_here(Walk& walk, const ParsedChain& parsed) {
-  auto reading = read_chain(walk.notes.syntax, walk.tree, walk.names, parsed);
+std::unique_ptr<ChainReading> read_here(Walk& walk, const ParsedChain& parsed, const ReadingRules& how = {}) {
+  auto reading = read_chain(walk.notes.syntax, walk.tree, walk.names, parsed, how);
   add_used(walk, reading->used());
   return reading;
+}
+
+/// A chain with an open letter or bracket is read once more. Where it is a bracket, the first reading becomes
+/// the one that says the least.
+std::unique_ptr<ChainReading> read_otherwise(Walk& walk, const ParsedChain& parsed,
+                                             std::unique_ptr<ChainReading>& reading) {
+  const Reading::Found& found = reading->reading().found;
+  const bool orders =
+      std::ranges::any_of(parsed.remainders, [](const auto& remainder) { return remainder.has_value(); });
+  if (orders || !parsed.others.empty() || !decides(walk)) return nullptr;
+  if (!found.applied) return found.belongs ? read_here(walk, parsed, {.apart = true}) : nullptr;
+  auto product = read_here(walk, parsed, {.open = OpenBracket::factor});
+  reading = read_here(walk, parsed, {.apart = true, .open = OpenBracket::argument});
+  return product;
 }
 
 /// Are all sides read, and does each step's pair of sides fit?
@@ -44,7 +58,7 @@ void meet_expectations(Walk& walk, const ParsedChain& parsed, std::size_t first_
     while (k < walk.report.steps.size() && !meets()) ++k;
     if (k < walk.report.steps.size()) {
       met.insert(k);
-      walk.report.steps[k].expected_refuted = expectation->expected == Verdict::refuted;
+      walk.report.steps[k].expected_refuted = expectation->expected != Verdict::law;
     } else if (parsed.image == 0) {
       report_unmet(walk, *expectation, parsed.written.span);
     }
@@ -113,6 +127,9 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
       local.reset();
     }
   }
+  std::unique_ptr<ChainReading> other;
+  if (context.role == Role::display && !expects_refuted(walk, parsed))
+    other = read_otherwise(walk, parsed, reading);
   reading->for_all = context.role == Role::claim || expects_refuted(walk, parsed);
   for (const std::string& letter : reading->how().unsummed) {
     reading->sides[0].diagnostics.push_back(
@@ -126,7 +143,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
   }
   std::vector<WrittenStep> asked(walk.request.explains ? parsed.written.relations.size() : 0);
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k)
-    take_step(walk, parsed, k, *reading, context, asked.empty() ? nullptr : &asked[k]);
+    take_step(walk, parsed, k, *reading, other.get(), context, asked.empty() ? nullptr : &asked[k]);
   if (walk.options.recorded == nullptr && decides(walk) && !context.first_order) {
     RowPlace place = place_here(walk);
     explain_slips(place, parsed, *reading, first_step, std::span(walk.report.steps).subspan(first_step));
@@ -166,11 +183,12 @@ void follow_chain(Walk& walk, const ParsedChain& parsed, const Context& context)
 
 void report_unmet(Walk& walk, const Directive& expectation, Span statement) {
   if (!decides(walk)) return;
-  walk.report.diagnostics.push_back({DiagnosticKind::unexpected_verdict,
-                                     expectation.span,
-                                     fmt::format("the next statement was expected to be {} and is not",
-                                                 expectation.expected == Verdict::law ? "a law" : "refuted"),
-                                     {{statement, "this statement"}}});
+  walk.report.diagnostics.push_back(
+      {DiagnosticKind::unexpected_verdict,
+       expectation.span,
+       fmt::format("the next statement was expected to be {} and is not",
+                   expectation.expected == Verdict::law ? "a law" : name_of(expectation.expected)),
+       {{statement, "this statement"}}});
 }
 
 }  // namespace rigor

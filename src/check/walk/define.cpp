@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "check/meaning/function_value.h"
 #include "check/prose/denial.h"
 #include "check/row/row.h"
 #include "check/scope/contradiction.h"
@@ -69,7 +70,8 @@ void add_definition(Walk& walk, const Typed& left, const Typed& right, const Par
   origin.event = walk.event;
   origin.conditional = context.role == Role::display && is_conditional(here);
   origin.on_its_line =
-      context.role == Role::display && (parsed.written.doubt || !conditions_beside(here, parsed).empty());
+      context.role == Role::display &&
+      (parsed.written.doubt || !conditions_beside(here, parsed).empty() || is_one_of_the_cases(here, parsed));
   origin.of_a_case = context.role == Role::display && is_of_a_case(here);
   if (is_declared_constant(walk.names.scope, definition->symbol) && decides(walk) &&
       definition_contradicts(walk.tree, walk.names, *definition)) {
@@ -101,6 +103,12 @@ bool concludes(const Walk& walk, const NamedDefinition& earlier) {
     return each.number > from && each.number < beside.sentence && !each.has_display &&
            words_of(each.text).size() <= most_words_of_a_run_in && has_own_words(each.text);
   });
+}
+
+/// `E = kr \quad (r < R)` and `E = k/r^2 \quad (r > R)`: two meanings, and no contradiction.
+bool is_another_case(Walk& walk, const ParsedChain& parsed, const NamedDefinition& earlier) {
+  return earlier.origin.on_its_line &&
+         (parsed.written.doubt.has_value() || is_one_of_the_cases(place_here(walk), parsed));
 }
 
 /// What the page says not to hold defines nothing.
@@ -160,10 +168,11 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
                                             written_at(walk.sources, walk.tree[left.typed->id].span))});
     return true;
   }
-  if (!definition) return false;
+  if (!definition || is_function_value(walk.names, walk.tree, definition->symbol)) return false;
   const bool square = walk.tree[left.typed->id].op == Op::power;
   const bool named_definition =
-      parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let;
+      parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let ||
+      (context.role == Role::display && is_said_to_explain(place_here(walk), parsed));
   if (square && !named_definition && !stands_in_brackets(walk.notes.syntax, parsed.sides[0])) return false;
   const bool rate = walk.tree.symbols[definition->symbol].derivation.has_value();  // a law, not a name
   const bool known = definition_of(walk.names.scope, definition->symbol) != nullptr;
@@ -196,11 +205,12 @@ Diagnostic changing_constant(Span span, const std::string& name) {
           {"contradictory assumptions prove nothing"}};
 }
 
-bool may_redefine(Walk& walk, const Typed& left, const Typed& right) {
+bool may_redefine(Walk& walk, const ParsedChain& parsed, const Typed& left, const Typed& right) {
   const auto definition = as_definition(walk.tree, walk.names.scope, left, right);
   if (!definition) return false;
   const NamedDefinition* earlier = definition_of(walk.names.scope, definition->symbol);
-  return earlier != nullptr && !earlier->origin.directive && earlier->origin.event != walk.event;
+  return earlier != nullptr && !earlier->origin.directive &&
+         (earlier->origin.event != walk.event || is_another_case(walk, parsed, *earlier));
 }
 
 bool redefines(Walk& walk, const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
@@ -209,6 +219,11 @@ bool redefines(Walk& walk, const Judgement& judgement, const ParsedChain& parsed
     return false;
   const NamedDefinition* earlier =
       definition_of(walk.names.scope, as_definition(walk.tree, walk.names.scope, left, right)->symbol);
+  if (is_another_case(walk, parsed, *earlier)) {
+    if (judgement.verdict == Verdict::proved) return false;
+    add_definition(walk, left, right, parsed, context, step);
+    return true;
+  }
   const std::string& lead = walk.notes.prose.beside[walk.event].lead;
   const bool stated = !concludes(walk, *earlier) && !word_that_demands(lead) && !word_of_a_case(lead);
   const bool elsewhere = judgement.verdict == Verdict::law && earlier->origin.section != walk.section;

@@ -80,6 +80,12 @@ inline void add_used(Walk& walk, const Directives& used) { walk.used.insert(used
          (parsed.image > 0 && std::ranges::any_of(walk.next.in_force, refuted));
 }
 
+/// Does a directive say that the chain is stated, and not concluded?
+[[nodiscard]] inline bool expects_law(const Walk& walk) {
+  return std::ranges::any_of(walk.next.expectations,
+                             [](const Directive* each) { return each->expected == Verdict::law; });
+}
+
 /// What a decision found.
 inline void take_over(Walk& walk, RowPlace::Found found) {
   add_used(walk, found.used);

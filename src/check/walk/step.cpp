@@ -98,10 +98,13 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
     step.diagnostics.push_back(two_readings(row.parsed));
     return;
   }
-  if (!row.unsettled && may_name && defines(walk, row.parsed, row.left(), row.right(), context, step)) return;
+  const bool open_bracket = row.reading.reading().found.applied.has_value();
+  if (!row.unsettled && !open_bracket && may_name &&
+      defines(walk, row.parsed, row.left(), row.right(), context, step))
+    return;
   const bool bare_square = walk.tree[left.id].op == Op::power &&
                            !stands_in_brackets(walk.notes.syntax, row.parsed.sides[0]);  // a law, also anew
-  const bool may_rename = may_name && !bare_square && may_redefine(walk, left, right);
+  const bool may_rename = may_name && !bare_square && may_redefine(walk, row.parsed, left, right);
   Diagnostics mismatches;
   auto claim = row.reading.claim(row.parsed, row.which, row.first_order, mismatches);
   step.diagnostics.insert(step.diagnostics.end(), mismatches.begin(), mismatches.end());
@@ -119,11 +122,16 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
   }
   if (!decides(walk) && !may_rename) return;
   claim->explains = row.asked != nullptr;
+  claim->in_both_readings = row.other != nullptr;
+  if (open_bracket) return settle_in_both(place, row, *claim, judge_here(place, *claim), step);
   auto judgement = ask(place, row, *claim, step);
   if (!judgement) return;
   // What does not follow may give its name another meaning, by which later rows are read.
   if (may_name && is_open(*judgement) && takes_apart(walk, row.parsed, left, right, context, step)) return;
-  if (may_rename && redefines(walk, *judgement, row.parsed, left, right, context, step)) return;
+  if (may_rename && row.other == nullptr &&
+      redefines(walk, *judgement, row.parsed, left, right, context, step))
+    return;
+  if (row.other != nullptr) return settle_in_both(place, row, *claim, *std::move(judgement), step);
   settle(place, row, *claim, *std::move(judgement), step);
 }
 
@@ -161,18 +169,20 @@ void add_step(Walk& walk, Step step) {
 }
 
 void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainReading& reading,
-               const Context& context, WrittenStep* asked) {
+               ChainReading* other, const Context& context, WrittenStep* asked) {
   const auto start = Clock::now();
   walk.options.cache->begin(walk.options.effort);
   Step step = new_step(walk, parsed, which, context);
   RowPlace place = place_here(walk);
   place.heeds_words = decides(walk) && walk.options.recorded == nullptr && !expects_refuted(walk, parsed);
+  place.is_stated = expects_law(walk);
   StepReading row{.parsed = parsed,
                   .which = which,
                   .reading = reading,
                   .role = context.role,
                   .first_order = context.first_order,
                   .unsettled = is_unsettled(parsed, step.span),
+                  .other = other,
                   .asked = asked};
   const bool up_to_order = decides(walk) && is_up_to_order(row);
   for (const std::size_t side : {which, which + 1}) {

@@ -17,8 +17,8 @@ void declare_for_now(Walk& walk, const Directive& directive, SyntaxId id);
 bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side& right,
              const Context& context, Step& step);
 Diagnostic changing_constant(Span span, const std::string& name);
-/// Did another display say what the symbol on the left is?
-bool may_redefine(Walk& walk, const Typed& left, const Typed& right);
+/// Did another display say what the symbol on the left is, or another line for another case?
+bool may_redefine(Walk& walk, const ParsedChain& parsed, const Typed& left, const Typed& right);
 /// An equation that disagrees with an earlier meaning gives a new one, with a warning. It stays a claim if it
 /// is announced as a conclusion, if a `use` says that the earlier meaning holds, or if words may limit it to
 /// a case. If its symbols differ from the earlier ones, it is a new meaning only in another section, else a
@@ -50,8 +50,9 @@ void report_unmet(Walk& walk, const Directive& expectation, Span statement);
 [[nodiscard]] Step new_step(const Walk& walk, const ParsedChain& parsed, std::size_t which,
                             const Context& context);
 void add_step(Walk& walk, Step step);
-/// `asked` gets what the exact side was asked; null where that is not wanted.
+/// `other`: its other reading, where a letter or a bracket is open. `asked` gets what the exact side was
+/// asked; null where that is not wanted.
 void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainReading& reading,
-               const Context& context, WrittenStep* asked);
+               ChainReading* other, const Context& context, WrittenStep* asked);
 
 }  // namespace rigor

@@ -6,6 +6,8 @@
 
 #include "catch.h"
 #include "check/checked.h"
+#include "check/question/decision_cache.h"
+#include "check/walk/walk.h"
 
 using namespace rigor;
 
@@ -216,4 +218,60 @@ TEST_CASE("what is expected to be refuted is mended only if all is asked for") {
   };
   CHECK(offered(Repairs::of_unexpected) == 0);
   CHECK(offered(Repairs::of_all) > 0);
+}
+
+namespace {
+
+/// Notes that were read and decided, to be asked about one of their rows.
+struct Page {
+  explicit Page(std::string text) {
+    report.file = sources.add("notes.md", std::move(text));
+    Diagnostics ignored;
+    notes = read_notes(sources, report.file, nullptr, ignored);
+    ledger = walk_through(sources, notes, report, {.cache = &cache});
+    for (const LedgerEntry& entry : ledger.entries) {
+      if (const auto* statement = std::get_if<Statement>(&entry.what))
+        rows.push_back({statement, entry.scope});
+    }
+  }
+
+  /// The first true neighbour of the last row, where the first row is assumed to hold.
+  [[nodiscard]] std::vector<TrueNeighbour> near_the_last(bool with_first) {
+    Names names = *rows.back().scope;
+    const Statement& law = *rows.front().statement;
+    Equation equation;
+    equation.left = law.sides.at(0)->id;
+    equation.right = law.sides.at(1)->id;
+    if (with_first) assume(names.scope, {equation, {"the law", {}, std::nullopt}, 0});
+    const NeighbourProof by_judge = [](ExprTree& tree, const Names& read, const Claim& claim,
+                                       Slip) -> std::optional<std::vector<std::string>> {
+      Judgement judgement = judge(tree, read, claim);
+      if (judgement.verdict != Verdict::proved) return std::nullopt;
+      return judgement.uses;
+    };
+    return true_neighbours(ledger.tree, names, {.parsed = *rows.back().statement->chain}, by_judge);
+  }
+
+  struct Row {
+    const Statement* statement;
+    std::shared_ptr<const Names> scope;
+  };
+  SourceMap sources;
+  DecisionCache cache;
+  FileReport report;
+  Notes notes;
+  Ledger ledger;
+  std::vector<Row> rows;
+};
+
+}  // namespace
+
+TEST_CASE("a row is mended by a law that is assumed, and names it") {
+  Page page("$$m\\ddot x = -kx$$\n\n$$mx\\ddot x = kx^2$$\n");
+  CHECK(page.near_the_last(false).empty());
+  const std::vector<TrueNeighbour> found = page.near_the_last(true);
+  REQUIRE(!found.empty());
+  CHECK(found[0].repair.statement == "mx\\ddot x = -kx^2");
+  CHECK(found[0].slip == Slip::sign);
+  CHECK(found[0].uses == std::vector<std::string>{"the law"});
 }

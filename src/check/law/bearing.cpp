@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/law/bearing.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/among.h"
+
+namespace rigor {
+
+std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
+  std::set<SymbolId> letters;
+  for (const SymbolId symbol : symbols_reached(tree, scope, {equation.left, equation.right}))
+    letters.insert(base_of(tree.symbols, symbol));
+  return letters;
+}
+
+Laws laws_that_bear(const ExprTree& tree, const NameScope& scope, const Equation& row,
+                    const Laws& available) {
+  struct Bearing {
+    const PageLaw* law;
+    std::size_t foreign;
+  };
+  std::set<SymbolId> reached = base_letters(tree, scope, row);
+  Laws bearing;
+  for (bool grew = true; grew;) {
+    std::vector<Bearing> round;
+    std::set<SymbolId> more;
+    for (auto law = available.rbegin(); law != available.rend(); ++law) {
+      if (is_one_of(*law, bearing)) continue;
+      const std::set<SymbolId> letters = base_letters(tree, scope, (*law)->equation);
+      const auto shared =
+          std::ranges::count_if(letters, [&](SymbolId each) { return reached.contains(each); });
+      if (shared == 0) continue;
+      round.push_back({*law, letters.size() - static_cast<std::size_t>(shared)});
+      more.insert(letters.begin(), letters.end());
+    }
+    std::ranges::stable_sort(round, {}, &Bearing::foreign);
+    for (const Bearing& each : round) bearing.push_back(each.law);
+    reached.merge(more);
+    grew = !round.empty();
+  }
+  return bearing;
+}
+
+std::vector<Laws> sets_of(const Laws& bearing) {
+  constexpr std::size_t most_alone = 3;
+  constexpr std::array<std::size_t, 4> counts{2, 3, 5, 8};
+  std::vector<Laws> sets{{}};
+  for (std::size_t k = 0; k < std::min(most_alone, bearing.size()); ++k) sets.push_back({bearing[k]});
+  for (const std::size_t count : counts) {
+    const std::size_t taken = std::min(count, bearing.size());
+    if (taken > 1 && sets.back().size() < taken) sets.emplace_back(bearing.begin(), bearing.begin() + taken);
+  }
+  return sets;
+}
+
+}  // namespace rigor

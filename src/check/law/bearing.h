@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which laws of the page bear on a row, and which of them are tried together.
+#pragma once
+
+#include <set>
+#include <vector>
+
+#include "check/law/page_law.h"
+#include "elaborate/name/names.h"
+
+namespace rigor {
+
+/// The letters that it leads to, definitions unfolded, each without its derivatives.
+[[nodiscard]] std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope,
+                                              const Equation& equation);
+
+/// Those that share a letter with the row, then those that share one with these. Within each round those come
+/// first that bring in the fewest other letters, and of such the nearest. `available`: in the order of the
+/// notes.
+[[nodiscard]] Laws laws_that_bear(const ExprTree& tree, const NameScope& scope, const Equation& row,
+                                  const Laws& available);
+
+/// None (the row may only lack that something is constant), each of the nearest alone, and more and more
+/// together. Most rows follow from one or two laws near them.
+[[nodiscard]] std::vector<Laws> sets_of(const Laws& bearing);
+
+}  // namespace rigor

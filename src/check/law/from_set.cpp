@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/law/from_set.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "base/among.h"
+#include "check/law/bearing.h"
+#include "check/law/witness.h"
+#include "check/meaning/identity_reading.h"
+#include "check/question/decision_cache.h"
+#include "check/question/question.h"
+#include "check/verdict/law_diagnostic.h"
+
+namespace rigor {
+namespace {
+
+/// Most rows follow from one or two laws near them, so a set gets less work than a step has.
+constexpr Limits limits_of_sets{
+    .expanded_terms = 20'000, .steps = 200'000, .sample_attempts = 24, .simplest_sample = false};
+/// More letters that must not vanish would only slow the proof down.
+constexpr std::size_t most_not_zero = 6;
+
+/// All terms of all sums in it, and its sides, as they are differentiated if everything changes.
+std::vector<ExprId> terms_of(const RowUnderLaws& row, const Prepared& prepared) {
+  const ExprTree& tree = row.tree;
+  std::vector<ExprId> roots{row.claim.equation.left, row.claim.equation.right};
+  for (const Definition& definition : prepared.question.definitions) roots.push_back(definition.body);
+  for (const Equation& assumption : prepared.question.assumptions)
+    roots.insert(roots.end(), {assumption.left, assumption.right});
+  std::vector<ExprId> terms = roots;
+  for (const ExprId id : nodes_below(tree, roots)) {
+    if (tree[id].op != Op::add) continue;
+    const std::span<const ExprId> children = tree.children(id);
+    terms.insert(terms.end(), children.begin(), children.end());
+  }
+  std::erase_if(terms, [&](ExprId id) { return signed_terms(tree, id).size() > 1; });
+  return terms;
+}
+
+/// Is there a derivative of one of the constants, and nothing else that changes? An initial value, `x_0`, is
+/// one.
+bool differentiates_only(const RowUnderLaws& row, ExprId term, const std::vector<SymbolId>& constants,
+                         const Names& names) {
+  const SymbolTable& symbols = row.tree.symbols;
+  bool differentiates = false;
+  for (const SymbolId symbol : symbols_in(row.tree, term)) {
+    const SymbolId base = base_of(symbols, symbol);
+    if (is_one_of(base, constants)) {
+      differentiates =
+          differentiates || (symbols[symbol].derivation.has_value() && !symbols[base].name.ends_with("_{0}"));
+    } else if (change(names, row.tree, base, By::time).dependence.kind != Dependence::Kind::constant) {
+      return false;
+    }
+  }
+  return differentiates;
+}
+
+/// Numbers of which nothing says whether they change: nothing on the page differentiates them.
+std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names& names) {
+  const Prepared prepared = prepare(row.tree, names, row.claim.equation);
+  std::vector<SymbolId> unknown = prepared.unknown_changes;
+  const std::vector<SymbolId>& written = row.claim.reading->found.unknown_changes;
+  unknown.insert(unknown.end(), written.begin(), written.end());
+  unknown = bases_of(row.tree, unknown);
+  std::erase_if(unknown, [&](SymbolId symbol) {
+    const NameKey* key = key_of(names.symbols, symbol);
+    return row.tree.symbols[symbol].rank > 0 || key == nullptr ||
+           may_be_changing(*names.symbols.evidence, key->base);
+  });
+  // Who differentiates a whole term means it to change: g of `\nabla(f + g)`.
+  for (const ExprId term : terms_of(row, prepared)) {
+    if (differentiates_only(row, term, unknown, names)) return {};
+  }
+  return unknown;
+}
+
+/// The row may stay open in a letter that vanishes only where it has not that letter itself.
+std::vector<SymbolId> not_zero(const RowUnderLaws& row, const Laws& set) {
+  const std::set<SymbolId> own = base_letters(row.tree, row.names.scope, row.claim.equation);
+  std::vector<SymbolId> letters;
+  for (const PageLaw* law : set) {
+    for (const SymbolId letter : base_letters(row.tree, row.names.scope, law->equation)) {
+      const Symbol& symbol = row.tree.symbols[letter];
+      const bool plain = symbol.rank == 0 && !symbol.per_particle && !symbol.unit_of_measure;
+      const bool free = plain && !own.contains(letter) && definition_of(row.names.scope, letter) == nullptr;
+      if (free && !is_one_of(letter, letters) && letters.size() < most_not_zero) letters.push_back(letter);
+    }
+  }
+  return letters;
+}
+
+Names with_constants(Names names, const std::vector<SymbolId>& constants) {
+  for (const SymbolId constant : constants) declare_constant(names.scope, constant, std::nullopt);
+  return names;
+}
+
+std::string says_not_zero(const ExprTree& tree, SymbolId letter) {
+  return fmt::format("convention: `{}` is not 0", tree.symbols[letter].name);
+}
+
+Names with_not_zero(const RowUnderLaws& row, Names names, const std::vector<SymbolId>& letters) {
+  for (const SymbolId letter : letters) {
+    Equation nonzero;
+    nonzero.left = row.tree.add({.op = Op::symbol, .span = row.claim.relation, .symbol = letter});
+    nonzero.right = row.tree.add_number(row.claim.relation, "0");
+    nonzero.relation = Relation::unequal;
+    assume(names.scope, {std::move(nonzero), Origin{says_not_zero(row.tree, letter), {}, std::nullopt}, 0});
+  }
+  return names;
+}
+
+/// What holds at one moment says nothing of rates, so nothing is concluded of what is constant there.
+std::vector<SymbolId> constants_under(const RowUnderLaws& row, const Names& names, const Laws& set) {
+  const bool momentary = std::ranges::any_of(set, [](const PageLaw* law) { return law->at_instant; });
+  return momentary ? std::vector<SymbolId>{} : constants_by_evidence(row, names);
+}
+
+/// The names of the assumptions that a proof needs; nothing: there is no proof. What a derivative of a law
+/// shows is looked for only if the law itself does not prove it.
+std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, const Names& names) {
+  for (const int slack : {0, 1}) {
+    const Prepared prepared = prepare(row.tree, names, row.claim.equation, slack);
+    if (prepared.too_large) return std::nullopt;
+    const Decision decision = decide(row.cache, prepared.question, limits_of_sets);
+    if (decision.outcome == Outcome::proved) {
+      std::vector<std::string> used;
+      for (const std::size_t which : decision.assumptions) {
+        if (const NamedAssumption* named = prepared.assumptions[which]) used.push_back(named->origin.text);
+      }
+      return used;
+    }
+    if (!speaks_of_derivatives(prepared)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Names with_laws(Names names, const Laws& laws) {
+  for (const PageLaw* law : laws)
+    assume(names.scope, {law->equation, Origin{law->name, {}, std::nullopt}, 0, law->at_instant});
+  return names;
+}
+
+Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws) {
+  Names assumed = with_laws(row.names, laws);
+  const std::vector<SymbolId> constants = constants_under(row, assumed, laws);
+  return with_constants(std::move(assumed), constants);
+}
+
+std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
+  const Names assumed = with_laws(row.names, set);
+  const std::vector<SymbolId> constants = constants_under(row, assumed, set);
+  if (set.empty() && constants.empty()) return std::nullopt;
+  const std::vector<SymbolId> letters = not_zero(row, set);
+  const Names all = with_not_zero(row, with_constants(assumed, constants), letters);
+  const auto named = named_in_proof(row, all);
+  if (!named) return std::nullopt;
+  const auto is_named = [&](const std::string& name) { return is_one_of(name, *named); };
+  Laws used;
+  std::copy_if(set.begin(), set.end(), std::back_inserter(used),
+               [&](const PageLaw* law) { return is_named(law->name); });
+  if (!set.empty() && used.empty() && constants.empty()) return std::nullopt;
+  std::vector<SymbolId> divided;
+  std::copy_if(letters.begin(), letters.end(), std::back_inserter(divided),
+               [&](SymbolId letter) { return is_named(says_not_zero(row.tree, letter)); });
+  const Names from_used = with_not_zero(row, with_laws(row.names, used), divided);
+  const std::vector<SymbolId> needed = constants_under(row, from_used, used);
+  const Names from = with_constants(from_used, needed);
+  Judgement judgement = judge(row.tree, from, row.claim, limits_of_sets, row.cache);
+  if (judgement.verdict != Verdict::proved) return std::nullopt;
+  if (!is_met_without_zeros(row.tree, from, row.claim.equation, used, row.cache)) return std::nullopt;
+  for (const SymbolId constant : needed)
+    judgement.uses.push_back(fmt::format("convention: `{}` is constant, since nothing differentiates it",
+                                         row.tree.symbols[constant].name));
+  return judgement;
+}
+
+bool fails_under(const RowUnderLaws& row, const Laws& set) {
+  if (std::ranges::any_of(set, [](const PageLaw* law) { return law->at_instant; })) return false;
+  const Names assumed = with_laws(row.names, set);
+  const Names all =
+      with_not_zero(row, with_constants(assumed, constants_by_evidence(row, assumed)), not_zero(row, set));
+  const Prepared prepared = prepare(row.tree, all, row.claim.equation, 1);
+  if (prepared.too_large || !prepared.unknown_changes.empty()) return false;
+  return decide(row.cache, prepared.question, limits_of_sets).outcome == Outcome::refuted;
+}
+
+}  // namespace rigor

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Does a row follow from one set of laws?
+#pragma once
+
+#include <optional>
+
+#include "check/law/page_law.h"
+#include "check/verdict/judge.h"
+
+namespace rigor {
+
+/// The row under which laws: what it may rest on, and where the exact side is asked.
+struct RowUnderLaws {
+  ExprTree& tree;
+  const Names& names;
+  const Claim& claim;
+  DecisionCache* cache;
+};
+
+/// The laws as assumptions, under their names.
+[[nodiscard]] Names with_laws(Names names, const Laws& laws);
+
+/// The same, and what nothing on the page differentiates is taken as constant.
+[[nodiscard]] Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws);
+
+/// Proved, with `uses`; nothing if no proof was found. `uses` names the laws that the proof needs, the
+/// letters that it takes as constant (nothing on the page differentiates them), and those that must not be 0:
+/// of the laws, not of the row. `ab = cb` says that a = c unless b is 0, whatever b is otherwise.
+[[nodiscard]] std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set);
+
+/// Was a sample found that meets all these laws, and on which the row fails? Then it follows from no part of
+/// them either. Letters of the laws that the row does not have are not 0 there.
+[[nodiscard]] bool fails_under(const RowUnderLaws& row, const Laws& set);
+
+}  // namespace rigor

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/span.h"
+#include "expr/statement/statement.h"
+
+namespace rigor {
+
+/// A relation that the page states, or that follows from such.
+struct PageLaw {
+  Equation equation;
+  std::string name;  // as a verdict names it: `law (3)`, `law in line 12`, `result in line 14`
+  Span span = {};
+  std::size_t place = 0;      // its section, as `Sections` counts them
+  std::size_t paragraph = 0;  // and its paragraph
+  bool at_instant = false;    // it may hold at one moment or place only: it says nothing of rates
+  bool of_a_case = false;     // behind "for critical damping": it holds in its paragraph only
+};
+
+using Laws = std::vector<const PageLaw*>;
+
+}  // namespace rigor

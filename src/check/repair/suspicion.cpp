@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/repair/suspicion.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "check/law/bearing.h"
+#include "check/law/from_set.h"
+#include "check/law/restated.h"
+#include "check/question/decision_cache.h"
+#include "check/repair/missing_condition.h"
+#include "check/repair/trivial_statement.h"
+
+namespace rigor {
+namespace {
+
+constexpr std::uint64_t most_work = 250'000;  // of the work that a step may take
+
+/// The letter is another one than was written, so that another quantity may be meant.
+bool changes_a_letter(Slip slip) {
+  return slip == Slip::letter || slip == Slip::prime || slip == Slip::rate || slip == Slip::index;
+}
+
+bool changes_the_terms(Slip slip) { return slip == Slip::term_missing || slip == Slip::term_extra; }
+
+class Suspecting {
+ public:
+  Suspecting(const ExprTree& tree, const Names& names, const OpenRow& row, DecisionCache& cache)
+      : tree_(tree), names_(names), row_(row), cache_(cache) {}
+
+  std::optional<Suspicion> run() {
+    if (may_be_near_an_identity()) {
+      if (auto identity = nearest({}, {})) return identity;
+    }
+    const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, row_.available);
+    std::vector<Laws> sets = sets_of(bearing);
+    sets.erase(sets.begin());  // of no laws
+    // What follows from some laws holds wherever all of them do, so the samples meet as many as can be met.
+    while (!sets.empty() && !cache_.budget().exhausted()) {
+      const Laws largest = sets.back();
+      if (auto found = nearest(largest, sets)) return found;
+      if (can_be_met(largest)) return std::nullopt;
+      sets.pop_back();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// A slip exchanges one letter for another: the sides of an identity lead to the same letters.
+  bool may_be_near_an_identity() const {
+    const auto letters_of = [&](ExprId side) {
+      return base_letters(tree_, names_.scope, Equation{.left = side, .right = side});
+    };
+    const std::set<SymbolId> left = letters_of(row_.claim.equation.left);
+    const std::set<SymbolId> right = letters_of(row_.claim.equation.right);
+    std::vector<SymbolId> apart;
+    std::ranges::set_symmetric_difference(left, right, std::back_inserter(apart));
+    return apart.size() <= 2 || left.empty() || right.empty();
+  }
+
+  bool can_be_met(const Laws& laws) const {
+    ExprTree tree = tree_;
+    return sample_of_assumptions(tree, with_laws(names_, laws), {}, limits_of_guesses, &cache_).has_value();
+  }
+
+  /// The nearest neighbour that holds wherever `met` do, and is proved from one of the sets, the smallest
+  /// first.
+  std::optional<Suspicion> nearest(const Laws& met, const std::vector<Laws>& sets) {
+    const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim, Slip slip) {
+      return is_likely(tree, claim, slip) ? proved(tree, names, claim, slip, sets) : std::nullopt;
+    };
+    ExprTree grown = tree_;
+    const Names assuming = with_laws_and_constants({grown, names_, row_.claim, &cache_}, met);
+    std::vector<TrueNeighbour> found = true_neighbours(grown, assuming, row_.wrong, proof, &cache_);
+    if (found.empty()) return std::nullopt;
+    return Suspicion{std::move(found.front().repair), std::move(found.front().uses)};
+  }
+
+  /// What the statement rests on; nothing if it is not proved, or says nothing. No sets: an identity.
+  std::optional<std::vector<std::string>> proved(ExprTree& tree, const Names& names, const Claim& claim,
+                                                 Slip slip, const std::vector<Laws>& sets) {
+    if (is_trivial_up_to_order(tree, claim.equation.left, claim.equation.right)) return std::nullopt;
+    if (claim.equation.relation != Relation::equal || adds_letters(tree, claim.equation)) return std::nullopt;
+    Names without = names;
+    without.scope.assumptions = names_.scope.assumptions;
+    without.scope.constants = names_.scope.constants;
+    const bool may_repeat = row_.announced && !changes_a_letter(slip);
+    if (!may_repeat && is_said_already(tree, without, claim.equation, sets)) return std::nullopt;
+    for (const Laws& set : sets) {
+      if (auto found = prove_from({tree, without, claim, &cache_}, set)) return std::move(found->uses);
+    }
+    if (!sets.empty()) return std::nullopt;
+    Judgement judgement = judge(tree, without, claim, limits_of_candidates, &cache_);
+    if (judgement.verdict == Verdict::proved && judgement.diagnostics.empty())
+      return std::move(judgement.uses);
+    auto found = prove_from({tree, without, claim, &cache_}, {});
+    return found ? std::optional(std::move(found->uses)) : std::nullopt;
+  }
+
+  /// Letters that stand nowhere above and are no longer there were meant: a new quantity is no slip.
+  bool adds_letters(const ExprTree& tree, const Equation& candidate) const {
+    const std::set<SymbolId> own = written(tree, row_.claim.equation);
+    const std::set<SymbolId> now = written(tree, candidate);
+    return std::ranges::any_of(own, [&](SymbolId letter) {
+      return !now.contains(letter) && !seen_in_equation(names_.scope, letter) &&
+             definition_of(names_.scope, letter) == nullptr;
+    });
+  }
+
+  static std::set<SymbolId> written(const ExprTree& tree, const Equation& equation) {
+    std::set<SymbolId> letters;
+    for (const ExprId side : {equation.left, equation.right}) {
+      for (const SymbolId symbol : symbols_in(tree, side)) letters.insert(base_of(tree.symbols, symbol));
+    }
+    return letters;
+  }
+
+  bool is_said_already(ExprTree& tree, const Names& names, const Equation& equation,
+                       const std::vector<Laws>& sets) {
+    const auto said = [&](const Equation& known) { return restates(tree, equation, known, &cache_); };
+    const Laws laws = sets.empty() ? Laws{} : sets.back();
+    if (std::ranges::any_of(laws, [&](const PageLaw* law) { return said(law->equation); })) return true;
+    const std::set<SymbolId> letters = written(tree, equation);
+    return std::ranges::any_of(*names.scope.definitions, [&](const NamedDefinition& named) {
+      return letters.contains(named.definition.symbol) && said(as_equation(tree, named.definition));
+    });
+  }
+
+  /// Then the prose may say that `R` is a rotation, and all letters are right.
+  bool holds_under_a_usual_condition() {
+    if (!usual_) usual_ = !missing_conditions(tree_, names_, row_.wrong, &cache_).empty();
+    return *usual_;
+  }
+
+  bool is_likely(const ExprTree& tree, const Claim& claim, Slip slip) {
+    const Equation& own = row_.claim.equation;
+    const auto becomes = [&](ExprId now, ExprId before) {
+      return tree.is_zero_literal(now) && !tree_.is_zero_literal(before);
+    };
+    const bool becomes_zero =
+        becomes(claim.equation.left, own.left) || becomes(claim.equation.right, own.right);
+    if (becomes_zero) return false;
+    if (changes_a_letter(slip)) return !holds_under_a_usual_condition();
+    if (!changes_the_terms(slip)) return true;
+    const std::set<SymbolId> letters = written(tree_, own);
+    return row_.announced && std::ranges::all_of(letters, [&](SymbolId letter) {
+             return seen_in_equation(names_.scope, letter) || definition_of(names_.scope, letter) != nullptr;
+           });
+  }
+
+  const ExprTree& tree_;
+  const Names& names_;
+  const OpenRow& row_;
+  DecisionCache& cache_;
+  std::optional<bool> usual_;  // does a usual condition make the row true?
+};
+
+}  // namespace
+
+std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, const OpenRow& row,
+                                   DecisionCache& cache) {
+  if (row.claim.nearly || row.claim.equation.relation != Relation::equal) return std::nullopt;
+  if (cache.budget().exhausted()) return std::nullopt;
+  const ShareOfWork share(cache, most_work);
+  return Suspecting(tree, names, row, cache).run();
+}
+
+}  // namespace rigor

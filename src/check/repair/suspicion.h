@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Is a row that does not follow one slip of the pen away from something that does? Few rows are so by chance:
+// what stands near a law and follows from the page relates the same letters as the law, and both together
+// leave them hardly any values. What is near by its form alone is left out: a side that becomes 0 or equal to
+// the other, what a law or a definition says already, and another quantity that merely looks alike.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "check/law/page_law.h"
+#include "check/repair/repair.h"
+
+namespace rigor {
+
+struct Suspicion {
+  Repair repair;
+  std::vector<std::string> uses;  // what the repaired statement follows from; of an identity, conventions
+};
+
+/// A row that does not follow, and what it may have been meant to follow from.
+struct OpenRow {
+  const WrongStep& wrong;
+  const Claim& claim;
+  const Laws& available = {};  // in the order of the notes
+  bool announced = false;      // as a conclusion: then it may lack a term
+};
+
+/// The nearest statement that is an identity or follows from definitions and from what is given; else one
+/// that follows from laws, of the smallest set that is enough. Nothing for orders and `≈`. It works on
+/// copies. At most eight sets of laws are tried, with as many neighbours as a repair looks at, for a share of
+/// the work that a step may take.
+[[nodiscard]] std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, const OpenRow& row,
+                                                 DecisionCache& cache);
+
+}  // namespace rigor

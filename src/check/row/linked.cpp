@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rows that hang on others: `a = b \Rightarrow c = d`, `H = T + V, \text{ where } T = …`.
+#include <algorithm>
+#include <array>
+
+#include "base/among.h"
+#include "check/place/place.h"
+#include "check/row/row.h"
+#include "check/word/prose_words.h"
+
+namespace rigor {
+namespace {
+
+/// "where", "with" after the display: what comes next says what its letters are.
+bool explains_display_above(const ProseBeside& beside) {
+  static constexpr std::array<std::string_view, 3> openings{"where", "with", "here"};
+  const auto above = beside.lead.rfind('\n');
+  if (above == std::string::npos) return false;
+  const std::vector<std::string_view> words = words_of(std::string_view(beside.lead).substr(above + 1));
+  return !words.empty() && is_one_of(words.front(), openings);
+}
+
+}  // namespace
+
+bool is_said_to_explain(const RowPlace& place, const ParsedChain& parsed) {
+  const ProseBeside& beside = place.notes.prose.beside[place.event];
+  return parsed.written.explains || explains_display_above(beside);
+}
+
+std::vector<const ParsedChain*> definitions_behind(const RowPlace& place, const ParsedChain& parsed) {
+  std::vector<const ParsedChain*> behind;
+  const auto take = [&](const ParsedDisplay& display, bool all) {
+    for (const ParsedChain& chain : display.chains) {
+      const bool later = chain.written.span.begin > parsed.written.span.begin;
+      const bool names = !chain.written.relations.empty() && is_equality(chain.written.relations[0].kind) &&
+                         place.notes.syntax[chain.sides[0]].kind == SyntaxKind::symbol;
+      if (later && names && (all || chain.written.explains)) behind.push_back(&chain);
+    }
+  };
+  const std::vector<ProseBeside>& sentences = place.notes.prose.beside;
+  for (std::size_t k = place.event; k < sentences.size(); ++k) {
+    const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[k]);
+    if (display == nullptr) continue;
+    if (sentences[k].sentence != sentences[place.event].sentence) break;
+    const bool explains = k > place.event && explains_display_above(sentences[k]);
+    if (k > place.event && !explains) break;
+    take(*display, explains);
+  }
+  return behind;
+}
+
+std::string unread_premise(RowPlace& place, const ParsedChain& parsed) {
+  const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[place.event]);
+  if (display == nullptr || parsed.written.inference == Inference::none) return {};
+  for (const ParsedChain& chain : display->chains) {
+    const bool before = chain.written.statement == parsed.written.statement &&
+                        chain.written.span.begin < parsed.written.span.begin;
+    if (!before) continue;
+    const auto reading = read_here(place, chain);
+    const bool read =
+        std::ranges::all_of(reading->sides, [](const Side& side) { return side.typed.has_value(); }) &&
+        std::ranges::all_of(chain.written.relations, [](const WrittenRelation& relation) {
+          return is_equality(relation.kind) || is_order(relation.kind);
+        });
+    if (!read || chain.written.relations.empty()) return written_at(place, chain.written.span);
+  }
+  return {};
+}
+
+}  // namespace rigor
