@@ -2,6 +2,7 @@
 // What each command does, behind its command line; the code is the exit code.
 #pragma once
 
+#include <istream>
 #include <ostream>
 
 #include "app/grammar/command_line.h"
@@ -21,7 +22,8 @@ namespace rigor {
 // the format that was asked for.
 
 /// The exit code. Progress, `--debug` and what is the matter with a cache go to `err`.
-[[nodiscard]] ExitCode check_notes(const CheckCommand& command, std::ostream& out, std::ostream& err);
+[[nodiscard]] ExitCode check_notes(const CheckCommand& command, std::istream& in, std::ostream& out,
+                                   std::ostream& err);
 
 // --- explain.cpp: `rigor explain`: the small steps between the forms of a chain.
 

@@ -173,7 +173,7 @@ ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ost
     if (!write_to(*command.latex, latex_document(notes, reported.sources), out, err))
       return ExitCode::no_input;
   }
-  return exit_code(reported.report, false);
+  return exit_code(reported.report, usual_rule(false));
 }
 
 }  // namespace rigor

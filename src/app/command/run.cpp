@@ -34,10 +34,10 @@ int run_guarded(std::ostream& err, const std::function<int()>& work) {
   return number_of(ExitCode::internal);
 }
 
-int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err, std::istream& in) {
   return run_guarded(err, [&] {
     const CommandLine line = parse_command_line(argc, argv);
-    if (line.check) return written(check_notes(*line.check, out, err), out, err);
+    if (line.check) return written(check_notes(*line.check, in, out, err), out, err);
     if (line.replay) return written(replay(*line.replay, out, err), out, err);
     if (line.eval) return written(evaluate_forms(*line.eval, out, err), out, err);
     if (line.report) return written(write_reports(*line.report, out, err), out, err);

@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "algebra/engine/budget.h"
 #include "app/grammar/debug.h"
 #include "app/grammar/exit_code.h"
+#include "source/diagnostic.h"
 
 namespace rigor {
 
@@ -17,15 +19,21 @@ enum class ColorWhen : std::uint8_t { automatic, always, never };
 
 enum class ReportFormat : std::uint8_t { text, json, junit, sarif, github };
 
-/// `rigor check`: at least one file; a sidecar and marks only with exactly one.
+/// `rigor check`: files, folders and `-`, the standard input; a sidecar and marks only with exactly one file.
+/// What is left open may be in a settings file.
 struct CheckCommand {
   std::vector<std::string> files;
+  std::optional<std::string> stdin_name;  // what the standard input is called
   std::optional<std::string> sidecar;
+  std::optional<std::string> settings;  // a file
   ReportFormat format = ReportFormat::text;
-  bool strict = false;
+  std::optional<bool> strict;
+  std::optional<std::set<Severity>> fail_on;
+  std::optional<std::string> baseline;  // an earlier report
   bool dimensions = false;
-  std::size_t jobs = 1;  // 0: as many as there are processors
-  std::uint64_t effort = default_effort;
+  bool all_causes = false;
+  std::optional<std::size_t> jobs;  // 0: as many as there are processors
+  std::optional<std::uint64_t> effort;
   std::optional<std::string> cache;  // a folder
   std::optional<std::string> marks;  // a file for `rigor.sty`
   ColorWhen color = ColorWhen::automatic;
@@ -138,5 +146,7 @@ struct CommandLine {
 };
 
 [[nodiscard]] CommandLine parse_command_line(int argc, const char* const* argv);
+/// A command line that ends the program with its reason.
+[[nodiscard]] CommandLine usage_error(std::string reason, std::string_view command);
 
 }  // namespace rigor

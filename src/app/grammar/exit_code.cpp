@@ -11,7 +11,7 @@ constexpr auto exit_codes = std::to_array<ExitCodeInfo>({
     {ExitCode::wrong,
      "something is refuted, malformed or not confirmed; nothing fits a hole; a scene is wrong"},
     {ExitCode::open, "something is undecided, not understood or not answered, and nothing is wrong"},
-    {ExitCode::usage, "the command line is wrong"},
+    {ExitCode::usage, "the command line or a settings file is wrong"},
     {ExitCode::no_input, "a file is missing or unreadable, or cannot be written"},
     {ExitCode::internal, "an error of rigor itself"},
 });
@@ -20,8 +20,8 @@ constexpr auto exit_codes = std::to_array<ExitCodeInfo>({
 
 std::span<const ExitCodeInfo> exit_code_table() { return exit_codes; }
 
-ExitCode exit_code(const Report& report, bool strict) {
-  const Tally found = tally(report, strict);
+ExitCode exit_code(const Report& report, const FailureRule& rule) {
+  const Tally found = tally(report, rule);
   if (found.failed) return ExitCode::internal;
   if (found.unreadable) return ExitCode::no_input;
   if (found.wrong) return ExitCode::wrong;

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "check/step/report.h"
+#include "check/step/failure_rule.h"
 #include "report/text/replay_text.h"
 
 namespace rigor {
@@ -31,8 +31,8 @@ struct ExitCodeInfo {
 [[nodiscard]] constexpr int number_of(ExitCode code) { return static_cast<int>(code); }
 
 /// An error of our own comes before an unreadable file, that before something wrong, that before something
-/// open. `strict`: warnings are wrong.
-[[nodiscard]] ExitCode exit_code(const Report& report, bool strict);
+/// open.
+[[nodiscard]] ExitCode exit_code(const Report& report, const FailureRule& rule);
 /// The same order; a report that refutes nothing is confirmed.
 [[nodiscard]] ExitCode exit_code(const ReplayTally& tally);
 

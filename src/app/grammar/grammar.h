@@ -67,6 +67,5 @@ void add_color(CLI::App& to, ColorWhen& color);
 /// Only these words; anything else is `unknown WHAT`. They are the validator's name, between separators.
 inline constexpr char choice_separator = '|';
 [[nodiscard]] CLI::Validator one_of(std::string what, std::vector<std::string> names);
-[[nodiscard]] CommandLine usage_error(std::string reason, std::string_view command);
 
 }  // namespace rigor

@@ -6,7 +6,11 @@
 #include <cstddef>
 #include <string>
 
+#include "algebra/engine/budget.h"
+#include "app/grammar/fail_on.h"
 #include "app/grammar/grammar.h"
+#include "app/grammar/limits.h"
+#include "base/among.h"
 
 namespace rigor {
 namespace {
@@ -46,21 +50,18 @@ ReportFormat format_of_name(const std::string& name) {
       ->format;
 }
 
-/// Reads a number of processes; returns what is wrong with it, if anything is.
-std::string jobs_from(const std::string& word, std::size_t& jobs) {
-  constexpr std::size_t most = 1024;
-  const auto read = std::from_chars(word.data(), word.data() + word.size(), jobs);
-  if (read.ec == std::errc() && read.ptr == word.data() + word.size() && jobs <= most) return "";
-  return fmt::format("`--jobs` is a number from 0 to {}, not `{}`", most, word);
-}
-
-/// Reads units of work; returns what is wrong with them, if anything is.
-std::string effort_from(const std::string& word, std::uint64_t& effort) {
-  constexpr std::uint64_t most = 1'000'000'000'000;
-  const auto read = std::from_chars(word.data(), word.data() + word.size(), effort);
-  const bool whole = read.ec == std::errc() && read.ptr == word.data() + word.size();
-  if (whole && effort >= 1 && effort <= most) return "";
-  return fmt::format("`--effort` is a number of units from 1 to {}, not `{}`", most, word);
+/// Reads a whole number into `value`; returns what is wrong with the word, if anything is.
+template <class Number>
+std::string whole_from(const std::optional<std::string>& word, std::uint64_t least, std::uint64_t most,
+                       std::string_view name, std::string_view what, std::optional<Number>& value) {
+  if (!word) return "";
+  Number number = 0;
+  const auto read = std::from_chars(word->data(), word->data() + word->size(), number);
+  const bool whole = read.ec == std::errc() && read.ptr == word->data() + word->size();
+  if (!whole || number < least || number > most)
+    return fmt::format("`{}` is a number {}from {} to {}, not `{}`", name, what, least, most, *word);
+  value = number;
+  return "";
 }
 
 DebugTopic topic_of(const std::string& name) {
@@ -69,54 +70,70 @@ DebugTopic topic_of(const std::string& name) {
 }
 
 void add_path(CLI::App& to, const char* name, std::optional<std::string>& path, const char* type,
-              const char* what) {
+              const std::string& what) {
   to.add_option_function<std::string>(
         name, [&path](const std::string& given) { path = given; }, what)
       ->type_name(type);
 }
 
+struct CheckWords {
+  CheckCommand command;
+  std::vector<std::string> topics;
+  std::optional<std::string> format;
+  bool json = false;
+  std::optional<std::string> fail_on;
+  std::optional<std::string> jobs;
+  std::optional<std::string> effort;
+};
+
+/// What is wrong with the words as a whole, if anything is.
+std::string fault_of(const CheckWords& words) {
+  const CheckCommand& command = words.command;
+  if (command.sidecar && command.files.size() > 1)
+    return fmt::format("`--sidecar` belongs to one file, and {} are given", command.files.size());
+  if (command.marks && command.files.size() > 1)
+    return fmt::format("`--marks` belongs to one file, and {} are given", command.files.size());
+  if (words.json && words.format.value_or("json") != "json")
+    return fmt::format("`--json` is `--format json`, but `--format {}` is given", *words.format);
+  if (command.cache == "" || command.marks == "") return "`--cache` and `--marks` need a name";
+  if (command.strict && words.fail_on) return "`--strict` and `--fail-on` both say what fails";
+  if (command.stdin_name && !is_one_of("-", command.files))
+    return "`--stdin-name` belongs to `-`, which is not given";
+  return "";
+}
+
+CommandLine check_line(CheckWords& words) {
+  CheckCommand& command = words.command;
+  if (const std::string wrong = fault_of(words); !wrong.empty()) return usage_error(wrong, "check");
+  if (words.fail_on) {
+    const auto read = read_fail_on(*words.fail_on);
+    if (!read) return usage_error("--fail-on: " + read.error().reason, "check");
+    command.fail_on = *read;
+  }
+  command.format = format_of_name(words.json ? "json" : words.format.value_or("text"));
+  for (const std::string& wrong :
+       {whole_from(words.jobs, 0, most_jobs, "--jobs", "", command.jobs),
+        whole_from(words.effort, 1, most_effort, "--effort", "of units ", command.effort)})
+    if (!wrong.empty()) return usage_error(wrong, "check");
+  for (const std::string& name : words.topics) command.debug.push_back(topic_of(name));
+  return {.check = std::move(command)};
+}
+
 }  // namespace
 
 void add_check(Grammar& grammar) {
-  struct Words {
-    CheckCommand command;
-    std::vector<std::string> topics;
-    std::optional<std::string> format;
-    bool json = false;
-    std::string jobs = "1";
-    std::string effort = std::to_string(default_effort);
-  };
-  const auto words = std::make_shared<Words>();
-  CLI::App& app = grammar.command(
-      "check", "Check every displayed equation of some notes",
-      {"check notes/rigid-bodies.md --sidecar notes/physics.rigor",
-       "check --format junit --jobs 0 --cache .rigor-cache notes/*.tex > results.xml",
-       "check notes.tex --marks notes.verdicts"},
-      [words]() -> CommandLine {
-        CheckCommand& command = words->command;
-        if (command.sidecar && command.files.size() > 1)
-          return usage_error(
-              fmt::format("`--sidecar` belongs to one file, and {} are given", command.files.size()),
-              "check");
-        if (command.marks && command.files.size() > 1)
-          return usage_error(
-              fmt::format("`--marks` belongs to one file, and {} are given", command.files.size()), "check");
-        if (words->json && words->format.value_or("json") != "json")
-          return usage_error(
-              fmt::format("`--json` is `--format json`, but `--format {}` is given", *words->format),
-              "check");
-        command.format = format_of_name(words->json ? "json" : words->format.value_or("text"));
-        if (const std::string wrong = jobs_from(words->jobs, command.jobs); !wrong.empty())
-          return usage_error(wrong, "check");
-        if (const std::string wrong = effort_from(words->effort, command.effort); !wrong.empty())
-          return usage_error(wrong, "check");
-        if (command.cache == "" || command.marks == "")
-          return usage_error("`--cache` and `--marks` need a name", "check");
-        for (const std::string& name : words->topics) command.debug.push_back(topic_of(name));
-        return {.check = std::move(command)};
-      });
+  const auto words = std::make_shared<CheckWords>();
+  CLI::App& app =
+      grammar.command("check", "Check every displayed equation of some notes",
+                      {"check notes/rigid-bodies.md --sidecar notes/physics.rigor",
+                       "check notes --fail-on refuted,suspect --baseline accepted.json",
+                       "check --format junit --jobs 0 --cache .rigor-cache notes/*.tex > results.xml",
+                       "check notes.tex --marks notes.verdicts"},
+                      [words] { return check_line(*words); });
   CheckCommand& check = words->command;
-  app.add_option("FILE", check.files, "Notes: LaTeX (.tex) or Markdown")->required()->type_name("");
+  app.add_option("FILE", check.files,
+                 "Notes: LaTeX (.tex) or Markdown; all notes below a folder; `-`: the standard input")
+      ->type_name("");
   app.add_option_function<std::string>(
          "--format", [words](const std::string& name) { words->format = name; },
          "`text`, `json`, `junit`, `sarif` or `github`")
@@ -124,13 +141,24 @@ void add_check(Grammar& grammar) {
       ->check(one_of("format", names_of_formats()));
   app.add_flag("--json", words->json, "The same as `--format json`");
   add_sidecar(app, check.sidecar);
-  app.add_flag("--strict", check.strict, "Count warnings as errors");
+  add_path(app, "--stdin-name", check.stdin_name, "FILE",
+           "Call the standard input so: the ending says what it is written in");
+  add_path(app, "--settings", check.settings, "FILE",
+           "What the command line leaves open (default: rigor.toml here, if it exists)");
+  app.add_flag_callback(
+      "--strict", [words] { words->command.strict = true; }, "Count warnings and suspects as errors");
+  app.add_flag_callback(
+      "--no-strict", [words] { words->command.strict = false; }, "Do not, whatever the settings say");
+  add_path(app, "--fail-on", words->fail_on, "LIST",
+           "End with 1 if one of these was found, else with 0: refuted, suspect, undecided, not-understood, "
+           "open (both of these), error, warning");
+  add_path(app, "--baseline", check.baseline, "FILE",
+           "Pass over what this report of `check --json` has, too");
   app.add_flag("--dimensions", check.dimensions, "Print the dimension that was found for each symbol");
-  app.add_option("--jobs,-j", words->jobs, "Check this many files at once; 0: one for each processor")
-      ->type_name("N");
-  app.add_option("--effort", words->effort,
-                 fmt::format("Give up on a step after this many units of work ({})", default_effort))
-      ->type_name("N");
+  app.add_flag("--all-causes", check.all_causes, "List each cause why something is open");
+  add_path(app, "--jobs,-j", words->jobs, "N", "Check this many files at once; 0: one for each processor");
+  add_path(app, "--effort", words->effort, "N",
+           fmt::format("Give up on a step after this many units of work ({})", default_effort));
   add_path(app, "--cache", check.cache, "FOLDER",
            "Remember decisions there, so that nothing is decided twice");
   add_path(app, "--marks", check.marks, "FILE", "Write what `rigor.sty` prints in the margin");

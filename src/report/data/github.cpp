@@ -25,8 +25,8 @@ std::string properties_of(Span span, const SourceMap& sources, const std::string
 }
 
 std::string annotation(const PlacedDiagnostic& placed, const SourceMap& sources, const CheckFormat& options) {
-  const Weight weight = weight_of(placed, options.strict);
-  if (weight == Weight::expected) return "";
+  const Weight weight = weight_of(placed, options.rule);
+  if (weight == Weight::expected || weight == Weight::known) return "";
   std::string message = printable(placed.diagnostic->message) + "\n" + details_of(placed, sources);
   message.pop_back();
   return fmt::format("::{} {},title={}::{}\n", weight == Weight::wrong ? "error" : "warning",

@@ -6,6 +6,7 @@
 
 #include "base/version.h"
 #include "report/data/json_value.h"
+#include "report/wording/causes.h"
 #include "report/wording/laws_of.h"
 
 namespace rigor {
@@ -115,6 +116,19 @@ Json json_of(const Counts& counts) {
   return object;
 }
 
+Json json_of(const Cause& cause, const SourceMap& sources) {
+  const auto json_of_place = [&](Span place) {
+    Json object = placed(Json::object(), place, sources);
+    object["file"] = sources.path(place.file);
+    return object;
+  };
+  return {{"cause", cause.words},
+          {"directives", cause.directives},
+          {"steps", cause.steps},
+          {"alone", cause.alone},
+          {"places", array_of(cause.places, json_of_place)}};
+}
+
 Json json_of(const FileReport& file, const SourceMap& sources) {
   const auto json_of_dimension = [](const SymbolDimension& entry) {
     return Json{{"symbol", entry.symbol}, {"dimension", or_null(entry.dimension)}};
@@ -140,7 +154,8 @@ std::string to_json(const Report& report, const SourceMap& sources) {
       {{"rigor", version},
        {"format", 2},
        {"files", array_of(report.files, [&](const FileReport& file) { return json_of(file, sources); })},
-       {"counts", json_of(report.counts)}});
+       {"counts", json_of(report.counts)},
+       {"causes", array_of(causes_of(report), [&](const Cause& cause) { return json_of(cause, sources); })}});
 }
 
 }  // namespace rigor

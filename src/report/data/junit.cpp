@@ -79,7 +79,7 @@ class JunitSuites {
 
   /// The first of the worst decides; all are told.
   void tell(JunitCase& test, const PlacedDiagnostic& placed, Weight& worst) const {
-    const Weight weight = weight_of(placed, options_.strict);
+    const Weight weight = weight_of(placed, options_.rule);
     const Diagnostic& diagnostic = *placed.diagnostic;
     const std::string text = fmt::format("{}: {}: {} [{}]\n{}", place_text(diagnostic.span, sources_),
                                          name_of(diagnostic.severity()), printable(diagnostic.message),
@@ -94,15 +94,20 @@ class JunitSuites {
     (fails ? test.text : test.output) += text;
   }
 
+  [[nodiscard]] bool fails(const Step& step) const {
+    const auto severity = severity_of(step);
+    const FailureRule& rule = options_.rule;
+    return severity && !rule.known.has(step) &&
+           (rule.wrong.contains(*severity) || rule.open.contains(*severity));
+  }
+
   [[nodiscard]] JunitCase case_of(const Step& step) const {
     const std::string tag = step.tag.empty() || step.tag.starts_with('(') ? step.tag : "(" + step.tag + ")";
     JunitCase test{class_of(step.span, step.section), tag.empty() ? step.source : tag + " " + step.source,
                    step.span, step.milliseconds};
     Weight worst = Weight::warning;
     for (const Diagnostic& diagnostic : step.diagnostics) tell(test, {&diagnostic, &step}, worst);
-    const bool open = step.verdict == Verdict::undecided || step.verdict == Verdict::not_understood ||
-                      step.verdict == Verdict::suspect;
-    if (test.outcome.empty() && (open || (step.verdict == Verdict::refuted && !step.expected_refuted))) {
+    if (test.outcome.empty() && fails(step)) {
       test.outcome = "failure";
       test.type = name_of(step.verdict);
       test.message = words_of(step.verdict);

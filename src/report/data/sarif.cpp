@@ -37,6 +37,7 @@ std::string_view level_of(Weight weight) {
     case Weight::warning:
       return "warning";
     case Weight::expected:
+    case Weight::known:
       return "note";
   }
   return "none";
@@ -88,7 +89,7 @@ class SarifRun {
     }
     Json invocation{{"executionSuccessful", notifications.empty()}};
     if (!notifications.empty()) invocation["toolExecutionNotifications"] = std::move(notifications);
-    const Json driver{{"name", "rigor"}, {"version", version}, {"rules", rules(options_.strict)}};
+    const Json driver{{"name", "rigor"}, {"version", version}, {"rules", rules(options_.rule)}};
     const Json folder{{"description", text_object("the folder in which rigor was called")}};
     return {{"tool", {{"driver", driver}}},
             {"columnKind", "unicodeCodePoints"},
@@ -99,8 +100,8 @@ class SarifRun {
 
  private:
   /// All kinds, so that `ruleIndex` is the position in the registry.
-  static Json rules(bool strict) {
-    return array_of(diagnostic_table(), [strict](const DiagnosticInfo& entry) {
+  static Json rules(const FailureRule& rule) {
+    return array_of(diagnostic_table(), [&rule](const DiagnosticInfo& entry) {
       const Diagnostic example{entry.kind, {}, ""};
       const std::string help =
           fmt::format("{} ({}). The section `{}` of rigor's docs/diagnostics.md says more.", entry.summary,
@@ -108,7 +109,7 @@ class SarifRun {
       return Json{{"id", entry.name},
                   {"shortDescription", text_object(std::string(entry.summary))},
                   {"help", text_object(help)},
-                  {"defaultConfiguration", {{"level", level_of(weight_of({&example, nullptr}, strict))}}}};
+                  {"defaultConfiguration", {{"level", level_of(weight_of({&example, nullptr}, rule))}}}};
     });
   }
 
@@ -131,7 +132,7 @@ class SarifRun {
 
   Json result_of(const PlacedDiagnostic& placed) {
     const Diagnostic& diagnostic = *placed.diagnostic;
-    const Weight weight = weight_of(placed, options_.strict);
+    const Weight weight = weight_of(placed, options_.rule);
     std::string message = diagnostic.message + "\n" + details_of(placed, sources_);
     message.pop_back();
     Json location = location_of(diagnostic.span);
@@ -146,6 +147,7 @@ class SarifRun {
     result["partialFingerprints"] = {{"rigorStatement/v1", fingerprint(placed)}};
     if (placed.step != nullptr && shows_repairs(diagnostic.kind)) add_fixes(result, *placed.step);
     if (weight == Weight::expected) suppress(result, "`expect refuted` in the notes");
+    if (weight == Weight::known) result["baselineState"] = "unchanged";
     return result;
   }
 

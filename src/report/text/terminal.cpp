@@ -9,6 +9,7 @@
 
 #include "base/paint.h"
 #include "base/utf8.h"
+#include "report/wording/causes.h"
 #include "report/wording/diagnostics_of.h"
 #include "report/wording/laws_of.h"
 #include "report/wording/sample.h"
@@ -150,6 +151,7 @@ std::string print_diagnostics(const FileReport& file, const SourceMap& sources,
   const RenderOptions render_options{options.color, options.width > gutter ? options.width - gutter : 0};
   std::string text;
   for (const PlacedDiagnostic& placed : diagnostics_of(file)) {
+    if (options.known != nullptr && options.known->has(*placed.diagnostic)) continue;
     text += "\n" + render(*placed.diagnostic, sources, render_options);
     if (placed.step == nullptr || !shows_repairs(placed.diagnostic->kind)) continue;
     const Step& step = *placed.step;
@@ -174,6 +176,9 @@ std::string print_report(const Report& report, const SourceMap& sources, const T
       text += "\n" + printable(laws) + "\n";
     text += "\n";
   }
+  const std::string causes = print_causes(
+      report, sources, options.known != nullptr ? *options.known : KnownFindings(), options.all_causes);
+  if (!causes.empty()) text += causes + "\n";
   return text + print_summary(report) + "\n";
 }
 

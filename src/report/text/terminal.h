@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A report as text for people: per file one line a step, then every diagnostic with its source line and, for
-// a refutation, its sample; at the end one line with all counts.
+// a refutation, its sample; at the end why steps are open, most first, and one line with all counts.
 //
 //   notes/vectors.tex
 //      12  (3)  \mathbf{A}\times\mathbf{B} = \mathbf{B}\times\mathbf{A}  refuted
@@ -16,15 +16,17 @@
 #include <cstdint>
 #include <string>
 
-#include "check/step/report.h"
+#include "check/step/failure_rule.h"
 #include "source/source_map.h"
 
 namespace rigor {
 
 struct TerminalOptions {
   bool color = false;
-  std::uint32_t width = 110;  // in cells; a step is never cut to less than 20
-  bool dimensions = false;    // with a table of what was found of each symbol's dimension
+  std::uint32_t width = 110;             // in cells; a step is never cut to less than 20
+  bool dimensions = false;               // with a table of what was found of each symbol's dimension
+  bool all_causes = false;               // each cause why something is open, rather than a screen of them
+  const KnownFindings* known = nullptr;  // nothing more is said of these
 };
 
 /// The same bytes for the same report, but for the time in the last line.

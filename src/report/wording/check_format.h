@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "check/step/report.h"
+#include "check/step/failure_rule.h"
 
 namespace rigor {
 
 /// What the formats for programs that run checks need apart from the report.
 struct CheckFormat {
-  bool strict = false;      // warnings are wrong
+  FailureRule rule = {};
   std::string folder = {};  // paths inside it are said from there; empty: as they are
 };
 

@@ -23,20 +23,12 @@ bool takes_repairs(const PlacedDiagnostic& placed) {
 
 }  // namespace
 
-Weight weight_of(const PlacedDiagnostic& placed, bool strict) {
-  switch (placed.diagnostic->severity()) {
-    case Severity::error:
-      return Weight::wrong;
-    case Severity::refuted:
-      return placed.step != nullptr && placed.step->expected_refuted ? Weight::expected : Weight::wrong;
-    case Severity::undecided:
-    case Severity::not_understood:
-    case Severity::suspect:
-      return Weight::open;
-    case Severity::warning:
-      return strict ? Weight::wrong : Weight::warning;
-  }
-  return Weight::wrong;
+Weight weight_of(const PlacedDiagnostic& placed, const FailureRule& rule) {
+  const Severity severity = placed.diagnostic->severity();
+  if (is_expected(*placed.diagnostic, placed.step)) return Weight::expected;
+  if (rule.known.has(*placed.diagnostic)) return Weight::known;
+  if (rule.wrong.contains(severity)) return Weight::wrong;
+  return rule.open.contains(severity) ? Weight::open : Weight::warning;
 }
 
 std::string place_text(Span span, const SourceMap& sources) {

@@ -5,15 +5,16 @@
 #include <cstdint>
 #include <string>
 
+#include "check/step/failure_rule.h"
 #include "report/wording/diagnostics_of.h"
 #include "source/source_map.h"
 
 namespace rigor {
 
-/// As `tally` weighs it: wrong makes the exit code 1, open 2, the others 0.
-enum class Weight : std::uint8_t { wrong, open, warning, expected };
+/// As `tally` weighs it: wrong makes the exit code 1, open 2, the others 0. Known: an earlier report has it.
+enum class Weight : std::uint8_t { wrong, open, warning, expected, known };
 
-[[nodiscard]] Weight weight_of(const PlacedDiagnostic& placed, bool strict);
+[[nodiscard]] Weight weight_of(const PlacedDiagnostic& placed, const FailureRule& rule);
 
 /// `notes.tex:12:28`
 [[nodiscard]] std::string place_text(Span span, const SourceMap& sources);

@@ -117,7 +117,6 @@ TEST_CASE("scenes are read from files") {
 
 TEST_CASE("what is wrong with a command line is said in one line") {
   CHECK(usage_error({}) == "rigor: a subcommand is required");
-  CHECK(usage_error({"check"}) == "rigor: FILE is required");
   CHECK(usage_error({"check", "a.md", "--foo"}) == "rigor: the following argument was not expected: --foo");
   CHECK(usage_error({"check", "a.md", "--color", "pink"}) ==
         "rigor: --color: unknown colour setting `pink`; known: auto, always, never");

@@ -27,36 +27,36 @@ TEST_CASE("every code is in the table once, in ascending order") {
 }
 
 TEST_CASE("what is proved, given, defined or skipped ends with 0") {
-  CHECK(exit_code({}, true) == ExitCode::ok);
+  CHECK(exit_code({}, usual_rule(true)) == ExitCode::ok);
   CHECK(exit_code(report_with({step_with(Verdict::proved), step_with(Verdict::given),
                                step_with(Verdict::definition), step_with(Verdict::skipped)}),
-                  true) == ExitCode::ok);
+                  usual_rule(true)) == ExitCode::ok);
 }
 
 TEST_CASE("a refutation ends with 1, unless it is expected") {
   Report report = report_with({step_with(Verdict::refuted)});
-  CHECK(exit_code(report, false) == ExitCode::wrong);
+  CHECK(exit_code(report, usual_rule(false)) == ExitCode::wrong);
   report.files[0].steps[0].expected_refuted = true;
-  CHECK(exit_code(report, false) == ExitCode::ok);
+  CHECK(exit_code(report, usual_rule(false)) == ExitCode::ok);
 }
 
 TEST_CASE("an expectation that is not met ends with 1") {
   Report report = report_with({step_with(Verdict::proved)});
   report.files[0].diagnostics.push_back({DiagnosticKind::unexpected_verdict, {}, "", {}, {}});
-  CHECK(exit_code(report, false) == ExitCode::wrong);
+  CHECK(exit_code(report, usual_rule(false)) == ExitCode::wrong);
 }
 
 TEST_CASE("what is open ends with 2, unless something is wrong") {
-  CHECK(exit_code(report_with({step_with(Verdict::undecided)}), false) == ExitCode::open);
-  CHECK(exit_code(report_with({step_with(Verdict::not_understood)}), false) == ExitCode::open);
-  CHECK(exit_code(report_with({step_with(Verdict::undecided), step_with(Verdict::refuted)}), false) ==
-        ExitCode::wrong);
+  CHECK(exit_code(report_with({step_with(Verdict::undecided)}), usual_rule(false)) == ExitCode::open);
+  CHECK(exit_code(report_with({step_with(Verdict::not_understood)}), usual_rule(false)) == ExitCode::open);
+  CHECK(exit_code(report_with({step_with(Verdict::undecided), step_with(Verdict::refuted)}),
+                  usual_rule(false)) == ExitCode::wrong);
 }
 
 TEST_CASE("an unreadable file comes before everything else") {
   Report report = report_with({step_with(Verdict::refuted), step_with(Verdict::undecided)});
   report.files.emplace_back().unreadable = true;
-  CHECK(exit_code(report, false) == ExitCode::no_input);
+  CHECK(exit_code(report, usual_rule(false)) == ExitCode::no_input);
 }
 
 TEST_CASE("a replay ends with 0 only if all is confirmed") {
@@ -70,8 +70,8 @@ TEST_CASE("a replay ends with 0 only if all is confirmed") {
 TEST_CASE("a warning ends with 1 only where it is asked for") {
   Report report = report_with({step_with(Verdict::proved)});
   report.files[0].diagnostics.push_back({DiagnosticKind::no_equations, {}, "", {}, {}});
-  CHECK(exit_code(report, false) == ExitCode::ok);
-  CHECK(exit_code(report, true) == ExitCode::wrong);
+  CHECK(exit_code(report, usual_rule(false)) == ExitCode::ok);
+  CHECK(exit_code(report, usual_rule(true)) == ExitCode::wrong);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST_CASE("an expected refutation is none, a warning is an error only when stric
   const std::string text = to_github(report, sources, {});
   CHECK(text.find("refuted::") == std::string::npos);
   CHECK(text.starts_with("::warning file="));
-  CHECK(to_github(report, sources, {.strict = true}).starts_with("::error file="));
+  CHECK(to_github(report, sources, {.rule = usual_rule(true)}).starts_with("::error file="));
 }
 
 TEST_CASE("a path inside the folder is said from there") {

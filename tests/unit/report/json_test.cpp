@@ -25,7 +25,7 @@ using Keys = std::vector<std::string>;
 TEST_CASE("the keys of the report, a file, the counts and a step are the documented ones, in order") {
   SourceMap sources;
   const Json json = parsed(example_report(sources), sources);
-  CHECK(keys_of(json) == Keys{"rigor", "format", "files", "counts"});
+  CHECK(keys_of(json) == Keys{"rigor", "format", "files", "counts", "causes"});
   CHECK(json["rigor"] == std::string(version));
   const Json& file = json["files"][0];
   CHECK(keys_of(file) == Keys{"file", "steps", "diagnostics", "silenced", "counts", "sidecar", "dimensions",

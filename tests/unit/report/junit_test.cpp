@@ -49,7 +49,7 @@ TEST_CASE("there is a failure exactly where the exit code is not 0") {
       step.verdict = verdict;
       step.diagnostics.push_back({DiagnosticKind::bold_index, step.span, "bold", {}, {}});
       const Tally found = tally(report, strict);
-      CHECK((count(to_junit(report, sources, {.strict = strict}), "<failure") > 0) ==
+      CHECK((count(to_junit(report, sources, {.rule = usual_rule(strict)}), "<failure") > 0) ==
             (found.wrong || found.open));
     }
   }
