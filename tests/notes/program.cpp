@@ -52,7 +52,7 @@ Outcome run_inside(const std::vector<std::string>& arguments) {
 int exit_code_of(const FileReport& file) {
   Report report;
   report.files.push_back(file);
-  return number_of(exit_code(report, false));
+  return number_of(exit_code(report, usual_rule(false)));
 }
 
 std::vector<std::string> notes_in(const std::string& folder) {

@@ -192,9 +192,26 @@ class Mutator {
 }  // namespace
 
 std::string_view name_of(Slip slip) {
-  static constexpr std::array<std::string_view, slip_count> names{
-      "sign",         "indices swapped", "index replaced", "order",       "factor",
-      "term dropped", "power",           "cross to dot",   "bars dropped"};
+  static constexpr std::array<std::string_view, slip_count> names{"sign",
+                                                                  "indices swapped",
+                                                                  "index replaced",
+                                                                  "order",
+                                                                  "factor",
+                                                                  "term dropped",
+                                                                  "power",
+                                                                  "cross to dot",
+                                                                  "bars dropped",
+                                                                  "indices exchanged",
+                                                                  "terms exchanged",
+                                                                  "letters exchanged",
+                                                                  "letter replaced",
+                                                                  "prime",
+                                                                  "dot",
+                                                                  "function",
+                                                                  "square added",
+                                                                  "fraction inverted",
+                                                                  "denominator",
+                                                                  "factor dropped"};
   return names[static_cast<std::size_t>(slip)];
 }
 

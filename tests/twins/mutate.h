@@ -21,8 +21,20 @@ enum class Slip : std::uint8_t {
   power,  // a square to the first or third power
   cross_to_dot,
   bars_dropped,  // brackets instead
+  // of `further_slips_of`
+  indices_exchanged,  // of neighbouring factors
+  terms_exchanged,    // neighbouring ones, their signs stay
+  letters_exchanged,  // neighbouring ones with one face
+  letter_replaced,    // by another one of the statement
+  prime,              // one more, or one less
+  dot,                // the same
+  function,           // \cos for \sin
+  square_added,
+  fraction_inverted,
+  denominator,     // a number more or less in it
+  factor_dropped,  // a letter
 };
-inline constexpr std::size_t slip_count = 9;
+inline constexpr std::size_t slip_count = 20;
 
 [[nodiscard]] std::string_view name_of(Slip slip);
 

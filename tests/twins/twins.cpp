@@ -112,7 +112,7 @@ std::string failure_of_proofs(const std::string& path, std::string text, std::si
 
 class Mutations {
  public:
-  Mutations(const std::string& path, Repairs repairs) : path_(path), repairs_(repairs) {
+  explicit Mutations(const std::string& path) : path_(path) {
     auto text = read_file(path);
     RIGOR_CHECK(text.has_value(), path);
     text_ = *std::move(text);
@@ -200,8 +200,6 @@ class Mutations {
     std::string said = "no step";
     std::string source = {};
     bool open = false;  // a declaration might settle it
-    std::vector<Repair> repairs = {};
-    double milliseconds = 0.0;  // that they took
     std::vector<std::string> uses = {};
     std::string broken_by = {};
   };
@@ -209,15 +207,15 @@ class Mutations {
   /// What is said to the step whose relation stands at `relation` of the text.
   Judged judge(std::string text, std::size_t relation) const {
     SourceMap sources;
-    const FileReport report = check_text(sources, path_, text, {.repairs = repairs_});
+    const FileReport report = check_text(sources, path_, text, {.repairs = Repairs::none});
     const Step* step = step_at(report, relation);
     if (step == nullptr) return {};
     std::string broken_by;
     if (step->verdict == Verdict::proved) broken_by = failure_of_proofs(path_, std::move(text), relation);
     const bool open = step->verdict == Verdict::law ||
                       has(*step, {DiagnosticKind::follows_from_nothing, DiagnosticKind::ambiguous_reading});
-    return {outcome_of(*step), summary_of(*step),         step->source,          open,
-            step->repairs,     step->repair_milliseconds, uses_asked_for(*step), std::move(broken_by)};
+    return {outcome_of(*step),     summary_of(*step),   step->source, open,
+            uses_asked_for(*step), std::move(broken_by)};
   }
 
   /// The same once the definitions that are said elsewhere are said to hold here.
@@ -230,23 +228,6 @@ class Mutations {
       if (judged.outcome == Outcome::refuted) judged.outcome = Outcome::refuted_used;
     }
     return judged;
-  }
-
-  static std::string without_blanks(std::string text) {
-    std::erase_if(text, [](char each) { return each == ' ' || each == '&' || each == '\n'; });
-    return text;
-  }
-
-  static Suggested suggested(const Judged& judged, const Step& original, bool on_left) {
-    Suggested result{.count = judged.repairs.size(), .milliseconds = judged.milliseconds};
-    for (std::size_t k = 0; k < judged.repairs.size(); ++k) {
-      const Repair& repair = judged.repairs[k];
-      if (k == 0) result.first = repair.statement;
-      if (repair.on_left == on_left && result.place == 0) result.place = k + 1;
-      result.is_original =
-          result.is_original || without_blanks(repair.statement) == without_blanks(original.source);
-    }
-    return result;
   }
 
   void mutate(std::size_t item, const Display& display) {
@@ -285,7 +266,7 @@ class Mutations {
             judged = again;
         }
         result_.twins.push_back({edit.slip, place_of(step), step.source, judged.source, judged.outcome,
-                                 judged.said, judged.broken_by, suggested(judged, step, side == &left)});
+                                 judged.said, judged.broken_by});
       }
     }
   }
@@ -296,7 +277,6 @@ class Mutations {
   }
 
   std::string path_;
-  Repairs repairs_;
   std::string text_;
   SourceMap sources_;
   FileReport whole_;
@@ -314,6 +294,6 @@ std::string_view name_of(Outcome outcome) {
   return names[static_cast<std::size_t>(outcome)];
 }
 
-Twins twins_of(const std::string& path, Repairs repairs) { return Mutations(path, repairs).all(); }
+Twins twins_of(const std::string& path) { return Mutations(path).all(); }
 
 }  // namespace rigor::twins

@@ -32,16 +32,6 @@ inline constexpr std::size_t outcome_count = 8;
 
 [[nodiscard]] std::string_view name_of(Outcome outcome);
 
-/// What was suggested for a refuted twin. A suggestion that changes the side which was spoilt is proved equal
-/// to the other side, which is the original's: so it equals the original.
-struct Suggested {
-  std::size_t count = 0;
-  std::size_t place = 0;     // of the first that equals the original, from 1; 0: none does
-  bool is_original = false;  // one of them is the original, letter by letter
-  std::string first = {};
-  double milliseconds = 0.0;
-};
-
 struct Twin {
   Slip slip;
   std::string place;  // of the original: `rigid-bodies.md:44`
@@ -50,7 +40,6 @@ struct Twin {
   Outcome outcome = Outcome::failed;
   std::string said;            // the verdict and the kinds of its diagnostics
   std::string broken_by = {};  // proved: a random sample on which it fails
-  Suggested suggested = {};
 };
 
 struct Twins {
@@ -61,6 +50,6 @@ struct Twins {
 };
 
 /// Of a file relative to the working directory.
-[[nodiscard]] Twins twins_of(const std::string& path, Repairs repairs = Repairs::none);
+[[nodiscard]] Twins twins_of(const std::string& path);
 
 }  // namespace rigor::twins

@@ -55,7 +55,8 @@ std::string table_of(const Twins& all) {
   for (std::size_t k = 0; k < outcome_count; ++k)
     table += fmt::format("{:>14}", name_of(static_cast<Outcome>(k)));
   table += "\n";
-  for (std::size_t k = 0; k < slip_count; ++k) table += line_of(name_of(static_cast<Slip>(k)), rows[k]);
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(Slip::bars_dropped); ++k)
+    table += line_of(name_of(static_cast<Slip>(k)), rows[k]);
   table += line_of("all", total);
   std::size_t open = 0;
   for (const Outcome outcome : {Outcome::undecided, Outcome::law_like, Outcome::failed})
