@@ -265,9 +265,16 @@ class StatementSplitter {
       notes_.note_remark(tokens_.subspan(at, end - at), after_equation);
       return end;
     }
-    if (opens) end = condition_end(tokens_, words.next);
+    // "unless $x > 0$": what stands behind words that are not read belongs to them.
+    if (opens || !begins_apart(end)) end = condition_end(tokens_, end);
     notes_.note_restriction(tokens_.subspan(at, end - at));
     return end;
+  }
+
+  /// Does a wide space or a comma set apart what stands there, if anything does?
+  [[nodiscard]] bool begins_apart(std::size_t at) const {
+    while (at < tokens_.size() && is_blank(tokens_[at])) ++at;
+    return at >= tokens_.size() || is_wide_space(tokens_[at]) || is_sign_of(tokens_[at], ",;");
   }
 
   /// Its equations hang on those before it as its arrow says; an arrow after it makes a premise of it.

@@ -52,7 +52,7 @@ void LineNotes::set_condition(Span span, Obstacle obstacle) {
 }
 
 void LineNotes::set_doubt(TokenView tokens) {
-  uses_.mark(tokens, TokenUse::remark);
+  uses_.mark(tokens, TokenUse::condition);
   if (doubt_) return;
   std::string words = spoken(without_stop(tokens));
   while (!words.empty() && words.back() == ' ') words.pop_back();

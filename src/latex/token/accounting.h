@@ -20,7 +20,7 @@ enum class TokenUse : std::uint8_t {
   layout,    // spacing, columns, sizes of brackets, punctuation at an end
   aside,   // what only sets a space or a colour with its argument; prose between rows: nothing of it is read
   remark,  // words from the list of remarks
-  condition,  // it keeps its statement from being judged
+  condition,  // it keeps its statement from being judged, or from being refuted
 };
 
 /// Signs that set braces, columns, spaces and styles of lines: they stand for nothing themselves.
