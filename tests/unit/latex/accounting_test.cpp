@@ -39,7 +39,7 @@ TEST_CASE("each token of a display is something to its chains") {
 
 TEST_CASE("words are a remark, a condition or part of a side") {
   CHECK(uses("a = b \\quad\\text{or}") == "srs-mmmmm");
-  CHECK(uses("a = b \\quad\\text{if}") == "srs-mmmmm");
+  CHECK(uses("a = b \\quad\\text{if}") == "srs-ccccc");
   CHECK(uses("\\text{Re} = b") == "sssssrs");
 }
 
