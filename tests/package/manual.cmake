@@ -13,7 +13,7 @@ execute_process(
 if(NOT result EQUAL 0 OR NOT warnings STREQUAL "")
   message(FATAL_ERROR "man ended with ${result} and says: ${warnings}")
 endif()
-foreach(text IN ITEMS "rigor - checks the equations" "EXIT STATUS" "rigor check [OPTIONS] FILE..." "--sidecar FILE"
+foreach(text IN ITEMS "rigor - checks the equations" "EXIT STATUS" "rigor check [OPTIONS] [FILE...]" "--sidecar FILE"
     "rigor eval notes/rigid-bodies.md --at '(6)'")
   expect("${text}")
 endforeach()
