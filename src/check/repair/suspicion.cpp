@@ -16,7 +16,9 @@
 namespace rigor {
 namespace {
 
-constexpr std::uint64_t most_work = 250'000;  // of the work that a step may take
+/// Of the work that a step may take. Words that may restrict a row are rare, and take more to be overruled.
+constexpr std::uint64_t most_work = 250'000;
+constexpr std::uint64_t most_work_despite_words = 1'000'000;
 
 /// The letter is another one than was written, so that another quantity may be meant.
 bool changes_a_letter(Slip slip) {
@@ -69,7 +71,10 @@ class Suspecting {
   /// first.
   std::optional<Suspicion> nearest(const Laws& met, const std::vector<Laws>& sets) {
     const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim, Slip slip) {
-      return is_likely(tree, claim, slip) ? proved(tree, names, claim, slip, sets) : std::nullopt;
+      auto uses = is_likely(tree, claim, slip) ? proved(tree, names, claim, slip, sets) : std::nullopt;
+      const bool doubtful = uses && (row_.restricted || changes_a_letter(slip));
+      if (doubtful && may_hold_under_a_usual_condition()) uses.reset();
+      return uses;
     };
     ExprTree grown = tree_;
     const Names assuming = with_laws_and_constants({grown, names_, row_.claim, &cache_}, met);
@@ -129,8 +134,9 @@ class Suspecting {
   }
 
   /// Then the prose may say that `R` is a rotation, and all letters are right.
-  bool holds_under_a_usual_condition() {
-    if (!usual_) usual_ = !missing_conditions(tree_, names_, row_.wrong, &cache_).empty();
+  bool may_hold_under_a_usual_condition() {
+    if (!usual_)
+      usual_ = !missing_conditions(tree_, names_, row_.wrong, &cache_).empty() || cache_.budget().exhausted();
     return *usual_;
   }
 
@@ -142,7 +148,7 @@ class Suspecting {
     const bool becomes_zero =
         becomes(claim.equation.left, own.left) || becomes(claim.equation.right, own.right);
     if (becomes_zero) return false;
-    if (changes_a_letter(slip)) return !holds_under_a_usual_condition();
+    if (row_.restricted && (changes_a_letter(slip) || changes_the_terms(slip))) return false;
     if (!changes_the_terms(slip)) return true;
     const std::set<SymbolId> letters = written(tree_, own);
     return row_.announced && std::ranges::all_of(letters, [&](SymbolId letter) {
@@ -163,7 +169,7 @@ std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, con
                                    DecisionCache& cache) {
   if (row.claim.nearly || row.claim.equation.relation != Relation::equal) return std::nullopt;
   if (cache.budget().exhausted()) return std::nullopt;
-  const ShareOfWork share(cache, most_work);
+  const ShareOfWork share(cache, row.restricted ? most_work_despite_words : most_work);
   return Suspecting(tree, names, row, cache).run();
 }
 

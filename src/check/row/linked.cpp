@@ -11,13 +11,20 @@
 namespace rigor {
 namespace {
 
-/// "where", "with" after the display: what comes next says what its letters are.
+/// "where", "with the abbreviation" after the display: what comes next says what its letters are. "With the
+/// solution" says something else.
 bool explains_display_above(const ProseBeside& beside) {
   static constexpr std::array<std::string_view, 3> openings{"where", "with", "here"};
+  static constexpr std::array<std::string_view, 10> fillers{
+      "and",           "as",       "before",     "again",      "the", "abbreviation",
+      "abbreviations", "notation", "definition", "definitions"};
   const auto above = beside.lead.rfind('\n');
   if (above == std::string::npos) return false;
   const std::vector<std::string_view> words = words_of(std::string_view(beside.lead).substr(above + 1));
-  return !words.empty() && is_one_of(words.front(), openings);
+  return !words.empty() && is_one_of(words.front(), openings) &&
+         std::ranges::all_of(words.begin() + 1, words.end(), [](std::string_view word) {
+           return is_one_of(word, fillers) || is_one_of(word, openings);
+         });
 }
 
 }  // namespace

@@ -191,9 +191,11 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                         .which = row.which,
                         .left = row.which > 0 ? Trust::supported : Trust::unknown,
                         .near = sides_near(place.notes, row.parsed)};
-  auto found =
-      suspicion(place.tree, place.names, {wrong, claim, available_to(place, row), is_announced(place, row)},
-                *place.options.cache);
+  const bool restricted = judgement.verdict == Verdict::undecided;
+  auto found = suspicion(
+      place.tree, place.names,
+      {wrong, claim, restricted ? Laws{} : available_to(place, row), is_announced(place, row), restricted},
+      *place.options.cache);
   if (!found) return false;
   judgement.verdict = Verdict::suspect;
   judgement.route = "one slip of the pen away from what follows";

@@ -333,6 +333,11 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
     if (auto doubt = doubt_left(place, row, claim))
       withdraw(DiagnosticKind::restricted, std::move(doubt->first), {std::move(doubt->second)});
   }
+  const bool restricted = judgement.verdict == Verdict::undecided && !at.denied &&
+                          std::ranges::any_of(judgement.diagnostics, [](const Diagnostic& each) {
+                            return each.kind == DiagnosticKind::restricted;
+                          });
+  if (restricted && is_suspect(place, row, claim, judgement)) return;
   refute_by_digits(place, parsed, claim, judgement);
   const bool stays_late = late && judgement.verdict == Verdict::refuted;
   const bool chooses_axes = judgement.verdict == Verdict::refuted && row.which == 0 &&
