@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "base/among.h"
 
@@ -43,14 +44,20 @@ Laws laws_that_bear(const ExprTree& tree, const NameScope& scope, const Equation
   return bearing;
 }
 
-std::vector<Laws> sets_of(const Laws& bearing) {
+std::vector<Laws> sets_of(const ExprTree& tree, const Laws& bearing) {
   constexpr std::size_t most_alone = 3;
   constexpr std::array<std::size_t, 4> counts{2, 3, 5, 8};
   std::vector<Laws> sets{{}};
   for (std::size_t k = 0; k < std::min(most_alone, bearing.size()); ++k) sets.push_back({bearing[k]});
+  Laws together;
+  std::set<std::string> sides;
+  for (const PageLaw* law : bearing) {
+    if (sides.insert(dump(tree, law->equation.left)).second) together.push_back(law);
+  }
   for (const std::size_t count : counts) {
-    const std::size_t taken = std::min(count, bearing.size());
-    if (taken > 1 && sets.back().size() < taken) sets.emplace_back(bearing.begin(), bearing.begin() + taken);
+    const std::size_t taken = std::min(count, together.size());
+    if (taken > 1 && sets.back().size() < taken)
+      sets.emplace_back(together.begin(), together.begin() + taken);
   }
   return sets;
 }

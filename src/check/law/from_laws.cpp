@@ -44,7 +44,7 @@ std::optional<Judgement> restating(const RowUnderLaws& row, const Laws& bearing)
 /// The sets that may prove the row, the smallest first. What fails on a sample of a set follows from no part
 /// of it, so the largest set is looked at first.
 std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing) {
-  std::vector<Laws> sets = sets_of(bearing);
+  std::vector<Laws> sets = sets_of(row.tree, bearing);
   while (sets.size() > 1 && fails_under(row, sets.back())) {
     const Laws failing = sets.back();
     std::erase_if(sets, [&](const Laws& set) {

@@ -81,7 +81,13 @@ std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names
 std::vector<SymbolId> not_zero(const RowUnderLaws& row, const Laws& set) {
   const std::set<SymbolId> own = base_letters(row.tree, row.names.scope, row.claim.equation);
   std::vector<SymbolId> letters;
+  // `ab = 0` may say that a vanishes, and that b does.
+  const auto vanishes = [&](const Equation& equation) {
+    return row.tree.is_zero_literal(equation.left) || row.tree.is_zero_literal(equation.right);
+  };
+  if (vanishes(row.claim.equation)) return letters;
   for (const PageLaw* law : set) {
+    if (vanishes(law->equation)) continue;
     for (const SymbolId letter : base_letters(row.tree, row.names.scope, law->equation)) {
       const Symbol& symbol = row.tree.symbols[letter];
       const bool plain = symbol.rank == 0 && !symbol.per_particle && !symbol.unit_of_measure;

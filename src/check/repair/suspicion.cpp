@@ -37,7 +37,7 @@ class Suspecting {
       if (auto identity = nearest({}, {})) return identity;
     }
     const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, row_.available);
-    std::vector<Laws> sets = sets_of(bearing);
+    std::vector<Laws> sets = sets_of(tree_, bearing);
     sets.erase(sets.begin());  // of no laws
     // What follows from some laws holds wherever all of them do, so the samples meet as many as can be met.
     while (!sets.empty() && !cache_.budget().exhausted()) {
@@ -59,7 +59,18 @@ class Suspecting {
     const std::set<SymbolId> right = letters_of(row_.claim.equation.right);
     std::vector<SymbolId> apart;
     std::ranges::set_symmetric_difference(left, right, std::back_inserter(apart));
-    return apart.size() <= 2 || left.empty() || right.empty();
+    const std::size_t all = (left.size() + right.size() + apart.size()) / 2;
+    return apart.size() <= 2 && (all > 1 || calculates());
+  }
+
+  /// Functions, derivatives, vectors: more than a polynomial, whose values at a root are a condition.
+  bool calculates() const {
+    const Equation& own = row_.claim.equation;
+    return std::ranges::any_of(nodes_below(tree_, {own.left, own.right}), [&](ExprId id) {
+      const ExprNode& node = tree_[id];
+      return node.op == Op::function || node.rank > 0 ||
+             (node.op == Op::symbol && tree_.symbols[node.symbol].derivation.has_value());
+    });
   }
 
   bool can_be_met(const Laws& laws) const {
@@ -93,15 +104,23 @@ class Suspecting {
     without.scope.constants = names_.scope.constants;
     const bool may_repeat = row_.announced && !changes_a_letter(slip);
     if (!may_repeat && is_said_already(tree, without, claim.equation, sets)) return std::nullopt;
+    if (!sets.empty() && holds_by_itself(tree, without, claim)) return std::nullopt;
     for (const Laws& set : sets) {
       if (auto found = prove_from({tree, without, claim, &cache_}, set)) return std::move(found->uses);
     }
     if (!sets.empty()) return std::nullopt;
+    if (tree.is_zero_literal(claim.equation.left) || tree.is_zero_literal(claim.equation.right))
+      return std::nullopt;  // `x - x = 0` near `x - 1 = 0`
     Judgement judgement = judge(tree, without, claim, limits_of_candidates, &cache_);
     if (judgement.verdict == Verdict::proved && judgement.diagnostics.empty())
       return std::move(judgement.uses);
     auto found = prove_from({tree, without, claim, &cache_}, {});
     return found ? std::optional(std::move(found->uses)) : std::nullopt;
+  }
+
+  /// Where laws are needed, what holds without them says nothing.
+  bool holds_by_itself(ExprTree& tree, const Names& names, const Claim& claim) {
+    return judge(tree, names, claim, limits_of_candidates, &cache_).verdict == Verdict::proved;
   }
 
   /// Letters that stand nowhere above and are no longer there were meant: a new quantity is no slip.
@@ -148,7 +167,10 @@ class Suspecting {
     const bool becomes_zero =
         becomes(claim.equation.left, own.left) || becomes(claim.equation.right, own.right);
     if (becomes_zero) return false;
-    if (row_.restricted && (changes_a_letter(slip) || changes_the_terms(slip))) return false;
+    if (slip == Slip::factor_missing || slip == Slip::factor_extra) return false;  // another quantity
+    const bool changes_what_is_said =
+        changes_a_letter(slip) || changes_the_terms(slip) || slip == Slip::factor;
+    if (row_.restricted && changes_what_is_said) return false;
     if (!changes_the_terms(slip)) return true;
     const std::set<SymbolId> letters = written(tree_, own);
     return row_.announced && std::ranges::all_of(letters, [&](SymbolId letter) {

@@ -129,20 +129,25 @@ bool is_available(const RowPlace& place, const StatedLaw& stated) {
   return means_the_same(place, stated);
 }
 
-/// `\partial_z\phi = 0 \quad (z = 0)`: a condition next to it says where, when or in which case.
-bool holds_on_its_line(const WrittenChain& written) { return written.doubt.has_value(); }
+/// `\partial_z\phi = 0 \quad (z = 0)`: a condition next to it says where, when or in which case. What follows
+/// from it holds there only, and nothing says so of the rows below.
+bool holds_on_its_line(const RowPlace& place, const ParsedChain& parsed) {
+  return parsed.written.doubt || !parsed.assumed.empty() || !conditions_beside(place, parsed).empty();
+}
+
+constexpr std::string_view unfounded = "conclusion";
 
 void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::string_view word) {
   if (claim.nearly || claim.equation.relation != Relation::equal || is_alternative(place, row.parsed) ||
-      names_coordinates(place.tree, claim.equation) || keeps_a_common_factor(place.tree, claim.equation))
+      names_coordinates(place.tree, claim.equation) || keeps_a_common_factor(place.tree, claim.equation) ||
+      holds_on_its_line(place, row.parsed))
     return;
   const ProseBeside& here = beside(place);
-  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, claim.equation) ||
-                         holds_on_its_line(row.parsed.written);
+  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, claim.equation);
   place.found.stated.push_back(
       {{claim.equation, name_of_law(row.parsed.written.tag, claim.relation, place.sources, word),
         claim.relation, here.place, here.paragraph, momentary,
-        momentary || is_conditional(place) || is_value(place.tree, claim.equation)},
+        momentary || is_conditional(place) || is_value(place.tree, claim.equation), word == unfounded},
        place.names.scope,
        is_of_a_case(place) || is_headed_as_example(place)});
 }
@@ -157,6 +162,12 @@ Laws available_to(const RowPlace& place, const StepReading& row) {
     if (!of_this_chain && is_available(place, stated)) available.push_back(&stated.law);
   }
   return available;
+}
+
+/// A conclusion that follows from nothing may be wrong itself, and makes nothing else suspect.
+Laws founded(Laws laws) {
+  std::erase_if(laws, [](const PageLaw* law) { return law->unfounded; });
+  return laws;
 }
 
 /// As a conclusion: by its words, behind an arrow, or as a later link of a chain.
@@ -184,7 +195,7 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
 
 bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   const bool asks = place.options.repairs != Repairs::none && !place.is_stated && row.role == Role::display &&
-                    !row.unsettled && claim.recorded == nullptr;
+                    !row.unsettled && claim.recorded == nullptr && !is_alternative(place, row.parsed);
   if (!asks) return false;
   // What is also the right side of the link before it is less likely to hold the slip.
   const WrongStep wrong{.parsed = row.parsed,
@@ -192,10 +203,10 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                         .left = row.which > 0 ? Trust::supported : Trust::unknown,
                         .near = sides_near(place.notes, row.parsed)};
   const bool restricted = judgement.verdict == Verdict::undecided;
-  auto found = suspicion(
-      place.tree, place.names,
-      {wrong, claim, restricted ? Laws{} : available_to(place, row), is_announced(place, row), restricted},
-      *place.options.cache);
+  auto found = suspicion(place.tree, place.names,
+                         {wrong, claim, restricted ? Laws{} : founded(available_to(place, row)),
+                          is_announced(place, row), restricted},
+                         *place.options.cache);
   if (!found) return false;
   judgement.verdict = Verdict::suspect;
   judgement.route = "one slip of the pen away from what follows";
@@ -223,7 +234,7 @@ void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judg
   }
   judgement.verdict = Verdict::undecided;
   judgement.diagnostics.push_back(without_ground(place.tree, place.names, claim, judgement));
-  leave(place, row, claim, "conclusion");
+  leave(place, row, claim, unfounded);
 }
 
 }  // namespace rigor

@@ -81,8 +81,14 @@ void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim,
     step = *other;
     return;
   }
-  if (bracket) stated.resize(by_first);  // of a symbol of its own it says the least
-  if (other && other->verdict == step.verdict) return;
+  // A symbol of its own says the least, so its law is the one that is left.
+  if (bracket) {
+    stated.resize(by_first);
+  } else if (other && other->verdict == Verdict::law) {
+    stated.erase(stated.begin(), stated.begin() + static_cast<std::ptrdiff_t>(by_first));
+  }
+  const bool refutes_a_product = bracket && step.verdict == Verdict::refuted;
+  if (other && other->verdict == step.verdict && !refutes_a_product) return;
   stated.clear();
   const auto is_law_or_open = [](const Step& each) {
     return each.verdict == Verdict::law || each.verdict == Verdict::undecided;

@@ -95,8 +95,15 @@ void settle(RowPlace& place, const StepReading& row, const Claim& claim, Judgeme
     judgement.route += ", agrees with the built-in symbol";
   }
   const bool both_ways = row.parsed.written.inference == Inference::equivalence;
-  if (both_ways && judgement.verdict == Verdict::proved && !judgement.uses.empty())
-    judgement.route += ", in this direction";
+  if (both_ways && judgement.verdict == Verdict::proved && !judgement.uses.empty()) {
+    judgement.verdict = Verdict::undecided;
+    judgement.diagnostics.push_back(
+        {DiagnosticKind::undecided,
+         claim.relation,
+         "it follows from what stands before it; the other direction is not asked for yet",
+         {},
+         {"`\\Rightarrow` claims this direction only"}});
+  }
   accept(std::move(judgement), step);
 }
 

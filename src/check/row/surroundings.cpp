@@ -211,7 +211,8 @@ std::vector<const ParsedChain*> conditions_beside(const RowPlace& place, const P
   const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[place.event]);
   if (display == nullptr || orders_letters(place.notes.syntax, parsed)) return conditions;
   for (const ParsedChain& chain : display->chains) {
-    const bool beside = &chain != &parsed && chain.written.statement == parsed.written.statement;
+    const bool beside = &chain != &parsed && chain.written.statement == parsed.written.statement &&
+                        chain.written.inference == Inference::none && !chain.written.alternative;
     if (beside && orders_letters(place.notes.syntax, chain)) conditions.push_back(&chain);
   }
   return conditions;
@@ -220,6 +221,7 @@ std::vector<const ParsedChain*> conditions_beside(const RowPlace& place, const P
 bool is_condition_beside(const RowPlace& place, const ParsedChain& parsed) {
   const auto* display = std::get_if<ParsedDisplay>(&place.notes.events[place.event]);
   if (display == nullptr || !orders_letters(place.notes.syntax, parsed)) return false;
+  if (parsed.written.inference != Inference::none || parsed.written.alternative) return false;
   return std::ranges::any_of(display->chains, [&](const ParsedChain& chain) {
     return chain.written.statement == parsed.written.statement && !chain.written.relations.empty() &&
            !is_order(chain.written.relations[0].kind);

@@ -29,6 +29,7 @@ struct Evidence {
   std::set<std::string> units;                             // "the unit matrix $I$": 1 among matrices
   std::set<std::string> functionals;                       // `E[X]`: square brackets stand directly after
   std::map<std::string, std::set<std::string>> functions;  // \omega of `\omega(k) = …`, with k
+  std::map<std::string, std::set<std::string>> running;    // of these, k: the other side has it, too
   std::map<std::string, std::set<std::vector<std::string>>>
       applied;                     // `\psi(x, t)`: letters in brackets behind it
   std::set<std::string> changing;  // letters of which a rate is written, or that have an argument

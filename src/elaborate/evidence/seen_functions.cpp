@@ -112,7 +112,10 @@ void see_functions_in(std::string_view formula, Evidence& evidence) {
   const std::size_t next = formula.find_first_not_of(" ~", at + 1);
   const bool ends = next == std::string_view::npos || formula[next] == '=' || formula[next] == ',' ||
                     formula[next] == ':' || formula.substr(next).starts_with("\\approx");
-  if (ends) evidence.functions[name].merge(arguments);
+  if (!ends) return;
+  const bool is_value = next != std::string_view::npos && formula[next] == '=';
+  if (!is_value) evidence.running[name].insert(arguments.begin(), arguments.end());
+  evidence.functions[name].merge(arguments);
 }
 
 }  // namespace
@@ -123,7 +126,14 @@ void see_functions(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
   if (factors.size() != 2 || factors[1].joint != Joint::juxtaposed) return;
   if (syntax[factors[0].id].kind != SyntaxKind::symbol) return;
   std::set<std::string> arguments = arguments_in(syntax, factors[1].id);
-  if (!arguments.empty()) evidence.functions[name_of(syntax.symbol(factors[0].id))].merge(arguments);
+  if (arguments.empty()) return;
+  const std::string name = name_of(syntax.symbol(factors[0].id));
+  // `V(R) = 0` is a value; `V(R) = cR` says how V runs with R.
+  for (const SyntaxId id : nodes_below(syntax, {sides.begin() + 1, sides.end()})) {
+    if (syntax[id].kind == SyntaxKind::symbol && arguments.contains(syntax.symbol(id).letter))
+      evidence.running[name].insert(syntax.symbol(id).letter);
+  }
+  evidence.functions[name].merge(arguments);
 }
 
 void see_inline_functions(std::string_view text, Evidence& evidence) {
@@ -252,17 +262,19 @@ std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol
   const auto are_coordinates = [](const std::vector<std::string>& each) {
     return std::ranges::all_of(each, [](const std::string& letter) { return is_usual_coordinate(letter); });
   };
-  if (plain.empty() && applied->second.size() == 1) return *applied->second.begin();
   // `u(y)`, `u(h)`: the letter that is a coordinate.
   if (plain.size() > 1) std::erase_if(plain, [&](const auto& each) { return !are_coordinates(each); });
   if (plain.size() != 1) return std::nullopt;
   const std::vector<std::string>& variables = plain.front();
-  const auto defined = evidence.functions.find(name_of(symbol));
-  const auto is_its_own = [&](const std::string& each) {
-    return defined != evidence.functions.end() && defined->second.contains(each);
+  const auto running = evidence.running.find(name_of(symbol));
+  const auto runs = [&](const std::string& each) {
+    return running != evidence.running.end() && running->second.contains(each);
   };
-  const bool sure = variables.size() > 1 || std::ranges::all_of(variables, is_its_own) ||
-                    (are_coordinates(variables) && !is_usual_coefficient(symbol.letter));
+  const auto is_running = [&](const std::string& each) { return runs(each) || is_usual_coordinate(each); };
+  const bool sure = variables.size() > 1
+                        ? std::ranges::all_of(variables, is_running)
+                        : std::ranges::all_of(variables, runs) ||
+                              (are_coordinates(variables) && !is_usual_coefficient(symbol.letter));
   return sure ? std::optional(variables) : std::nullopt;
 }
 

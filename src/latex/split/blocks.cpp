@@ -100,6 +100,8 @@ class StatementSplitter {
         const TokenView arrow = tokens_.subspan(at, link->next - at);
         uses_.mark(arrow, TokenUse::relation);
         if (link->marked) notes_.set_doubt(arrow);
+        if (link->link == Link::ground)
+          notes_.set_condition(arrow, "what is inferred from what comes behind it is not decided yet");
         cut();
         infer(link->link);
         while (++at < link->next) nesting.enter(tokens_[at]);
