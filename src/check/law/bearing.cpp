@@ -52,7 +52,8 @@ std::vector<Laws> sets_of(const ExprTree& tree, const Laws& bearing) {
   Laws together;
   std::set<std::string> sides;
   for (const PageLaw* law : bearing) {
-    if (sides.insert(dump(tree, law->equation.left)).second) together.push_back(law);
+    const bool known = !sides.insert(dump(tree, law->equation.left)).second;
+    if (!known || !law->of_its_own) together.push_back(law);
   }
   for (const std::size_t count : counts) {
     const std::size_t taken = std::min(count, together.size());

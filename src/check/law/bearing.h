@@ -22,8 +22,8 @@ namespace rigor {
 
 /// None (the row may only lack that something is constant), each of the nearest alone, and more and more
 /// together. Most rows follow from one or two laws near them.
-/// Two laws with one left side may be those of two systems, `\dot x = ax` and `\dot x = bx`, so they are not
-/// taken together.
+/// Two laws with one left side may be those of two systems, "Particle A obeys `\dot x = ax`, particle B obeys
+/// `\dot x = bx`". So they are taken together only if no words stand between them.
 [[nodiscard]] std::vector<Laws> sets_of(const ExprTree& tree, const Laws& bearing);
 
 }  // namespace rigor

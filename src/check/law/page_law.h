@@ -19,6 +19,7 @@ struct PageLaw {
   std::size_t paragraph = 0;  // and its paragraph
   bool at_instant = false;    // it may hold at one moment or place only: it says nothing of rates
   bool of_a_case = false;     // behind "for critical damping": it holds in its paragraph only
+  bool of_its_own = false;    // words before it speak of something: "Particle B obeys"
   bool unfounded = false;     // announced as a conclusion, and it follows from nothing
 };
 

@@ -46,6 +46,30 @@ bool speaks_of_integration(const RowPlace& place) {
   });
 }
 
+/// `+ 3Ek_0`: nobody forgets a term with such a number.
+bool adds_an_unusual_term(const Repair& repair) {
+  if (!repair.adds_a_term || !repair.replacement.starts_with(repair.replaced)) return false;
+  const std::string_view added = std::string_view(repair.replacement).substr(repair.replaced.size());
+  const auto first = added.find_first_not_of("+- ");
+  return first != std::string_view::npos && added[first] >= '3' && added[first] <= '9';
+}
+
+/// A single sign, number, letter or index: of an exchange or another function there are so many that one of
+/// them explains nearly everything.
+std::vector<Repair> likely_repairs(RowPlace& place, const WrongStep& wrong) {
+  const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim,
+                                   Slip slip) -> std::optional<std::vector<std::string>> {
+    if (slip >= Slip::indices_exchanged) return std::nullopt;
+    Judgement judgement = judge(tree, names, claim, limits_of_candidates, place.options.cache);
+    if (judgement.verdict != Verdict::proved || !judgement.diagnostics.empty()) return std::nullopt;
+    return std::move(judgement.uses);
+  };
+  std::vector<Repair> repairs;
+  for (TrueNeighbour& each : true_neighbours(place.tree, place.names, wrong, proof, place.options.cache))
+    if (!adds_an_unusual_term(each.repair)) repairs.push_back(std::move(each.repair));
+  return repairs;
+}
+
 }  // namespace
 
 std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place, const StepReading& row,
@@ -55,7 +79,7 @@ std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place, c
   const std::string_view lead = place.notes.prose.beside[place.event].lead;
   std::optional<std::vector<Repair>> known;
   const auto repairs = [&]() -> const std::vector<Repair>& {
-    if (!known) known = nearest_true_statements(place.tree, place.names, wrong, place.options.cache);
+    if (!known) known = likely_repairs(place, wrong);
     return *known;
   };
   const auto word = open_word(place.notes.prose, place.event);

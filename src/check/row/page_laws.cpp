@@ -147,7 +147,8 @@ void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::str
   place.found.stated.push_back(
       {{claim.equation, name_of_law(row.parsed.written.tag, claim.relation, place.sources, word),
         claim.relation, here.place, here.paragraph, momentary,
-        momentary || is_conditional(place) || is_value(place.tree, claim.equation), word == unfounded},
+        momentary || is_conditional(place) || is_value(place.tree, claim.equation),
+        has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)), word == unfounded},
        place.names.scope,
        is_of_a_case(place) || is_headed_as_example(place)});
 }

@@ -187,8 +187,7 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
 }
 
 bool is_never_applied(const WrittenSymbol& symbol) {
-  static constexpr std::string_view letters[] = {"\\pi", "i",       "d",       "D",      "O",
-                                                 "o",    "\\delta", "\\Delta", "\\nabla"};
+  static constexpr std::string_view letters[] = {"\\pi", "i", "d", "O", "o", "\\delta", "\\Delta", "\\nabla"};
   return is_one_of(symbol.letter, letters) || !symbol.change.empty();
 }
 
@@ -270,7 +269,10 @@ std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol
   const auto runs = [&](const std::string& each) {
     return running != evidence.running.end() && running->second.contains(each);
   };
-  const auto is_running = [&](const std::string& each) { return runs(each) || is_usual_coordinate(each); };
+  const auto is_running = [&](const std::string& each) {
+    const bool vector = each.starts_with("\\mathbf ") && !is_marked(each);
+    return runs(each) || is_usual_coordinate(each) || vector;
+  };
   const bool sure = variables.size() > 1
                         ? std::ranges::all_of(variables, is_running)
                         : std::ranges::all_of(variables, runs) ||

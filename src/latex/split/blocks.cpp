@@ -309,7 +309,8 @@ class StatementSplitter {
       tag_ = text_of(tokens);
       return uses_.mark(tokens, TokenUse::name);
     }
-    if (!chains_.empty()) {
+    const bool concluded = block.link == Link::conclusion || block.link == Link::equivalence;
+    if (!chains_.empty() && !concluded) {  // an order behind an arrow is a claim, and no condition
       const TokenView said = without_stop(tokens);
       uses_.mark(tokens.subspan(said.size()), TokenUse::layout);
       tokens = said;
@@ -322,11 +323,11 @@ class StatementSplitter {
     if (!has_relation(tokens) && !chains_.empty()) {
       return notes_.note_aside(tokens);
     }
-    add_equations(tokens);
+    add_equations(tokens, concluded);
   }
 
   /// Commas separate equations where every piece is one; `a = b, i = 1, 2, 3` keeps its range out.
-  void add_equations(TokenView tokens) {
+  void add_equations(TokenView tokens, bool concluded) {
     std::vector<TokenView> pieces;
     Nesting nesting(false);
     std::size_t begin = 0;
@@ -356,7 +357,7 @@ class StatementSplitter {
     if (!separate) pieces = {tokens};
     uses_.mark(tokens, TokenUse::layout);  // commas between; what is between them follows
     for (const TokenView piece : pieces) {
-      if (!chains_.empty() && relates_index_letters(piece)) {
+      if (!chains_.empty() && !concluded && relates_index_letters(piece)) {
         if (!notes_.assume(piece, conditions_in)) notes_.set_doubt(piece);
       } else {
         chains_.push_back(chain_of(piece, uses_));
