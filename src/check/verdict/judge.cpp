@@ -305,12 +305,40 @@ class Judging {
     });
   }
 
+  /// C of `\dot q = C\dot V` above "the plates are pulled apart" and `\dot q = C\dot V + \dot CV`: only rows
+  /// below show that it changes, and they may speak of another case.
+  void add_changes_said_below(std::vector<SymbolId>& unknown) const {
+    std::set<SymbolId> shown;  // of which a rate is written in this row or above it
+    const auto show = [&](SymbolId symbol) {
+      if (tree_.symbols[symbol].order(By::time) > 0) shown.insert(base_of(tree_.symbols, symbol));
+    };
+    for (const auto& [symbol, depth] : *names_.scope.seen) show(symbol);
+    for (const ExprId side : {claim_.equation.left, claim_.equation.right}) {
+      for (const SymbolId symbol : symbols_in(tree_, side)) show(symbol);
+    }
+    for (const SymbolId symbol : symbols_of(prepared_.question)) {
+      const SymbolId base = base_of(tree_.symbols, symbol);
+      const bool said = shown.contains(base) || definition_of(names_.scope, base) != nullptr ||
+                        names_.scope.variables->contains(base) || !changes_by_evidence(base);
+      if (tree_.symbols[symbol].order(By::time) > 0 && !said && !is_one_of(base, unknown))
+        unknown.push_back(base);
+    }
+  }
+
+  /// A letter, of which rows of its section show that it changes.
+  [[nodiscard]] bool changes_by_evidence(SymbolId base) const {
+    const NameKey* key = key_of(names_.symbols, base);
+    return key != nullptr && tree_.symbols[base].rank == 0 &&
+           is_changing(*names_.symbols.evidence, key->base);
+  }
+
   /// If nothing says whether a differentiated quantity changes, only a proof counts.
   bool doubts_change() {
     std::vector<SymbolId> unknown = prepared_.unknown_changes;
     const std::vector<SymbolId>& written = claim_.reading->found.unknown_changes;
     unknown.insert(unknown.end(), written.begin(), written.end());
     std::erase_if(unknown, [this](SymbolId symbol) { return changes_in_definitions(symbol); });
+    if (!claim_.for_all) add_changes_said_below(unknown);
     if (unknown.empty()) return false;
     unknown = bases_of(tree_, unknown);
     const bool one = unknown.size() == 1;
