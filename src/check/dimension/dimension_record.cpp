@@ -119,6 +119,7 @@ class DimensionRecorder {
     Dimension dimension;
     std::size_t section = 0;
   };
+  DimensionForm form_of(SymbolId id);
   DimensionForm form_of(ExprId symbol, std::vector<DimensionEquation>& equations);
   Unknown unknown_of(SymbolId symbol);
   Unknown fresh(UnknownName name = {});
@@ -211,10 +212,9 @@ DimensionRecord DimensionRecorder::finish() {
   return std::move(record_);
 }
 
-/// A symbol's own dimension, less what it is differentiated by.
-DimensionForm DimensionRecorder::form_of(ExprId id, std::vector<DimensionEquation>& equations) {
-  const ExprNode& node = tree_[id];
-  const SymbolId base = base_of(tree_.symbols, node.symbol);
+/// A symbol's own dimension, less what it is differentiated by. Recursion: a variable can be a rate.
+DimensionForm DimensionRecorder::form_of(SymbolId id) {
+  const SymbolId base = base_of(tree_.symbols, id);
   const Symbol& symbol = tree_.symbols[base];
   DimensionForm form;
   if (symbol.unit_of_measure) {
@@ -222,10 +222,19 @@ DimensionForm DimensionRecorder::form_of(ExprId id, std::vector<DimensionEquatio
   } else if (!is_pure_number(base)) {
     form.add(unknown_of(base), 1);
   }
-  if (const Symbol& own = tree_.symbols[node.symbol]; own.derivation) {
+  if (const Symbol& own = tree_.symbols[id]; own.derivation) {
     form.add(time_unknown, SmallRational(-own.order(By::time)));
     form.add(space_unknown, SmallRational(-own.order(By::space)));
+    for (const Variable& by : own.derivation->by) {
+      if (by.by == By::letter) form.add(form_of(by.letter), -1);
+    }
   }
+  return form;
+}
+
+DimensionForm DimensionRecorder::form_of(ExprId id, std::vector<DimensionEquation>& equations) {
+  const ExprNode& node = tree_[id];
+  DimensionForm form = form_of(node.symbol);
   if (node.particle != no_particle && tree_.name(node.particle) == "∫") in_body(node, equations);
   return form;
 }

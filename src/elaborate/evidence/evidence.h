@@ -31,7 +31,9 @@ struct Evidence {
   std::map<std::string, std::set<std::string>> functions;  // \omega of `\omega(k) = …`, with k
   std::map<std::string, std::set<std::string>> running;    // of these, k: the other side has it, too
   std::map<std::string, std::set<std::vector<std::string>>>
-      applied;                     // `\psi(x, t)`: letters in brackets behind it
+      applied;                                      // `\psi(x, t)`: letters in brackets behind it
+  std::map<std::string, std::set<std::string>> by;  // x of `dy/dx`, with y: what is differentiated by
+  std::set<std::string> primed;                     // y of `y''` and `y'(x)`: a prime is a derivative
   std::set<std::string> changing;  // letters of which a rate is written, or that have an argument
   std::map<std::string, std::set<std::string>> tied;  // m of `m = \mu t`, with what stands on the other sides
   std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument
@@ -118,6 +120,19 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
 void see_said_changes(std::string_view text, Evidence& evidence);
 /// When all is seen: what may change because something else does.
 void settle_changes(Evidence& evidence);
+
+/// `\dot q`: how `Evidence::by` names a variable that is a rate.
+[[nodiscard]] std::string dotted(std::string_view letter, int dots);
+/// Does the section write the letter with plain letters in brackets behind it?
+[[nodiscard]] bool is_applied(const Evidence& evidence, std::string_view name);
+/// Does the section differentiate something of this name by the variable, or apply it to that?
+[[nodiscard]] bool is_function_of(const Evidence& evidence, std::string_view name, std::string_view variable);
+/// Is a derivative by it one by a letter of its own? By x, y and z it is one by place, unless the section
+/// shows that one of the others is a function of it: `dy/dx`, `y(x)`.
+[[nodiscard]] bool is_own_variable(const Evidence& evidence, std::string_view letter);
+/// What the primes on `y''` and `V'(r)` differentiate by; nothing where a prime may name another quantity.
+[[nodiscard]] std::optional<std::string> variable_of_primes(const WrittenSymbol& symbol,
+                                                            const Evidence& evidence);
 
 /// `\omega(k) = ck`: the first side of a chain.
 void see_functions(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);

@@ -165,9 +165,15 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
   for (const SyntaxId id : nodes_below(syntax, {root})) {
     const SyntaxKind kind = syntax[id].kind;
     if (kind == SyntaxKind::symbol && syntax.symbol(id).dots > 0) note_changing(syntax.symbol(id), evidence);
+    if (kind == SyntaxKind::symbol && syntax.symbol(id).primes > 1)
+      evidence.primed.insert(name_of(syntax.symbol(id)));
     if (kind == SyntaxKind::derivative) {
       const SyntaxId of = without_derivatives(syntax, id);
       if (syntax[of].kind == SyntaxKind::symbol) note_changing(syntax.symbol(of), evidence);
+      for (const WrittenVariable& by : syntax.derivative(id).by) {
+        std::set<std::string>& functions = evidence.by[dotted(by.symbol.letter, by.symbol.dots)];
+        if (syntax[of].kind == SyntaxKind::symbol) functions.insert(syntax.symbol(of).letter);
+      }
     }
     if (kind != SyntaxKind::term) continue;
     const std::span<const SyntaxChild> factors = syntax.children(id);
@@ -181,6 +187,7 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
       std::vector<std::string> letters = letters_in_bracket(syntax, factors[k + 1].id);
       if (letters.empty() || is_never_applied(syntax.symbol(of))) continue;
       note_changing(syntax.symbol(of), evidence);
+      if (syntax.symbol(of).primes > 0) evidence.primed.insert(name_of(syntax.symbol(of)));
       evidence.applied[applied_name_of(syntax.symbol(of))].insert(std::move(letters));
     }
   }
@@ -189,6 +196,56 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
 bool is_never_applied(const WrittenSymbol& symbol) {
   static constexpr std::string_view letters[] = {"\\pi", "i", "d", "O", "o", "\\delta", "\\Delta", "\\nabla"};
   return is_one_of(symbol.letter, letters) || !symbol.change.empty();
+}
+
+std::string dotted(std::string_view letter, int dots) {
+  std::string name;
+  for (int k = 0; k < dots; ++k) name += "\\dot ";
+  return name.append(letter);
+}
+
+bool is_applied(const Evidence& evidence, std::string_view name) {
+  std::size_t at = 0;
+  const std::string letter = take_letter(name, at);
+  return std::ranges::any_of(evidence.applied, [&](const auto& entry) {
+    std::size_t begin = entry.first.starts_with("\\mathbf ") ? 8 : 0;
+    return take_letter(entry.first, begin) == letter;
+  });
+}
+
+bool is_function_of(const Evidence& evidence, std::string_view name, std::string_view variable) {
+  std::size_t at = 0;
+  const std::string letter = take_letter(name, at);
+  const auto by = evidence.by.find(std::string(variable));
+  if (by != evidence.by.end() && by->second.contains(letter)) return true;
+  return std::ranges::any_of(evidence.applied, [&](const auto& entry) {
+    std::size_t begin = entry.first.starts_with("\\mathbf ") ? 8 : 0;
+    return take_letter(entry.first, begin) == letter &&
+           std::ranges::any_of(entry.second, [&](const std::vector<std::string>& letters) {
+             return std::ranges::find(letters, variable) != letters.end();
+           });
+  });
+}
+
+bool is_own_variable(const Evidence& evidence, std::string_view letter) {
+  static constexpr std::string_view coordinates[] = {"x", "y", "z"};
+  if (!is_one_of(letter, coordinates)) return true;
+  return std::ranges::any_of(coordinates, [&](std::string_view other) {
+    return other != letter && is_function_of(evidence, other, letter);
+  });
+}
+
+std::optional<std::string> variable_of_primes(const WrittenSymbol& symbol, const Evidence& evidence) {
+  if (symbol.primes == 0 || !evidence.primed.contains(name_of(symbol))) return std::nullopt;
+  const auto variables = variables_of(symbol, evidence);
+  std::set<std::string> found;
+  if (variables) found.insert(variables->begin(), variables->end());
+  for (const auto& [variable, functions] : evidence.by) {
+    if (!variables && functions.contains(symbol.letter)) found.insert(variable);
+  }
+  const bool one = found.size() == 1 && *found.begin() != "t" && !is_marked(*found.begin()) &&
+                   found.begin()->find(' ') == std::string::npos;
+  return one ? std::optional(*found.begin()) : std::nullopt;
 }
 
 bool is_changing(const Evidence& evidence, std::string_view name) {
@@ -237,6 +294,7 @@ void settle_changes(Evidence& evidence) {
   std::set<std::string>& may_change = evidence.may_change;
   may_change = evidence.changing;
   may_change.insert(std::begin(variables), std::end(variables));
+  for (const auto& [variable, functions] : evidence.by) may_change.insert(variable);
   for (const auto& [name, arguments] : evidence.functions) {
     std::size_t at = 0;
     may_change.insert(take_letter(name, at));

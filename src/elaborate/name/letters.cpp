@@ -405,7 +405,9 @@ bool is_levi_civita(const WrittenSymbol& symbol) {
 
 bool is_basis_family(const WrittenSymbol& symbol) {
   const bool vector = symbol.face == Face::vector || symbol.accent == Accent::hat;
-  if (symbol.letter != "e" || !vector || symbol.primes != 0 || symbol.lower.size() != 1) return false;
+  const bool plain = symbol.accent == Accent::none || symbol.accent == Accent::hat;
+  if (symbol.letter != "e" || !vector || !plain || symbol.primes != 0 || symbol.lower.size() != 1)
+    return false;
   const WrittenIndex& index = symbol.lower[0];
   return index.form == IndexForm::digit || is_strong(index.text) || axis_of_letter(index.text) != 0;
 }

@@ -36,14 +36,42 @@ Dependence usual_change(const NameKey& key, bool declared, const Variable& by) {
   return {};
 }
 
+/// The name of a symbol, as the section's evidence has it.
+std::string name_in(const Names& names, const ExprTree& tree, SymbolId symbol) {
+  const NameKey* key = key_of(names.symbols, base_of(tree.symbols, symbol));
+  return key == nullptr ? std::string{} : dotted(key->base, tree.symbols[symbol].order(By::time));
+}
+
+/// Does a derivative by a letter say that this is held? The other variables of the section are, and rates.
+bool is_held(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by) {
+  const SymbolId base = base_of(tree.symbols, symbol);
+  if (!by.partial) return false;
+  const Symbol& written = tree.symbols[symbol];
+  if (base == base_of(tree.symbols, by.letter)) return true;  // x of \partial/\partial\dot x
+  const std::string name = name_in(names, tree, base);
+  const Evidence& evidence = *names.symbols.evidence;
+  if (is_function_of(evidence, name, name_in(names, tree, by.letter))) return false;
+  const bool rate = written.derivation && written.order() == written.order(By::time);
+  const bool of_places = tree.symbols[by.letter].derivation.has_value() && is_applied(evidence, name);
+  return rate || of_places || name == "t" || evidence.by.contains(name);
+}
+
 KnownChange change_but_for_squares(const Names& names, const ExprTree& tree, SymbolId symbol,
                                    const Variable& by) {
   if (by == By::small) return {};  // what does not change in time can be small
   const SymbolId base = base_of(tree.symbols, symbol);
+  if (by.by == By::letter && symbol == by.letter) return {{Dependence::Kind::variable}};
+  if (by.held && (*by.held == symbol || *by.held == base)) return {{Dependence::Kind::constant}};
   if (tree.symbols[base].unit_of_measure) return {{Dependence::Kind::constant}};
   if (auto declared = declared_change(names, tree.symbols, base, by)) return *std::move(declared);
   const NameKey* key = key_of(names.symbols, symbol);
-  if (key == nullptr || key->per_particle || definition_of(names.scope, symbol) != nullptr) return {};
+  if (definition_of(names.scope, symbol) != nullptr) return {};
+  if (by.by == By::letter) {
+    const bool pi = key != nullptr && *key == NameKey{"\\pi", 0, false} && !is_declared(names.symbols, *key);
+    if (pi || is_held(names, tree, symbol, by)) return {{Dependence::Kind::constant}};
+    return {};
+  }
+  if (key == nullptr || key->per_particle) return {};
   return {usual_change(*key, is_declared(names.symbols, *key), by)};
 }
 
@@ -146,6 +174,8 @@ bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, con
   const NameKey* key = key_of(names.symbols, base);
   if (key == nullptr || by == By::small) return true;
   if (by == By::space) return is_differentiated_by_place(names.symbols, *key);
+  if (by.by == By::letter)
+    return is_function_of(*names.symbols.evidence, key->base, name_in(names, tree, by.letter));
   // What another section differentiates may be another quantity there.
   if (!is_changing(*names.symbols.evidence, key->base)) return false;
   const Sightings& sightings = *names.symbols.sightings;

@@ -75,9 +75,7 @@ MaybeTyped elaborate_component(Reading& reading, SyntaxId id, const Around& arou
     return frame_derivative(reading, part, *frame, label == frame->fixed, around);
   if (is_derivative_in_bracket(reading.syntax, part) && axes.size() == 1 &&
       axes[0].form != IndexForm::digit && !reading.letters.is_index(axes[0].text))
-    return unsupported(reading, axes[0].span,
-                       fmt::format("nothing says what `{}` means on this derivative", label),
-                       {"`rigor: frame … rotates with … in …` names two frames"});
+    return held_derivative(reading, part, axes[0], around);
   const auto base = elaborate(reading, part, around);
   if (!base) return std::nullopt;
   for (const WrittenIndex& axis : axes) {

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/change.h"
 #include "elaborate/reading/summation.h"
@@ -37,16 +38,107 @@ bool depends_on_other_coordinate(Reading& reading, const Typed& operand, const W
   return false;
 }
 
+/// x, y, z, `x_i`, `r_i`: a place, unless the section shows that it is a variable of its own.
+bool is_place(const Reading& reading, const WrittenSymbol& variable) {
+  if (!is_undecorated(variable)) return false;
+  const bool indexed = (variable.letter == "x" || variable.letter == "r") && variable.lower.size() == 1;
+  if (indexed) return true;
+  return variable.lower.empty() && axis_of_letter(variable.letter) != 0 &&
+         !is_own_variable(*reading.names.symbols.evidence, variable.letter);
+}
+
+/// The derivative by what `variable` reads as; nothing, and a diagnostic, where it is no plain number.
+std::optional<SymbolId> symbol_of_variable(Reading& reading, const WrittenSymbol& variable, Span span,
+                                           const Around& around) {
+  const auto read = elaborate_symbol(reading, variable, span, around);
+  if (!read) return std::nullopt;
+  const ExprNode& node = reading.tree[read->id];
+  const bool plain = node.op == Op::symbol && read->rank == 0 && node.slot_count == 0 &&
+                     node.particle == no_particle && read->free.empty();
+  if (plain) return node.symbol;
+  unsupported(reading, span, fmt::format("a derivative by this `{}` is not decided", variable.letter),
+              {"derivatives by a letter that is a plain number are, and by a rate such as `\\dot q`"});
+  return std::nullopt;
+}
+
+/// `\partial T/\partial\dot q` where T is defined by q or its rate: how a rate depends on another one is seen
+/// only where the definitions are open.
+Typed with_definitions_open(Reading& reading, Typed typed) {
+  const auto by = [&](ExprId id) -> std::optional<ExprId> {
+    const ExprNode node = reading.tree[id];
+    const Symbol& symbol = reading.tree.symbols[node.symbol];
+    const bool rate = symbol.order() == symbol.order(By::time);
+    const NamedDefinition* named =
+        rate ? definition_of(reading.names.scope, base_of(reading.tree.symbols, node.symbol)) : nullptr;
+    if (named == nullptr || !named->definition.indices.empty() || named->definition.particle != no_particle ||
+        named->definition.by_square)
+      return std::nullopt;
+    Typed body{.id = named->definition.body};
+    body = rate_of(reading, body, symbol.order());
+    const std::vector<Slot> slots(reading.tree.slots(id).begin(), reading.tree.slots(id).end());
+    return component_of(reading.tree, body.id, slots);
+  };
+  constexpr int most_unfolded = 8;  // definitions of definitions; a circle is none
+  for (int k = 0; k < most_unfolded; ++k) {
+    const ExprId before = typed.id;
+    typed.id = replaced(reading.tree, typed.id, by);
+    if (typed.id == before) break;
+  }
+  return typed;
+}
+
+/// What a derivative is by, and what it holds.
+struct Differentiation {
+  std::span<const WrittenVariable> by;
+  bool partial = false;
+  std::optional<SymbolId> held = {};
+  Span span = {};
+  bool of_coordinate = false;  // nobody differentiates one coordinate by another: it depends on that
+};
+
+/// By any other letter or rate, `\frac{du}{d\theta}`, `\frac{\partial L}{\partial\dot q}`: a plain number.
+MaybeTyped by_letter(Reading& reading, const Typed& operand, const WrittenVariable& variable,
+                     const Differentiation& how, const Around& around) {
+  const auto letter = symbol_of_variable(reading, variable.symbol, how.span, around);
+  if (!letter || frame_is_open(reading, operand, how.span)) return std::nullopt;
+  const bool rate = reading.tree.symbols[*letter].derivation.has_value();
+  Typed typed = rate ? with_definitions_open(reading, operand) : operand;
+  for (int k = 0; k < variable.times; ++k)
+    typed = derivative_by(reading, std::move(typed), {By::letter, *letter, how.partial, how.held});
+  return typed;
+}
+
+MaybeTyped differentiated(Reading& reading, const Differentiation& how, MaybeTyped operand,
+                          const Around& around) {
+  for (const WrittenVariable& variable : how.by) {
+    if (!operand) return operand;
+    if (is_time(variable.symbol)) {
+      if (frame_is_open(reading, *operand, how.span) ||
+          (!how.partial && is_total_rate_of_field(reading, *operand, how.span)))
+        return std::nullopt;
+      if (how.partial) operand = with_places_open(reading, *std::move(operand), how.span);
+      if (!operand) return operand;
+      operand = rate_of(reading, std::move(*operand), variable.times, how.partial);
+      continue;
+    }
+    if (!is_place(reading, variable.symbol)) {
+      operand = by_letter(reading, *operand, variable, how, around);
+      continue;
+    }
+    if ((!how.partial || how.of_coordinate) &&
+        depends_on_other_coordinate(reading, *operand, variable.symbol, how.span))
+      return std::nullopt;
+    for (int k = 0; operand && k < variable.times; ++k)
+      operand = by_coordinate(reading, *operand, variable.symbol, how.span, around);
+  }
+  return operand;
+}
+
 }  // namespace
 
 MaybeTyped by_coordinate(Reading& reading, const Typed& operand, const WrittenSymbol& variable, Span span,
                          const Around& around) {
   const std::uint8_t axis = variable.lower.empty() ? axis_of_letter(variable.letter) : std::uint8_t{0};
-  const bool indexed = (variable.letter == "x" || variable.letter == "r") && variable.lower.size() == 1;
-  if (!is_undecorated(variable) || (axis == 0 && !indexed))
-    return unsupported(reading, span,
-                       fmt::format("a derivative by this `{}` is not decided", variable.letter),
-                       {"derivatives by the time t and by x, y, z, x_i are"});
   std::optional<Subscript> along = Subscript{.slots = {{axis, {}}}};
   if (axis == 0) {
     if (any_primed(variable.lower))
@@ -61,31 +153,42 @@ MaybeTyped by_coordinate(Reading& reading, const Typed& operand, const WrittenSy
   return summed(reading.tree, std::move(typed), *std::move(letters));
 }
 
+MaybeTyped primed_derivative(Reading& reading, const WrittenSymbol& written, const std::string& variable,
+                             Span span, const Around& around) {
+  WrittenSymbol bare = written;
+  const std::uint8_t times = std::exchange(bare.primes, std::uint8_t{0});
+  auto operand = elaborate_symbol(reading, bare, span, around);
+  const std::vector<WrittenVariable> by{{{.letter = variable}, times}};
+  return differentiated(reading, {by, false, {}, span}, std::move(operand), around);
+}
+
 MaybeTyped elaborate_derivative(Reading& reading, SyntaxId id, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   const Span span = syntax[id].span;
-  const bool partial = syntax.derivative(id).partial;
-  if (!partial && is_declared(reading.names.symbols, {"d", 0, false}))
+  const WrittenDerivative& written = syntax.derivative(id);
+  if (!written.partial && is_declared(reading.names.symbols, {"d", 0, false}))
     return ambiguous(reading, span, "`d` is declared, and can be a differential here");
   auto operand = elaborate(reading, syntax.child(id, 0), around);
-  for (const WrittenVariable& variable : syntax.derivative(id).by) {
-    if (!operand) return operand;
-    if (is_time(variable.symbol)) {
-      if (frame_is_open(reading, *operand, span) ||
-          (!partial && is_total_rate_of_field(reading, *operand, span)))
-        return std::nullopt;
-      if (partial) operand = with_places_open(reading, *std::move(operand), span);
-      if (!operand) return operand;
-      operand = rate_of(reading, std::move(*operand), variable.times, partial);
-      continue;
-    }
-    const bool may_depend = !partial || is_bare_coordinate(syntax, syntax.child(id, 0));
-    if (may_depend && depends_on_other_coordinate(reading, *operand, variable.symbol, span))
-      return std::nullopt;
-    for (int k = 0; operand && k < variable.times; ++k)
-      operand = by_coordinate(reading, *operand, variable.symbol, span, around);
-  }
-  return operand;
+  const bool of_coordinate = is_bare_coordinate(syntax, syntax.child(id, 0));
+  return differentiated(reading, {written.by, written.partial, {}, span, of_coordinate}, std::move(operand),
+                        around);
+}
+
+MaybeTyped held_derivative(Reading& reading, SyntaxId id, const WrittenIndex& held, const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  while (syntax[id].kind == SyntaxKind::group) id = syntax.child(id, 0);
+  const WrittenDerivative& written = syntax.derivative(id);
+  const bool own = std::ranges::all_of(written.by, [&](const WrittenVariable& variable) {
+    return !is_time(variable.symbol) && !is_place(reading, variable.symbol);
+  });
+  if (!written.partial || !own)
+    return unsupported(reading, held.span,
+                       fmt::format("nothing says what `{}` means on this derivative", held.text),
+                       {"`rigor: frame … rotates with … in …` names two frames"});
+  const auto symbol = symbol_of_variable(reading, {.letter = held.text}, held.span, around);
+  auto operand = elaborate(reading, syntax.child(id, 0), around);
+  if (!symbol) return std::nullopt;
+  return differentiated(reading, {written.by, true, *symbol, syntax[id].span}, std::move(operand), around);
 }
 
 MaybeTyped frame_derivative(Reading& reading, SyntaxId id, const Frame& frame, bool fixed,

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Derivatives by the time, in a frame and along a motion, and by coordinates.
+// Derivatives by the time, in a frame and along a motion, by coordinates and by letters.
 #pragma once
 
 #include "elaborate/reading/reading.h"
 
 namespace rigor {
 
-/// By `x`, `y`, `z`, `x_i` or `r_i`.
+/// By `x`, `y`, `z`, `x_i` or `r_i`, as a place.
 [[nodiscard]] MaybeTyped by_coordinate(Reading& reading, const Typed& operand, const WrittenSymbol& variable,
                                        Span span, const Around& around);
+/// `\left(\frac{\partial S}{\partial T}\right)_V`.
+[[nodiscard]] MaybeTyped held_derivative(Reading& reading, SyntaxId id, const WrittenIndex& held,
+                                         const Around& around);
+/// `y''` and `V'(r)`, where the section says that V is a function of this variable.
+[[nodiscard]] MaybeTyped primed_derivative(Reading& reading, const WrittenSymbol& written,
+                                           const std::string& variable, Span span, const Around& around);
 /// `\left(\frac{d\mathbf A}{dt}\right)_{\text{in}}`. In the fixed frame it is taken of the components along
 /// fixed axes: (dA/dt)_in = Rᵀ d(R A)/dt, with the rotation R of `frame` (see check/scope/frame.h).
 [[nodiscard]] MaybeTyped frame_derivative(Reading& reading, SyntaxId id, const Frame& frame, bool fixed,

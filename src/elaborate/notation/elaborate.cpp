@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "elaborate/evidence/evidence.h"
+#include "elaborate/notation/derivative.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/product.h"
 #include "elaborate/symbol/symbol.h"
@@ -42,6 +44,8 @@ MaybeTyped elaborate_kind(Reading& reading, SyntaxId id, const Around& around) {
     case SyntaxKind::number:
       return elaborate_number(reading, id);
     case SyntaxKind::symbol:
+      if (const auto variable = variable_of_primes(syntax.symbol(id), *reading.names.symbols.evidence))
+        return primed_derivative(reading, syntax.symbol(id), *variable, span, around);
       return elaborate_symbol(reading, syntax.symbol(id), span, around);
     case SyntaxKind::sum:
       return elaborate_sum(reading, id, around);

@@ -55,6 +55,11 @@ Typed rate_of(Reading& reading, Typed typed, int times, bool partial) {
   return typed;
 }
 
+Typed derivative_by(Reading& reading, Typed typed, const Variable& by) {
+  typed.id = differentiator(reading, by, {}, false).derivative_or_zero(typed.id);
+  return typed;
+}
+
 ExprId derivative_along(Reading& reading, ExprId id, Slot axis) {
   return differentiator(reading, By::space, axis, false).derivative_or_zero(id);
 }

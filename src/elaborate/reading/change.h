@@ -9,6 +9,8 @@ namespace rigor {
 
 /// The derivative by the time. A partial one holds the position.
 [[nodiscard]] Typed rate_of(Reading& reading, Typed typed, int times = 1, bool partial = false);
+/// The derivative by a letter.
+[[nodiscard]] Typed derivative_by(Reading& reading, Typed typed, const Variable& by);
 /// ∂/∂x_s of each component.
 [[nodiscard]] ExprId derivative_along(Reading& reading, ExprId id, Slot axis);
 

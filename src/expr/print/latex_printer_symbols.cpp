@@ -136,12 +136,14 @@ LatexPrinter::Piece LatexPrinter::derivative(ExprId id, const Symbol& symbol) {
   const std::size_t own = slots.empty() ? 0 : slots.size() - static_cast<std::size_t>(axes);
   const bool field = notation_.fields.contains(base) || axes > 0;
   const bool in_frame = notation_.frame && slots.empty() && tree_.symbols[base].rank > 0;
-  const int dots = field || in_frame ? 0 : rates;
+  const bool letters = symbol.order() > rates + axes + symbol.order(By::small);
+  const int dots = field || in_frame || letters ? 0 : rates;
   Piece result = plain_symbol(base, node, slots.first(own), dots);
   if (symbol.order(By::small) > 0) {
     result.text = std::string(symbol.name);
     return result;
   }
+  if (letters) result = by_letters(std::move(result), *symbol.derivation);
   if (rates > 0 && dots == 0) {
     const std::string order = rates == 1 ? "" : "^" + std::to_string(rates);
     const char* sign = field ? "\\partial" : "d";
@@ -168,6 +170,30 @@ LatexPrinter::Piece LatexPrinter::derivative(ExprId id, const Symbol& symbol) {
     if (result.text.front() != '\\') text += ' ';
     append_latex(text, result.text);
     result = {text, Level::factor, true};
+  }
+  return result;
+}
+
+/// `\frac{d^2u}{d\theta^2}`, `\frac{\partial L}{\partial \dot{q}}`, `\left(\frac{\partial S}{\partial
+/// T}\right)_V`.
+LatexPrinter::Piece LatexPrinter::by_letters(Piece result, const Derivation& derivation) const {
+  const auto name = [&](SymbolId id) {
+    const ExprNode node{.op = Op::symbol, .symbol = id};
+    return plain_symbol(base_of(tree_.symbols, id), node, {}, tree_.symbols[id].order(By::time)).text;
+  };
+  for (auto each = derivation.by.begin(); each != derivation.by.end();
+       each = derivation.by.upper_bound(*each)) {
+    if (each->by != By::letter) continue;
+    const auto count = derivation.by.count(*each);
+    const std::string order = count == 1 ? "" : "^" + std::to_string(count);
+    const char* sign = each->partial ? "\\partial" : "d";
+    std::string above = sign + order;
+    if (each->partial && result.text.front() != '\\') above += ' ';
+    append_latex(above, result.text);
+    std::string below = sign;
+    append_latex(below, name(each->letter));
+    result = {fmt::format("\\frac{{{}}}{{{}{}}}", above, below, order), Level::factor};
+    if (each->held) result = {fmt::format("\\left({}\\right)_{{{}}}", result.text, name(*each->held))};
   }
   return result;
 }

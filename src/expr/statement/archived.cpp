@@ -52,7 +52,7 @@ void spaces_of(Archive& archive, AxisSpaces& axes, int rank) {
 template <class Archive>
 void fields(Archive& archive, Variable& variable) {
   archive.bounded(variable.by, static_cast<std::size_t>(By::letter) + 1);
-  if (variable.by == By::letter) archive(variable.letter);
+  if (variable.by == By::letter) archive(variable.letter, variable.partial, variable.held);
 }
 
 template <class Archive>

@@ -83,6 +83,7 @@ class Closing {
     reach(derivation->base);
     for (const Variable& each : derivation->by) {
       if (each.by == By::letter) reach(each.letter);
+      if (each.held) reach(*each.held);
     }
   }
 
@@ -120,9 +121,11 @@ class Closing {
     if (copy.unit_of_measure) copy.unit_of_measure = Dimension();
     if (symbol.derivation) {
       copy.derivation = Derivation{symbols_[symbol.derivation->base]};
-      for (const Variable& each : symbol.derivation->by)
-        copy.derivation->by.insert(each.by == By::letter ? Variable(By::letter, symbols_[each.letter])
-                                                         : each);
+      for (Variable each : symbol.derivation->by) {
+        if (each.by == By::letter) each.letter = symbols_[each.letter];
+        if (each.held) each.held = symbols_[*each.held];
+        copy.derivation->by.insert(each);
+      }
     }
     return copy;
   }

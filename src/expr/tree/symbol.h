@@ -29,12 +29,17 @@ enum class By : std::uint8_t {
   letter,  // any other symbol
 };
 
-/// The variable of a derivative; a letter has a symbol of its own.
+/// The variable of a derivative. That by a letter says which, and what does not change with it: nothing is
+/// known of the others in `df/dx`; they are held in `\partial f/\partial x`, one of them by name in
+/// `(\partial f/\partial x)_y`.
 struct Variable {
   By by = By::time;
   SymbolId letter{};
+  bool partial = false;
+  std::optional<SymbolId> held = {};
   constexpr Variable() = default;
-  constexpr Variable(By kind, SymbolId symbol = {}) : by(kind), letter(symbol) {}
+  constexpr Variable(By kind, SymbolId symbol = {}, bool holds = false, std::optional<SymbolId> which = {})
+      : by(kind), letter(symbol), partial(holds), held(which) {}
   friend auto operator<=>(const Variable&, const Variable&) = default;
 };
 
