@@ -57,6 +57,7 @@ std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing) {
 }
 
 std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available) {
+  if (auto found = prove_from(row, {})) return found;
   const Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available);
   if (auto restated = restating(row, bearing)) return restated;
   for (const Laws& set : promising_sets(row, bearing)) {

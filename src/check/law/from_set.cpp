@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "base/among.h"
@@ -23,30 +24,69 @@ constexpr Limits limits_of_sets{
 /// More letters that must not vanish would only slow the proof down.
 constexpr std::size_t most_not_zero = 6;
 
-/// All terms of all sums in it, and its sides, as they are differentiated if everything changes.
-std::vector<ExprId> terms_of(const RowUnderLaws& row, const Prepared& prepared) {
-  const ExprTree& tree = row.tree;
-  std::vector<ExprId> roots{row.claim.equation.left, row.claim.equation.right};
-  for (const Definition& definition : prepared.question.definitions) roots.push_back(definition.body);
-  for (const Equation& assumption : prepared.question.assumptions)
-    roots.insert(roots.end(), {assumption.left, assumption.right});
-  std::vector<ExprId> terms = roots;
-  for (const ExprId id : nodes_below(tree, roots)) {
-    if (tree[id].op != Op::add) continue;
-    const std::span<const ExprId> children = tree.children(id);
-    terms.insert(terms.end(), children.begin(), children.end());
+/// What the terms hold when products of sums are multiplied out, as they are differentiated if everything
+/// changes. A sum with a number among its terms is that of the variable and what does not change with it:
+/// `h - y`. Recursion: as deep as the tree.
+class MultipliedOut {
+ public:
+  MultipliedOut(const ExprTree& tree, const std::function<bool(const std::set<SymbolId>&)>& found)
+      : tree_(tree), found_(found) {}
+
+  /// Is there such a term? `beside`: what it is multiplied with.
+  [[nodiscard]] bool any(ExprId id, const std::set<SymbolId>& beside = {}) const {
+    const std::span<const ExprId> children = tree_.children(id);
+    const auto has_letters = [&](ExprId each) { return !symbols_in(tree_, each).empty(); };
+    const auto any_of_child = [&](ExprId each) { return any(each, beside); };
+    switch (tree_[id].op) {
+      case Op::negate:
+        return any(children[0], beside);
+      case Op::add:
+        return std::ranges::all_of(children, has_letters) && std::ranges::any_of(children, any_of_child);
+      case Op::divide:
+        return any(children[0], with(beside, children, 0));
+      case Op::multiply:
+      case Op::dot:
+      case Op::cross:
+        for (std::size_t k = 0; k < children.size(); ++k) {
+          if (holds_sum(children[k])) return any(children[k], with(beside, children, k));
+        }
+        break;
+      default:
+        break;
+    }
+    std::set<SymbolId> all = beside;
+    add(all, id);
+    return found_(all);
   }
-  std::erase_if(terms, [&](ExprId id) { return signed_terms(tree, id).size() > 1; });
-  return terms;
-}
+
+ private:
+  [[nodiscard]] bool holds_sum(ExprId id) const {
+    return std::ranges::any_of(nodes_below(tree_, {id}),
+                               [&](ExprId each) { return tree_[each].op == Op::add; });
+  }
+  void add(std::set<SymbolId>& all, ExprId id) const {
+    const std::vector<SymbolId> own = symbols_in(tree_, id);
+    all.insert(own.begin(), own.end());
+  }
+  [[nodiscard]] std::set<SymbolId> with(std::set<SymbolId> beside, std::span<const ExprId> factors,
+                                        std::size_t without) const {
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      if (k != without) add(beside, factors[k]);
+    }
+    return beside;
+  }
+
+  const ExprTree& tree_;
+  const std::function<bool(const std::set<SymbolId>&)>& found_;
+};
 
 /// Is there a derivative of one of the constants, and nothing else that changes? An initial value, `x_0`, is
 /// one.
-bool differentiates_only(const RowUnderLaws& row, ExprId term, const std::vector<SymbolId>& constants,
-                         const Names& names) {
+bool differentiates_only(const RowUnderLaws& row, const std::set<SymbolId>& term,
+                         const std::vector<SymbolId>& constants, const Names& names) {
   const SymbolTable& symbols = row.tree.symbols;
   bool differentiates = false;
-  for (const SymbolId symbol : symbols_in(row.tree, term)) {
+  for (const SymbolId symbol : term) {
     const SymbolId base = base_of(symbols, symbol);
     if (is_one_of(base, constants)) {
       differentiates =
@@ -56,6 +96,15 @@ bool differentiates_only(const RowUnderLaws& row, ExprId term, const std::vector
     }
   }
   return differentiates;
+}
+
+/// The sides of the row, and of what it leads to.
+std::vector<ExprId> sides_of(const RowUnderLaws& row, const Prepared& prepared) {
+  std::vector<ExprId> sides{row.claim.equation.left, row.claim.equation.right};
+  for (const Definition& definition : prepared.question.definitions) sides.push_back(definition.body);
+  for (const Equation& assumption : prepared.question.assumptions)
+    sides.insert(sides.end(), {assumption.left, assumption.right});
+  return sides;
 }
 
 /// Numbers of which nothing says whether they change: nothing on the page differentiates them.
@@ -71,21 +120,26 @@ std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names
            may_be_changing(*names.symbols.evidence, key->base);
   });
   // Who differentiates a whole term means it to change: g of `\nabla(f + g)`.
-  for (const ExprId term : terms_of(row, prepared)) {
-    if (differentiates_only(row, term, unknown, names)) return {};
-  }
-  return unknown;
+  const std::function only = [&](const std::set<SymbolId>& term) {
+    return differentiates_only(row, term, unknown, names);
+  };
+  const MultipliedOut terms(row.tree, only);
+  const bool any = std::ranges::any_of(sides_of(row, prepared), [&](ExprId side) { return terms.any(side); });
+  return any ? std::vector<SymbolId>{} : unknown;
 }
 
 /// The row may stay open in a letter that vanishes only where it has not that letter itself.
 std::vector<SymbolId> not_zero(const RowUnderLaws& row, const Laws& set) {
-  const std::set<SymbolId> own = base_letters(row.tree, row.names.scope, row.claim.equation);
+  std::set<SymbolId> own = base_letters(row.tree, row.names.scope, row.claim.equation);
   std::vector<SymbolId> letters;
   // `ab = 0` may say that a vanishes, and that b does.
   const auto vanishes = [&](const Equation& equation) {
     return row.tree.is_zero_literal(equation.left) || row.tree.is_zero_literal(equation.right);
   };
   if (vanishes(row.claim.equation)) return letters;
+  for (const PageLaw* law : set) {
+    if (vanishes(law->equation)) own.merge(base_letters(row.tree, row.names.scope, law->equation));
+  }
   for (const PageLaw* law : set) {
     if (vanishes(law->equation)) continue;
     for (const SymbolId letter : base_letters(row.tree, row.names.scope, law->equation)) {

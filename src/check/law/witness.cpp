@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/law/witness.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 #include "check/meaning/identity_reading.h"
 #include "check/question/decision_cache.h"
@@ -24,9 +26,9 @@ class NonZero {
       const bool repeats = !equation.indices.empty() || !equation.particles.empty();
       if (repeats || tree_.is_zero_literal(side)) continue;
       const std::vector<SignedTerm> terms = signed_terms(tree_, side);
-      if (!vanishes) exprs_.insert(side);
+      if (!vanishes) sides_.insert(side);
       if (terms.size() == 1) continue;
-      for (const SignedTerm& term : terms) exprs_.insert(term.id);
+      for (const SignedTerm& term : terms) terms_.insert(term.id);
     }
   }
 
@@ -43,11 +45,25 @@ class NonZero {
       if (zero_.contains(letter) || zeros.contains(letter)) continue;
       take(tree_.add({.op = Op::symbol, .rank = static_cast<std::uint8_t>(symbol.rank), .symbol = letter}));
     }
-    for (const ExprId expr : exprs_) take(expr);
+    for (const ExprId side : sides_) take(side);
+    for (const ExprId term : terms_) {
+      if (!has_factor(term, zeros)) take(term);
+    }
     return conditions;
   }
 
  private:
+  /// `\dot m v` of `d(mv)/dt` where m is constant: a term that nobody wrote.
+  [[nodiscard]] bool has_factor(ExprId term, const std::set<SymbolId>& among) const {
+    const ExprNode& node = tree_[term];
+    const std::span<const ExprId> children = tree_.children(term);
+    if (node.op == Op::symbol) return among.contains(node.symbol);
+    if (node.op == Op::divide) return has_factor(children[0], among);
+    const bool product =
+        node.op == Op::multiply || node.op == Op::negate || node.op == Op::dot || node.op == Op::cross;
+    return product && std::ranges::any_of(children, [&](ExprId each) { return has_factor(each, among); });
+  }
+
   [[nodiscard]] std::optional<Equation> is_not_zero(ExprId expr) {
     const ExprNode node = tree_[expr];
     if (node.rank > 1 || symbols_in(tree_, expr).empty()) return std::nullopt;
@@ -65,7 +81,8 @@ class NonZero {
   ExprTree& tree_;
   std::set<SymbolId> letters_;
   std::set<SymbolId> zero_;  // set equal to 0 as they stand
-  std::set<ExprId> exprs_;
+  std::set<ExprId> sides_;
+  std::set<ExprId> terms_;
 };
 
 }  // namespace
@@ -75,7 +92,13 @@ bool is_met_without_zeros(ExprTree& tree, const Names& names, const Equation& cl
   NonZero nonzero(tree);
   nonzero.add(claim);
   for (const PageLaw* law : laws) nonzero.add(law->equation);
-  Question question = prepare(tree, names, claim).question;
+  // What the laws say of rates is met, too: `v = \omega r` and `\dot v = \dot\omega r` leave only r at rest.
+  Prepared prepared = prepare(tree, names, claim);
+  if (speaks_of_derivatives(prepared)) {
+    Prepared further = prepare(tree, names, claim, 1);
+    if (!further.too_large) prepared = std::move(further);
+  }
+  Question question = std::move(prepared.question);
   for (Equation& condition : nonzero.conditions(question.zeroed))
     question.assumptions.push_back(std::move(condition));
   question.tree = &tree;

@@ -98,6 +98,10 @@ class Suspecting {
   std::optional<std::vector<std::string>> proved(ExprTree& tree, const Names& names, const Claim& claim,
                                                  Slip slip, const std::vector<Laws>& sets) {
     if (is_trivial_up_to_order(tree, claim.equation.left, claim.equation.right)) return std::nullopt;
+    const Equation& own = row_.claim.equation;
+    if (is_trivial_up_to_order(tree, claim.equation.left, own.left) &&
+        is_trivial_up_to_order(tree, claim.equation.right, own.right))
+      return std::nullopt;  // the same in another order
     if (claim.equation.relation != Relation::equal || adds_letters(tree, claim.equation)) return std::nullopt;
     Names without = names;
     without.scope.assumptions = names_.scope.assumptions;
@@ -172,6 +176,7 @@ class Suspecting {
         changes_a_letter(slip) || changes_the_terms(slip) || slip == Slip::factor;
     if (row_.restricted && changes_what_is_said) return false;
     if (!changes_the_terms(slip)) return true;
+    if (written(tree, claim.equation) != written(tree_, own)) return false;  // of another quantity
     const std::set<SymbolId> letters = written(tree_, own);
     return row_.announced && std::ranges::all_of(letters, [&](SymbolId letter) {
              return seen_in_equation(names_.scope, letter) || definition_of(names_.scope, letter) != nullptr;

@@ -14,6 +14,8 @@
 #include "base/ascii.h"
 #include "check/law/from_laws.h"
 #include "check/place/place.h"
+#include "check/prose/restrictions.h"
+#include "check/prose/said_around.h"
 #include "check/repair/sides_near.h"
 #include "check/repair/suspicion.h"
 #include "check/verdict/law_diagnostic.h"
@@ -71,7 +73,8 @@ bool is_of_a_moment(const RowPlace& place) {
   const std::vector<std::string_view> words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
     if (is_one_of(words[k], moments)) return true;
-    if (words[k] == "at" && (k + 1 == words.size() || !is_one_of(words[k + 1], all))) return true;
+    const bool rate = k > 0 && words[k - 1] == "rate";  // "the rate at which"
+    if (words[k] == "at" && !rate && (k + 1 == words.size() || !is_one_of(words[k + 1], all))) return true;
   }
   const std::string tail = lowered(beside(place).tail);
   const std::vector<std::string_view> behind = words_of(tail);
@@ -129,6 +132,12 @@ bool is_available(const RowPlace& place, const StatedLaw& stated) {
   return means_the_same(place, stated);
 }
 
+/// `z = \zeta(x, y)` where derivatives by place are written: a surface, and elsewhere z is another number.
+bool names_a_surface(const RowPlace& place, const Equation& equation) {
+  const auto letter = letter_of_law(place.tree, equation);
+  return letter && is_free_variable(place.names, place.tree, *letter, By::space);
+}
+
 /// `\partial_z\phi = 0 \quad (z = 0)`: a condition next to it says where, when or in which case. What follows
 /// from it holds there only, and nothing says so of the rows below.
 bool holds_on_its_line(const RowPlace& place, const ParsedChain& parsed) {
@@ -140,7 +149,7 @@ constexpr std::string_view unfounded = "conclusion";
 void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::string_view word) {
   if (claim.nearly || claim.equation.relation != Relation::equal || is_alternative(place, row.parsed) ||
       names_coordinates(place.tree, claim.equation) || keeps_a_common_factor(place.tree, claim.equation) ||
-      holds_on_its_line(place, row.parsed))
+      names_a_surface(place, claim.equation) || holds_on_its_line(place, row.parsed))
     return;
   const ProseBeside& here = beside(place);
   const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, claim.equation);
@@ -165,10 +174,60 @@ Laws available_to(const RowPlace& place, const StepReading& row) {
   return available;
 }
 
-/// A conclusion that follows from nothing may be wrong itself, and makes nothing else suspect.
-Laws founded(Laws laws) {
-  std::erase_if(laws, [](const PageLaw* law) { return law->unfounded; });
+/// Laws of this section and those around it, but none of a case, and no conclusion that follows from nothing:
+/// that may be wrong itself. What another section states makes nothing suspect: "The other end is now held by
+/// a hinge."
+Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
+  const ProseBeside& here = beside(place);
+  std::erase_if(laws, [&](const PageLaw* law) {
+    return law->unfounded || law->of_a_case || law->at_instant ||
+           !place.notes.prose.sections.reaches(law->place, here.place);
+  });
   return laws;
+}
+
+/// "In an incompressible fluid, this reduces to", "For the second wire": a sentence that begins by saying of
+/// what it speaks. "For this", "In general" and "With (3)" say nothing of the kind.
+bool begins_with_a_case(std::string_view lead) {
+  static constexpr auto openings = std::to_array<std::string_view>({"in", "for", "at", "on", "as", "near"});
+  static constexpr auto neutral = std::to_array<std::string_view>(
+      {"this", "that",  "the",  "these", "general",    "fact",  "particular", "all",
+       "any",  "every", "each", "terms", "components", "index", "other",      "words",
+       "a",    "an",    "both", "our",   "its",        "which", "before",     "above"});
+  static constexpr auto articles = std::to_array<std::string_view>({"a", "an"});
+  const std::string text = lowered(lead);
+  const std::vector<std::string_view> words = words_of(text);
+  for (std::size_t k = 0; k + 1 < words.size() && k < 3; ++k) {
+    if (!is_one_of(words[k], openings)) continue;
+    if (is_one_of(words[k + 1], articles) || !is_one_of(words[k + 1], neutral)) return true;
+  }
+  return false;
+}
+
+/// "In an incompressible fluid", "At $B$ we find": words of the sentence, the heading or the sentences around
+/// it that may say the row for a case.
+bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
+  const ProseBeside& here = beside(place);
+  const std::string heading = lowered(place.section);
+  return is_conditional(place) || is_of_a_moment(place) || is_of_a_case(place) ||
+         begins_with_a_case(here.lead) || restriction_in_heading(heading) ||
+         said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);
+}
+
+/// Does it rest on definitions that are said for this place only, and not on one of its own chain?
+bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
+                                const std::vector<std::string>& uses) {
+  const Standpoint at = standpoint(place, row.parsed);
+  const Span chain = row.parsed.written.span;
+  return std::ranges::all_of(*place.names.scope.definitions, [&](const NamedDefinition& named) {
+    const bool used = std::ranges::find(uses, named.origin.text) != uses.end();
+    if (!used || named.origin.directive) return true;
+    const ExprNode& body = place.tree[named.definition.body];
+    const bool own =
+        body.span.file == chain.file && body.span.begin >= chain.begin && body.span.end <= chain.end;
+    const bool condition = body.op == Op::symbol;  // `P_i = P_f`
+    return !own && !condition && is_said_for(at, named.origin);
+  });
 }
 
 /// As a conclusion: by its words, behind an arrow, or as a later link of a chain.
@@ -203,12 +262,13 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                         .which = row.which,
                         .left = row.which > 0 ? Trust::supported : Trust::unknown,
                         .near = sides_near(place.notes, row.parsed)};
-  const bool restricted = judgement.verdict == Verdict::undecided;
-  auto found = suspicion(place.tree, place.names,
-                         {wrong, claim, restricted ? Laws{} : founded(available_to(place, row)),
-                          is_announced(place, row), restricted},
+  const bool of_a_case = may_be_of_a_case(place, row.parsed);
+  const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
+  const Laws grounds = restricted ? Laws{} : grounds_for_suspicion(place, available_to(place, row));
+  const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
+  auto found = suspicion(place.tree, place.names, {wrong, claim, grounds, may_lack_a_term, restricted},
                          *place.options.cache);
-  if (!found) return false;
+  if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
   judgement.verdict = Verdict::suspect;
   judgement.route = "one slip of the pen away from what follows";
   judgement.uses = std::move(found->uses);

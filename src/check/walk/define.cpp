@@ -154,6 +154,17 @@ bool join_component_rules(Walk& walk, const Typed& left) {
   return true;
 }
 
+/// `z = \zeta(x, y)` where derivatives by place are written: a surface, on which z is so, and elsewhere not.
+bool is_surface(const Walk& walk, SymbolId symbol, const ParsedChain& parsed) {
+  if (!is_free_variable(walk.names, walk.tree, symbol, By::space)) return false;
+  const SyntaxTree& syntax = walk.notes.syntax;
+  const std::vector<SyntaxId> others(parsed.sides.begin() + 1, parsed.sides.end());
+  return std::ranges::any_of(nodes_below(syntax, others), [&](SyntaxId id) {
+    return syntax[id].kind == SyntaxKind::symbol && is_undecorated(syntax.symbol(id)) &&
+           axis_of_letter(syntax.symbol(id).letter) != 0;
+  });
+}
+
 }  // namespace
 
 bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side& right,
@@ -169,6 +180,7 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
     return true;
   }
   if (!definition || is_function_value(walk.names, walk.tree, definition->symbol)) return false;
+  if (context.role == Role::display && is_surface(walk, definition->symbol, parsed)) return false;
   const bool square = walk.tree[left.typed->id].op == Op::power;
   const bool named_definition =
       parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let ||
