@@ -140,7 +140,7 @@ TEST_CASE("what is true has no diagnostic about dimensions") {
   }
 }
 
-TEST_CASE("a position, a mass or an angular velocity that is left out is found by its dimension") {
+TEST_CASE("a position, a mass or an angular velocity that is left out is found by its dimension", "[long]") {
   every_drop_is_found("../../derivations/rigid-bodies.md", {}, 60);
 }
 

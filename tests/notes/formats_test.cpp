@@ -44,10 +44,16 @@ void check_processes(const std::string& format, const std::string& folder) {
   check_same(one, run_program(check_of(folder, {"--format", format, "--jobs", "3"})));
 }
 
-TEST_CASE("text is the same from several processes as from one") { check_processes("text", "pass"); }
-TEST_CASE("JSON is the same from several processes as from one") { check_processes("json", "fail"); }
+TEST_CASE("text is the same from several processes as from one", "[long]") {
+  check_processes("text", "pass");
+}
+TEST_CASE("JSON is the same from several processes as from one", "[long]") {
+  check_processes("json", "fail");
+}
 TEST_CASE("JUnit is the same from several processes as from one") { check_processes("junit", "run"); }
-TEST_CASE("SARIF is the same from several processes as from one") { check_processes("sarif", "pass"); }
+TEST_CASE("SARIF is the same from several processes as from one", "[long]") {
+  check_processes("sarif", "pass");
+}
 TEST_CASE("annotations are the same from several processes as from one") {
   check_processes("github", "../../derivations");
 }
@@ -60,12 +66,12 @@ void check_remembered(const std::string& folder) {
   std::filesystem::remove_all(cache);
 }
 
-TEST_CASE("proofs that are remembered print the same as those that are found") {
+TEST_CASE("proofs that are remembered print the same as those that are found", "[long]") {
   check_remembered("pass");
   check_remembered("../../derivations");
 }
 
-TEST_CASE("refutations that are remembered print the same as those that are found") {
+TEST_CASE("refutations that are remembered print the same as those that are found", "[long]") {
   check_remembered("fail");
 }
 

@@ -58,7 +58,7 @@ TEST_CASE("the terminal report of all notes is the same in two processes") {
   CHECK(first_difference(report, without_time(run_program(arguments).text)) == "");
 }
 
-TEST_CASE("the terminal report of all notes is the same twice in one process, and in another one") {
+TEST_CASE("the terminal report of all notes is the same twice in one process, and in another one", "[long]") {
   const Words arguments = check_all({"--color", "always"});
   const std::string report = without_time(run_inside(arguments).text);
   CHECK(first_difference(report, without_time(run_inside(arguments).text)) == "");
@@ -71,14 +71,14 @@ TEST_CASE("the JSON of all notes is the same in two processes, but for its milli
   CHECK(first_difference(report, without_milliseconds(run_program(arguments).text)) == "");
 }
 
-TEST_CASE("the JSON of all notes is the same twice in one process, and in another one") {
+TEST_CASE("the JSON of all notes is the same twice in one process, and in another one", "[long]") {
   const Words arguments = check_all({"--json"});
   const std::string report = without_milliseconds(run_inside(arguments).text);
   CHECK(first_difference(report, without_milliseconds(run_inside(arguments).text)) == "");
   CHECK(first_difference(report, without_milliseconds(run_program(arguments).text)) == "");
 }
 
-TEST_CASE("what is said of a note does not depend on the notes before it") {
+TEST_CASE("what is said of a note does not depend on the notes before it", "[long]") {
   Words paths = all_notes();
   Words backwards{"check", "--json"};
   backwards.insert(backwards.end(), paths.rbegin(), paths.rend());

@@ -104,7 +104,8 @@ TEST_CASE("every refutation in the small notes and in derivations is confirmed b
   CHECK(confirmed >= 140);
 }
 
-TEST_CASE("a number that was changed in the JSON is found, in every refutation of the small notes") {
+TEST_CASE("a number that was changed in the JSON is found, in every refutation of the small notes",
+          "[long]") {
   std::size_t refused = 0;
   for (const std::string& path : notes_in("fail")) {
     SourceMap sources;

@@ -133,7 +133,7 @@ TEST_CASE("the questions of the derivations have the same answers in any order a
   CHECK_FALSE(all.empty());
 }
 
-TEST_CASE("the questions of the small notes have the same answers in any order and process") {
+TEST_CASE("the questions of the small notes have the same answers in any order and process", "[long]") {
   std::size_t asked = 0;
   for (const char* folder : {"tests/notes/pass", "tests/notes/fail"}) {
     for (const std::string& notes : notes_in(folder)) asked += check_orders(notes);
