@@ -138,31 +138,7 @@ bool holds_on_its_line(const RowPlace& place, const ParsedChain& parsed) {
 constexpr std::string_view unfounded = "conclusion";
 
 void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::string_view word) {
-  if (claim.nearly || claim.equation.relation != Relation::equal || is_alternative(place, row.parsed) ||
-      names_coordinates(place.tree, claim.equation) || keeps_a_common_factor(place.tree, claim.equation) ||
-      holds_on_its_line(place, row.parsed))
-    return;
-  const ProseBeside& here = beside(place);
-  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, claim.equation);
-  place.found.stated.push_back(
-      {{claim.equation, name_of_law(row.parsed.written.tag, claim.relation, place.sources, word),
-        claim.relation, here.place, here.paragraph, momentary,
-        momentary || is_conditional(place) || is_value(place.tree, claim.equation),
-        has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)), word == unfounded},
-       place.names.scope,
-       is_of_a_case(place) || is_headed_as_example(place)});
-}
-
-/// Not the other links of its own chain.
-Laws available_to(const RowPlace& place, const StepReading& row) {
-  Laws available;
-  for (const StatedLaw& stated : place.above.stated) {
-    const Span at = stated.law.span;
-    const Span own = row.parsed.written.span;
-    const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
-    if (!of_this_chain && is_available(place, stated)) available.push_back(&stated.law);
-  }
-  return available;
+  if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, word);
 }
 
 /// A conclusion that follows from nothing may be wrong itself, and makes nothing else suspect.
@@ -179,11 +155,38 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
 
 }  // namespace
 
+void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
+                         std::string_view word) {
+  if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
+      names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
+      holds_on_its_line(place, parsed))
+    return;
+  const ProseBeside& here = beside(place);
+  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, equation);
+  place.found.stated.push_back(
+      {{equation, name_of_law(parsed.written.tag, relation, place.sources, word), relation, here.place,
+        here.paragraph, momentary, momentary || is_conditional(place) || is_value(place.tree, equation),
+        has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)), word == unfounded},
+       place.names.scope,
+       is_of_a_case(place) || is_headed_as_example(place)});
+}
+
+Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
+  Laws available;
+  for (const StatedLaw& stated : place.above.stated) {
+    const Span at = stated.law.span;
+    const Span own = parsed.written.span;
+    const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
+    if (!of_this_chain && is_available(place, stated)) available.push_back(&stated.law);
+  }
+  return available;
+}
+
 bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (row.role != Role::display || row.unsettled || is_meant_for_all(place.tree, place.names, claim))
     return false;
   auto found =
-      follow_from_laws(place.tree, place.names, claim, available_to(place, row), *place.options.cache);
+      follow_from_laws(place.tree, place.names, claim, available_to(place, row.parsed), *place.options.cache);
   if (!found) return false;
   add_used(place, judgement.used);
   judgement = *std::move(found);
@@ -205,7 +208,7 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                         .near = sides_near(place.notes, row.parsed)};
   const bool restricted = judgement.verdict == Verdict::undecided;
   auto found = suspicion(place.tree, place.names,
-                         {wrong, claim, restricted ? Laws{} : founded(available_to(place, row)),
+                         {wrong, claim, restricted ? Laws{} : founded(available_to(place, row.parsed)),
                           is_announced(place, row), restricted},
                          *place.options.cache);
   if (!found) return false;
