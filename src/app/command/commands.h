@@ -36,6 +36,11 @@ namespace rigor {
 [[nodiscard]] ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostream& err);
 [[nodiscard]] ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostream& err);
 
+// --- read.cpp: `rigor read`: how each row of some notes was read.
+
+/// The code: wrong if a place is unknown, open if a row that is asked for is not read.
+[[nodiscard]] ExitCode show_reading(const ReadCommand& command, std::ostream& out, std::ostream& err);
+
 // --- replay.cpp: `rigor replay REPORT.json`: puts the samples of a report into the notes that it was made
 // from.
 

@@ -112,6 +112,15 @@ struct ExplainCommand {
   ColorWhen color = ColorWhen::automatic;
 };
 
+/// `rigor read`: how rows were read.
+struct ReadCommand {
+  std::string file;
+  std::optional<std::string> sidecar;
+  std::vector<std::string> places;  // tags, headings, labels or line numbers; empty: all rows
+  bool json = false;
+  ColorWhen color = ColorWhen::automatic;
+};
+
 /// `rigor derive`: the holes of notes, or of one statement.
 struct DeriveCommand {
   std::string what;                 // a file, or a statement
@@ -138,6 +147,7 @@ struct CommandLine {
   std::optional<SceneCommand> scene = {};
   std::optional<DeriveCommand> derive = {};
   std::optional<ExplainCommand> explain = {};
+  std::optional<ReadCommand> read = {};
   std::optional<ReportCommand> report = {};
   std::optional<CasesCommand> cases = {};
   std::optional<CaseCommand> one_case = {};

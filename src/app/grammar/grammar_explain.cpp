@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Commands that help to understand a verdict: why a step holds, how a row was read, what would settle it.
 #include "app/grammar/grammar.h"
 
 namespace rigor {
@@ -31,6 +32,22 @@ void add_explain(Grammar& grammar) {
       ->check(one_of("format", {"text", "latex", "mathml"}));
   add_sidecar(app, explain->sidecar);
   add_color(app, explain->color);
+}
+
+void add_read(Grammar& grammar) {
+  const auto read = std::make_shared<ReadCommand>();
+  CLI::App& app = grammar.command(
+      "read", "Show how each row was read: its sums, its letters, its role, and what it would rest on",
+      {"read notes/rigid-bodies.md --at '(6)'", "read notes/rigid-bodies.md --at 120 --json"},
+      [read]() -> CommandLine { return {.read = std::move(*read)}; });
+  app.add_option("FILE", read->file, "Notes: LaTeX (.tex) or Markdown")->required()->type_name("");
+  app.add_option("--at", read->places,
+                 "Only the rows with this tag or label, in this section or on this line; may be repeated")
+      ->type_name("TAG|HEADING|LINE")
+      ->allow_extra_args(false);
+  app.add_flag("--json", read->json, "Print one JSON object instead of text");
+  add_sidecar(app, read->sidecar);
+  add_color(app, read->color);
 }
 
 }  // namespace rigor
