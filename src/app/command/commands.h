@@ -54,4 +54,9 @@ namespace rigor {
 /// read or written.
 [[nodiscard]] ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ostream& err);
 
+// --- suggest.cpp: `rigor suggest`: directives that would settle open rows, shown and perhaps written.
+
+/// The code says only whether the notes could be read and the sidecar written.
+[[nodiscard]] ExitCode suggest_lines(const SuggestCommand& command, std::ostream& out, std::ostream& err);
+
 }  // namespace rigor

@@ -50,4 +50,26 @@ void add_read(Grammar& grammar) {
   add_color(app, read->color);
 }
 
+void add_suggest(Grammar& grammar) {
+  const auto suggest = std::make_shared<SuggestCommand>();
+  CLI::App& app = grammar.command(
+      "suggest",
+      "Find the few directives that would settle the most open rows, and write them into a sidecar",
+      {"suggest notes.tex", "suggest notes.tex --write", "suggest notes.tex --write shared.rigor --all"},
+      [suggest]() -> CommandLine { return {.suggest = std::move(*suggest)}; });
+  app.add_option("FILE", suggest->file, "Notes: LaTeX (.tex) or Markdown")->required()->type_name("");
+  app.add_option_function<std::vector<std::string>>(
+         "--write",
+         [suggest](const std::vector<std::string>& words) {
+           suggest->write = true;
+           if (!words.empty() && !words.front().empty()) suggest->into = words.front();
+         },
+         "Add them to a sidecar (default: the one that is read, or NAME.rigor)")
+      ->type_name("FILE")
+      ->expected(0, 1);
+  app.add_flag("--all", suggest->all, "Also those that make a row refuted, suspect or wrong");
+  add_sidecar(app, suggest->sidecar);
+  add_color(app, suggest->color);
+}
+
 }  // namespace rigor
