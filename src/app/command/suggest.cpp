@@ -58,13 +58,14 @@ ExitCode suggest_lines(const SuggestCommand& command, std::ostream& out, std::os
     return ExitCode::no_input;
   }
   out << suggestion_text(found, terminal_options(command.color, out));
+  if (!command.write) return ExitCode::ok;
   const std::vector<PlacedLine> lines = accepted_lines(found);
-  if (!command.write || lines.empty()) return ExitCode::ok;
   const std::string path = sidecar_to_write(command, found.report);
   if (same_file(path, command.file)) {
     err << fmt::format("rigor: `{}` are the notes, and no sidecar\n", printable(path));
     return ExitCode::usage;
   }
+  if (lines.empty()) return ExitCode::ok;
   if (const auto written = append_lines(path, lines); !written) {
     err << fmt::format("rigor: `{}` cannot be written: {}\n", printable(path), written.error().reason);
     return ExitCode::no_input;

@@ -67,8 +67,10 @@ std::string counted_outcomes(const Suggestions& suggestions) {
 std::string summary_of(const Suggestions& suggestions) {
   std::size_t lines = 0;
   std::size_t settled = 0;
+  std::size_t worse = 0;
   for (const Suggestion& each : suggestions.all) {
     if (!each.accepted) continue;
+    worse += each.worse.size();
     lines += each.lines.size();
     settled += each.settled.size();
   }
@@ -76,9 +78,12 @@ std::string summary_of(const Suggestions& suggestions) {
   const std::string open =
       fmt::format("{} of {} row{} open", suggestions.open, rows, rows == 1 ? " is" : "s are");
   if (lines == 0) return fmt::format("{}; no line is known that settles any\n", open);
-  const std::string counted = counted_outcomes(suggestions);
-  return fmt::format("{}; {} line{} {} {}{}\n", open, lines, lines == 1 ? " settles" : "s settle", settled,
-                     settled == 1 ? "row" : "rows", counted.empty() ? "" : ": " + counted);
+  std::string text = fmt::format("{}; {} line{} {} {}", open, lines, lines == 1 ? " settles" : "s settle",
+                                 settled, settled == 1 ? "row" : "rows");
+  if (const std::string counted = counted_outcomes(suggestions); !counted.empty()) text += ": " + counted;
+  if (worse > 0)
+    text += fmt::format("; and {} made worse", worse == 1 ? "1 is" : fmt::format("{} are", worse));
+  return text + "\n";
 }
 
 }  // namespace
