@@ -38,14 +38,14 @@ rigor_floor(algebra ON expr PRIVATE rigor::ginac
 rigor_floor(numeric ON expr PRIVATE Eigen3::Eigen rigor::qd Boost::boost
   ROOMS lane kernels program run body mesh family measure)
 rigor_floor(check ON elaborate algebra
-  ROOMS step word directive prose event ledger question meaning verdict scope doubt law repair place row walk dimension form
+  ROOMS step word directive prose event ledger question meaning verdict scope doubt law repair place row walk dimension form shown
     lint review entry)
 rigor_floor(derive ON algebra
   ROOMS polynomial notation chain answer)
 rigor_floor(scene ON elaborate numeric PRIVATE rigor::tomlplusplus Boost::boost
   ROOMS motion file quantity)
 rigor_floor(report ON check derive scene PRIVATE nlohmann_json::nlohmann_json
-  ROOMS picture wording text data page)
+  ROOMS picture wording suggest text data read page)
 rigor_floor(api ON report)
 rigor_floor(app ON report PRIVATE nlohmann_json::nlohmann_json CLI11::CLI11
   ROOMS grammar host hole command)

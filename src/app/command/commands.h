@@ -36,6 +36,11 @@ namespace rigor {
 [[nodiscard]] ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostream& err);
 [[nodiscard]] ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostream& err);
 
+// --- read.cpp: `rigor read`: how each row of some notes was read.
+
+/// The code: wrong if a place is unknown, open if a row that is asked for is not read.
+[[nodiscard]] ExitCode show_reading(const ReadCommand& command, std::ostream& out, std::ostream& err);
+
 // --- replay.cpp: `rigor replay REPORT.json`: puts the samples of a report into the notes that it was made
 // from.
 
@@ -48,5 +53,10 @@ namespace rigor {
 /// Writes what is asked for; `-` is `out`. The code is that of `rigor check`, or no_input if a file cannot be
 /// read or written.
 [[nodiscard]] ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ostream& err);
+
+// --- suggest.cpp: `rigor suggest`: directives that would settle open rows, shown and perhaps written.
+
+/// The code says only whether the notes could be read and the sidecar written.
+[[nodiscard]] ExitCode suggest_lines(const SuggestCommand& command, std::ostream& out, std::ostream& err);
 
 }  // namespace rigor

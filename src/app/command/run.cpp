@@ -44,6 +44,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err,
     if (line.scene) return written(compute_scenes(*line.scene, out, err), out, err);
     if (line.derive) return written(derive_holes(*line.derive, out, err), out, err);
     if (line.explain) return written(explain_chains(*line.explain, out, err), out, err);
+    if (line.read) return written(show_reading(*line.read, out, err), out, err);
+    if (line.suggest) return written(suggest_lines(*line.suggest, out, err), out, err);
     if (line.bench) return written(bench_forms(*line.bench, out, err), out, err);
     if (line.cases) return written(write_cases(*line.cases, out, err), out, err);
     if (line.one_case) return written(tell_case(*line.one_case, out, err), out, err);

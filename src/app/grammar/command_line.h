@@ -112,6 +112,25 @@ struct ExplainCommand {
   ColorWhen color = ColorWhen::automatic;
 };
 
+/// `rigor read`: how rows were read.
+struct ReadCommand {
+  std::string file;
+  std::optional<std::string> sidecar;
+  std::vector<std::string> places;  // tags, headings, labels or line numbers; empty: all rows
+  bool json = false;
+  ColorWhen color = ColorWhen::automatic;
+};
+
+/// `rigor suggest`: directives that settle open rows.
+struct SuggestCommand {
+  std::string file;
+  std::optional<std::string> sidecar;
+  bool write = false;
+  std::optional<std::string> into;  // `write`: another sidecar than the one that is read
+  bool all = false;                 // also what makes rows refuted, suspect or wrong
+  ColorWhen color = ColorWhen::automatic;
+};
+
 /// `rigor derive`: the holes of notes, or of one statement.
 struct DeriveCommand {
   std::string what;                 // a file, or a statement
@@ -138,6 +157,8 @@ struct CommandLine {
   std::optional<SceneCommand> scene = {};
   std::optional<DeriveCommand> derive = {};
   std::optional<ExplainCommand> explain = {};
+  std::optional<ReadCommand> read = {};
+  std::optional<SuggestCommand> suggest = {};
   std::optional<ReportCommand> report = {};
   std::optional<CasesCommand> cases = {};
   std::optional<CaseCommand> one_case = {};

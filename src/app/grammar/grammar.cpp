@@ -38,6 +38,8 @@ Grammar::Grammar() {
   add_scene(*this);
   add_derive(*this);
   add_explain(*this);
+  add_read(*this);
+  add_suggest(*this);
   add_report(*this);
   add_cases(*this);
   add_case(*this);

@@ -53,6 +53,8 @@ void add_bench(Grammar& grammar);
 void add_scene(Grammar& grammar);
 void add_derive(Grammar& grammar);
 void add_explain(Grammar& grammar);
+void add_read(Grammar& grammar);
+void add_suggest(Grammar& grammar);
 void add_report(Grammar& grammar);
 void add_cases(Grammar& grammar);
 void add_case(Grammar& grammar);

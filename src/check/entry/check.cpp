@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/entry/check.h"
 #include "check/entry/read_forms.h"
+#include "check/entry/read_rows.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "check/form/written_forms_of_notes.h"
 #include "check/question/decision_cache.h"
 #include "check/review/review.h"
+#include "check/shown/rows_as_read.h"
 #include "check/walk/walk.h"
 #include "latex/text/format.h"
 #include "source/read_file.h"
@@ -90,15 +92,27 @@ FormsReading decide_notes(SourceMap& sources, const Notes& notes, FileReport& re
   return reading;
 }
 
-FormsReading read_text(SourceMap& sources, const std::string& path, std::string text,
+/// Notes with their sidecar, as far as syntax goes.
+struct OpenedNotes {
+  FileReport report = {};
+  std::optional<Notes> notes = {};  // nothing: the sidecar cannot be read
+  std::vector<FileId> asked = {};
+  std::optional<FileId> statement = {};
+};
+
+OpenedNotes open_notes(SourceMap& sources, const std::string& path, std::string text,
                        const CheckOptions& options, const FormRequest* request) {
-  FileReport report;
+  OpenedNotes opened;
+  FileReport& report = opened.report;
   report.path = path;
   std::optional<FileId> sidecar;
   const auto beside = find_sidecar(path, options);
   if (beside || !options.directives.empty()) {
     auto content = sidecar_text(beside, options);
-    if (!content) return {.report = unreadable(sources, beside->path, content.error().reason)};
+    if (!content) {
+      report = unreadable(sources, beside->path, content.error().reason);
+      return opened;
+    }
     report.sidecar = beside ? beside->path : "";
     Diagnostics mended = mend_text(*content, 0);
     sidecar = sources.add(beside ? beside->path : "directives", std::move(*content));
@@ -109,27 +123,38 @@ FormsReading read_text(SourceMap& sources, const std::string& path, std::string 
   report.file = sources.add(path, std::move(text));
   for (Diagnostic& diagnostic : mended) diagnostic.span.file = report.file;
   report.diagnostics.insert(report.diagnostics.end(), mended.begin(), mended.end());
-  std::vector<FileId> asked;
   if (request != nullptr) {
     for (const std::string& expression : request->asked)
-      asked.push_back(sources.add("what is asked", expression));
+      opened.asked.push_back(sources.add("what is asked", expression));
   }
   std::optional<AddedStatement> added;
-  if (request != nullptr && request->statement)
-    added = AddedStatement{sources.add("statement", *request->statement), request->at};
-  const Notes notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics,
-                                 asked, added ? &*added : nullptr);
-  for (const Event& event : notes.events) {
+  if (request != nullptr && request->statement) {
+    opened.statement = sources.add("statement", *request->statement);
+    added = AddedStatement{*opened.statement, request->at};
+  }
+  opened.notes = read_notes(sources, report.file, sidecar ? &*sidecar : nullptr, report.diagnostics,
+                            opened.asked, added ? &*added : nullptr);
+  for (const Event& event : opened.notes->events) {
     if (const auto* display = std::get_if<ParsedDisplay>(&event)) report.displays.push_back(display->span);
   }
-  FormsReading reading = decide_notes(sources, notes, report, options, request);
-  if (report.steps.empty() && report.diagnostics.empty() && (request == nullptr || !request->only)) {
-    report.diagnostics.push_back(
-        {DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});
-  }
-  reading.report = std::move(report);
-  reading.asked = std::move(asked);
-  if (added) reading.statement = added->text;
+  return opened;
+}
+
+void report_no_equations(FileReport& report) {
+  if (!report.steps.empty() || !report.diagnostics.empty()) return;
+  report.diagnostics.push_back(
+      {DiagnosticKind::no_equations, {report.file, 0, 0}, "no displayed equation was found"});
+}
+
+FormsReading read_text(SourceMap& sources, const std::string& path, std::string text,
+                       const CheckOptions& options, const FormRequest* request) {
+  OpenedNotes opened = open_notes(sources, path, std::move(text), options, request);
+  if (!opened.notes) return {.report = std::move(opened.report)};
+  FormsReading reading = decide_notes(sources, *opened.notes, opened.report, options, request);
+  if (request == nullptr || !request->only) report_no_equations(opened.report);
+  reading.report = std::move(opened.report);
+  reading.asked = std::move(opened.asked);
+  reading.statement = opened.statement;
   return reading;
 }
 
@@ -151,6 +176,25 @@ FormsReading read_forms(SourceMap& sources, const std::string& path, const FormR
   auto text = read_file(path);
   if (!text) return {.report = unreadable(sources, path, text.error().reason)};
   return read_forms_of_text(sources, path, std::move(*text), request);
+}
+
+NotesReading read_rows(SourceMap& sources, const std::string& path, CheckOptions options) {
+  auto text = read_file(path);
+  if (!text) return {.report = unreadable(sources, path, text.error().reason)};
+  return read_rows_of_text(sources, path, std::move(*text), std::move(options));
+}
+
+NotesReading read_rows_of_text(SourceMap& sources, const std::string& path, std::string text,
+                               CheckOptions options) {
+  OpenedNotes opened = open_notes(sources, path, std::move(text), options, nullptr);
+  if (!opened.notes) return {.report = std::move(opened.report)};
+  DecisionCache counting;
+  options.cache = &counting;
+  options.repairs = Repairs::none;
+  Ledger ledger = walk_through(sources, *opened.notes, opened.report, options, {.reads = true});
+  std::vector<ReadRow> rows = rows_as_read(ledger, *opened.notes, sources, opened.report, options);
+  report_no_equations(opened.report);
+  return {.report = std::move(opened.report), .rows = std::move(rows)};
 }
 
 FileReport check_file(SourceMap& sources, const std::string& path, const CheckOptions& options) {

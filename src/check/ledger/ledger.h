@@ -9,6 +9,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -25,6 +27,15 @@ enum class Role : std::uint8_t { display, claim, given, let };
 
 [[nodiscard]] inline bool is_claimed(Role role) { return role == Role::display || role == Role::claim; }
 
+/// What the reading of a chain needed besides its signs.
+struct HowRead {
+  std::vector<std::string> conventions = {};            // "`A` is the length of `\mathbf{A}`"
+  std::set<std::string> summed = {};                    // letters that stand twice in a term
+  std::optional<Obstacle> open = {};                    // what can be read in another way
+  bool is_stated = false;                               // `law next`
+  std::vector<std::optional<Equation>> equations = {};  // of each relation, if it is wanted
+};
+
 /// One chain, and the steps that were made of it.
 struct Statement {
   const ParsedChain* chain = nullptr;  // as it is read: of the notes, or of the ledger
@@ -33,6 +44,7 @@ struct Statement {
   bool first_order = false;  // `=` means ≈
   bool for_now = false;      // said by a `where`: for the next statement only
   bool guessed = false;      // how its letters are read is only a guess
+  HowRead how = {};          // if that is wanted
   std::vector<std::optional<Typed>> sides = {};
   std::size_t first_step = 0;  // in the report
   std::size_t step_count = 0;

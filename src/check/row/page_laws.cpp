@@ -147,31 +147,7 @@ bool holds_on_its_line(const RowPlace& place, const ParsedChain& parsed) {
 constexpr std::string_view unfounded = "conclusion";
 
 void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::string_view word) {
-  if (claim.nearly || claim.equation.relation != Relation::equal || is_alternative(place, row.parsed) ||
-      names_coordinates(place.tree, claim.equation) || keeps_a_common_factor(place.tree, claim.equation) ||
-      names_a_surface(place, claim.equation) || holds_on_its_line(place, row.parsed))
-    return;
-  const ProseBeside& here = beside(place);
-  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, claim.equation);
-  place.found.stated.push_back(
-      {{claim.equation, name_of_law(row.parsed.written.tag, claim.relation, place.sources, word),
-        claim.relation, here.place, here.paragraph, momentary,
-        momentary || is_conditional(place) || is_value(place.tree, claim.equation),
-        has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)), word == unfounded},
-       place.names.scope,
-       is_of_a_case(place) || is_headed_as_example(place)});
-}
-
-/// Not the other links of its own chain.
-Laws available_to(const RowPlace& place, const StepReading& row) {
-  Laws available;
-  for (const StatedLaw& stated : place.above.stated) {
-    const Span at = stated.law.span;
-    const Span own = row.parsed.written.span;
-    const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
-    if (!of_this_chain && is_available(place, stated)) available.push_back(&stated.law);
-  }
-  return available;
+  if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, word);
 }
 
 /// Laws of this section and those around it, but none of a case, and no conclusion that follows from nothing:
@@ -238,11 +214,38 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
 
 }  // namespace
 
+void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
+                         std::string_view word) {
+  if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
+      names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
+      names_a_surface(place, equation) || holds_on_its_line(place, parsed))
+    return;
+  const ProseBeside& here = beside(place);
+  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, equation);
+  place.found.stated.push_back(
+      {{equation, name_of_law(parsed.written.tag, relation, place.sources, word), relation, here.place,
+        here.paragraph, momentary, momentary || is_conditional(place) || is_value(place.tree, equation),
+        has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)), word == unfounded},
+       place.names.scope,
+       is_of_a_case(place) || is_headed_as_example(place)});
+}
+
+Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
+  Laws available;
+  for (const StatedLaw& stated : place.above.stated) {
+    const Span at = stated.law.span;
+    const Span own = parsed.written.span;
+    const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
+    if (!of_this_chain && is_available(place, stated)) available.push_back(&stated.law);
+  }
+  return available;
+}
+
 bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (row.role != Role::display || row.unsettled || is_meant_for_all(place.tree, place.names, claim))
     return false;
   auto found =
-      follow_from_laws(place.tree, place.names, claim, available_to(place, row), *place.options.cache);
+      follow_from_laws(place.tree, place.names, claim, available_to(place, row.parsed), *place.options.cache);
   if (!found) return false;
   add_used(place, judgement.used);
   judgement = *std::move(found);
@@ -264,7 +267,7 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                         .near = sides_near(place.notes, row.parsed)};
   const bool of_a_case = may_be_of_a_case(place, row.parsed);
   const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
-  const Laws grounds = restricted ? Laws{} : grounds_for_suspicion(place, available_to(place, row));
+  const Laws grounds = restricted ? Laws{} : grounds_for_suspicion(place, available_to(place, row.parsed));
   const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
   auto found = suspicion(place.tree, place.names, {wrong, claim, grounds, may_lack_a_term, restricted},
                          *place.options.cache);

@@ -62,6 +62,11 @@ std::string unread_premise(RowPlace& place, const ParsedChain& parsed);
 
 // --- page_laws.cpp: What a row takes from the laws above it, and what it leaves to the rows below it.
 
+/// `word` is what rows below call it: a law, a result, a conclusion. Not what holds on its line only.
+void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
+                         std::string_view word);
+/// The laws above that hold here, in the order of the notes; not the other links of its own chain.
+[[nodiscard]] Laws available_to(const RowPlace& place, const ParsedChain& parsed);
 /// Proved from laws of the page, or said by one of them already; else the judgement stays as it is.
 [[nodiscard]] bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim,
                                      Judgement& judgement);

@@ -28,7 +28,7 @@ std::unique_ptr<ChainReading> read_otherwise(Walk& walk, const ParsedChain& pars
   const Reading::Found& found = reading->reading().found;
   const bool orders =
       std::ranges::any_of(parsed.remainders, [](const auto& remainder) { return remainder.has_value(); });
-  if (orders || !parsed.others.empty() || !decides(walk)) return nullptr;
+  if (orders || !parsed.others.empty() || walk.request.only) return nullptr;
   if (!found.applied) return found.belongs ? read_here(walk, parsed, {.apart = true}) : nullptr;
   auto product = read_here(walk, parsed, {.open = OpenBracket::factor});
   reading = read_here(walk, parsed, {.apart = true, .open = OpenBracket::argument});
@@ -107,6 +107,23 @@ void mark_seen(Walk& walk, const std::vector<Side>& sides) {
   }
 }
 
+/// For those who show how the notes are read.
+HowRead how_it_was_read(const Walk& walk, const ParsedChain& parsed, ChainReading& reading,
+                        const Context& context) {
+  const Reading::Found& found = reading.reading().found;
+  HowRead how{.conventions = found.conventions,
+              .summed = found.summed_letters,
+              .open = found.applied ? found.applied : guess_of(reading.reading()),
+              .is_stated = expects_law(walk)};
+  for (std::size_t k = 0; k < parsed.written.relations.size(); ++k) {
+    Diagnostics ignored;
+    const bool both = reading.sides[k].typed && reading.sides[k + 1].typed;
+    const auto claim = both ? reading.claim(parsed, k, context.first_order, ignored) : std::nullopt;
+    how.equations.push_back(claim ? std::optional(claim->equation) : std::nullopt);
+  }
+  return how;
+}
+
 void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
   const std::size_t first_step = walk.report.steps.size();
   if (parsed.written.relations.empty() && !reads_expression(walk, parsed)) return;
@@ -151,6 +168,8 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
   }
   const std::vector<Side>& sides = reading->sides;
   if (parsed.others.empty()) mark_seen(walk, sides);
+  HowRead how;
+  if (walk.request.reads) how = how_it_was_read(walk, parsed, *reading, context);
   if (is_claimed(context.role)) meet_expectations(walk, parsed, first_step);
   const auto guess = guess_of(reading->reading());
   Statement statement{.chain = &parsed,
@@ -159,6 +178,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
                       .first_order = context.first_order,
                       .for_now = is_for_now(walk, context),
                       .guessed = guess && guess->kind == DiagnosticKind::ambiguous_reading,
+                      .how = std::move(how),
                       .first_step = first_step,
                       .step_count = walk.report.steps.size() - first_step,
                       .asked = std::move(asked)};

@@ -22,6 +22,7 @@ namespace rigor {
 /// What the walk is asked to do.
 struct WalkRequest {
   bool explains = false;  // what the exact side was asked is kept in the ledger
+  bool reads = false;     // all chains are read, and nothing is decided but as with `only`
   /// Only these chains are read, and nothing is decided but whether a name gets a second meaning. Nothing:
   /// all chains are decided.
   std::optional<std::set<const ParsedChain*>> only = {};
@@ -64,7 +65,7 @@ struct Walk {
   SaidForNext next = {};
 };
 
-[[nodiscard]] inline bool decides(const Walk& walk) { return !walk.request.only; }
+[[nodiscard]] inline bool decides(const Walk& walk) { return !walk.request.only && !walk.request.reads; }
 
 inline void add_used(Walk& walk, const Directives& used) { walk.used.insert(used.begin(), used.end()); }
 

@@ -131,6 +131,7 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
   if (may_rename && row.other == nullptr &&
       redefines(walk, *judgement, row.parsed, left, right, context, step))
     return;
+  if (walk.request.reads) return;
   if (row.other != nullptr) return settle_in_both(place, row, *claim, *std::move(judgement), step);
   settle(place, row, *claim, *std::move(judgement), step);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/word/prose_words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -330,7 +332,7 @@ bool announces_a_conclusion(std::string_view lead) {
   return false;
 }
 
-bool says_that_it_follows(std::string_view lead) {
+std::optional<std::string> word_that_concludes(std::string_view lead) {
   static constexpr std::array<std::string_view, 12> concluding{
       "therefore", "hence",    "thus",   "follows", "consequently", "accordingly",
       "implies",   "conclude", "obtain", "obtains", "becomes",      "reduces"};
@@ -339,13 +341,14 @@ bool says_that_it_follows(std::string_view lead) {
   static constexpr std::array<std::string_view, 4> pointing{"which", "this", "that", "it"};
   const Words words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (is_one_of(words[k], concluding)) return true;
-    if (words[k] == "so" && !is_one_of(word_at(words, k + 1), of_degree)) return true;
-    if (words[k] == "we" && word_at(words, k + 1) == "find") return true;
-    const bool gives = word_at(words, k + 1) == "gives" || word_at(words, k + 1) == "yields";
-    if (gives && is_one_of(words[k], pointing)) return true;
+    if (is_one_of(words[k], concluding)) return std::string(words[k]);
+    if (words[k] == "so" && !is_one_of(word_at(words, k + 1), of_degree)) return "so";
+    if (words[k] == "we" && word_at(words, k + 1) == "find") return "we find";
+    const std::string_view next = word_at(words, k + 1);
+    if ((next == "gives" || next == "yields") && is_one_of(words[k], pointing))
+      return fmt::format("{} {}", words[k], next);
   }
-  return false;
+  return std::nullopt;
 }
 
 bool has_own_words(std::string_view lead) {

@@ -37,8 +37,11 @@ namespace rigor {
 /// "therefore", "hence", "we find", "gives", "i.e.": what follows is concluded.
 [[nodiscard]] bool announces_a_conclusion(std::string_view lead);
 /// "therefore", "hence", "so", "which gives": only words that claim that it follows. "Then" and "is equal to"
-/// also bring in what is merely stated.
-[[nodiscard]] bool says_that_it_follows(std::string_view lead);
+/// also bring in what is merely stated. The first such words.
+[[nodiscard]] std::optional<std::string> word_that_concludes(std::string_view lead);
+[[nodiscard]] inline bool says_that_it_follows(std::string_view lead) {
+  return word_that_concludes(lead).has_value();
+}
 /// Does it name anything of its own, as "going down, so" and "the plate then gives" do, and "this gives" and
 /// "we therefore find" do not?
 [[nodiscard]] bool has_own_words(std::string_view lead);

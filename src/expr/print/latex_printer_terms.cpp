@@ -172,7 +172,7 @@ LatexPrinter::Piece LatexPrinter::index_sum(ExprId id) {
     outer.emplace_back(key, known == letters_.end() ? std::nullopt : std::optional(known->second));
     if (known != letters_.end()) letters_.erase(known);
     letters_[key] = free_letter(tree_.name(index), false);
-    if (is_implied(body, index)) continue;
+    if (!notation_.every_sum && is_implied(body, index)) continue;
     if (!explicit_letters.empty()) explicit_letters += ',';
     append_latex(explicit_letters, letters_[key]);
   }

@@ -31,6 +31,7 @@ struct Notation {
   std::set<SymbolId> principal = {};           // of principal values: an index on them goes along
   std::set<SymbolId> fields = {};              // their rate is ∂/∂t
   std::optional<FrameNames> frame = {};        // in force
+  bool every_sum = false;  // over indices is written, also where the summation convention gives it back
 };
 
 }  // namespace rigor
