@@ -39,7 +39,11 @@ class MultipliedOut {
     const auto any_of_child = [&](ExprId each) { return any(each, beside); };
     switch (tree_[id].op) {
       case Op::negate:
-        return any(children[0], beside);
+      case Op::tuple:
+      case Op::component:
+      case Op::index_sum:
+      case Op::particle_sum:
+        return std::ranges::any_of(children, any_of_child);
       case Op::add:
         return std::ranges::all_of(children, has_letters) && std::ranges::any_of(children, any_of_child);
       case Op::divide:
@@ -232,7 +236,9 @@ std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
   const Names from = with_constants(from_used, needed);
   Judgement judgement = judge(row.tree, from, row.claim, limits_of_sets, row.cache);
   if (judgement.verdict != Verdict::proved) return std::nullopt;
-  if (!is_met_without_zeros(row.tree, from, row.claim.equation, used, row.cache)) return std::nullopt;
+  // That letters are constant contradicts nothing.
+  if (!used.empty() && !is_met_without_zeros(row.tree, from, row.claim.equation, used, row.cache))
+    return std::nullopt;
   for (const SymbolId constant : needed)
     judgement.uses.push_back(fmt::format("convention: `{}` is constant, since nothing differentiates it",
                                          row.tree.symbols[constant].name));

@@ -63,6 +63,16 @@ bool is_by_time(const WrittenDerivative& derivative) {
                              [](const WrittenVariable& variable) { return is_time(variable.symbol); });
 }
 
+/// By x, y, z, `x_i` or `r_i`: what is behind it changes from place to place.
+bool is_by_place(const WrittenDerivative& derivative) {
+  return std::ranges::any_of(derivative.by, [](const WrittenVariable& variable) {
+    const WrittenSymbol& symbol = variable.symbol;
+    if (!is_undecorated(symbol)) return false;
+    const bool indexed = (symbol.letter == "x" || symbol.letter == "r") && symbol.lower.size() == 1;
+    return indexed || (symbol.lower.empty() && axis_of_letter(symbol.letter) != 0);
+  });
+}
+
 bool has_letters(const WrittenSymbol& symbol, std::size_t count) {
   return symbol.lower.size() == count && std::ranges::all_of(symbol.lower, [](const WrittenIndex& index) {
            return index.form == IndexForm::letter;
@@ -119,7 +129,7 @@ void sight_changes(const SyntaxTree& syntax, SyntaxId root, Names& names) {
         const SyntaxId operand = without_derivatives(syntax, id);
         const bool time = is_by_time(syntax.derivative(id));
         if (time && syntax[operand].kind == SyntaxKind::symbol) sight_rate(syntax.symbol(operand), names);
-        if (!time) sight_field(syntax, operand, names);
+        if (is_by_place(syntax.derivative(id))) sight_field(syntax, operand, names);
         if (time && syntax.derivative(id).partial) sight_partial_rate(syntax, operand, names);
         break;
       }

@@ -74,7 +74,8 @@ MaybeTyped elaborate_component(Reading& reading, SyntaxId id, const Around& arou
   if (const Frame* frame = frame_of(reading.names, label))
     return frame_derivative(reading, part, *frame, label == frame->fixed, around);
   if (is_derivative_in_bracket(reading.syntax, part) && axes.size() == 1 &&
-      axes[0].form != IndexForm::digit && !reading.letters.is_index(axes[0].text))
+      axes[0].form != IndexForm::digit &&
+      (may_hold_by_name(reading, part) || !reading.letters.is_index(axes[0].text)))
     return held_derivative(reading, part, axes[0], around);
   const auto base = elaborate(reading, part, around);
   if (!base) return std::nullopt;

@@ -174,14 +174,20 @@ MaybeTyped elaborate_derivative(Reading& reading, SyntaxId id, const Around& aro
                         around);
 }
 
+bool may_hold_by_name(const Reading& reading, SyntaxId id) {
+  const SyntaxTree& syntax = reading.syntax;
+  while (syntax[id].kind == SyntaxKind::group) id = syntax.child(id, 0);
+  if (syntax[id].kind != SyntaxKind::derivative || !syntax.derivative(id).partial) return false;
+  return std::ranges::all_of(syntax.derivative(id).by, [&](const WrittenVariable& variable) {
+    return variable.symbol.lower.empty() && !is_time(variable.symbol) && !is_place(reading, variable.symbol);
+  });
+}
+
 MaybeTyped held_derivative(Reading& reading, SyntaxId id, const WrittenIndex& held, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   while (syntax[id].kind == SyntaxKind::group) id = syntax.child(id, 0);
   const WrittenDerivative& written = syntax.derivative(id);
-  const bool own = std::ranges::all_of(written.by, [&](const WrittenVariable& variable) {
-    return !is_time(variable.symbol) && !is_place(reading, variable.symbol);
-  });
-  if (!written.partial || !own)
+  if (!may_hold_by_name(reading, id))
     return unsupported(reading, held.span,
                        fmt::format("nothing says what `{}` means on this derivative", held.text),
                        {"`rigor: frame … rotates with … in …` names two frames"});

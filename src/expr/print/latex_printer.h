@@ -81,6 +81,7 @@ class LatexPrinter {
   // latex_printer_symbols.cpp
   Piece symbol(ExprId id);
   Piece derivative(ExprId id, const Symbol& symbol);
+  static Piece differentiated(Piece of, std::string above, const std::string& below);
   Piece by_letters(Piece result, const Derivation& derivation) const;
   Piece plain_symbol(SymbolId base, const ExprNode& node, std::span<const Slot> slots, int dots) const;
   LatexName name_of(SymbolId base) const;

@@ -110,6 +110,15 @@ LatexPrinter::Piece LatexPrinter::plain_symbol(SymbolId base, const ExprNode& no
   return {letter + subscript(inside) + name.behind};
 }
 
+/// `\frac{dx}{dt}`, and `\frac{d}{dt}\frac{\partial L}{\partial x}` of what is a derivative already.
+LatexPrinter::Piece LatexPrinter::differentiated(Piece of, std::string above, const std::string& below) {
+  if (of.text.starts_with("\\frac") || of.text.starts_with("\\left("))
+    return {fmt::format("\\frac{{{}}}{{{}}}{}", above, below, of.text), Level::factor, true};
+  if (above.starts_with('\\') && of.text.front() != '\\') above += ' ';
+  append_latex(above, of.text);
+  return {fmt::format("\\frac{{{}}}{{{}}}", above, below), Level::factor};
+}
+
 LatexPrinter::Piece LatexPrinter::symbol(ExprId id) {
   const ExprNode& node = tree_[id];
   const Symbol& symbol = tree_.symbols[node.symbol];
@@ -147,12 +156,9 @@ LatexPrinter::Piece LatexPrinter::derivative(ExprId id, const Symbol& symbol) {
   if (rates > 0 && dots == 0) {
     const std::string order = rates == 1 ? "" : "^" + std::to_string(rates);
     const char* sign = field ? "\\partial" : "d";
-    std::string above = sign + order;
-    if (field && result.text.front() != '\\') above += ' ';
-    append_latex(above, result.text);
     std::string below = sign;
     append_latex(below, (field ? " t" : "t") + order);
-    result = {fmt::format("\\frac{{{}}}{{{}}}", above, below), Level::factor};
+    result = differentiated(std::move(result), sign + order, below);
     if (in_frame)
       result = {fmt::format("\\left({}\\right)_{{\\text{{{}}}}}", result.text, notation_.frame->rotating)};
   }
@@ -187,12 +193,10 @@ LatexPrinter::Piece LatexPrinter::by_letters(Piece result, const Derivation& der
     const auto count = derivation.by.count(*each);
     const std::string order = count == 1 ? "" : "^" + std::to_string(count);
     const char* sign = each->partial ? "\\partial" : "d";
-    std::string above = sign + order;
-    if (each->partial && result.text.front() != '\\') above += ' ';
-    append_latex(above, result.text);
     std::string below = sign;
     append_latex(below, name(each->letter));
-    result = {fmt::format("\\frac{{{}}}{{{}{}}}", above, below, order), Level::factor};
+    result = differentiated(std::move(result), sign + order, below + order);
+    result.open = true;  // a bracket behind it could be where it is taken
     if (each->held) result = {fmt::format("\\left({}\\right)_{{{}}}", result.text, name(*each->held))};
   }
   return result;

@@ -236,7 +236,7 @@ TEST_CASE("nearly equal compares both orders") {
 }
 
 TEST_CASE("what is differentiated and may change is a doubt, not a refutation") {
-  CHECK(verdict_on("\\frac{d}{dt}(m\\mathbf{v}) = m\\dot{\\mathbf{v}}") == "law");
+  CHECK(verdict_on("\\frac{d}{dt}(m\\mathbf{v}) = m\\dot{\\mathbf{v}}") == "proved");
   CHECK(verdict_on("\\mathbf{v}\\times\\frac{d}{dt}(m\\mathbf{v}) = m\\mathbf{v}\\times\\dot{\\mathbf{v}}") ==
         "proved");
   CHECK(verdict_on_claim("\\frac{d}{dt}(m\\mathbf{v}) = m\\dot{\\mathbf{v}}",

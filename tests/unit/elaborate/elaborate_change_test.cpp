@@ -33,7 +33,7 @@ TEST_CASE("∇ is written out in components") {
 TEST_CASE("what ∇ acts on is a vector or a scalar, and clear") {
   CHECK(meaning("\\nabla\\cdot a").ends_with("rank-mismatch: ?"));
   CHECK(meaning("\\nabla a b").ends_with("ambiguous-reading: ?"));
-  CHECK(meaning("\\frac{\\partial L}{\\partial q}") == "1 unsupported: ?");
+  CHECK(meaning("\\frac{\\partial L}{\\partial q}") == "\\partial_{q} L");
 }
 
 TEST_CASE("functions are of scalars without free indices") {
