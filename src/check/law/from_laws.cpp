@@ -9,6 +9,7 @@
 #include "check/law/bearing.h"
 #include "check/law/from_set.h"
 #include "check/law/restated.h"
+#include "check/law/solves.h"
 #include "check/question/decision_cache.h"
 
 namespace rigor {
@@ -60,6 +61,7 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available) 
   if (auto found = prove_from(row, {})) return found;
   const Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available);
   if (auto restated = restating(row, bearing)) return restated;
+  if (auto solved = solves(row, bearing)) return solved;
   for (const Laws& set : promising_sets(row, bearing)) {
     if (auto found = prove_from(row, set)) return found;
   }

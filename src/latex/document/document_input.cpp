@@ -25,6 +25,17 @@ fs::path real_path(const fs::path& path) {
   return error ? fs::path() : result;
 }
 
+/// The repository that the folder is in: its nearest folder with `.git` or `rigor.toml`. Many notes have their
+/// preamble above their own folder. Without a repository, the folder itself.
+fs::path root_of(const fs::path& folder) {
+  std::error_code error;
+  for (fs::path at = folder; !at.empty(); at = at.parent_path()) {
+    if (fs::exists(at / ".git", error) || fs::exists(at / "rigor.toml", error)) return at;
+    if (at == at.root_path()) break;
+  }
+  return folder;
+}
+
 /// Packages whose notation is read by its names: their own files are programs, even where they lie beside the
 /// notes.
 bool is_known_package(std::string_view name) {
@@ -47,7 +58,7 @@ std::string without_quotes(std::string_view name) {
 
 InputFiles::InputFiles(SourceMap& sources, FileId top, Diagnostics& diagnostics)
     : sources_(sources), diagnostics_(diagnostics), folder_(fs::path(sources.path(top)).parent_path()) {
-  root_ = real_path(folder_.empty() ? fs::path(".") : folder_);
+  root_ = root_of(real_path(folder_.empty() ? fs::path(".") : folder_));
   stack_.push_back(real_path(sources.path(top)));
   claims_in_.emplace(stack_.back(), false);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that notes read with \input, \include and \subfile: those in the folder of the notes and below.
+// The files that notes read with \input, \include and \subfile: those of the repository that the notes are in,
+// or else in the folder of the notes and below.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +42,7 @@ class InputFiles {
   SourceMap& sources_;
   Diagnostics& diagnostics_;
   std::filesystem::path folder_;                     // of the notes, as their path says
-  std::filesystem::path root_;                       // the same, canonical
+  std::filesystem::path root_;                       // what is read lies below it, canonical
   std::vector<std::filesystem::path> stack_;         // canonical, the notes first
   std::map<std::filesystem::path, bool> claims_in_;  // of each file that was read, canonical
   std::size_t requests_ = 0;

@@ -58,6 +58,17 @@ TEST_CASE("\\input is followed in place, inside the folder of the notes") {
   CHECK(folder.read("\\input{}").diagnostics.empty());
 }
 
+TEST_CASE("\\input is followed inside the repository that the notes are in") {
+  Folder folder("rigor-document-test-repository");
+  folder.write("preamble.tex", "\\[ a \\]");
+  CHECK(folder.read("\\input{../preamble}").diagnostics[0].kind == DiagnosticKind::input_outside);
+  folder.write("rigor.toml", "");
+  const ReadNotes notes = folder.read("\\input{../preamble}");
+  CHECK(notes.dump() == "display <> a\n");
+  CHECK(notes.complaints().empty());
+  CHECK(folder.read("\\input{../../preamble}").diagnostics[0].kind == DiagnosticKind::input_outside);
+}
+
 TEST_CASE("\\input finds a file as TeX does: without quotes, and NAME.tex before NAME") {
   Folder folder("rigor-document-test-names");
   folder.write("notes/sub dir/p q.tex", "\\[ a \\]");
