@@ -111,6 +111,33 @@ std::vector<ExprId> sides_of(const RowUnderLaws& row, const Prepared& prepared) 
   return sides;
 }
 
+/// `(\partial U/\partial T)_S` of `U = aVT^4`: what is held is not written, so that any other letter may
+/// change with T. The same if something else that changes is left: U of `G = U - TS + pV`.
+bool holds_what_it_has_not(const RowUnderLaws& row, const Names& names) {
+  const ExprTree& tree = row.tree;
+  for (const SymbolId symbol :
+       symbols_reached(tree, names.scope, {row.claim.equation.left, row.claim.equation.right})) {
+    const auto& derivation = tree.symbols[symbol].derivation;
+    if (!derivation) continue;
+    for (const Variable& by : derivation->by) {
+      if (!by.held) continue;
+      const NamedDefinition* definition = definition_of(names.scope, derivation->base);
+      if (definition == nullptr) return true;
+      bool written = false;
+      for (const SymbolId letter : symbols_reached(tree, names.scope, {definition->definition.body})) {
+        const NameKey* key = key_of(names.symbols, base_of(tree.symbols, letter));
+        const bool own = letter == by.letter || letter == *by.held;
+        written = written || letter == *by.held;
+        const bool defined = definition_of(names.scope, letter) != nullptr;
+        if (!own && !defined && (key == nullptr || may_be_changing(*names.symbols.evidence, key->base)))
+          return true;
+      }
+      if (!written) return true;
+    }
+  }
+  return false;
+}
+
 /// Numbers of which nothing says whether they change: nothing on the page differentiates them.
 std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names& names) {
   const Prepared prepared = prepare(row.tree, names, row.claim.equation);
@@ -124,6 +151,7 @@ std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names
            may_be_changing(*names.symbols.evidence, key->base);
   });
   // Who differentiates a whole term means it to change: g of `\nabla(f + g)`.
+  if (holds_what_it_has_not(row, names)) return {};
   const std::function only = [&](const std::set<SymbolId>& term) {
     return differentiates_only(row, term, unknown, names);
   };

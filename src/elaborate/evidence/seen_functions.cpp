@@ -56,6 +56,11 @@ void note_changing(const WrittenSymbol& symbol, Evidence& evidence) {
   evidence.changing.insert(changing_name(symbol));
 }
 
+SyntaxId bare(const SyntaxTree& syntax, SyntaxId id) {
+  while (syntax[id].kind == SyntaxKind::group) id = syntax.child(id, 0);
+  return id;
+}
+
 /// The letters of `k` or `x, t`, if the brackets hold nothing else.
 std::set<std::string> arguments_in(const SyntaxTree& syntax, SyntaxId bracket) {
   std::set<std::string> found;
@@ -167,6 +172,9 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
     if (kind == SyntaxKind::symbol && syntax.symbol(id).dots > 0) note_changing(syntax.symbol(id), evidence);
     if (kind == SyntaxKind::symbol && syntax.symbol(id).primes > 1)
       evidence.primed.insert(name_of(syntax.symbol(id)));
+    if (kind == SyntaxKind::component && syntax.indices(id).size() == 1 &&
+        syntax[bare(syntax, syntax.child(id, 0))].kind == SyntaxKind::derivative)
+      evidence.by[syntax.indices(id)[0].text];  // V of `(\partial S/\partial T)_V` could change
     if (kind == SyntaxKind::derivative) {
       const SyntaxId of = without_derivatives(syntax, id);
       if (syntax[of].kind == SyntaxKind::symbol) note_changing(syntax.symbol(of), evidence);

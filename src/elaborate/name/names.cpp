@@ -45,7 +45,7 @@ std::string name_in(const Names& names, const ExprTree& tree, SymbolId symbol) {
 /// Does a derivative by a letter say that this is held? The other variables of the section are, and rates.
 bool is_held(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by) {
   const SymbolId base = base_of(tree.symbols, symbol);
-  if (!by.partial) return false;
+  if (!by.partial || by.held) return false;  // who names one holds no other
   const Symbol& written = tree.symbols[symbol];
   if (base == base_of(tree.symbols, by.letter)) return true;  // x of \partial/\partial\dot x
   const std::string name = name_in(names, tree, base);

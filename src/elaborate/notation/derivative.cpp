@@ -87,6 +87,29 @@ Typed with_definitions_open(Reading& reading, Typed typed) {
   return typed;
 }
 
+/// `V = \ell^2/2mr^2` with `\ell = mr^2\dot\phi`: a partial derivative by r can hold ℓ, or the rate. Where r
+/// is not written beside it, ℓ is only a name, and is unfolded.
+std::optional<SymbolId> held_or_unfolded(Reading& reading, ExprId operand, SymbolId letter) {
+  const SymbolTable& symbols = reading.tree.symbols;
+  const NameScope& scope = reading.names.scope;
+  const auto is_it = [&](SymbolId each) { return base_of(symbols, each) == base_of(symbols, letter); };
+  std::vector<ExprId> bodies{operand};
+  for (const SymbolId symbol : symbols_reached(reading.tree, scope, {operand})) {
+    if (const NamedDefinition* named = definition_of(scope, symbol)) bodies.push_back(named->definition.body);
+  }
+  for (const ExprId body : bodies) {
+    const std::vector<SymbolId> written = symbols_in(reading.tree, body);
+    if (std::ranges::none_of(written, is_it)) continue;
+    for (const SymbolId symbol : written) {
+      const NamedDefinition* named = is_it(symbol) ? nullptr : definition_of(scope, base_of(symbols, symbol));
+      if (named == nullptr) continue;
+      if (std::ranges::any_of(symbols_reached(reading.tree, scope, {named->definition.body}), is_it))
+        return symbol;
+    }
+  }
+  return std::nullopt;
+}
+
 /// What a derivative is by, and what it holds.
 struct Differentiation {
   std::span<const WrittenVariable> by;
@@ -101,6 +124,14 @@ MaybeTyped by_letter(Reading& reading, const Typed& operand, const WrittenVariab
                      const Differentiation& how, const Around& around) {
   const auto letter = symbol_of_variable(reading, variable.symbol, how.span, around);
   if (!letter || frame_is_open(reading, operand, how.span)) return std::nullopt;
+  const auto open = how.partial ? held_or_unfolded(reading, operand.id, *letter) : std::nullopt;
+  if (open && open != how.held) {
+    const std::string& name = reading.tree.symbols[*open].name;
+    return ambiguous(reading, how.span,
+                     fmt::format("`{}` can be held here, or change with `{}`, by which it is defined", name,
+                                 variable.symbol.letter),
+                     {fmt::format("a subscript below the derivative, `(…)_{{{}}}`, holds it", name)});
+  }
   const bool rate = reading.tree.symbols[*letter].derivation.has_value();
   Typed typed = rate ? with_definitions_open(reading, operand) : operand;
   for (int k = 0; k < variable.times; ++k)

@@ -25,8 +25,8 @@ fs::path real_path(const fs::path& path) {
   return error ? fs::path() : result;
 }
 
-/// The repository that the folder is in: its nearest folder with `.git` or `rigor.toml`. Many notes have their
-/// preamble above their own folder. Without a repository, the folder itself.
+/// The repository that the folder is in: its nearest folder with `.git` or `rigor.toml`. Many notes have
+/// their preamble above their own folder. Without a repository, the folder itself.
 fs::path root_of(const fs::path& folder) {
   std::error_code error;
   for (fs::path at = folder; !at.empty(); at = at.parent_path()) {
@@ -142,7 +142,7 @@ std::optional<FileId> InputFiles::report(DiagnosticKind kind, Span place, std::s
 fs::path InputFiles::find(const fs::path& name, std::string_view extension) const {
   fs::path with_extension = name;
   if (name.extension() != extension) with_extension += extension;
-  const fs::path beside = stack_.back().parent_path().lexically_relative(root_);
+  const fs::path beside = stack_.back().parent_path().lexically_relative(stack_.front().parent_path());
   for (const fs::path& folder : {folder_, folder_ / beside}) {
     for (const fs::path& each : {with_extension, name}) {
       fs::path found = (folder / each).lexically_normal();
