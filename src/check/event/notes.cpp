@@ -311,4 +311,17 @@ Span span_of(const Event& event) {
   return std::get<ParsedDisplay>(event).span;
 }
 
+std::vector<std::string> headings_at(const Notes& notes, std::size_t event) {
+  std::vector<const Heading*> open;
+  for (std::size_t k = 0; k <= event && k < notes.events.size(); ++k) {
+    const auto* heading = std::get_if<Heading>(&notes.events[k]);
+    if (heading == nullptr) continue;
+    std::erase_if(open, [&](const Heading* each) { return each->level >= heading->level; });
+    open.push_back(heading);
+  }
+  std::vector<std::string> titles;
+  for (const Heading* heading : open) titles.push_back(heading->title);
+  return titles;
+}
+
 }  // namespace rigor

@@ -59,5 +59,7 @@ struct AddedStatement {
                                const AddedStatement* added = nullptr);
 
 [[nodiscard]] Span span_of(const Event& event);
+/// The titles of the sections that an event is in, the outermost first.
+[[nodiscard]] std::vector<std::string> headings_at(const Notes& notes, std::size_t event);
 
 }  // namespace rigor

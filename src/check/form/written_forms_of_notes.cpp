@@ -177,7 +177,6 @@ class FormCollector {
  private:
   void add(const Statement& statement, const Names& scope);
   WrittenStep step_of(const Statement& statement, const NameScope& scope, std::size_t which);
-  std::vector<std::string> headings_at(std::size_t event) const;
   void ask(const Names& start, const Names& scope);
   bool read(SyntaxId id, const std::string& source, const std::set<std::string>& known, Names& names);
   [[nodiscard]] bool is_known(SyntaxId id, const std::string& source, const std::set<std::string>& known,
@@ -192,20 +191,6 @@ class FormCollector {
   std::vector<WrittenHole> holes_;
   WrittenForms forms_;
 };
-
-/// The headings of the sections that an event is in, the outermost first.
-std::vector<std::string> FormCollector::headings_at(std::size_t event) const {
-  std::vector<const Heading*> open;
-  for (std::size_t k = 0; k <= event && k < notes_.events.size(); ++k) {
-    const auto* heading = std::get_if<Heading>(&notes_.events[k]);
-    if (heading == nullptr) continue;
-    std::erase_if(open, [&](const Heading* each) { return each->level >= heading->level; });
-    open.push_back(heading);
-  }
-  std::vector<std::string> titles;
-  for (const Heading* heading : open) titles.push_back(heading->title);
-  return titles;
-}
 
 /// The relation between two sides, with what was asked about it in the definitions of the notes only.
 WrittenStep FormCollector::step_of(const Statement& statement, const NameScope& scope, std::size_t which) {
@@ -235,7 +220,7 @@ void FormCollector::add(const Statement& statement, const Names& scope) {
       .tag = written.tag,
       .label = written.label,
       .section = statement.step_count == 0 ? std::string() : report_.steps[statement.first_step].section,
-      .headings = headings_at(statement.event),
+      .headings = headings_at(notes_, statement.event),
       .span = written.span,
       .assumed = assumed,
       .image = statement.chain->image};

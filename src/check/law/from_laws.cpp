@@ -63,6 +63,7 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available) 
   if (auto restated = restating(row, bearing)) return restated;
   if (auto solved = solves(row, bearing)) return solved;
   for (const Laws& set : promising_sets(row, bearing)) {
+    if (set.empty()) continue;  // tried
     if (auto found = prove_from(row, set)) return found;
   }
   return std::nullopt;

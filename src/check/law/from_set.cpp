@@ -25,8 +25,8 @@ constexpr Limits limits_of_sets{
 constexpr std::size_t most_not_zero = 6;
 
 /// What the terms hold when products of sums are multiplied out, as they are differentiated if everything
-/// changes. A sum with a number among its terms is that of the variable and what does not change with it:
-/// `h - y`. Recursion: as deep as the tree.
+/// changes. A letter alone beside a number is no such term: that is the rate of `h - y`, the variable and
+/// what does not change with it. Recursion: as deep as the tree.
 class MultipliedOut {
  public:
   MultipliedOut(const ExprTree& tree, const std::function<bool(const std::set<SymbolId>&)>& found)
@@ -35,7 +35,6 @@ class MultipliedOut {
   /// Is there such a term? `beside`: what it is multiplied with.
   [[nodiscard]] bool any(ExprId id, const std::set<SymbolId>& beside = {}) const {
     const std::span<const ExprId> children = tree_.children(id);
-    const auto has_letters = [&](ExprId each) { return !symbols_in(tree_, each).empty(); };
     const auto any_of_child = [&](ExprId each) { return any(each, beside); };
     switch (tree_[id].op) {
       case Op::negate:
@@ -44,8 +43,14 @@ class MultipliedOut {
       case Op::index_sum:
       case Op::particle_sum:
         return std::ranges::any_of(children, any_of_child);
-      case Op::add:
-        return std::ranges::all_of(children, has_letters) && std::ranges::any_of(children, any_of_child);
+      case Op::add: {
+        const auto is_number = [&](ExprId each) { return symbols_in(tree_, each).empty(); };
+        const bool of_variable = std::ranges::any_of(children, is_number);
+        return std::ranges::any_of(children, [&](ExprId each) {
+          const bool alone = symbols_in(tree_, each).size() == 1 && !holds_sum(each);
+          return !(of_variable && (alone || is_number(each))) && any(each, beside);
+        });
+      }
       case Op::divide:
         return any(children[0], with(beside, children, 0));
       case Op::multiply:
@@ -150,8 +155,8 @@ std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names
     return row.tree.symbols[symbol].rank > 0 || key == nullptr ||
            may_be_changing(*names.symbols.evidence, key->base);
   });
-  // Who differentiates a whole term means it to change: g of `\nabla(f + g)`.
   if (holds_what_it_has_not(row, names)) return {};
+  // Who differentiates a whole term means it to change: g of `\nabla(f + g)`.
   const std::function only = [&](const std::set<SymbolId>& term) {
     return differentiates_only(row, term, unknown, names);
   };

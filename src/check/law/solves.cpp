@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,6 @@ struct Order {
   Variable by;
   std::uint8_t axis = 0;  // by a place: which
   int order = 0;
-  friend bool operator==(const Order&, const Order&) = default;
 };
 
 std::optional<Order> order_in(const ExprTree& tree, const Equation& equation, SymbolId unknown) {

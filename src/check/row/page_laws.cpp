@@ -169,13 +169,12 @@ bool begins_with_a_case(std::string_view lead) {
   static constexpr auto neutral = std::to_array<std::string_view>(
       {"this", "that",  "the",  "these", "general",    "fact",  "particular", "all",
        "any",  "every", "each", "terms", "components", "index", "other",      "words",
-       "a",    "an",    "both", "our",   "its",        "which", "before",     "above"});
-  static constexpr auto articles = std::to_array<std::string_view>({"a", "an"});
+       "both", "our",   "its",  "which", "before",     "above"});
   const std::string text = lowered(lead);
   const std::vector<std::string_view> words = words_of(text);
   for (std::size_t k = 0; k + 1 < words.size() && k < 3; ++k) {
     if (!is_one_of(words[k], openings)) continue;
-    if (is_one_of(words[k + 1], articles) || !is_one_of(words[k + 1], neutral)) return true;
+    if (!is_one_of(words[k + 1], neutral)) return true;
   }
   return false;
 }

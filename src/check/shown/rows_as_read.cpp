@@ -48,19 +48,6 @@ bool is_read_whole(const Step& step) {
   });
 }
 
-std::vector<std::string> headings_of_event(const Notes& notes, std::size_t event) {
-  std::vector<const Heading*> open;
-  for (std::size_t k = 0; k <= event && k < notes.events.size(); ++k) {
-    const auto* heading = std::get_if<Heading>(&notes.events[k]);
-    if (heading == nullptr) continue;
-    std::erase_if(open, [&](const Heading* each) { return each->level >= heading->level; });
-    open.push_back(heading);
-  }
-  std::vector<std::string> titles;
-  for (const Heading* heading : open) titles.push_back(heading->title);
-  return titles;
-}
-
 class RowReader {
  public:
   RowReader(Ledger& ledger, const Notes& notes, const SourceMap& sources, const FileReport& report,
@@ -81,7 +68,7 @@ class RowReader {
     if (step.verdict == Verdict::skipped) row.role = RowRole::skipped;
     if (from.statement == nullptr) return row;
     const Statement& statement = *from.statement;
-    row.headings = headings_of_event(notes_, statement.event);
+    row.headings = headings_at(notes_, statement.event);
     row.link = from.which + 1;
     row.links = statement.step_count;
     row.cyclic = statement.chain->written.cyclic;

@@ -412,6 +412,12 @@ bool is_basis_family(const WrittenSymbol& symbol) {
   return index.form == IndexForm::digit || is_strong(index.text) || axis_of_letter(index.text) != 0;
 }
 
+bool names_a_place(const WrittenSymbol& variable) {
+  if (!is_undecorated(variable)) return false;
+  if (variable.lower.empty()) return axis_of_letter(variable.letter) != 0;
+  return variable.lower.size() == 1 && (variable.letter == "x" || variable.letter == "r");
+}
+
 std::uint8_t axis_of_letter(const std::string& letter) {
   if (letter == "x") return 1;
   if (letter == "y") return 2;

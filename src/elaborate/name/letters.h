@@ -69,6 +69,8 @@ struct WrittenName {
 [[nodiscard]] bool is_levi_civita(const WrittenSymbol& symbol);
 /// `\mathbf{e}_i`, `\hat{e}_x`: a vector of the basis.
 [[nodiscard]] bool is_basis_family(const WrittenSymbol& symbol);
+/// `x`, `y`, `z`, `x_i`, `r_i`: what is differentiated by, as a place.
+[[nodiscard]] bool names_a_place(const WrittenSymbol& variable);
 /// `x` is 1, `y` 2, `z` 3; other texts are 0.
 [[nodiscard]] std::uint8_t axis_of_letter(const std::string& letter);
 

@@ -63,14 +63,10 @@ bool is_by_time(const WrittenDerivative& derivative) {
                              [](const WrittenVariable& variable) { return is_time(variable.symbol); });
 }
 
-/// By x, y, z, `x_i` or `r_i`: what is behind it changes from place to place.
+/// What is behind it changes from place to place.
 bool is_by_place(const WrittenDerivative& derivative) {
-  return std::ranges::any_of(derivative.by, [](const WrittenVariable& variable) {
-    const WrittenSymbol& symbol = variable.symbol;
-    if (!is_undecorated(symbol)) return false;
-    const bool indexed = (symbol.letter == "x" || symbol.letter == "r") && symbol.lower.size() == 1;
-    return indexed || (symbol.lower.empty() && axis_of_letter(symbol.letter) != 0);
-  });
+  return std::ranges::any_of(derivative.by,
+                             [](const WrittenVariable& variable) { return names_a_place(variable.symbol); });
 }
 
 bool has_letters(const WrittenSymbol& symbol, std::size_t count) {

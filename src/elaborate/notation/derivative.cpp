@@ -40,11 +40,8 @@ bool depends_on_other_coordinate(Reading& reading, const Typed& operand, const W
 
 /// x, y, z, `x_i`, `r_i`: a place, unless the section shows that it is a variable of its own.
 bool is_place(const Reading& reading, const WrittenSymbol& variable) {
-  if (!is_undecorated(variable)) return false;
-  const bool indexed = (variable.letter == "x" || variable.letter == "r") && variable.lower.size() == 1;
-  if (indexed) return true;
-  return variable.lower.empty() && axis_of_letter(variable.letter) != 0 &&
-         !is_own_variable(*reading.names.symbols.evidence, variable.letter);
+  if (!names_a_place(variable)) return false;
+  return !variable.lower.empty() || !is_own_variable(*reading.names.symbols.evidence, variable.letter);
 }
 
 /// The derivative by what `variable` reads as; nothing, and a diagnostic, where it is no plain number.
