@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that notes read with \input, \include and \subfile: those of the repository that the notes are in,
-// or else in the folder of the notes and below.
+// The files that notes read with \input, \include and \subfile: those of the repository that the notes are
+// in, or else in the folder of the notes and below.
 #pragma once
 
 #include <cstddef>
