@@ -10,6 +10,7 @@
 #include "check/doubt/one_direction.h"
 #include "check/prose/restrictions.h"
 #include "check/question/decision_cache.h"
+#include "check/question/granted.h"
 #include "check/verdict/law_diagnostic.h"
 #include "check/word/number_words.h"
 #include "check/word/prose_words.h"
@@ -81,22 +82,6 @@ class Heeding {
     return bearing;
   }
 
-  void take_for_granted(const Fact& fact, Names& names) const {
-    const ExprNode left = tree_[fact.equation.left];
-    const bool names_it =
-        fact.proves && !fact.at_instant && fact.equation.relation == Relation::equal &&
-        left.op == Op::symbol && left.slot_count == 0 && left.rank == 0 && left.particle == no_particle &&
-        definition_of(names_.scope, left.symbol) == nullptr && !tree_.symbols[left.symbol].derivation;
-    Equation right = fact.equation;
-    right.left = right.right;
-    Origin origin{fact.text, {}, std::nullopt};
-    if (names_it && !letters_of(right).contains(left.symbol)) {
-      define(names.scope, {{left.symbol, {}, no_particle, fact.equation.right}, std::move(origin), 0});
-    } else {
-      assume(names.scope, {fact.equation, std::move(origin), 0, fact.at_instant});
-    }
-  }
-
   Judgement ask(const Names& names, const Claim& claim) {
     Judgement judgement = judge(tree_, names, claim, {}, cache_);
     judgement_.used.insert(judgement.used.begin(), judgement.used.end());
@@ -105,7 +90,14 @@ class Heeding {
 
   Judgement judge_with(const std::vector<const Fact*>& facts) {
     Names names = names_;
-    for (const Fact* fact : facts) take_for_granted(*fact, names);
+    for (const Fact* fact : facts) {
+      Origin origin{fact->text, {}, std::nullopt};
+      if (fact->proves) {
+        take_for_granted(tree_, names.scope, fact->equation, std::move(origin), fact->at_instant);
+      } else {
+        assume(names.scope, {fact->equation, std::move(origin), 0, fact->at_instant});
+      }
+    }
     Judgement judgement = ask(names, claim_);
     // From what cannot be, anything follows.
     if (judgement.verdict == Verdict::proved && !sample_of_assumptions(tree_, names, {}, {}, cache_))

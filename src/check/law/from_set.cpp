@@ -12,6 +12,7 @@
 #include "check/law/witness.h"
 #include "check/meaning/identity_reading.h"
 #include "check/question/decision_cache.h"
+#include "check/question/granted.h"
 #include "check/question/question.h"
 #include "check/verdict/law_diagnostic.h"
 
@@ -107,10 +108,32 @@ bool differentiates_only(const RowUnderLaws& row, const std::set<SymbolId>& term
   return differentiates;
 }
 
-/// The sides of the row, and of what it leads to.
-std::vector<ExprId> sides_of(const RowUnderLaws& row, const Prepared& prepared) {
+/// The constants, and what is defined by them alone: \omega of `\omega = \sqrt{k/m}`.
+std::vector<SymbolId> with_what_they_define(const RowUnderLaws& row, const Prepared& prepared,
+                                            const Names& names, std::vector<SymbolId> constants) {
+  const std::vector<SymbolId> given = constants;
+  const auto rests = [&](SymbolId letter) {
+    const SymbolId base = base_of(row.tree.symbols, letter);
+    return is_one_of(base, given) || definition_of(names.scope, base) != nullptr ||
+           change(names, row.tree, base, By::time).dependence.kind == Dependence::Kind::constant;
+  };
+  for (const Definition& definition : prepared.question.definitions) {
+    if (row.tree.symbols[definition.symbol].derivation) continue;
+    if (std::ranges::all_of(symbols_reached(row.tree, names.scope, {definition.body}), rests))
+      constants.push_back(definition.symbol);
+  }
+  return constants;
+}
+
+/// The sides of the row, and of what it leads to; not the rates of what does not change.
+std::vector<ExprId> sides_of(const RowUnderLaws& row, const Prepared& prepared,
+                             const std::vector<SymbolId>& constants) {
   std::vector<ExprId> sides{row.claim.equation.left, row.claim.equation.right};
-  for (const Definition& definition : prepared.question.definitions) sides.push_back(definition.body);
+  for (const Definition& definition : prepared.question.definitions) {
+    const bool rests = row.tree.symbols[definition.symbol].derivation.has_value() &&
+                       is_one_of(base_of(row.tree.symbols, definition.symbol), constants);
+    if (!rests) sides.push_back(definition.body);
+  }
   for (const Equation& assumption : prepared.question.assumptions)
     sides.insert(sides.end(), {assumption.left, assumption.right});
   return sides;
@@ -157,11 +180,13 @@ std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names
   });
   if (holds_what_it_has_not(row, names)) return {};
   // Who differentiates a whole term means it to change: g of `\nabla(f + g)`.
+  const std::vector<SymbolId> constants = with_what_they_define(row, prepared, names, unknown);
   const std::function only = [&](const std::set<SymbolId>& term) {
-    return differentiates_only(row, term, unknown, names);
+    return differentiates_only(row, term, constants, names);
   };
   const MultipliedOut terms(row.tree, only);
-  const bool any = std::ranges::any_of(sides_of(row, prepared), [&](ExprId side) { return terms.any(side); });
+  const bool any = std::ranges::any_of(sides_of(row, prepared, constants),
+                                       [&](ExprId side) { return terms.any(side); });
   return any ? std::vector<SymbolId>{} : unknown;
 }
 
@@ -215,7 +240,7 @@ std::vector<SymbolId> constants_under(const RowUnderLaws& row, const Names& name
   return momentary ? std::vector<SymbolId>{} : constants_by_evidence(row, names);
 }
 
-/// The names of the assumptions that a proof needs; nothing: there is no proof. What a derivative of a law
+/// The names of the definitions and assumptions that a proof needs; nothing: there is no proof. What a derivative of a law
 /// shows is looked for only if the law itself does not prove it.
 std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, const Names& names) {
   for (const int slack : {0, 1}) {
@@ -224,6 +249,10 @@ std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, 
     const Decision decision = decide(row.cache, prepared.question, limits_of_sets);
     if (decision.outcome == Outcome::proved) {
       std::vector<std::string> used;
+      for (std::size_t k = 0; k < prepared.definitions.size(); ++k) {
+        if (is_one_of(prepared.question.definitions[k].symbol, decision.unfolded))
+          used.push_back(prepared.definitions[k]->text);
+      }
       for (const std::size_t which : decision.assumptions) {
         if (const NamedAssumption* named = prepared.assumptions[which]) used.push_back(named->origin.text);
       }
@@ -236,20 +265,20 @@ std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, 
 
 }  // namespace
 
-Names with_laws(Names names, const Laws& laws) {
+Names with_laws(const ExprTree& tree, Names names, const Laws& laws) {
   for (const PageLaw* law : laws)
-    assume(names.scope, {law->equation, Origin{law->name, {}, std::nullopt}, 0, law->at_instant});
+    take_for_granted(tree, names.scope, law->equation, Origin{law->name, {}, std::nullopt}, law->at_instant);
   return names;
 }
 
 Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws) {
-  Names assumed = with_laws(row.names, laws);
+  Names assumed = with_laws(row.tree, row.names, laws);
   const std::vector<SymbolId> constants = constants_under(row, assumed, laws);
   return with_constants(std::move(assumed), constants);
 }
 
 std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
-  const Names assumed = with_laws(row.names, set);
+  const Names assumed = with_laws(row.tree, row.names, set);
   const std::vector<SymbolId> constants = constants_under(row, assumed, set);
   if (set.empty() && constants.empty()) return std::nullopt;
   const std::vector<SymbolId> letters = not_zero(row, set);
@@ -264,7 +293,7 @@ std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
   std::vector<SymbolId> divided;
   std::copy_if(letters.begin(), letters.end(), std::back_inserter(divided),
                [&](SymbolId letter) { return is_named(says_not_zero(row.tree, letter)); });
-  const Names from_used = with_not_zero(row, with_laws(row.names, used), divided);
+  const Names from_used = with_not_zero(row, with_laws(row.tree, row.names, used), divided);
   const std::vector<SymbolId> needed = constants_under(row, from_used, used);
   const Names from = with_constants(from_used, needed);
   Judgement judgement = judge(row.tree, from, row.claim, limits_of_sets, row.cache);
@@ -280,7 +309,7 @@ std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
 
 bool fails_under(const RowUnderLaws& row, const Laws& set) {
   if (std::ranges::any_of(set, [](const PageLaw* law) { return law->at_instant; })) return false;
-  const Names assumed = with_laws(row.names, set);
+  const Names assumed = with_laws(row.tree, row.names, set);
   const Names all =
       with_not_zero(row, with_constants(assumed, constants_by_evidence(row, assumed)), not_zero(row, set));
   const Prepared prepared = prepare(row.tree, all, row.claim.equation, 1);

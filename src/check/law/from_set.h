@@ -17,8 +17,8 @@ struct RowUnderLaws {
   DecisionCache* cache;
 };
 
-/// The laws as assumptions, under their names.
-[[nodiscard]] Names with_laws(Names names, const Laws& laws);
+/// The laws taken for granted, under their names.
+[[nodiscard]] Names with_laws(const ExprTree& tree, Names names, const Laws& laws);
 
 /// The same, and what nothing on the page differentiates is taken as constant.
 [[nodiscard]] Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws);

@@ -141,13 +141,13 @@ class Independence {
 /// With the solution put in, does the law follow from these others? They are met by more than zeros.
 std::optional<Judgement> holds_when_put_in(const RowUnderLaws& put_in, const Names& names,
                                            const Laws& others) {
-  const Names assumed = with_laws(with_laws_and_constants(put_in, {}), others);
+  const Names assumed = with_laws(put_in.tree, with_laws_and_constants(put_in, {}), others);
   Judgement judgement = judge(put_in.tree, assumed, put_in.claim, {}, put_in.cache);
   if (judgement.verdict != Verdict::proved || !judgement.diagnostics.empty()) return std::nullopt;
   Laws used;
   std::ranges::copy_if(others, std::back_inserter(used),
                        [&](const PageLaw* law) { return is_one_of(law->name, judgement.uses); });
-  const bool met = used.empty() || is_met_without_zeros(put_in.tree, with_laws(names, used),
+  const bool met = used.empty() || is_met_without_zeros(put_in.tree, with_laws(put_in.tree, names, used),
                                                         put_in.claim.equation, used, put_in.cache);
   return met ? std::optional(std::move(judgement)) : std::nullopt;
 }

@@ -34,7 +34,8 @@ class NonZero {
 
   /// As assumptions.
   [[nodiscard]] std::vector<Equation> conditions(const std::vector<SymbolId>& zeroed) {
-    const std::set<SymbolId> zeros(zeroed.begin(), zeroed.end());
+    std::set<SymbolId> zeros(zeroed.begin(), zeroed.end());
+    zeros.insert(zero_.begin(), zero_.end());
     std::vector<Equation> conditions;
     const auto take = [&](ExprId expr) {
       if (auto condition = is_not_zero(expr)) conditions.push_back(*std::move(condition));
@@ -42,7 +43,7 @@ class NonZero {
     for (const SymbolId letter : letters_) {
       const Symbol symbol = tree_.symbols[letter];
       if (symbol.per_particle || symbol.rank > 1 || symbol.rotation || symbol.unit_of_measure) continue;
-      if (zero_.contains(letter) || zeros.contains(letter)) continue;
+      if (zeros.contains(letter)) continue;
       take(tree_.add({.op = Op::symbol, .rank = static_cast<std::uint8_t>(symbol.rank), .symbol = letter}));
     }
     for (const ExprId side : sides_) take(side);

@@ -383,7 +383,9 @@ std::optional<std::string> restriction_in_heading(std::string_view heading) {
   for (std::size_t k = 0; k < words.size(); ++k) {
     const std::string_view word = words[k];
     const std::string_view next = words[k + 1];
-    if (!is_one_of(word, {"positive", "negative"}) && restricts_as_adjective(words, k)) return words.one(k);
+    const bool names_a_topic = is_one_of(word, {"positive", "negative"}) ||
+                               (word == "unit" && is_one_of(next, {"vector", "vectors"}));
+    if (!names_a_topic && restricts_as_adjective(words, k)) return words.one(k);
     if (is_one_of(word, {"near", "under", "within", "inside", "outside", "modulo", "weak", "weakly",
                          "negligible", "neglecting", "ignoring"}))
       return words.one(k);

@@ -75,7 +75,10 @@ class Suspecting {
 
   bool can_be_met(const Laws& laws) const {
     ExprTree tree = tree_;
-    return sample_of_assumptions(tree, with_laws(names_, laws), {}, limits_of_guesses, &cache_).has_value();
+    Names assuming = names_;
+    for (const PageLaw* law : laws)
+      assume(assuming.scope, {law->equation, Origin{law->name, {}, std::nullopt}, 0, law->at_instant});
+    return sample_of_assumptions(tree, assuming, {}, limits_of_guesses, &cache_).has_value();
   }
 
   /// The nearest neighbour that holds wherever `met` do, and is proved from one of the sets, the smallest
@@ -104,6 +107,7 @@ class Suspecting {
       return std::nullopt;  // the same in another order
     if (claim.equation.relation != Relation::equal || adds_letters(tree, claim.equation)) return std::nullopt;
     Names without = names;
+    without.scope.definitions = names_.scope.definitions;
     without.scope.assumptions = names_.scope.assumptions;
     without.scope.constants = names_.scope.constants;
     const bool may_repeat = row_.announced && !changes_a_letter(slip);

@@ -67,6 +67,16 @@ std::vector<SymbolId> said_anew(RowPlace& place) {
   return anew;
 }
 
+/// "because of (2) \n where": what is explained behind an earlier display of the sentence is not of the case
+/// that the words before that display name.
+std::string_view clause_of(std::string_view lead) {
+  const auto display = lead.rfind('\n');
+  if (display == std::string_view::npos) return lead;
+  const std::string_view clause = lead.substr(display + 1);
+  const std::vector<std::string_view> words = words_of(clause);
+  return !words.empty() && words[0] == "where" ? clause : lead;
+}
+
 /// "which does not change, because": the reason limits nothing to a case.
 std::size_t begin_of_reason(const std::string& tail) {
   std::size_t begin = tail.size();
@@ -79,7 +89,8 @@ std::size_t begin_of_reason(const std::string& tail) {
 bool is_conditional(const RowPlace& place) {
   const ProseBeside& beside = place.notes.prose.beside[place.event];
   const std::string behind = beside.tail.substr(0, begin_of_reason(beside.tail));
-  return word_that_demands(beside.lead) || word_of_a_special_case(beside.lead + " " + behind);
+  const std::string lead(clause_of(beside.lead));
+  return word_that_demands(lead) || word_of_a_special_case(lead + " " + behind);
 }
 
 bool is_of_a_case(const RowPlace& place) {

@@ -89,10 +89,11 @@ std::optional<OtherReading> in_complex_vectors(const Question& question, const N
       {fmt::format("`rigor: vector {}` says that it is real", question.tree->symbols[*open.begin()].name)}};
 }
 
-/// Does the claim name single components or axes?
-bool has_components(const Question& question) {
+/// Does the claim name single components or axes? `axes`: unit vectors along axes count.
+bool has_components(const Question& question, bool axes) {
   bool found = false;
   for_each_node(question, [&](const ExprNode& node) {
+    if (node.op == Op::basis && !axes) return;
     found = found || node.op == Op::basis || node.op == Op::tuple || node.op == Op::index_sum ||
             node.op == Op::component || node.slot_count > 0;
   });
@@ -119,7 +120,8 @@ std::optional<OtherReading> in_another_space(const Question& question, const Nam
   const std::string& of_space = said ? evidence.other_metric : evidence.other_space;
   const std::string& words = of_space.empty() ? evidence.other_axes : of_space;
   if (!proved || words.empty()) return std::nullopt;
-  const bool asked = has_components(question) || (!of_space.empty() && counts_dimensions(question));
+  const bool axes = !of_space.empty() || !evidence.hatted_axes;
+  const bool asked = has_components(question, axes) || (!of_space.empty() && counts_dimensions(question));
   const ClaimVectors vectors = vectors_of(question);
   if (!asked || (vectors.any && vectors.open.empty())) return std::nullopt;
   std::vector<std::string> help;

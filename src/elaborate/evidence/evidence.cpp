@@ -91,12 +91,47 @@ void see_kinds(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
     const WrittenSymbol& symbol = syntax.symbol(id);
     evidence.letters.insert(symbol.letter);
     evidence.third_axis = evidence.third_axis || shows_third_axis(symbol);
+    const bool axis = symbol.letter == "x" || symbol.letter == "y" || symbol.letter == "z";
+    evidence.hatted_axes = evidence.hatted_axes || (axis && symbol.accent == Accent::hat);
     if (symbol.accent == Accent::bar) evidence.complex.insert(symbol.letter);
     if (symbol.face == Face::vector) evidence.vectors.insert(letter_with_marks(symbol));
   }
 }
 
+namespace {
+
+/// `r\hat r` and `\hat r\,r` of a side: the plain letters that stand beside a unit vector.
+std::set<std::string> letters_beside_unit_vectors(const SyntaxTree& syntax, SyntaxId side) {
+  std::set<std::string> plain;
+  if (syntax[side].kind != SyntaxKind::term) return plain;
+  bool hatted = false;
+  for (const SyntaxChild& factor : syntax.children(side)) {
+    const WrittenSymbol* symbol = symbol_at(syntax, factor.id);
+    if (symbol == nullptr || symbol->dots > 0) continue;
+    hatted = hatted || symbol->accent == Accent::hat;
+    if (symbol->face == Face::plain && symbol->accent == Accent::none)
+      plain.insert(letter_with_marks(*symbol));
+  }
+  return hatted ? plain : std::set<std::string>{};
+}
+
+/// `\mathbf r = r\hat r`: r is its component along a unit vector.
+void see_coefficients(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  for (const SyntaxId whole : sides) {
+    const WrittenSymbol* vector = symbol_at(syntax, whole);
+    if (vector == nullptr || vector->face != Face::vector || vector->accent == Accent::hat) continue;
+    for (const SyntaxId side : sides) {
+      const std::set<std::string> plain = letters_beside_unit_vectors(syntax, side);
+      if (plain.contains(letter_with_marks(*vector)))
+        evidence.coefficients.insert(letter_with_marks(*vector));
+    }
+  }
+}
+
+}  // namespace
+
 void see_components(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  see_coefficients(syntax, sides, evidence);
   for (const SyntaxId tuple : sides) {
     if (syntax[tuple].kind != SyntaxKind::tuple) continue;
     std::set<std::string> entries;

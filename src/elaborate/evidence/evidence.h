@@ -26,6 +26,7 @@ struct Evidence {
   std::set<std::string> letters;   // all that are in equations, without faces and accents; `i` among them
   std::set<std::string> points;    // of names such as `ABC` in the prose
   std::set<std::string> components;                        // u, v, w of `\mathbf u = (u, v, w)`: no lengths
+  std::set<std::string> coefficients;                      // r of `\mathbf r = r\hat r`: it has a sign
   std::set<std::string> units;                             // "the unit matrix $I$": 1 among matrices
   std::set<std::string> functionals;                       // `E[X]`: square brackets stand directly after
   std::map<std::string, std::set<std::string>> functions;  // \omega of `\omega(k) = …`, with k
@@ -48,6 +49,7 @@ struct Evidence {
   std::string other_space;         // words of another number of dimensions, or another metric
   std::string other_metric;        // of another metric
   std::string other_axes;          // words of components that are not Cartesian
+  bool hatted_axes = false;        // `\hat x`: beside such words as well, the unit vectors are Cartesian
   std::string other_arithmetic;    // words of sums and products that are not those of real numbers
   std::set<std::string> raised;    // x of `x^\mu`, `x^1 = x`: its upper indices are no powers
   bool speaks_of_raised = false;   // the words do, and name no letter

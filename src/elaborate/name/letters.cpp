@@ -279,6 +279,11 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   for_each_node(syntax, sides, [&](SyntaxId id) { read_by_company(syntax, id, names, letters); });
   for_each_node(syntax, sides, [&](SyntaxId id) { read_repetition(syntax, id, letters); });
   for_each_node(syntax, sides, [&](SyntaxId id) {
+    letters.has_nabla = letters.has_nabla || is_nabla(syntax, id);
+    if (syntax[id].kind == SyntaxKind::derivative) {
+      for (const WrittenVariable& by : syntax.derivative(id).by)
+        if (by.symbol.dots == 0) letters.by.insert(letter_with_marks(by.symbol));
+    }
     if (syntax[id].kind != SyntaxKind::symbol) return;
     if (!syntax.symbol(id).change.empty()) letters.changes.insert(syntax.symbol(id).change);
     if (is_declared_with_labels(syntax.symbol(id), names)) return;

@@ -21,6 +21,8 @@ struct Letters {
   std::set<std::string> changes;          // \delta of `\delta x`
   std::set<std::string> bold_vectors;     // bases that occur in bold or under an arrow in this statement
   std::set<std::string> bare;             // plain letters that stand without a subscript
+  std::set<std::string> by;  // r of `\frac{dV}{dr}`: letters that this statement differentiates by
+  bool has_nabla = false;
   bool evidence =
       false;  // something shows that index notation is meant: δ, ε, a component of a vector, a repetition
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "elaborate/evidence/evidence.h"
@@ -107,6 +108,17 @@ std::optional<SymbolId> held_or_unfolded(Reading& reading, ExprId operand, Symbo
   return std::nullopt;
 }
 
+/// By r, of something that has the vector **r**, or its length, in it?
+bool leads_to_vector_of(const Reading& reading, ExprId operand, SymbolId letter) {
+  const Names& names = reading.names;
+  const NameKey* key = key_of(names.symbols, letter);
+  if (key == nullptr) return false;
+  const auto vector = find_symbol(names.symbols, {key->base, 1, false});
+  if (!vector) return false;
+  return std::ranges::any_of(symbols_reached(reading.tree, names.scope, {operand}),
+                             [&](SymbolId each) { return base_of(reading.tree.symbols, each) == *vector; });
+}
+
 /// What a derivative is by, and what it holds.
 struct Differentiation {
   std::span<const WrittenVariable> by;
@@ -121,6 +133,10 @@ MaybeTyped by_letter(Reading& reading, const Typed& operand, const WrittenVariab
                      const Differentiation& how, const Around& around) {
   const auto letter = symbol_of_variable(reading, variable.symbol, how.span, around);
   if (!letter || frame_is_open(reading, operand, how.span)) return std::nullopt;
+  if (leads_to_vector_of(reading, operand.id, *letter))
+    return unsupported(reading, how.span,
+                       fmt::format("a derivative by `{0}` is not decided beside the vector `\\mathbf{{{0}}}`",
+                                   variable.symbol.letter));
   const auto open = how.partial ? held_or_unfolded(reading, operand.id, *letter) : std::nullopt;
   if (open && open != how.held) {
     const std::string& name = reading.tree.symbols[*open].name;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "elaborate/reading/change.h"
 #include "elaborate/symbol/axes.h"
@@ -52,6 +53,28 @@ void warn_of_bold_index(Reading& reading, const WrittenName& name, Span span) {
               : fmt::format("write `{}_{{{}}}`", name.base, list)});
 }
 
+bool is_in_company(const Reading& reading, const WrittenName& name) {
+  return reading.letters.bold_vectors.contains(name.base) ||
+         reading.letters.indexed_vectors.contains(name.base);
+}
+
+/// What is differentiated by, where the vector is not written beside it; and r of `\mathbf r = r\hat r`,
+/// which has a sign. Where the notes differentiate by place, as ∇ does, r is the length of a place.
+bool is_number_of_its_own(const Reading& reading, const WrittenName& name) {
+  const Names& names = reading.names;
+  if (reading.letters.has_nabla || name.per_particle() || is_declared(names.symbols, {name.base, 1, false}))
+    return false;
+  const bool alone = !is_in_company(reading, name);
+  if (alone && reading.letters.by.contains(name.base)) return true;
+  if (names.symbols.sightings->places) return false;
+  const Evidence& here = *names.symbols.evidence;
+  if (here.coefficients.contains(name.base) || (alone && here.by.contains(name.base))) return true;
+  const auto number = find_symbol(names.symbols, {name.base, 0, false});
+  const auto vector = find_symbol(names.symbols, {name.base, 1, false});
+  const auto body = vector ? body_of_definition(names.scope, *vector) : std::nullopt;
+  return number && body && is_one_of(*number, symbols_in(reading.tree, *body));
+}
+
 /// Bold somewhere else in the notes makes a letter a vector, yet nothing in the statement says so: `R_1` may
 /// be a resistance. A length is settled by the vector's use in this section. Is it read as a symbol of its
 /// own?
@@ -60,8 +83,7 @@ bool stands_apart(Reading& reading, const WrittenName& name, bool as_length) {
   const Names& names = reading.names;
   const auto symbol = find_symbol(names.symbols, key);
   const bool settled = name.per_particle() || is_declared(names.symbols, key) ||
-                       reading.letters.bold_vectors.contains(name.base) ||
-                       reading.letters.indexed_vectors.contains(name.base) ||
+                       is_in_company(reading, name) ||
                        (symbol && definition_of(names.scope, *symbol) != nullptr) ||
                        (symbol && as_length && seen_in_equation(names.scope, *symbol));
   if (settled) return false;
@@ -200,6 +222,7 @@ MaybeTyped length_or_scalar(Reading& reading, const Occurrence& at) {
   const bool component = here.components.contains(name.base);
   if (is_declared(names.symbols, scalar) || defined || component || (!bold_seen && !by_company))
     return named_symbol(reading, at, name.base, 0);
+  if (is_number_of_its_own(reading, name)) return symbol_apart(reading, at, name.base);
   if ((bold_seen && stands_apart(reading, name, true)) ||
       (by_company && stands_apart_in_company(reading, name)))
     return symbol_apart(reading, at, name.base);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/question/granted.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rigor {
+namespace {
+
+bool says_what_a_letter_is(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
+  const ExprNode& left = tree[equation.left];
+  const bool alone = equation.relation == Relation::equal && left.op == Op::symbol && left.slot_count == 0 &&
+                     left.particle == no_particle && left.rank == tree[equation.right].rank;
+  if (!alone || tree.symbols[left.symbol].derivation || tree.is_zero_literal(equation.right)) return false;
+  if (definition_of(scope, left.symbol) != nullptr) return false;
+  const std::vector<SymbolId> reached = symbols_reached(tree, scope, {equation.right});
+  return std::ranges::none_of(
+      reached, [&](SymbolId each) { return base_of(tree.symbols, each) == left.symbol; });
+}
+
+}  // namespace
+
+void take_for_granted(const ExprTree& tree, NameScope& scope, const Equation& equation, Origin origin,
+                      bool at_instant) {
+  if (!at_instant && says_what_a_letter_is(tree, scope, equation)) {
+    define(scope, {{tree[equation.left].symbol, {}, no_particle, equation.right}, std::move(origin), 0});
+  } else {
+    assume(scope, {equation, std::move(origin), 0, at_instant});
+  }
+}
+
+}  // namespace rigor

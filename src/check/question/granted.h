@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A relation of the page that is taken for granted.
+#pragma once
+
+#include "elaborate/name/scope.h"
+#include "expr/tree/tree.h"
+
+namespace rigor {
+
+/// As a definition where the left side is a letter alone that nothing defines and that the right side does
+/// not lead to: then it is put in, wherever the letter stands. Else as an assumption.
+void take_for_granted(const ExprTree& tree, NameScope& scope, const Equation& equation, Origin origin,
+                      bool at_instant);
+
+}  // namespace rigor
