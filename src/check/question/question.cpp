@@ -33,7 +33,8 @@ struct FoundDefinition {
 struct Orders {
   int time = 0;
   int space = 0;
-  [[nodiscard]] int total() const { return time + space; }
+  int letter = 0;  // that the claim differentiates by: x of `y''(x)`
+  [[nodiscard]] int total() const { return time + space + letter; }
 };
 
 class Preparation {
@@ -47,6 +48,7 @@ class Preparation {
     prepared_.question.claim = claim;
     follow(claim);
     for (const ExprId each : also) follow(Equation{.left = each, .right = each});
+    letter_ = letter_of_claim();
     for (const SymbolId symbol : reached_)
       highest_order_ = std::max(highest_order_, orders_of(symbol).total());
     if (precision_ == Precision::small_order) add_small();
@@ -271,7 +273,28 @@ class Preparation {
   SymbolId base_of(SymbolId symbol) const { return rigor::base_of(tree_.symbols, symbol); }
 
   Orders orders_of(SymbolId symbol) const {
-    return {tree_.symbols[symbol].order(By::time), tree_.symbols[symbol].order(By::space)};
+    const Symbol& named = tree_.symbols[symbol];
+    return {named.order(By::time), named.order(By::space), letter_ ? named.order(*letter_) : 0};
+  }
+
+  /// The letter by which the claim differentiates with nothing held, if there is one.
+  [[nodiscard]] std::optional<Variable> letter_of_claim() const {
+    std::optional<Variable> found;
+    for (const SymbolId symbol : reached_) {
+      const auto& derivation = tree_.symbols[symbol].derivation;
+      if (!derivation) continue;
+      for (const Variable& by : derivation->by) {
+        if (by.by != By::letter) continue;
+        if (by.partial || (found && *found != by)) return std::nullopt;
+        found = by;
+      }
+    }
+    return found;
+  }
+
+  /// An equation with a derivative by x is one for all x.
+  [[nodiscard]] bool runs_with_letter(const std::vector<SymbolId>& symbols) const {
+    return std::ranges::any_of(symbols, [&](SymbolId own) { return orders_of(own).letter > 0; });
   }
 
   /// What an equation is about, definitions unfolded.
@@ -324,7 +347,7 @@ class Preparation {
   /// The assumption and those of its derivatives that speak of what was reached; one without symbols always.
   bool add(const Equation& equation, const NamedAssumption* named) {
     const std::vector<SymbolId>& symbols = symbols_of(equation);
-    Orders wanted{-1, -1};
+    Orders wanted{-1, -1, -1};
     Orders highest;
     int own_order = 0;
     for (const SymbolId own : symbols) {
@@ -333,11 +356,13 @@ class Preparation {
         if (base_of(reached) != base_of(own)) continue;
         wanted.time = std::max(wanted.time, orders_of(reached).time - orders_of(own).time);
         wanted.space = std::max(wanted.space, orders_of(reached).space - orders_of(own).space);
+        wanted.letter = std::max(wanted.letter, orders_of(reached).letter - orders_of(own).letter);
         highest.time = std::max(highest.time, orders_of(reached).time);
         highest.space = std::max(highest.space, orders_of(reached).space);
       }
     }
-    if (!symbols.empty() && wanted.time < 0 && wanted.space < 0) return false;
+    if (!symbols.empty() && wanted.time < 0 && wanted.space < 0 && wanted.letter < 0) return false;
+    if (!runs_with_letter(symbols)) wanted.letter = 0;
     if (named != nullptr && named->rate_of && !is_spoken_of(*named->rate_of, named)) return false;
     // Derivatives beyond what was reached can speak of it, as the second one of x² = 0 does of ẋ.
     if (wanted.time >= 0 && highest.time > 0) wanted.time += beyond_;
@@ -348,9 +373,9 @@ class Preparation {
     const int by_place = beyond_ > 0 && named != nullptr ? places_to_compare(*named) : 0;
     wanted.space = std::max(wanted.space, by_place);
     compared = std::max(compared, by_place);
-    if (equation.relation != Relation::equal) wanted = {0, 0};
+    if (equation.relation != Relation::equal) wanted = {};
     if (named != nullptr && named->at_instant) {
-      wanted = {0, 0};
+      wanted = {};
       if (highest_order_ + beyond_ > 0 && !symbols.empty()) note_unknown(symbols[0]);
     }
     bool grew = false;
@@ -363,6 +388,8 @@ class Preparation {
       for (int space = 0; space <= std::clamp(wanted.space, 0, more - time); ++space)
         grew = take(equation, named, {time, space}, own_order) || grew;
     }
+    for (int letter = 1; letter <= std::clamp(wanted.letter, 0, more); ++letter)
+      grew = take(equation, named, {0, 0, letter}, own_order) || grew;
     return grew;
   }
 
@@ -380,7 +407,7 @@ class Preparation {
   }
 
   bool take(const Equation& equation, const NamedAssumption* named, Orders orders, int own_order) {
-    const std::tuple key(equation.left, equation.right, orders.time, orders.space);
+    const std::tuple key(equation.left, equation.right, orders.time, orders.space, orders.letter);
     const bool compares = beyond_ > 0 && named != nullptr && !named->at_instant && !at_zero_.contains(key);
     if (taken_.contains(key) && !compares) return false;
     const bool fresh = taken_.insert(key).second;
@@ -388,6 +415,7 @@ class Preparation {
     Equation changed = equation;
     for (int k = 0; k < orders.time; ++k) changed = derived(changed, By::time);
     for (int k = 0; k < orders.space; ++k) changed = derived(changed, By::space);
+    for (int k = 0; k < orders.letter; ++k) changed = derived(changed, *letter_);
     if (compares) at_zero_.insert(key);
     if (compares) push_at_zero(changed, named);
     if (!fresh) {
@@ -483,13 +511,14 @@ class Preparation {
   Prepared prepared_;
   DerivativeBudget budget_;
   std::set<SymbolId> reached_;
+  std::optional<Variable> letter_;
   int highest_order_ = 0;  // of a derivative in the claim, definitions unfolded
   int highest_law_ = 0;    // of a derivative in an assumption as it stands
   int beyond_ = 0;         // how far above it derivatives of assumptions are taken: 0, then `slack_`
   std::map<SymbolId, std::optional<FoundDefinition>> derived_;
   std::map<ExprId, Equation> vanishing_;
-  std::set<std::tuple<ExprId, ExprId, int, int>> taken_;
-  std::set<std::tuple<ExprId, ExprId, int, int>> at_zero_;
+  std::set<std::tuple<ExprId, ExprId, int, int, int>> taken_;
+  std::set<std::tuple<ExprId, ExprId, int, int, int>> at_zero_;
   std::map<std::pair<ExprId, ExprId>, std::vector<SymbolId>> symbols_of_;
 };
 
