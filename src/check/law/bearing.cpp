@@ -23,17 +23,19 @@ Laws laws_that_bear(const ExprTree& tree, const NameScope& scope, const Equation
     std::size_t foreign;
   };
   std::set<SymbolId> reached = base_letters(tree, scope, row);
+  std::vector<std::set<SymbolId>> letters_of;  // of the laws, in their order
+  for (const PageLaw* law : available) letters_of.push_back(base_letters(tree, scope, law->equation));
   Laws bearing;
   for (bool grew = true; grew;) {
     std::vector<Bearing> round;
     std::set<SymbolId> more;
-    for (auto law = available.rbegin(); law != available.rend(); ++law) {
-      if (is_one_of(*law, bearing)) continue;
-      const std::set<SymbolId> letters = base_letters(tree, scope, (*law)->equation);
+    for (std::size_t k = available.size(); k-- > 0;) {
+      if (is_one_of(available[k], bearing)) continue;
+      const std::set<SymbolId>& letters = letters_of[k];
       const auto shared =
           std::ranges::count_if(letters, [&](SymbolId each) { return reached.contains(each); });
       if (shared == 0) continue;
-      round.push_back({*law, letters.size() - static_cast<std::size_t>(shared)});
+      round.push_back({available[k], letters.size() - static_cast<std::size_t>(shared)});
       more.insert(letters.begin(), letters.end());
     }
     std::ranges::stable_sort(round, {}, &Bearing::foreign);

@@ -185,8 +185,8 @@ std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names
     return differentiates_only(row, term, constants, names);
   };
   const MultipliedOut terms(row.tree, only);
-  const bool any = std::ranges::any_of(sides_of(row, prepared, constants),
-                                       [&](ExprId side) { return terms.any(side); });
+  const bool any =
+      std::ranges::any_of(sides_of(row, prepared, constants), [&](ExprId side) { return terms.any(side); });
   return any ? std::vector<SymbolId>{} : unknown;
 }
 
@@ -240,8 +240,8 @@ std::vector<SymbolId> constants_under(const RowUnderLaws& row, const Names& name
   return momentary ? std::vector<SymbolId>{} : constants_by_evidence(row, names);
 }
 
-/// The names of the definitions and assumptions that a proof needs; nothing: there is no proof. What a derivative of a law
-/// shows is looked for only if the law itself does not prove it.
+/// The names of the definitions and assumptions that a proof needs; nothing: there is no proof. What a
+/// derivative of a law shows is looked for only if the law itself does not prove it.
 std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, const Names& names) {
   for (const int slack : {0, 1}) {
     const Prepared prepared = prepare(row.tree, names, row.claim.equation, slack);

@@ -64,7 +64,14 @@ std::optional<Order> order_in(const ExprTree& tree, const Equation& equation, Sy
   return found;
 }
 
-/// The letters of the solution that the law has not, and that do not change.
+/// Does another row say what the unknown is? Then its constants are not free any more.
+bool is_solved_already(const ExprTree& tree, const Laws& bearing, SymbolId unknown) {
+  const auto is_it = [&](ExprId side) { return tree[side].op == Op::symbol && tree[side].symbol == unknown; };
+  return std::ranges::any_of(
+      bearing, [&](const PageLaw* law) { return is_it(law->equation.left) || is_it(law->equation.right); });
+}
+
+/// The letters of the solution that no equation has had before, and that do not change.
 std::vector<SymbolId> free_constants(const RowUnderLaws& row, const Equation& law) {
   const Equation right{.left = row.claim.equation.right, .right = row.claim.equation.right};
   const std::set<SymbolId> known = base_letters(row.tree, row.names.scope, law);
@@ -75,6 +82,7 @@ std::vector<SymbolId> free_constants(const RowUnderLaws& row, const Equation& la
     const bool plain = symbol.rank == 0 && !symbol.per_particle && !symbol.unit_of_measure &&
                        key != nullptr && definition_of(row.names.scope, letter) == nullptr;
     if (!plain || known.contains(letter) || *key == NameKey{"\\pi", 0, false}) continue;
+    if (seen_in_equation(row.names.scope, letter)) continue;
     const bool changes = may_be_changing(*row.names.symbols.evidence, key->base) &&
                          !is_function_value(row.names, row.tree, letter);
     if (!changes && constants.size() < most_constants) constants.push_back(letter);
@@ -168,7 +176,7 @@ std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing) {
     }
     if (!of_unknown && others.size() < most_other_laws) others.push_back(each);
   }
-  if (law == nullptr) return std::nullopt;
+  if (law == nullptr || is_solved_already(row.tree, bearing, *unknown)) return std::nullopt;
   const std::vector<SymbolId> constants = free_constants(row, law->equation);
   if (static_cast<int>(constants.size()) < order->order) return std::nullopt;
   Names names = row.names;

@@ -28,7 +28,8 @@ class NonZero {
       const std::vector<SignedTerm> terms = signed_terms(tree_, side);
       if (!vanishes) sides_.insert(side);
       if (terms.size() == 1) continue;
-      for (const SignedTerm& term : terms) terms_.insert(term.id);
+      std::vector<ExprId>& own = vanishes ? vanishing_.emplace_back() : terms_;
+      for (const SignedTerm& term : terms) own.push_back(term.id);
     }
   }
 
@@ -47,8 +48,15 @@ class NonZero {
       take(tree_.add({.op = Op::symbol, .rank = static_cast<std::uint8_t>(symbol.rank), .symbol = letter}));
     }
     for (const ExprId side : sides_) take(side);
-    for (const ExprId term : terms_) {
-      if (!has_factor(term, zeros)) take(term);
+    const auto without_zeros = [&](std::vector<ExprId> terms) {
+      std::erase_if(terms, [&](ExprId term) { return has_factor(term, zeros); });
+      return terms;
+    };
+    for (const ExprId term : without_zeros(terms_)) take(term);
+    for (const std::vector<ExprId>& sum : vanishing_) {
+      const std::vector<ExprId> left = without_zeros(sum);
+      if (left.size() < 2) continue;  // one term alone is the 0 that is written
+      for (const ExprId term : left) take(term);
     }
     return conditions;
   }
@@ -83,7 +91,8 @@ class NonZero {
   std::set<SymbolId> letters_;
   std::set<SymbolId> zero_;  // set equal to 0 as they stand
   std::set<ExprId> sides_;
-  std::set<ExprId> terms_;
+  std::vector<ExprId> terms_;
+  std::vector<std::vector<ExprId>> vanishing_;  // the terms of each sum that is set equal to 0
 };
 
 }  // namespace

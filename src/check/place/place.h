@@ -24,8 +24,9 @@ using Side = ChainReading::Side;
 /// A law, or a row that follows from laws, with what its letters meant.
 struct StatedLaw {
   PageLaw law;
-  NameScope scope;
-  bool of_a_section = false;  // its heading is about a special case: "Electrostatics"
+  bool of_a_section = false;            // its heading is about a special case: "Electrostatics"
+  std::optional<SymbolId> letter = {};  // F of `F = -kx`: what it says that the letter is
+  std::vector<std::pair<SymbolId, ExprId>> meanings = {};  // of its letters that are defined
 };
 
 /// What rows and directives leave for the rows below them.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/ascii.h"
+#include "check/word/prose_words.h"
 
 namespace rigor {
 namespace {
@@ -41,15 +42,19 @@ constexpr std::array<std::string_view, 184> neutral{
     "yields",      "you"};
 static_assert(std::ranges::is_sorted(neutral));
 
+/// Of several, one that names no quantity: "the force" says less than "slowly".
 std::optional<std::string> open_word_in(std::string_view text) {
+  std::optional<std::string> quantity;
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
     while (end < text.size() && is_small_letter(text[end])) ++end;
     const std::string_view word = text.substr(at, end - at);
-    if (word.size() > 1 && !std::ranges::binary_search(neutral, word)) return std::string(word);
     at = std::max(end, at + 1);
+    if (word.size() < 2 || std::ranges::binary_search(neutral, word)) continue;
+    if (!is_quantity(word)) return std::string(word);
+    if (!quantity) quantity = word;
   }
-  return std::nullopt;
+  return quantity;
 }
 
 std::optional<std::string> dropping_word_in(std::string_view text) {

@@ -14,8 +14,8 @@ bool says_what_a_letter_is(const ExprTree& tree, const NameScope& scope, const E
   if (!alone || tree.symbols[left.symbol].derivation || tree.is_zero_literal(equation.right)) return false;
   if (definition_of(scope, left.symbol) != nullptr) return false;
   const std::vector<SymbolId> reached = symbols_reached(tree, scope, {equation.right});
-  return std::ranges::none_of(
-      reached, [&](SymbolId each) { return base_of(tree.symbols, each) == left.symbol; });
+  return std::ranges::none_of(reached,
+                              [&](SymbolId each) { return base_of(tree.symbols, each) == left.symbol; });
 }
 
 }  // namespace

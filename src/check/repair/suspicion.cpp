@@ -92,6 +92,8 @@ class Suspecting {
     };
     ExprTree grown = tree_;
     const Names assuming = with_laws_and_constants({grown, names_, row_.claim, &cache_}, met);
+    if (judge(grown, assuming, row_.claim, limits_of_guesses, &cache_).verdict == Verdict::proved)
+      return std::nullopt;  // it may follow as it stands
     std::vector<TrueNeighbour> found = true_neighbours(grown, assuming, row_.wrong, proof, &cache_);
     if (found.empty()) return std::nullopt;
     return Suspicion{std::move(found.front().repair), std::move(found.front().uses)};

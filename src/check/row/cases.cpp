@@ -77,6 +77,15 @@ std::string_view clause_of(std::string_view lead) {
   return !words.empty() && words[0] == "where" ? clause : lead;
 }
 
+/// "For a constant $k$" says what the letter is, and names no case.
+std::string without_constant_letters(std::string text) {
+  for (const std::string_view said : {"for a constant $", "for constant $", "constants $", "constant $"}) {
+    for (auto at = text.find(said); at != std::string::npos; at = text.find(said))
+      text.replace(at, said.size() - 1, "");
+  }
+  return text;
+}
+
 /// "which does not change, because": the reason limits nothing to a case.
 std::size_t begin_of_reason(const std::string& tail) {
   std::size_t begin = tail.size();
@@ -90,7 +99,7 @@ bool is_conditional(const RowPlace& place) {
   const ProseBeside& beside = place.notes.prose.beside[place.event];
   const std::string behind = beside.tail.substr(0, begin_of_reason(beside.tail));
   const std::string lead(clause_of(beside.lead));
-  return word_that_demands(lead) || word_of_a_special_case(lead + " " + behind);
+  return word_that_demands(lead) || word_of_a_special_case(without_constant_letters(lead + " " + behind));
 }
 
 bool is_of_a_case(const RowPlace& place) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/ascii.h"
 #include "check/doubt/equation_of_letters.h"
 #include "check/place/place.h"
 #include "check/prose/open_words.h"
@@ -51,7 +52,10 @@ bool adds_an_unusual_term(const Repair& repair) {
   if (!repair.adds_a_term || !repair.replacement.starts_with(repair.replaced)) return false;
   const std::string_view added = std::string_view(repair.replacement).substr(repair.replaced.size());
   const auto first = added.find_first_not_of("+- ");
-  return first != std::string_view::npos && added[first] >= '3' && added[first] <= '9';
+  if (first == std::string_view::npos || !is_digit(added[first])) return false;
+  const auto end = added.find_first_not_of("0123456789", first);
+  const std::string_view number = added.substr(first, end - first);
+  return number.size() > 1 || number[0] >= '3';
 }
 
 /// A single sign, number, letter or index: of an exchange or another function there are so many that one of

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -24,14 +25,20 @@
 namespace rigor {
 namespace {
 
+/// What the letters of an equation mean, where they are defined.
+std::vector<std::pair<SymbolId, ExprId>> meanings_of(const RowPlace& place, const Equation& equation) {
+  std::vector<std::pair<SymbolId, ExprId>> meanings;
+  for (const SymbolId letter :
+       symbols_reached(place.tree, place.names.scope, {equation.left, equation.right})) {
+    if (const auto body = body_of_definition(place.names.scope, letter)) meanings.emplace_back(letter, *body);
+  }
+  return meanings;
+}
+
 /// Its letters mean what they meant where the law was stated: none was defined anew since.
 bool means_the_same(const RowPlace& place, const StatedLaw& stated) {
-  const Equation& equation = stated.law.equation;
-  const std::vector<SymbolId> letters =
-      symbols_reached(place.tree, stated.scope, {equation.left, equation.right});
-  return std::ranges::all_of(letters, [&](SymbolId letter) {
-    const auto then = body_of_definition(stated.scope, letter);
-    return !then || then == body_of_definition(place.names.scope, letter);
+  return std::ranges::all_of(stated.meanings, [&](const auto& meaning) {
+    return body_of_definition(place.names.scope, meaning.first) == meaning.second;
   });
 }
 
@@ -112,21 +119,14 @@ std::optional<SymbolId> letter_of_law(const ExprTree& tree, const Equation& equa
   return alone ? std::optional(left.symbol) : std::nullopt;
 }
 
-/// `F = -kx` and `F = mg`: two cases, each of which holds in its paragraph.
-bool is_one_of_several(const RowPlace& place, const StatedLaw& stated) {
-  const auto letter = letter_of_law(place.tree, stated.law.equation);
-  return letter && std::ranges::any_of(place.above.stated, [&](const StatedLaw& other) {
-           return &other != &stated && letter_of_law(place.tree, other.law.equation) == letter;
-         });
-}
-
 /// Above in this section or one around it; of earlier sections, what is not said for a case or an example.
-bool is_available(const RowPlace& place, const StatedLaw& stated) {
+/// `one_of_several`: `F = -kx` and `F = mg` are two cases, each of which holds in its paragraph.
+bool is_available(const RowPlace& place, const StatedLaw& stated, bool one_of_several) {
   const ProseBeside& here = beside(place);
   const Sections& sections = place.notes.prose.sections;
   const PageLaw& law = stated.law;
   if (law.of_a_case && law.paragraph != here.paragraph) return false;
-  if (law.paragraph != here.paragraph && is_one_of_several(place, stated)) return false;
+  if (law.paragraph != here.paragraph && one_of_several) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place))) return false;
   return means_the_same(place, stated);
@@ -205,6 +205,25 @@ bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
   });
 }
 
+/// It would follow from a conclusion that follows from nothing itself.
+Judgement follows_from_open(const Laws& available, const Claim& claim, Judgement judgement) {
+  const auto open = std::ranges::find_if(available, [&](const PageLaw* law) {
+    return law->unfounded && std::ranges::find(judgement.uses, law->name) != judgement.uses.end();
+  });
+  if (open == available.end()) return judgement;
+  Judgement undecided;
+  undecided.verdict = Verdict::undecided;
+  undecided.uses = std::move(judgement.uses);
+  undecided.used = std::move(judgement.used);
+  undecided.diagnostics = {
+      {DiagnosticKind::follows_from_nothing,
+       claim.relation,
+       fmt::format("it follows from `{}`, of which no proof was found", (*open)->name),
+       {{(*open)->span, "not proved here"}},
+       {"what that follows from can stand above it, as an equation or as `rigor: given …`"}}};
+  return undecided;
+}
+
 /// As a conclusion: by its words, behind an arrow, or as a later link of a chain.
 bool is_announced(const RowPlace& place, const StepReading& row) {
   return row.which > 0 || row.parsed.written.inference != Inference::none ||
@@ -225,17 +244,23 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
       {{equation, name_of_law(parsed.written.tag, relation, place.sources, word), relation, here.place,
         here.paragraph, momentary, momentary || is_conditional(place) || is_value(place.tree, equation),
         has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)), word == unfounded},
-       place.names.scope,
-       is_of_a_case(place) || is_headed_as_example(place)});
+       is_of_a_case(place) || is_headed_as_example(place),
+       letter_of_law(place.tree, equation),
+       meanings_of(place, equation)});
 }
 
 Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
+  std::map<SymbolId, int> said;  // how often the page says what a letter is
+  for (const StatedLaw& stated : place.above.stated) {
+    if (stated.letter) ++said[*stated.letter];
+  }
   Laws available;
   for (const StatedLaw& stated : place.above.stated) {
     const Span at = stated.law.span;
     const Span own = parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
-    if (!of_this_chain && is_available(place, stated)) available.push_back(&stated.law);
+    const bool one_of_several = stated.letter && said[*stated.letter] > 1;
+    if (!of_this_chain && is_available(place, stated, one_of_several)) available.push_back(&stated.law);
   }
   return available;
 }
@@ -243,15 +268,26 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
 bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (row.role != Role::display || row.unsettled || is_meant_for_all(place.tree, place.names, claim))
     return false;
-  auto found =
-      follow_from_laws(place.tree, place.names, claim, available_to(place, row.parsed), *place.options.cache);
+  const Laws available = available_to(place, row.parsed);
+  Laws founded = available;
+  std::erase_if(founded, [](const PageLaw* law) { return law->unfounded; });
+  DecisionCache& cache = *place.options.cache;
+  auto found = follow_from_laws(place.tree, place.names, claim, founded, cache);
+  const bool rests_on_open = !found && founded.size() < available.size();
+  if (rests_on_open) found = follow_from_laws(place.tree, place.names, claim, available, cache);
   if (!found) return false;
   add_used(place, judgement.used);
   judgement = *std::move(found);
   add_used(place, judgement.used);
+  if (rests_on_open) {
+    judgement = follows_from_open(available, claim, std::move(judgement));
+    leave(place, row, claim, unfounded);
+    return true;
+  }
   if (judgement.restates) return true;
   heed_proof(place, row.parsed, claim, judgement);
-  if (judgement.verdict == Verdict::proved) leave(place, row, claim, "result");
+  const bool both_ways = row.parsed.written.inference == Inference::equivalence;
+  if (judgement.verdict == Verdict::proved && !both_ways) leave(place, row, claim, "result");
   return true;
 }
 

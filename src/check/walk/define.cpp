@@ -181,6 +181,10 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
   }
   if (!definition || is_function_value(walk.names, walk.tree, definition->symbol)) return false;
   if (context.role == Role::display && is_surface(walk, definition->symbol, parsed)) return false;
+  // `x = 1 \Rightarrow x^2 = 1`: a case, from which something follows on its line.
+  if (context.role == Role::display && parsed.written.premise &&
+      parsed.written.relations[0].kind != RelationKind::defines)
+    return false;
   const bool square = walk.tree[left.typed->id].op == Op::power;
   const bool named_definition =
       parsed.written.relations[0].kind == RelationKind::defines || context.role == Role::let ||

@@ -280,7 +280,8 @@ std::optional<std::string> word_that_demands(std::string_view lead) {
 std::optional<std::string> word_of_a_special_case(std::string_view sentence) {
   const Words words = words_of(sentence);
   for (std::size_t k = 0; k < words.size(); ++k) {
-    if (is_special(words[k])) return std::string(words[k]);
+    const bool noun = words[k] == "constant" && word_at(words, k + 1) == "of";  // "the constant of a spring"
+    if (is_special(words[k]) && !noun) return std::string(words[k]);
     if (words[k] == "for" && restricts_behind_for(words, k))
       return "for " + std::string(word_at(words, k + 1));
     if (words[k] == "at" && word_at(words, k + 1) == "rest") return "at rest";
