@@ -196,6 +196,17 @@ bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
 
 }  // namespace
 
+std::optional<NumberShown> number_shown(const ExprTree& tree, const Claim& claim) {
+  std::optional<NumberShown> found;
+  for (const ExprId side : {claim.equation.left, claim.equation.right}) {
+    const auto shown = shown_in(tree, side, true);
+    if (!shown) continue;
+    if (found) return std::nullopt;
+    found = NumberShown{side, shown->number, shown->digits};
+  }
+  return found;
+}
+
 bool compares_decimals(const ExprTree& tree, const Names& names, const Equation& equation) {
   const auto is_number = [&](ExprId side) { return is_a_number(tree, names, side); };
   return is_number(equation.left) && is_number(equation.right) &&

@@ -24,6 +24,16 @@ struct DigitComparison {
   std::string bound = {};  // where it differs: `less than 1.415`
 };
 
+/// `6.3\,\mathrm{m/s}`: a side that is one number, with powers of ten and units.
+struct NumberShown {
+  ExprId side{};
+  ExprId number{};
+  int digits = 0;
+};
+
+/// That of one side, where the other is none.
+[[nodiscard]] std::optional<NumberShown> number_shown(const ExprTree& tree, const Claim& claim);
+
 /// π, unless the notes say something else about it.
 [[nodiscard]] bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol);
 

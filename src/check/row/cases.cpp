@@ -11,6 +11,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/doubt/special_definitions.h"
+#include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/prose/denial.h"
 #include "check/prose/restrictions.h"
@@ -30,12 +31,6 @@ bool is_assumed_about(const RowPlace& place, SymbolId symbol) {
   });
 }
 
-/// `12.5`, `0.3\,\mathrm m`: of an example.
-bool is_measured_value(const ExprTree& tree, ExprId id) {
-  return std::ranges::all_of(symbols_in(tree, id),
-                             [&](SymbolId each) { return tree.symbols[each].unit_of_measure.has_value(); });
-}
-
 /// "In the medium $k = 2\pi n/\lambda$" below `k = 2\pi/\lambda`: the definitions that a line of the section
 /// has replaced since.
 std::vector<SymbolId> said_anew(RowPlace& place) {
@@ -52,8 +47,7 @@ std::vector<SymbolId> said_anew(RowPlace& place) {
       const auto reading = read_here(place, chain);
       const auto& left = reading->sides[0].typed;
       const auto& right = reading->sides[1].typed;
-      if (!left || !right || place.tree[left->id].op != Op::symbol ||
-          is_measured_value(place.tree, right->id))
+      if (!left || !right || place.tree[left->id].op != Op::symbol || is_measured(place.tree, right->id))
         continue;
       const NamedDefinition* named = definition_of(place.names.scope, place.tree[left->id].symbol);
       if (named == nullptr || named->origin.directive || said.before <= named->origin.event) continue;

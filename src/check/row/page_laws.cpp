@@ -14,6 +14,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/law/from_laws.h"
+#include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/prose/restrictions.h"
 #include "check/prose/said_around.h"
@@ -44,12 +45,7 @@ bool means_the_same(const RowPlace& place, const StatedLaw& stated) {
 
 /// `\omega_0 = 5.0\,\mathrm{s^{-1}}`: a letter and a number, of an example.
 bool is_value(const ExprTree& tree, const Equation& equation) {
-  const auto is_number = [&](ExprId side) {
-    const std::vector<SymbolId> symbols = symbols_in(tree, side);
-    return !tree.is_zero_literal(side) && std::ranges::all_of(symbols, [&](SymbolId each) {
-      return tree.symbols[each].unit_of_measure.has_value();
-    });
-  };
+  const auto is_number = [&](ExprId side) { return !tree.is_zero_literal(side) && is_measured(tree, side); };
   return is_number(equation.left) || is_number(equation.right);
 }
 
@@ -273,7 +269,7 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
   std::erase_if(founded, [](const PageLaw* law) { return law->unfounded; });
   DecisionCache& cache = *place.options.cache;
   auto found = follow_from_laws(place.tree, place.names, claim, founded, cache);
-  const bool rests_on_open = !found && founded.size() < available.size();
+  const bool rests_on_open = !found && is_announced(place, row) && founded.size() < available.size();
   if (rests_on_open) found = follow_from_laws(place.tree, place.names, claim, available, cache);
   if (!found) return false;
   add_used(place, judgement.used);

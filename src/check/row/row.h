@@ -106,6 +106,12 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step);
 void explain_slips(RowPlace& place, const ParsedChain& parsed, ChainReading& reading, std::size_t first_step,
                    std::span<Step> steps);
 
+// --- values.cpp: `U \approx 1.8\cdot10^{-6}\,\mathrm J`, where the page gives numbers for the letters of U.
+
+/// Proved to the digits shown, or suspect; else the judgement stays as it is.
+[[nodiscard]] bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& claim,
+                                      Judgement& judgement);
+
 // --- surroundings.cpp: The words and conditions around a row, and what they leave of its verdict.
 
 /// Is there an "or" next to it, on its line or in the prose between two displays?

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "check/meaning/function_value.h"
+#include "check/meaning/measured.h"
 #include "check/prose/denial.h"
 #include "check/row/row.h"
 #include "check/scope/contradiction.h"
@@ -245,10 +246,7 @@ bool redefines(Walk& walk, const Judgement& judgement, const ParsedChain& parsed
   const bool elsewhere = judgement.verdict == Verdict::law && earlier->origin.section != walk.section;
   if (!elsewhere && !(judgement.verdict == Verdict::refuted && stated)) return false;
   // `\omega_0 = 5.0\,\mathrm{s^{-1}}` is a value of what was defined.
-  const std::vector<SymbolId> right_symbols = symbols_in(walk.tree, right.id);
-  const bool value = std::ranges::all_of(
-      right_symbols, [&](SymbolId each) { return walk.tree.symbols[each].unit_of_measure.has_value(); });
-  if (value && !right_symbols.empty()) return false;
+  if (is_measured(walk.tree, right.id) && !symbols_in(walk.tree, right.id).empty()) return false;
   RowPlace here = place_here(walk);
   const bool holds_here = is_used_here(standpoint(here, parsed), walk.names, earlier->origin,
                                        earlier->definition.symbol, here.found.used);

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "For $h = 2.0\,\mathrm m$ we have `u \approx 6.3\,\mathrm{m/s}`": the numbers that the page gives for
+// letters are put into what it says of them, and the result is compared to the digits that are shown.
+#include "check/row/row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/among.h"
+#include "check/doubt/approximate_value.h"
+#include "check/doubt/digits.h"
+#include "check/meaning/measured.h"
+#include "check/place/place.h"
+#include "check/question/granted.h"
+
+namespace rigor {
+namespace {
+
+/// The page gives this number for a letter.
+struct GivenValue {
+  SymbolId letter{};
+  ExprId number{};
+  std::string text;          // as a verdict names it
+  std::size_t sentence = 0;  // 0: in a display
+};
+
+/// u of `u \approx 6.3\,\mathrm{m/s}`
+std::optional<SymbolId> bare_letter(const ExprTree& tree, ExprId side) {
+  const ExprNode& node = tree[side];
+  const bool bare = node.op == Op::symbol && node.rank == 0 && node.slot_count == 0 &&
+                    node.particle == no_particle && !tree.symbols[node.symbol].derivation &&
+                    !tree.symbols[node.symbol].unit_of_measure;
+  return bare ? std::optional(node.symbol) : std::nullopt;
+}
+
+bool gives(RelationKind kind) {
+  return kind == RelationKind::equal || kind == RelationKind::nearly || kind == RelationKind::defines;
+}
+
+void note_values_in_lines(RowPlace& place, std::vector<GivenValue>& values) {
+  const ProseBeside& here = beside(place);
+  for (const SaidInLine& said : place.notes.prose.said) {
+    const bool above =
+        said.before <= place.event && place.notes.prose.sections.reaches(said.place, here.place);
+    if (said.cue == Cue::apart || (!above && said.sentence != here.sentence)) continue;
+    for (const ParsedChain& chain : said.chains) {
+      if (chain.sides.size() != 2 || !gives(chain.written.relations[0].kind)) continue;
+      const auto reading = read_here(place, chain);
+      const auto& left = reading->sides[0].typed;
+      const auto& right = reading->sides[1].typed;
+      if (!left || !right || !is_measured(place.tree, right->id)) continue;
+      if (const auto letter = bare_letter(place.tree, left->id))
+        values.push_back({*letter, right->id,
+                          fmt::format("{} (line {})", written_at(place, said.span),
+                                      place.sources.line_column(said.span.file, said.span.begin).line),
+                          said.sentence});
+    }
+  }
+}
+
+void note_values_in_displays(const RowPlace& place, std::vector<GivenValue>& values) {
+  for (const StatedLaw& stated : place.above.stated) {
+    const PageLaw& law = stated.law;
+    if (!place.notes.prose.sections.reaches(law.place, beside(place).place)) continue;
+    const auto letter = bare_letter(place.tree, law.equation.left);
+    if (letter && is_measured(place.tree, law.equation.right))
+      values.push_back({*letter, law.equation.right, law.name});
+  }
+}
+
+/// The last one of each letter; none where one sentence gives several.
+std::vector<GivenValue> values_above(RowPlace& place) {
+  std::vector<GivenValue> all;
+  note_values_in_displays(place, all);
+  note_values_in_lines(place, all);
+  std::vector<GivenValue> last;
+  for (auto value = all.rbegin(); value != all.rend(); ++value) {
+    const auto is_other = [&](const GivenValue& other) {
+      return &other != &*value && other.letter == value->letter && other.sentence == value->sentence &&
+             dump(place.tree, other.number) != dump(place.tree, value->number);
+    };
+    const auto is_same = [&](const GivenValue& other) { return other.letter == value->letter; };
+    if (std::ranges::any_of(last, is_same)) continue;
+    if (value->sentence > 0 && std::ranges::any_of(all, is_other)) continue;
+    last.push_back(*value);
+  }
+  return last;
+}
+
+/// What holds here, with the laws that say what a letter is, and with the values. `again`: also for letters
+/// that are defined: the period of a pendulum is measured, and what plates have for `C = Q/V` is a law.
+Names with_values(const RowPlace& place, const ParsedChain& parsed, const Claim& claim,
+                  const std::vector<GivenValue>& values, bool again) {
+  Names names = place.names;
+  const auto own = bare_letter(place.tree, claim.equation.left);
+  for (const GivenValue& value : values) {
+    if (own == value.letter || (!again && definition_of(names.scope, value.letter) != nullptr)) continue;
+    forget_definition(names.scope, value.letter);
+    define(names.scope,
+           {{value.letter, {}, no_particle, value.number}, Origin{value.text, {}, std::nullopt}, 0});
+  }
+  const Laws laws = available_to(place, parsed);
+  for (auto law = laws.rbegin(); law != laws.rend(); ++law) {
+    const auto letter = bare_letter(place.tree, (*law)->equation.left);
+    if (!letter || (*law)->unfounded || is_measured(place.tree, (*law)->equation.right)) continue;
+    const bool defined = definition_of(names.scope, *letter) != nullptr;
+    if (defined && (!again || approximate_value(place.tree, names, (*law)->equation.left))) continue;
+    forget_definition(names.scope, *letter);
+    take_for_granted(place.tree, names.scope, (*law)->equation, Origin{(*law)->name, {}, std::nullopt},
+                     false);
+  }
+  return names;
+}
+
+/// What the sides lead to.
+std::vector<std::string> uses_of(const ExprTree& tree, const Names& names, const Claim& claim) {
+  std::vector<std::string> uses;
+  for (const SymbolId letter :
+       symbols_reached(tree, names.scope, {claim.equation.left, claim.equation.right})) {
+    const NamedDefinition* named = definition_of(names.scope, letter);
+    if (named != nullptr && !is_one_of(named->origin.text, uses)) uses.push_back(named->origin.text);
+  }
+  return uses;
+}
+
+/// More than roundings on the way from the numbers to the result: 3 %, and ten of the last digit.
+bool is_far(double ratio, int digits) {
+  return std::abs(ratio - 1) > std::max(0.03, 10 * std::pow(10.0, 1 - digits));
+}
+
+/// The numbers of the page give another one, which is shown instead.
+bool suspects_number(RowPlace& place, const Claim& claim, const Names& names, Judgement& judgement) {
+  const auto shown = number_shown(place.tree, claim);
+  if (!shown) return false;
+  const ExprId value = shown->side == claim.equation.left ? claim.equation.right : claim.equation.left;
+  const auto computed = approximate_value(place.tree, names, value);
+  const auto written = approximate_value(place.tree, names, shown->side);
+  if (!computed || !written || *written == 0 || !is_far(*computed / *written, shown->digits)) return false;
+  const std::string digits(place.tree.digits(shown->number));
+  const double number = std::strtod(digits.c_str(), nullptr) * *computed / *written;
+  const std::string instead = fmt::format("{:.{}g}", number, std::max(shown->digits, 2));
+  judgement.verdict = Verdict::suspect;
+  judgement.route = "the numbers of the page give another one";
+  judgement.of_another_question = true;
+  judgement.counterexample.reset();
+  judgement.sample.reset();
+  judgement.uses = uses_of(place.tree, names, claim);
+  judgement.diagnostics = {
+      {DiagnosticKind::suspect,
+       claim.relation,
+       fmt::format("with {}, `{}` comes to {} where {} is written", fmt::join(judgement.uses, ", "),
+                   written_at(place, value == claim.equation.left ? claim.left : claim.right), instead,
+                   digits),
+       {},
+       {"`rigor: law next` says that it is meant as it stands"}}};
+  return true;
+}
+
+}  // namespace
+
+bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  const bool open = judgement.verdict == Verdict::law || judgement.verdict == Verdict::refuted ||
+                    judgement.verdict == Verdict::undecided;
+  if (!open || claim.recorded != nullptr || claim.equation.relation != Relation::equal || row.unsettled ||
+      !number_shown(place.tree, claim))
+    return false;
+  const std::vector<GivenValue> values = values_above(place);
+  for (const bool again : {false, true}) {
+    const Names names = with_values(place, row.parsed, claim, values, again);
+    const auto compared = agreement_of_digits(place.tree, names, claim, place.options.cache);
+    if (!compared) continue;
+    if (compared->agreement == Agreement::rounds) {
+      judgement.verdict = Verdict::proved;
+      judgement.route = "to the digits shown";
+      judgement.of_another_question = true;
+      judgement.counterexample.reset();
+      judgement.sample.reset();
+      judgement.diagnostics.clear();
+      judgement.uses = uses_of(place.tree, names, claim);
+      return true;
+    }
+    if (compared->agreement == Agreement::differs && !again && !place.is_stated && !is_conditional(place) &&
+        !is_alternative(place, row.parsed))
+      return suspects_number(place, claim, names, judgement);
+    return false;
+  }
+  return false;
+}
+
+}  // namespace rigor
