@@ -93,7 +93,7 @@ class Heeding {
     for (const Fact* fact : facts) {
       Origin origin{fact->text, {}, std::nullopt};
       if (fact->proves) {
-        take_for_granted(tree_, names.scope, fact->equation, std::move(origin), fact->at_instant);
+        take_for_granted(tree_, names, fact->equation, std::move(origin), fact->at_instant);
       } else {
         assume(names.scope, {fact->equation, std::move(origin), 0, fact->at_instant});
       }

@@ -190,9 +190,20 @@ std::vector<SymbolId> constants_by_evidence(const RowUnderLaws& row, const Names
   return any ? std::vector<SymbolId>{} : unknown;
 }
 
+/// The letters of the row that may vanish: all of them, but of `E = \rho r/3` only that on the left side. The
+/// law `r^2E = \rho r^3/3` says so for every other r.
+std::set<SymbolId> letters_that_may_vanish(const RowUnderLaws& row) {
+  Equation own = row.claim.equation;
+  const ExprNode& left = row.tree[own.left];
+  const bool says_what_it_is = own.relation == Relation::equal && left.op == Op::symbol &&
+                               left.slot_count == 0 && !row.tree.symbols[left.symbol].derivation;
+  if (says_what_it_is) own.right = own.left;
+  return base_letters(row.tree, row.names.scope, own);
+}
+
 /// The row may stay open in a letter that vanishes only where it has not that letter itself.
 std::vector<SymbolId> not_zero(const RowUnderLaws& row, const Laws& set) {
-  std::set<SymbolId> own = base_letters(row.tree, row.names.scope, row.claim.equation);
+  std::set<SymbolId> own = letters_that_may_vanish(row);
   std::vector<SymbolId> letters;
   // `ab = 0` may say that a vanishes, and that b does.
   const auto vanishes = [&](const Equation& equation) {
@@ -267,7 +278,7 @@ std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, 
 
 Names with_laws(const ExprTree& tree, Names names, const Laws& laws) {
   for (const PageLaw* law : laws)
-    take_for_granted(tree, names.scope, law->equation, Origin{law->name, {}, std::nullopt}, law->at_instant);
+    take_for_granted(tree, names, law->equation, Origin{law->name, {}, std::nullopt}, law->at_instant);
   return names;
 }
 

@@ -8,8 +8,7 @@ namespace rigor {
 /// `x(0)`, `V(r_0)`: the value of a function at its argument, which is a symbol under this name. What it is
 /// follows from the function, so that a row about it defines nothing.
 [[nodiscard]] inline bool is_function_value(const Names& names, const ExprTree& tree, SymbolId symbol) {
-  const NameKey* key = key_of(names.symbols, base_of(tree.symbols, symbol));
-  return key != nullptr && key->base.ends_with(')');
+  return names.symbols.function_values->contains(base_of(tree.symbols, symbol));
 }
 
 }  // namespace rigor

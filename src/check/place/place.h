@@ -24,8 +24,10 @@ using Side = ChainReading::Side;
 /// A law, or a row that follows from laws, with what its letters meant.
 struct StatedLaw {
   PageLaw law;
-  bool of_a_section = false;            // its heading is about a special case: "Electrostatics"
-  std::optional<SymbolId> letter = {};  // F of `F = -kx`: what it says that the letter is
+  std::vector<std::string> labels = {};      // its tag and its label
+  std::vector<std::string> conditions = {};  // `r < R` next to it, as they are written
+  bool of_a_section = false;                 // its heading is about a special case: "Electrostatics"
+  std::optional<SymbolId> letter = {};       // F of `F = -kx`: what it says that the letter is
   std::vector<std::pair<SymbolId, ExprId>> meanings = {};  // of its letters that are defined
 };
 

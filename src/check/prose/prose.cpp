@@ -130,6 +130,7 @@ class ProseReader {
       }
       ProseBeside& beside = prose_.beside[event_];
       beside.lead = sentence_;
+      beside.references = references_;
       beside.sentence = number_;
       beside.place = walk_.here();
       beside.paragraph = paragraph_;
@@ -163,8 +164,10 @@ class ProseReader {
   }
 
   void end_tail() {
-    if (last_display_ && tail_begin_ <= sentence_.size())
+    if (last_display_ && tail_begin_ <= sentence_.size()) {
       prose_.beside[*last_display_].tail = sentence_.substr(tail_begin_);
+      prose_.beside[*last_display_].references = references_;
+    }
     last_display_.reset();
   }
 
@@ -187,6 +190,7 @@ class ProseReader {
     at_place_ = false;
     displays_before_ = displays_;
     sentence_.clear();
+    references_.clear();
     cue_ = Cue::none;
     ++number_;
   }
@@ -221,6 +225,7 @@ class ProseReader {
     if (c == '$' || text.compare(at, 2, "\\(") == 0) return read_inline(text, at, span);
     if (is_letter(c)) return read_word(text, at);
     if (c == '\\') return read_control(text, at);
+    if (c == '(' || c == '{') note_reference(text, at);
     const bool ends =
         (c == '.' || c == '!' || c == '?') &&
         (at + 1 == text.size() || is_space(text[at + 1]) || text[at + 1] == '*' || text[at + 1] == ')') &&
@@ -234,6 +239,19 @@ class ProseReader {
       if (cue_ == Cue::apart) cue_ = Cue::none;
     }
     return at + 1;
+  }
+
+  /// `(1.3)`, `{eq:newton}` behind `\eqref`, and {eq}`newton` of MyST.
+  void note_reference(const std::string& text, std::size_t at) {
+    constexpr std::string_view role = "{eq}`";
+    const bool named = text.compare(at, role.size(), role) == 0;
+    const char close = named ? '`' : text[at] == '(' ? ')' : '}';
+    const std::size_t begin = at + (named ? role.size() : 1);
+    const std::size_t end = text.find(close, begin);
+    constexpr std::size_t longest = 60;
+    if (end == std::string::npos || end == begin || end - begin > longest) return;
+    const std::string label = text.substr(begin, end - begin);
+    if (label.find_first_of(" \n$\\") == std::string::npos) references_.push_back(label);
   }
 
   std::size_t read_blanks(const std::string& text, std::size_t at) {
@@ -285,6 +303,7 @@ class ProseReader {
                                  name == "eqref" || name == "cite";
     if (names_something && end < text.size() && text[end] == '{') {
       if (name == "begin" || name == "end") end_sentence();
+      if (name == "ref" || name == "eqref") note_reference(text, end);
       return std::min(text.find('}', end), text.size() - 1) + 1;
     }
     return std::max(end, at + 2);
@@ -320,6 +339,7 @@ class ProseReader {
   std::map<FileId, std::uint32_t> read_to_;
   std::size_t event_ = 0;
   std::string sentence_;
+  std::vector<std::string> references_;  // of the sentence
   std::size_t number_ = 0;
   Cue cue_ = Cue::none;
   std::optional<std::size_t> last_display_;

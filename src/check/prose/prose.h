@@ -49,8 +49,9 @@ struct ProseSentence {
 
 /// Of one event. Mathematics in a line stands as `$` in the text, a display as `\n`.
 struct ProseBeside {
-  std::string lead;  // the words of its sentence before a display
-  std::string tail;  // and after it, up to the next display
+  std::string lead;                          // the words of its sentence before a display
+  std::string tail;                          // and after it, up to the next display
+  std::vector<std::string> references = {};  // `1.3` of "with (1.3)", `eq:newton` of `\eqref{eq:newton}`
   std::size_t sentence = 0;
   std::size_t place = 0;
   std::size_t paragraph = 0;

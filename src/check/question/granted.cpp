@@ -4,28 +4,33 @@
 #include <algorithm>
 #include <utility>
 
+#include "check/meaning/function_value.h"
+
 namespace rigor {
 namespace {
 
-bool says_what_a_letter_is(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
+bool says_what_a_letter_is(const ExprTree& tree, const Names& names, const Equation& equation) {
   const ExprNode& left = tree[equation.left];
   const bool alone = equation.relation == Relation::equal && left.op == Op::symbol && left.slot_count == 0 &&
                      left.particle == no_particle && left.rank == tree[equation.right].rank;
-  if (!alone || tree.symbols[left.symbol].derivation || tree.is_zero_literal(equation.right)) return false;
-  if (definition_of(scope, left.symbol) != nullptr) return false;
-  const std::vector<SymbolId> reached = symbols_reached(tree, scope, {equation.right});
+  if (!alone || is_function_value(names, tree, left.symbol) || tree.symbols[left.symbol].derivation ||
+      tree.is_zero_literal(equation.right))
+    return false;
+  if (definition_of(names.scope, left.symbol) != nullptr) return false;
+  const std::vector<SymbolId> reached = symbols_reached(tree, names.scope, {equation.right});
   return std::ranges::none_of(reached,
                               [&](SymbolId each) { return base_of(tree.symbols, each) == left.symbol; });
 }
 
 }  // namespace
 
-void take_for_granted(const ExprTree& tree, NameScope& scope, const Equation& equation, Origin origin,
+void take_for_granted(const ExprTree& tree, Names& names, const Equation& equation, Origin origin,
                       bool at_instant) {
-  if (!at_instant && says_what_a_letter_is(tree, scope, equation)) {
-    define(scope, {{tree[equation.left].symbol, {}, no_particle, equation.right}, std::move(origin), 0});
+  if (!at_instant && says_what_a_letter_is(tree, names, equation)) {
+    define(names.scope,
+           {{tree[equation.left].symbol, {}, no_particle, equation.right}, std::move(origin), 0});
   } else {
-    assume(scope, {equation, std::move(origin), 0, at_instant});
+    assume(names.scope, {equation, std::move(origin), 0, at_instant});
   }
 }
 

@@ -184,10 +184,17 @@ class Preparation {
   std::optional<FoundDefinition> definition_of(SymbolId symbol, int depth) {
     if (const NamedDefinition* named = rigor::definition_of(names_.scope, symbol))
       return FoundDefinition{named->definition, &named->origin, named->at_instant};
-    const auto& derivation = tree_.symbols[symbol].derivation;
-    if (!derivation || derivation->by.size() > largest_order || depth > largest_order) return std::nullopt;
+    if (depth > largest_order) return std::nullopt;
     if (const auto known = derived_.find(symbol); known != derived_.end()) return known->second;
     std::optional<FoundDefinition> result;
+    const auto& values = *names_.symbols.function_values;
+    if (const auto value = values.find(symbol); value != values.end()) {
+      derived_[symbol] = std::nullopt;  // y(0) of `y = y(0)e^{kx}` says nothing of itself
+      result = at_value(symbol, value->second, depth);
+      return derived_[symbol] = result;
+    }
+    const auto derivation = tree_.symbols[symbol].derivation;
+    if (!derivation || derivation->by.size() > largest_order) return std::nullopt;
     for (auto by = derivation->by.rbegin(); by != derivation->by.rend() && !result; ++by) {
       const auto of = definition_of(parent_of(*derivation, *by), depth + 1);
       if (of && of->at_instant && *by == By::time) {
@@ -198,6 +205,60 @@ class Preparation {
     }
     derived_[symbol] = result;
     return result;
+  }
+
+  /// x(0) of `x(t) = A\cos\omega t`: what the function is, with the value in the place of the variable.
+  std::optional<FoundDefinition> at_value(SymbolId symbol, const FunctionValue& value, int depth) {
+    const auto of = definition_of(value.of, depth + 1);
+    if (!of || of->at_instant || of->definition.by_square || !of->definition.indices.empty() ||
+        of->definition.particle != no_particle || value.variables.size() != value.at.size())
+      return std::nullopt;
+    std::map<SymbolId, ExprId> at;
+    for (std::size_t k = 0; k < value.at.size(); ++k) {
+      const auto variable = find_symbol(names_.symbols, {value.variables[k], 0, false});
+      if (!variable) return std::nullopt;
+      at.emplace(*variable, value.at[k]);
+    }
+    const auto body = opened(of->definition.body);
+    if (!body) return std::nullopt;
+    for (const SymbolId each : symbols_in(tree_, *body)) {
+      if (!at.contains(each) && may_run(each)) return std::nullopt;
+    }
+    FoundDefinition result = *of;
+    result.definition.symbol = symbol;
+    result.definition.body = replaced(tree_, *body, [&](ExprId id) -> std::optional<ExprId> {
+      const auto found = at.find(tree_[id].symbol);
+      return found == at.end() ? std::nullopt : std::optional(found->second);
+    });
+    const bool circular = is_one_of(symbol, symbols_in(tree_, result.definition.body));
+    return circular ? std::nullopt : std::optional(std::move(result));
+  }
+
+  /// With its definitions put in; nothing where they go too deep, or are of components.
+  std::optional<ExprId> opened(ExprId body) {
+    for (int k = 0; k < largest_order; ++k) {
+      bool plain = true;
+      const ExprId next = replaced(tree_, body, [&](ExprId id) -> std::optional<ExprId> {
+        const auto of = definition_of(tree_[id].symbol, 1);
+        if (!of) return std::nullopt;
+        const bool whole = of->definition.indices.empty() && of->definition.particle == no_particle &&
+                           !of->definition.by_square && tree_[id].slot_count == 0;
+        plain = plain && whole;
+        return whole ? std::optional(of->definition.body) : std::nullopt;
+      });
+      if (!plain) return std::nullopt;
+      if (next == body) return body;
+      body = next;
+    }
+    return std::nullopt;
+  }
+
+  /// Can it change where the variable does? A quantity whose rate the page writes does.
+  bool may_run(SymbolId symbol) const {
+    if (tree_.symbols[symbol].derivation) return true;
+    if (names_.symbols.function_values->contains(symbol)) return false;
+    const NameKey* key = key_of(names_.symbols, symbol);
+    return key != nullptr && may_be_changing(*names_.symbols.evidence, key->base);
   }
 
   /// The derivative of one order less.

@@ -14,6 +14,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/law/from_laws.h"
+#include "check/meaning/function_value.h"
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/prose/restrictions.h"
@@ -84,6 +85,22 @@ bool is_of_a_moment(const RowPlace& place) {
   return !behind.empty() && (behind[0] == "at" || behind[0] == "when" || behind[0] == "initially");
 }
 
+/// `x(0) = x_0`, `u(h) = U`: it speaks of a moment or a place, and holds at all times.
+bool is_about_values(const RowPlace& place, const Equation& equation) {
+  bool found = false;
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SymbolId symbol : symbols_in(place.tree, side)) {
+      if (is_function_value(place.names, place.tree, symbol)) {
+        found = true;
+        continue;
+      }
+      const NameKey* key = key_of(place.names.symbols, symbol);
+      if (key == nullptr || may_be_changing(*place.names.symbols.evidence, key->base)) return false;
+    }
+  }
+  return found;
+}
+
 /// `\dot x = 0`, `x = a`, `\phi_1 = \phi_2`: letters and nothing else.
 bool sets_letters_equal(const ExprTree& tree, const Equation& equation) {
   const auto is_bare = [&](ExprId side) {
@@ -115,14 +132,29 @@ std::optional<SymbolId> letter_of_law(const ExprTree& tree, const Equation& equa
   return alone ? std::optional(left.symbol) : std::nullopt;
 }
 
-/// Above in this section or one around it; of earlier sections, what is not said for a case or an example.
-/// `one_of_several`: `F = -kx` and `F = mg` are two cases, each of which holds in its paragraph.
-bool is_available(const RowPlace& place, const StatedLaw& stated, bool one_of_several) {
+/// Does the sentence name it, "with (1.3)"?
+bool is_named_beside(const RowPlace& place, const StatedLaw& stated) {
+  return std::ranges::any_of(beside(place).references,
+                             [&](const std::string& each) { return is_one_of(each, stated.labels); });
+}
+
+/// Where a law may be used.
+struct Reach {
+  bool one_of_several = false;          // `F = -kx` and `F = mg`: each of them holds in its paragraph
+  std::vector<std::string> conditions;  // that are said of the row
+};
+
+/// Above in this section or one around it; of earlier sections, what is not said for a case or an example. A
+/// case holds in its paragraph, and where it is named; under a condition, where that is said as well.
+bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& reach) {
   const ProseBeside& here = beside(place);
   const Sections& sections = place.notes.prose.sections;
   const PageLaw& law = stated.law;
-  if (law.of_a_case && law.paragraph != here.paragraph) return false;
-  if (law.paragraph != here.paragraph && one_of_several) return false;
+  const bool said = std::ranges::all_of(
+      stated.conditions, [&](const std::string& each) { return is_one_of(each, reach.conditions); });
+  if (!said) return false;
+  const bool in_reach = law.paragraph == here.paragraph || is_named_beside(place, stated);
+  if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place))) return false;
   return means_the_same(place, stated);
@@ -134,10 +166,14 @@ bool names_a_surface(const RowPlace& place, const Equation& equation) {
   return letter && is_free_variable(place.names, place.tree, *letter, By::space);
 }
 
-/// `\partial_z\phi = 0 \quad (z = 0)`: a condition next to it says where, when or in which case. What follows
-/// from it holds there only, and nothing says so of the rows below.
-bool holds_on_its_line(const RowPlace& place, const ParsedChain& parsed) {
-  return parsed.written.doubt || !parsed.assumed.empty() || !conditions_beside(place, parsed).empty();
+/// `E_r = \rho r/3\epsilon_0 \quad (r < R)`: where, when or in which case it holds, as it is written next to
+/// it.
+std::vector<std::string> conditions_said(const RowPlace& place, const ParsedChain& parsed) {
+  std::vector<std::string> conditions;
+  for (const ParsedChain& each : parsed.assumed) conditions.push_back(text_of(each.written));
+  for (const ParsedChain* each : conditions_beside(place, parsed))
+    conditions.push_back(text_of(each->written));
+  return conditions;
 }
 
 constexpr std::string_view unfounded = "conclusion";
@@ -232,14 +268,17 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
                          std::string_view word) {
   if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
       names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
-      names_a_surface(place, equation) || holds_on_its_line(place, parsed))
+      names_a_surface(place, equation) || (parsed.written.doubt && !parsed.written.only_said_for))
     return;
   const ProseBeside& here = beside(place);
-  const bool momentary = is_of_a_moment(place) || sets_letters_equal(place.tree, equation);
+  const bool said_for_now = is_of_a_moment(place) || sets_letters_equal(place.tree, equation);
+  const bool momentary = said_for_now && !is_about_values(place, equation);
   place.found.stated.push_back(
       {{equation, name_of_law(parsed.written.tag, relation, place.sources, word), relation, here.place,
-        here.paragraph, momentary, momentary || is_conditional(place) || is_value(place.tree, equation),
+        here.paragraph, momentary, said_for_now || is_conditional(place) || is_value(place.tree, equation),
         has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)), word == unfounded},
+       {parsed.written.tag, parsed.written.label},
+       conditions_said(place, parsed),
        is_of_a_case(place) || is_headed_as_example(place),
        letter_of_law(place.tree, equation),
        meanings_of(place, equation)});
@@ -250,13 +289,14 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
   for (const StatedLaw& stated : place.above.stated) {
     if (stated.letter) ++said[*stated.letter];
   }
+  const std::vector<std::string> conditions = conditions_said(place, parsed);
   Laws available;
   for (const StatedLaw& stated : place.above.stated) {
     const Span at = stated.law.span;
     const Span own = parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
-    const bool one_of_several = stated.letter && said[*stated.letter] > 1;
-    if (!of_this_chain && is_available(place, stated, one_of_several)) available.push_back(&stated.law);
+    const Reach reach{stated.letter && said[*stated.letter] > 1, conditions};
+    if (!of_this_chain && is_available(place, stated, reach)) available.push_back(&stated.law);
   }
   return available;
 }

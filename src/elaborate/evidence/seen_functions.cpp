@@ -264,12 +264,25 @@ bool may_be_changing(const Evidence& evidence, std::string_view name) {
   return evidence.speaks_of_change || is_among(evidence.may_change, name);
 }
 
+namespace {
+
+/// `x(0)`, `\dot x(0)`: it does not change with x.
+bool is_value_at_a_number(const SyntaxTree& syntax, SyntaxId side) {
+  if (syntax[side].kind != SyntaxKind::term || syntax.children(side).size() != 2) return false;
+  const SyntaxChild bracket = syntax.children(side)[1];
+  return bracket.joint == Joint::juxtaposed && syntax[bracket.id].kind == SyntaxKind::group &&
+         std::ranges::none_of(nodes_below(syntax, {bracket.id}),
+                              [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; });
+}
+
+}  // namespace
+
 void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   for (const SyntaxId side : sides) {
     if (syntax[side].kind != SyntaxKind::symbol) continue;
     std::set<std::string>& tied = evidence.tied[changing_name(syntax.symbol(side))];
     for (const SyntaxId other : sides) {
-      if (other == side) continue;
+      if (other == side || is_value_at_a_number(syntax, other)) continue;
       for (const SyntaxId id : nodes_below(syntax, {other})) {
         if (syntax[id].kind == SyntaxKind::symbol) tied.insert(changing_name(syntax.symbol(id)));
       }

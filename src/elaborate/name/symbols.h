@@ -39,6 +39,13 @@ struct SpaceInForce {
   Declaration declared;
 };
 
+/// `x(0)`, `V''(r_0)`: a function where its variables have these values.
+struct FunctionValue {
+  SymbolId of{};                            // x; V''
+  std::vector<std::string> variables = {};  // t; r; none: nothing says which they are
+  std::vector<ExprId> at = {};
+};
+
 struct Symbols {
   struct Entry {
     SymbolId symbol{};
@@ -48,6 +55,7 @@ struct Symbols {
   Shared<std::map<NameKey, Entry>> entries;
   Shared<std::map<SymbolId, NameKey>> keys;
   Shared<std::map<NameKey, SymbolId>> declared_before;  // in any section
+  Shared<std::map<SymbolId, FunctionValue>> function_values;
   Shared<std::map<std::string, Declaration>> particle_letters;
   Shared<std::vector<SpaceInForce>> spaces;                             // the innermost last
   Shared<std::map<std::pair<std::string, int>, Space>> spaces_by_name;  // of the file: name and dimension

@@ -220,6 +220,21 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
   return BracketPart::open;
 }
 
+namespace {
+
+/// t of `x(t)`, as the section writes it; of what is dotted the time.
+std::vector<std::string> running_variables(const Reading& reading, const WrittenSymbol& function,
+                                           std::size_t count) {
+  WrittenSymbol bare = function;
+  bare.primes = 0;
+  bare.dots = 0;
+  if (auto variables = variables_of(bare, *reading.names.symbols.evidence))
+    return variables->size() == count ? *std::move(variables) : std::vector<std::string>{};
+  return count == 1 && function.dots > 0 ? std::vector<std::string>{"t"} : std::vector<std::string>{};
+}
+
+}  // namespace
+
 MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId bracket, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   const Span span = cover(syntax[function].span, syntax[bracket].span);
@@ -227,17 +242,22 @@ MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId brack
   if (!of) return std::nullopt;
   bool open = !of->free.empty() || !of->particles.empty();
   std::string arguments;
+  std::vector<ExprId> at;
   for (const SyntaxChild& child : syntax.children(bracket)) {
     const auto argument = elaborate(reading, child.id, around);
     if (!argument) return std::nullopt;
     open = open || !argument->free.empty() || !argument->particles.empty();
     arguments += (arguments.empty() ? "" : ", ") + print_latex(reading.tree, argument->id);
+    at.push_back(argument->id);
   }
   if (open || of->rank > 1)
     return unsupported(reading, span, "the value of a function with indices is not decided");
   const std::string name = fmt::format("{}({})", print_latex(reading.tree, of->id), arguments);
   reading.found.values = true;
   const SymbolId symbol = symbol_named(reading, {name, of->rank, false}, name, span);
+  if (reading.tree[of->id].op == Op::symbol && !reading.names.symbols.function_values->contains(symbol))
+    reading.names.symbols.function_values.write()[symbol] = {
+        reading.tree[of->id].symbol, running_variables(reading, syntax.symbol(function), at.size()), at};
   Typed value{.rank = of->rank};
   value.id = reading.tree.add({.op = Op::symbol,
                                .rank = static_cast<std::uint8_t>(of->rank),

@@ -221,6 +221,7 @@ void add_conditions(WrittenChain& chain, const std::vector<Tokens>& in_tag) {
       chain.assumed.push_back(chain_of(condition, own));
   }
   if (chain.assumed.empty() || chain.doubt) return;
+  chain.only_said_for = true;
   chain.doubt = Obstacle{
       DiagnosticKind::restricted, fmt::format("it is said for `{}`", text_of(chain.assumed.front())), {}};
 }
