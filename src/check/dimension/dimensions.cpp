@@ -36,7 +36,8 @@ Part part_of(const DimensionStatement& statement, const Step& step) {
     case Verdict::refuted:
       return step.expected_refuted ? Part::none : Part::mistaken;
     case Verdict::proved:
-      return Part::follows;
+      if (!step.measures) return Part::follows;
+      break;
     case Verdict::given:
     case Verdict::definition:
     case Verdict::undecided:

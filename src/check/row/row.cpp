@@ -110,6 +110,7 @@ void settle(RowPlace& place, const StepReading& row, const Claim& claim, Judgeme
 void accept(Judgement judgement, Step& step) {
   step.verdict = judgement.verdict;
   step.restates = judgement.restates;
+  step.measures = judgement.measures;
   step.route = std::move(judgement.route);
   step.uses = std::move(judgement.uses);
   step.repairs = std::move(judgement.repairs);

@@ -175,6 +175,7 @@ bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& cl
     if (compared->agreement == Agreement::rounds) {
       judgement.verdict = Verdict::proved;
       judgement.route = "to the digits shown";
+      judgement.measures = true;
       judgement.of_another_question = true;
       judgement.counterexample.reset();
       judgement.sample.reset();

@@ -93,6 +93,7 @@ struct Step {
   std::string right;
   Verdict verdict = Verdict::not_understood;
   bool expected_refuted = false;  // a directive says that the step is false, or suspected
+  bool measures = false;          // proved: the numbers of the page give the number that it shows
   bool restates = false;          // of a law: it says again what another one says
   std::string route;
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`

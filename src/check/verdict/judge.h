@@ -34,7 +34,8 @@ struct Judgement {
   std::optional<NearlyQuestion> nearly_question = {};  // of `≈`, where it was asked for
   std::optional<Sample> sample = {};                   // refuted: as the exact side gave it
   std::vector<Repair> repairs = {};                    // suspect: what may have been meant
-  bool restates = false;                               // a law: it says again what another one says
+  bool measures = false;                   // proved: numbers of the page give the one that it shows
+  bool restates = false;                   // a law: it says again what another one says
   bool despite_given = false;              // a law: it fails, though assumptions of directives bear on it
   std::vector<SymbolId> not_for_all = {};  // a law: the letters for which it reads as one
   std::set<std::size_t> used = {};         // directives that were needed, whatever the verdict

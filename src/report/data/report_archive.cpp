@@ -74,11 +74,11 @@ void fields(Archive& archive, Repair& repair) {
 template <class Archive>
 void fields(Archive& archive, Step& step) {
   auto& [span, relation_span, tag, label, section, source, left, relation, right, verdict, expected_refuted,
-         restates, route, uses, counterexample, chain, repairs, conditions, repair_milliseconds, diagnostics,
-         milliseconds, work] = step;
+         measures, restates, route, uses, counterexample, chain, repairs, conditions, repair_milliseconds,
+         diagnostics, milliseconds, work] = step;
   archive(span, relation_span, tag, label, section, source, left, relation, right);
   archive.bounded(verdict, verdict_count);
-  archive(expected_refuted, restates, route, uses, counterexample, chain, repairs, conditions,
+  archive(expected_refuted, measures, restates, route, uses, counterexample, chain, repairs, conditions,
           repair_milliseconds, diagnostics, milliseconds, work);
 }
 
