@@ -188,7 +188,7 @@ void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::str
 Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
   const ProseBeside& here = beside(place);
   std::erase_if(laws, [&](const PageLaw* law) {
-    return law->unfounded || law->of_a_case || law->at_instant ||
+    return law->unfounded || law->of_a_case || law->at_instant || law->mentioned ||
            !place.notes.prose.sections.reaches(law->place, here.place);
   });
   return laws;
@@ -272,16 +272,57 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
     return;
   const ProseBeside& here = beside(place);
   const bool said_for_now = is_of_a_moment(place) || sets_letters_equal(place.tree, equation);
-  const bool momentary = said_for_now && !is_about_values(place, equation);
-  place.found.stated.push_back(
-      {{equation, name_of_law(parsed.written.tag, relation, place.sources, word), relation, here.place,
-        here.paragraph, momentary, said_for_now || is_conditional(place) || is_value(place.tree, equation),
-        has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)), word == unfounded},
-       {parsed.written.tag, parsed.written.label},
-       conditions_said(place, parsed),
-       is_of_a_case(place) || is_headed_as_example(place),
-       letter_of_law(place.tree, equation),
-       meanings_of(place, equation)});
+  PageLaw law{.equation = equation,
+              .name = name_of_law(parsed.written.tag, relation, place.sources, word),
+              .span = relation,
+              .place = here.place,
+              .paragraph = here.paragraph,
+              .at_instant = said_for_now && !is_about_values(place, equation),
+              .of_a_case = said_for_now || is_conditional(place) || is_value(place.tree, equation),
+              .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
+              .unfounded = word == unfounded};
+  place.found.stated.push_back({.law = std::move(law),
+                                .labels = {parsed.written.tag, parsed.written.label},
+                                .conditions = conditions_said(place, parsed),
+                                .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+                                .letter = letter_of_law(place.tree, equation),
+                                .meanings = meanings_of(place, equation)});
+}
+
+void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
+  const bool defines = said.cue == Cue::definition;
+  if (said.at_place || !(defines || (said.cue == Cue::none && said.alone))) return;
+  const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
+  const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
+  if (sentence == sentences.end() || sentence->asks) return;
+  for (const ParsedChain& chain : said.chains) {
+    if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal ||
+        chain.written.condition || chain.written.doubt)
+      continue;
+    const auto reading = read_here(place, chain);
+    if (!reading->sides[0].typed || !reading->sides[1].typed || guess_of(reading->reading())) continue;
+    Diagnostics ignored;
+    const auto claim = reading->claim(chain, 0, false, ignored);
+    if (!claim || !ignored.empty()) continue;
+    const Equation& equation = claim->equation;
+    const bool for_now = sets_letters_equal(place.tree, equation) || is_measured(place.tree, equation.right);
+    if (for_now || names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
+        names_a_surface(place, equation))
+      continue;
+    const std::string words = lowered(sentence->text);
+    PageLaw law{.equation = equation,
+                .name = fmt::format("{} (line {})", written_at(place, said.span),
+                                    place.sources.line_column(said.span.file, said.span.begin).line),
+                .span = said.span,
+                .place = said.place,
+                .paragraph = sentence->paragraph,
+                .of_a_case = word_that_demands(words) || word_of_a_special_case(words),
+                .mentioned = !defines};
+    place.found.stated.push_back({.law = std::move(law),
+                                  .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+                                  .letter = letter_of_law(place.tree, equation),
+                                  .meanings = meanings_of(place, equation)});
+  }
 }
 
 Laws available_to(const RowPlace& place, const ParsedChain& parsed) {

@@ -65,6 +65,8 @@ std::string unread_premise(RowPlace& place, const ParsedChain& parsed);
 /// `word` is what rows below call it: a law, a result, a conclusion. Not what holds on its line only.
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
                          std::string_view word);
+/// The same of a relation in a line of prose: "The combination $E = …$ does not change."
+void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// The laws above that hold here, in the order of the notes; not the other links of its own chain.
 [[nodiscard]] Laws available_to(const RowPlace& place, const ParsedChain& parsed);
 /// Proved from laws of the page, or said by one of them already; else the judgement stays as it is.

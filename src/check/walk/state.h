@@ -62,6 +62,7 @@ struct Walk {
   std::vector<std::pair<std::size_t, SymbolId>> for_all = {};    // the same
   Sample sample = {};  // the last one that met the assumptions in force
   SaidAbove above = {};
+  std::size_t lines_taken = 0;  // of the relations in lines of prose
   SaidForNext next = {};
 };
 

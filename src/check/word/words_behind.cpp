@@ -83,7 +83,7 @@ bool restricts_from_before(std::string_view word) {
 }
 
 bool is_named_quantity(std::string_view word) {
-  static constexpr std::array<std::string_view, 64> nouns{
+  static constexpr std::array<std::string_view, 68> nouns{
       "constants",   "numbers",      "parameters",   "coefficients", "integer",    "integers",
       "frequency",   "frequencies",  "period",       "wavelength",   "wavenumber", "mass",
       "masses",      "energy",       "momentum",     "ratio",        "factor",     "parameter",
@@ -94,7 +94,7 @@ bool is_named_quantity(std::string_view word) {
       "rate",        "viscosity",    "capacitance",  "inductance",   "modulus",    "stiffness",
       "flux",        "entropy",      "conductivity", "number",       "difference", "sum",
       "product",     "mean",         "average",      "amplitude",    "lifetime",   "mobility",
-      "diffusivity", "permittivity", "action",       "efficiency"};
+      "diffusivity", "permittivity", "action",       "efficiency", "combination", "combinations", "quantity", "abbreviation"};
   return is_one_of(word, nouns);
 }
 
