@@ -22,6 +22,10 @@ namespace {
 /// Most rows follow from one or two laws near them, so a set gets less work than a step has.
 constexpr Limits limits_of_sets{
     .expanded_terms = 20'000, .steps = 200'000, .sample_attempts = 24, .simplest_sample = false};
+/// Whether a set proves the row is asked with hardly a look at samples: most sets do not, and a sample that
+/// meets a set is dear.
+constexpr Limits limits_of_proofs{
+    .expanded_terms = 20'000, .steps = 200'000, .sample_attempts = 1, .simplest_sample = false};
 /// More letters that must not vanish would only slow the proof down.
 constexpr std::size_t most_not_zero = 6;
 
@@ -212,6 +216,8 @@ std::vector<SymbolId> not_zero(const RowUnderLaws& row, const Laws& set) {
   if (vanishes(row.claim.equation)) return letters;
   for (const PageLaw* law : set) {
     if (vanishes(law->equation)) own.merge(base_letters(row.tree, row.names.scope, law->equation));
+    const ExprNode& left = row.tree[law->equation.left];
+    if (left.op == Op::symbol) own.insert(left.symbol);  // the law says what it is
   }
   for (const PageLaw* law : set) {
     if (vanishes(law->equation)) continue;
@@ -257,7 +263,7 @@ std::optional<std::vector<std::string>> named_in_proof(const RowUnderLaws& row, 
   for (const int slack : {0, 1}) {
     const Prepared prepared = prepare(row.tree, names, row.claim.equation, slack);
     if (prepared.too_large) return std::nullopt;
-    const Decision decision = decide(row.cache, prepared.question, limits_of_sets);
+    const Decision decision = decide(row.cache, prepared.question, limits_of_proofs);
     if (decision.outcome == Outcome::proved) {
       std::vector<std::string> used;
       for (std::size_t k = 0; k < prepared.definitions.size(); ++k) {

@@ -72,14 +72,11 @@ void settle_lines(const ParsedDisplay& display, std::span<Step> steps) {
   }
 }
 
-/// What the lines above say is there for the rows of this display. That of its own sentence is looked at with
-/// the row.
+/// What the lines before this display say is there for its rows, and those below.
 void take_what_lines_say(Walk& walk) {
   if (!decides(walk)) return;
   const std::vector<SaidInLine>& said = walk.notes.prose.said;
-  const std::size_t own = walk.notes.prose.beside[walk.event].sentence;
   for (; walk.lines_taken < said.size() && said[walk.lines_taken].before <= walk.event; ++walk.lines_taken) {
-    if (said[walk.lines_taken].sentence >= own) break;
     RowPlace place = place_here(walk);
     leave_what_a_line_says(place, said[walk.lines_taken]);
     take_over(walk, std::move(place.found));
