@@ -157,7 +157,8 @@ class Deriving {
     if (replacements.empty()) return ExitCode::ok;
     for (const Diagnostic& diagnostic :
          answers.reading.report.diagnostics) {  // a `?` may stand for such a byte
-      if (diagnostic.kind != DiagnosticKind::invalid_utf8 && diagnostic.kind != DiagnosticKind::nul_byte)
+      if (diagnostic.kind != DiagnosticKind::invalid_utf8 && diagnostic.kind != DiagnosticKind::nul_byte &&
+          diagnostic.kind != DiagnosticKind::read_as_latin1)
         continue;
       err_ << fmt::format("rigor: {}: nothing is written into a file that is not UTF-8\n",
                           printable(notes.path));
