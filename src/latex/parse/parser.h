@@ -46,6 +46,7 @@ class Parser {
   SyntaxId scripts(Cursor& cursor, SyntaxId base);
   SyntaxId add_primes(SyntaxId base, std::uint8_t primes, Span place);
   SyntaxId add_indices(SyntaxId base, TokenView content, Span place);
+  std::optional<SyntaxId> add_upper_label(SyntaxId base, TokenView content, Span place);
   SyntaxId exponent(SyntaxId base, TokenView content, Span place);
   static bool starts_sign(const Cursor& cursor);
 
