@@ -41,7 +41,8 @@ class MarkdownReader : NotesReader {
       const std::string_view word = text_[at_] == '\\' ? text_.control_word(at_) : std::string_view();
       const auto form = definition_form(word);
       const auto extent = form ? definition_extent(text_, *form, at_ + 1 + word.size()) : DefinitionExtent{};
-      const bool whole = form && !extent.open && extent.end <= end && !extent.name.empty();
+      if (extent.open) break;  // it is not closed before the end of the file, and neither is another one
+      const bool whole = form && extent.end <= end && !extent.name.empty();
       if (whole) add(MacroText{text_.span(at_, extent.end), false, true});
       if (whole) {
         at_ = extent.end;

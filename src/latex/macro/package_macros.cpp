@@ -44,7 +44,7 @@ constexpr PackageMacro package_macros[] = {
      R"(\begin{vmatrix}#1\end{vmatrix})"},
     // tensor
     {"indices", "*s", "#1"},
-    {"tensor", "*ms", "#1#2"},
+    {"tensor", "*ms", "{#1}#2"},
     // physics: a value at a place
     {"eval evaluated", "*m", R"(\left.#1\right|)"},
     // physics, derivative

@@ -243,6 +243,14 @@ std::string_view unread_reason(std::string_view control) {
       {"dots ldots cdots dotsb dotsc vdots ddots", "an ellipsis does not say what is left out"},
       {"wedge otimes oplus circ star ast", "this product is not read; write `\\times` or `\\cdot`"},
       {"rangle", "brackets of states or averages are not read"},
+      {"Re Im real imaginary", "real and imaginary parts are not decided yet"},
+      {"rank erf erfc Res Pr", "functions such as this one are not decided yet"},
+      {"pv PV principalvalue", "a principal value is not read"},
+      {"qtyrange qtylist SIrange SIlist numrange numlist", "a range or list of numbers is not read"},
+      {"imat dmat xmat zmat admat identitymatrix zeromatrix paulimatrix",
+       "this matrix is not read; write its entries"},
+      {"slashed", "a contraction with Dirac's matrices is not read"},
+      {"prescript", "a subscript or superscript before its symbol is not read"},
       {"infty", "infinity is not a number"}};
   return reasons.find(control).value_or("");
 }

@@ -61,3 +61,12 @@ TEST_CASE("a script that computes its macros ends them") {
   CHECK(macros_of_script("const macros = load();").empty());
   CHECK(macros_of_script("macros: {").empty());
 }
+
+TEST_CASE("runs of entries that are not closed take no time") {
+  std::string yaml = "math:\n";
+  for (int k = 0; k < 20'000; ++k) yaml += "  '\\a': '{\n";
+  CHECK(macros_of_front_matter(yaml).empty());
+  std::string script;
+  for (int k = 0; k < 20'000; ++k) script += "macros: {a: '";
+  CHECK(macros_of_script(script).empty());
+}

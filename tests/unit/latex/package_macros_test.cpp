@@ -59,7 +59,7 @@ TEST_CASE("a definition of the author's comes before that of a package") {
 }
 
 TEST_CASE("indices of tensor have a column each") {
-  CHECK(written_out("\\tensor{T}{^\\mu_\\nu}") == "T^\\mu{}_\\nu");
+  CHECK(written_out("\\tensor{T}{^\\mu_\\nu}") == "{T}^\\mu{}_\\nu");
   CHECK(written_out("T\\indices*{_i_{jk}}") == "T_i{}_{jk}");
   CHECK(parsed("T\\indices{_i_j}") == parsed("T_{ij}"));
 }
