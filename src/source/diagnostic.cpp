@@ -16,6 +16,7 @@ constexpr auto warning = Severity::warning;
 constexpr auto table = std::to_array<DiagnosticInfo>({
     {unreadable_file, "unreadable-file", error, "a file is missing or cannot be read"},
     {invalid_utf8, "invalid-utf8", error, "the text is not UTF-8"},
+    {read_as_latin1, "read-as-latin1", warning, "the text is not UTF-8, and is read as Latin-1"},
     {nul_byte, "nul-byte", error, "the text has a NUL byte"},
     {no_equations, "no-equations", warning, "the file has no displayed equation"},
     {no_relation, "no-relation", warning,

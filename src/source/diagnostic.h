@@ -22,6 +22,7 @@ enum class DiagnosticKind : std::uint8_t {
   // the file
   unreadable_file,
   invalid_utf8,
+  read_as_latin1,
   nul_byte,
   no_equations,
   no_relation,

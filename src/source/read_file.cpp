@@ -13,6 +13,7 @@
 #include <memory>
 #include <system_error>
 
+#include "source/latin1.h"
 #include "source/system_error.h"
 
 namespace rigor {
@@ -118,6 +119,13 @@ Diagnostics mend_text(std::string& text, FileId file) {
   }
   std::ranges::stable_sort(
       found, [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
+  return found;
+}
+
+Diagnostics mend_notes(std::string& text, FileId file) {
+  Diagnostics found = decode_latin1(text, file);
+  const Diagnostics mended = mend_text(text, file);
+  found.insert(found.end(), mended.begin(), mended.end());
   return found;
 }
 

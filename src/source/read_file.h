@@ -16,4 +16,7 @@ namespace rigor {
 /// the start becomes spaces, a carriage return that no line feed follows a line feed.
 [[nodiscard]] Diagnostics mend_text(std::string& text, FileId file);
 
+/// The same of notes, after those in Latin-1 have become UTF-8 (`latin1.h`).
+[[nodiscard]] Diagnostics mend_notes(std::string& text, FileId file);
+
 }  // namespace rigor

@@ -9,6 +9,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/span.h"
@@ -24,6 +25,8 @@ struct LineColumn {
 class SourceMap {
  public:
   FileId add(std::string path, std::string text);
+  /// A text that stands in no file, such as a definition that a configuration says in its own form.
+  std::string_view keep(std::string text) { return kept_.emplace_back(std::move(text)); }
 
   /// How many texts there are; their ids count from 0.
   [[nodiscard]] std::size_t size() const { return files_.size(); }
@@ -55,6 +58,7 @@ class SourceMap {
   [[nodiscard]] static std::uint32_t code_points_before(const File& file, std::uint32_t offset);
 
   std::deque<File> files_;
+  std::deque<std::string> kept_;
 };
 
 }  // namespace rigor

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "latex/layout/mathml.h"
 #include "latex/layout/plain_text.h"
 #include "latex/token/token.h"
+#include "source/latin1.h"
 #include "source/read_file.h"
 #include "source/render.h"
 
@@ -88,6 +90,7 @@ class Deriving {
       return ExitCode::no_input;
     }
     notes.path = path;
+    notes.decoded = !decode_latin1(*text, 0).empty();
     notes.text = std::move(*text);
     return ExitCode::ok;
   }
@@ -155,10 +158,11 @@ class Deriving {
       if (hole.latex) replacements.push_back({hole.span, hole.text});
     }
     if (replacements.empty()) return ExitCode::ok;
-    for (const Diagnostic& diagnostic :
-         answers.reading.report.diagnostics) {  // a `?` may stand for such a byte
-      if (diagnostic.kind != DiagnosticKind::invalid_utf8 && diagnostic.kind != DiagnosticKind::nul_byte)
-        continue;
+    const bool unsure = std::ranges::any_of(
+        answers.reading.report.diagnostics, [](const Diagnostic& each) {  // a `?` may stand for such a byte
+          return each.kind == DiagnosticKind::invalid_utf8 || each.kind == DiagnosticKind::nul_byte;
+        });
+    if (unsure || notes.decoded) {
       err_ << fmt::format("rigor: {}: nothing is written into a file that is not UTF-8\n",
                           printable(notes.path));
       return ExitCode::wrong;

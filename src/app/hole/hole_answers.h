@@ -14,12 +14,13 @@ namespace rigor {
 /// Which notes, and what of them.
 struct HoleNotes {
   std::string path = {};                      // empty: a statement without notes
-  std::string text = {};                      // of the notes, as it is in the file
+  std::string text = {};                      // of the notes, as it is in the file but for Latin-1
   std::optional<std::string> statement = {};  // only its holes are answered
   std::optional<std::string> at = {};         // where the statement stands: a tag or a heading
   std::optional<std::string> sidecar = {};
   std::vector<std::string> by = {};      // expressions that the form is about, as LaTeX
   std::vector<std::string> places = {};  // tags or headings, without a statement; empty: all holes
+  bool decoded = false;  // the file is in Latin-1, and `text` is not: nothing can be written back
 };
 
 struct HoleAnswer {

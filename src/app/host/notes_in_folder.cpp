@@ -85,7 +85,7 @@ Candidate look_into(const fs::path& path) {
     return candidate;
   }
   SourceMap sources;
-  static_cast<void>(mend_text(*text, 0));
+  static_cast<void>(mend_notes(*text, 0));
   const FileId file = sources.add(path.string(), std::move(*text));
   Diagnostics diagnostics;
   const Document document = read_document(sources, file, diagnostics);

@@ -41,7 +41,7 @@ bool holds_only_numbers(const ExprTree& tree, ExprId root) {
 
 /// `m_\alpha`, `I_{ij}`, `\mathbf{r}_\alpha`: a vector's bold letter needs no index.
 std::string written_name(const Symbol& symbol) {
-  const std::string letter = symbol.name.substr(0, symbol.name.find_first_of("_'"));
+  const std::string letter = symbol.name.substr(0, symbol.name.find_first_of("_'^"));
   const bool greek = letter.starts_with("\\") &&
                      !letter_of({TokenKind::control, letter.substr(1), symbol.first_seen}).empty();
   const bool whole = letter.starts_with("\\") && !greek;

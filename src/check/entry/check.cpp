@@ -119,7 +119,7 @@ OpenedNotes open_notes(SourceMap& sources, const std::string& path, std::string 
     for (Diagnostic& diagnostic : mended) diagnostic.span.file = *sidecar;
     report.diagnostics = std::move(mended);
   }
-  Diagnostics mended = mend_text(text, 0);
+  Diagnostics mended = mend_notes(text, 0);
   report.file = sources.add(path, std::move(text));
   for (Diagnostic& diagnostic : mended) diagnostic.span.file = report.file;
   report.diagnostics.insert(report.diagnostics.end(), mended.begin(), mended.end());

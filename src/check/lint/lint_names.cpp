@@ -32,6 +32,7 @@ std::optional<Labelled> taken_apart(const std::string& name) {
   constexpr std::size_t shortest_label = 3;
   const auto mark = name.find('_');
   if (mark == std::string::npos) return std::nullopt;
+  if (name.find('^') != std::string::npos) return std::nullopt;
   Labelled result{name.substr(0, mark), {}};
   std::string label = name.substr(mark + 1);
   for (const std::string_view face : {"\\text", "\\mathrm"}) {

@@ -28,7 +28,7 @@ const NameKey* open_key(const ExprTree& tree, const Names& names, SymbolId symbo
   return key_of(names.symbols, base);
 }
 
-std::string letter_before_label(const NameKey& key) { return key.base.substr(0, key.base.find('_')); }
+std::string letter_before_label(const NameKey& key) { return without_labels(key.base); }
 
 bool may_be_complex(const Evidence& evidence, const std::string& letter) {
   if (evidence.real.contains(letter)) return false;

@@ -26,7 +26,7 @@ struct Factor {
 };
 
 std::string_view letter_of_key(const NameKey& key) {
-  return std::string_view(key.base).substr(0, key.base.find('_'));
+  return std::string_view(key.base).substr(0, key.base.find_first_of("_^"));
 }
 
 /// Letters that usually stand for one matrix for each axis.

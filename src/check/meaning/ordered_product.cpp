@@ -234,8 +234,7 @@ void remove_defined_numbers(const ExprTree& tree, const Names& names, const Ques
                             std::set<SymbolId>& found) {
   const auto is_number = [&](const Definition& definition) {
     const NameKey* key = key_of(names.symbols, definition.symbol);
-    if (key == nullptr || names.symbols.evidence->ordered.contains(key->base.substr(0, key->base.find('_'))))
-      return false;
+    if (key == nullptr || names.symbols.evidence->ordered.contains(without_labels(key->base))) return false;
     return std::ranges::none_of(symbols_in(tree, definition.body),
                                 [&](SymbolId each) { return found.contains(each); });
   };
@@ -366,7 +365,7 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
       const SymbolId base = derivation ? derivation->base : symbol;
       const NameKey* key = key_of(names.symbols, base);
       if (key == nullptr || key->rank > 1 || tree.symbols[base].declared) continue;
-      const std::string letter = key->base.substr(0, key->base.find('_'));
+      const std::string letter = without_labels(key->base);
       // Of a vector of matrices, `\boldsymbol\sigma`, only what was shown counts, not that it is a capital.
       const bool labelled = letter.starts_with("\\") && key->base != letter;  // `\sigma_x`
       const bool spoken =

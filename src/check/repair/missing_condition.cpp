@@ -93,7 +93,7 @@ class Conditions {
   void tensors() {
     for (const Symbol* tensor : of_rank(2, false)) {
       const std::string& name = tensor->name;
-      if (name.find('_') != std::string::npos) continue;
+      if (name.find_first_of("_^") != std::string::npos) continue;
       if (!tensor->symmetric) {
         given("{0}_{{ij}} = {0}_{{ji}}", name);
         given("{0}_{{ij}} = -{0}_{{ji}}", name);
@@ -106,8 +106,8 @@ class Conditions {
 
   /// I_1 and I_2: one letter with different labels.
   static bool are_of_one_family(const Symbol& a, const Symbol& b) {
-    const std::size_t at = a.name.find('_');
-    return at != std::string::npos && a.name.substr(0, at) == b.name.substr(0, b.name.find('_'));
+    const std::size_t at = a.name.find_first_of("_^");
+    return at != std::string::npos && a.name.substr(0, at) == b.name.substr(0, b.name.find_first_of("_^"));
   }
 
   void rates() {

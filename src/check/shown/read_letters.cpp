@@ -12,7 +12,7 @@ namespace rigor {
 namespace {
 
 bool is_first_word(const std::string& base, const std::string& name) {
-  return name == base || name.substr(0, name.find('_')) == base;
+  return name == base || without_labels(name) == base;
 }
 
 bool has_quantity(const SyntaxTree& syntax, const std::vector<SyntaxId>& roots, const std::string& base) {
@@ -89,7 +89,7 @@ ReadLetter quantity_as_read(const ExprTree& tree, const Names& names, const Lett
   letter.for_all = is_for_all(names.scope, id);
   letter.field = is_field(names, tree, id);
   if (const NameKey* key = key_of(names.symbols, id))
-    letter.complex = names.symbols.evidence->complex.contains(key->base.substr(0, key->base.find('_')));
+    letter.complex = names.symbols.evidence->complex.contains(without_labels(key->base));
   letter.sources = sources_of(tree, names, known, id);
   return letter;
 }

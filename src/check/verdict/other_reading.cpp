@@ -165,7 +165,8 @@ std::optional<OtherReading> in_complex_numbers(const Question& question, const N
 }
 
 bool is_capital(const NameKey& key) {
-  return key.rank == 0 && is_capital_letter(key.base[0]) && (key.base.size() == 1 || key.base[1] == '_');
+  return key.rank == 0 && is_capital_letter(key.base[0]) &&
+         (key.base.size() == 1 || key.base[1] == '_' || key.base[1] == '^');
 }
 
 /// `(I - P)^2 = I - 2P + P^2` between capitals that nothing explains.

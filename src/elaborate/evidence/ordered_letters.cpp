@@ -235,9 +235,7 @@ void see_tokens(TokenView tokens, bool may_be_interval, Evidence& evidence) {
       if (next < tokens.size()) add_letters(tokens.subspan(next, end - next), evidence);
     }
     if (is_sign(token, "|") || is_control(token, "vert")) see_ket(tokens, at, evidence);
-    for (const char* name : {"ket", "bra", "braket", "mel", "expval"}) {
-      if (is_control(token, name)) evidence.operators = true;
-    }
+    if (is_state_bracket(token)) evidence.operators = true;
     if (is_control(token, "otimes") && at > 0 && at + 1 < tokens.size()) {
       add_letters(tokens.subspan(at - 1, 1), evidence);
       add_letters(tokens.subspan(at + 1, 1), evidence);

@@ -44,7 +44,7 @@ std::vector<std::string> letters_in_bracket(const SyntaxTree& syntax, SyntaxId b
 }
 
 /// `x_0`, `t'`: a value of what the function depends on.
-bool is_marked(std::string_view letter) { return letter.find_first_of("_'") != std::string_view::npos; }
+bool is_marked(std::string_view letter) { return letter.find_first_of("_'^") != std::string_view::npos; }
 
 /// `x_0` alone is an initial value; any other subscript can be an index.
 std::string changing_name(const WrittenSymbol& symbol) {
@@ -87,7 +87,7 @@ std::string take_letter(std::string_view text, std::size_t& at) {
 bool is_among(const std::set<std::string>& letters, std::string_view name) {
   const bool initial = name.ends_with("_{0}") || name.ends_with("_0");
   for (std::size_t at = 0; at < name.size();) {
-    if (name[at] == '_') return false;  // labels
+    if (name[at] == '_' || name[at] == '^') return false;  // labels
     const std::string letter = take_letter(name, at);
     if (letters.contains(initial ? letter + "_0" : letter)) return true;
     if (letter.empty()) ++at;

@@ -389,6 +389,8 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, cons
 
 std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels) {
   if (labels.empty()) return base;
+  if (labels.front().text.starts_with('^'))
+    return with_labels(base + labels.front().text, {labels.begin() + 1, labels.end()});
   std::string text = base + "_{";
   for (const WrittenIndex& label : labels) {
     text += label.form == IndexForm::word && !label.text.starts_with('\\') ? "\\text{" + label.text + "}"

@@ -20,6 +20,11 @@ struct NameKey {
   friend auto operator<=>(const NameKey&, const NameKey&) = default;
 };
 
+/// `T` of `T_{\text{rot}}` and of `T^{(0)}_{1}`: a name without its labels.
+[[nodiscard]] inline std::string without_labels(const std::string& name) {
+  return name.substr(0, name.find_first_of("_^"));
+}
+
 /// Numbers of directives: those that something used.
 using Directives = std::set<std::size_t>;
 

@@ -43,7 +43,7 @@ std::optional<bool> is_varying_in_body(Reading& reading, const WrittenName& name
 }  // namespace
 
 std::string bold(const std::string& base) {
-  const auto tail = base.find_first_of("_'");
+  const auto tail = base.find_first_of("_'^");
   const std::string letter = base.substr(0, tail);
   const std::string rest = tail == std::string::npos ? "" : base.substr(tail);
   if (letter.starts_with("\\hat")) return base;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "base/among.h"
@@ -292,6 +294,23 @@ MaybeTyped dotted_symbol(Reading& reading, const WrittenSymbol& written, Span sp
   return apply_op(reading.tree, Op::length, span, 0, {vector});
 }
 
+/// `f^{(2)}`: f is a usual letter for a function, or the section differentiates it or shows its argument.
+bool may_be_derivative_of_order(const Names& names, const WrittenSymbol& written) {
+  if (written.lower.empty() || !written.lower.front().text.starts_with("^{(")) return false;
+  const std::string labelled = with_labels(written.letter, {written.lower.front()});
+  const bool declared = is_declared(names.symbols, {labelled, 0, false}) ||
+                        is_declared(names.symbols, {with_labels(written.letter, written.lower), 0, false});
+  if (!is_digit(written.lower.front().text[3]) || declared) return false;
+  static constexpr std::array<std::string_view, 8> functions{"f",     "g",        "h",     "y",
+                                                             "\\psi", "\\varphi", "\\phi", "\\Psi"};
+  const Evidence& evidence = *names.symbols.evidence;
+  const std::string& letter = written.letter;
+  const auto differentiates = [&](const auto& each) { return each.second.contains(letter); };
+  return is_one_of(letter, functions) || evidence.primed.contains(letter) ||
+         evidence.changing.contains(letter) || is_applied(evidence, letter) ||
+         std::ranges::any_of(evidence.by, differentiates);
+}
+
 }  // namespace
 
 MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
@@ -302,6 +321,13 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   if (const auto obstacle = no_quantity(reading, written)) return fail(reading, span, *obstacle);
   if (written.letter == "\\pi" && is_bare_and_undeclared(reading.names, written))
     reading.found.circle_number = true;
+  if (may_be_derivative_of_order(reading.names, written)) {
+    const std::string labelled = with_labels(written.letter, {written.lower.front()});
+    return ambiguous(
+        reading, span,
+        fmt::format("`{}` can be a derivative of `{}`, or a symbol of its own", labelled, written.letter),
+        {fmt::format("`rigor: scalar {}` makes it a symbol", labelled)});
+  }
   WrittenName name = take_apart(written, reading.letters, reading.names);
   reading.found.used.insert(name.used.begin(), name.used.end());
   if (hides_small_factor(reading, written, name)) {
@@ -315,7 +341,8 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
     return unsupported(reading, span, "two Greek subscripts, as of space-time, are not decided");
   }
   for (const WrittenIndex& index : written.lower) {
-    const std::vector<std::string> counters = counters_in(index);
+    std::vector<std::string> counters = counters_in(index);
+    if (index.text.starts_with("^{(")) counters.emplace_back(1, index.text[3]);  // `a^{(N)}` in a sum over N
     const bool bound = std::ranges::any_of(counters, [&](const std::string& letter) {
       return reading.letters.is_index(letter) || reading.indices.summed.contains(letter) ||
              reading.particles.summed.contains(letter);

@@ -141,10 +141,13 @@ LatexPrinter::Piece LatexPrinter::power(ExprId id) {
     return function(base, exponent);
   if (tree_[base].op == Op::root && exponent % 2 != 0) {
     const Piece radicand = piece(child(base));
-    if (radicand.level == Level::base && !radicand.bracketed)
+    if (radicand.level == Level::base && !radicand.bracketed && radicand.text.find('^') == std::string::npos)
       return {fmt::format("{}^{{{}/2}}", radicand.text, exponent), Level::factor};
   }
-  return {at_least(Level::base, base).text + exponent_text(exponent), Level::factor};
+  const Piece inside = at_least(Level::base, base);
+  const bool labelled =
+      tree_[base].op == Op::symbol && inside.text.find('^') != std::string::npos;  // `H^{(0)}`
+  return {(labelled ? in_brackets(inside).text : inside.text) + exponent_text(exponent), Level::factor};
 }
 
 bool LatexPrinter::has_letter_e() const {

@@ -117,7 +117,7 @@ std::optional<FileId> InputFiles::add(const fs::path& path, const std::string& s
     return report(DiagnosticKind::missing_input, place,
                   fmt::format("`{}` cannot be read: {}", shown, text.error().reason));
   }
-  Diagnostics mended = mend_text(*text, 0);
+  Diagnostics mended = mend_notes(*text, 0);
   const FileId file = sources_.add(path.string(), std::move(*text));
   for (Diagnostic& diagnostic : mended) {
     diagnostic.span.file = file;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "latex/document/document_reader.h"
 #include "latex/markdown/markdown_dialects.h"
 #include "latex/markdown/markdown_fences.h"
+#include "latex/markdown/math_macros.h"
 
 namespace rigor {
 namespace {
@@ -31,6 +33,24 @@ class MarkdownReader : NotesReader {
  public:
   MarkdownReader(DocumentReading& reading, FileId file, const MarkdownText& known)
       : NotesReader(reading, file, Format::markdown), known_(known) {}
+
+  /// What the front matter defines: MyST's `math:`, and definitions as LaTeX has them, for `header-includes`.
+  void read_front_matter(std::size_t end) {
+    add_macros(text_.span(0, end), macros_of_front_matter(text_.between(0, end)));
+    for (at_ = 0; at_ < end;) {
+      const std::string_view word = text_[at_] == '\\' ? text_.control_word(at_) : std::string_view();
+      const auto form = definition_form(word);
+      const auto extent = form ? definition_extent(text_, *form, at_ + 1 + word.size()) : DefinitionExtent{};
+      if (extent.open) break;  // it is not closed before the end of the file, and neither is another one
+      const bool whole = form && extent.end <= end && !extent.name.empty();
+      if (whole) add(MacroText{text_.span(at_, extent.end), false, true});
+      if (whole) {
+        at_ = extent.end;
+      } else {
+        at_ += text_[at_] == '\\' ? 2 : 1;
+      }
+    }
+  }
 
   void read() {
     auto open_fence = known_.open_fences.begin();
@@ -238,6 +258,7 @@ class MarkdownReader : NotesReader {
     const auto close = searched ? std::string_view::npos : find_element_end(text_, closing, begin, until);
     if (close != std::string_view::npos) {
       at_ = close + closing.size();
+      if (name == "script") add_macros(text_.span(begin, at_), macros_of_script(text_.between(begin, close)));
     } else if (inside_line) {
       ++at_;
     } else {
@@ -246,6 +267,11 @@ class MarkdownReader : NotesReader {
              fmt::format("close the element with `{}>`", closing));
       at_ = text_.after_blank_line(begin);
     }
+  }
+
+  void add_macros(Span place, const std::vector<MathMacro>& macros) {
+    for (const MathMacro& macro : macros)
+      add(MacroText{place, false, true, reading_.sources.keep(definition_of(macro))});
   }
 
   void read_comment() {
@@ -377,13 +403,17 @@ void read_markdown(DocumentReading& reading, FileId file) {
   const std::size_t front_matter = front_matter_end(text);
   for (std::size_t line = 0; lines[line] < front_matter; ++line) shape.blank(line);
   std::set<std::size_t> open_fences;
+  const std::vector<MarkdownBlock> none;
+  MarkdownReader(reading, file, {lines, none, open_fences}).read_front_matter(front_matter);
   for (int pass = 1;; ++pass) {
     const std::vector<MarkdownBlock> blocks = blocks_of_dialects(text, lines, shape, open_fences);
     Diagnostics diagnostics;
     DocumentReading trial{reading.sources, diagnostics};
     MarkdownReader(trial, file, {lines, blocks, open_fences}).read();
     if (pass < most_passes && shape.cover(lines_of_displays(text, trial.document, lines, shape))) continue;
-    reading.document.items = std::move(trial.document.items);
+    reading.document.items.insert(reading.document.items.end(),
+                                  std::make_move_iterator(trial.document.items.begin()),
+                                  std::make_move_iterator(trial.document.items.end()));
     reading.diagnostics.insert(reading.diagnostics.end(), diagnostics.begin(), diagnostics.end());
     return;
   }

@@ -10,6 +10,15 @@ std::optional<Token> MacroStream::peek() {
   return layer.tokens()[layer.at];
 }
 
+std::optional<Token> MacroStream::peek(std::size_t behind) const {
+  for (auto layer = layers_.rbegin(); layer != layers_.rend(); ++layer) {
+    const TokenView left = layer->tokens().subspan(layer->at);
+    if (behind < left.size()) return left[behind];
+    behind -= left.size();
+  }
+  return std::nullopt;
+}
+
 std::optional<Token> MacroStream::take() {
   const auto token = peek();
   if (token) ++layers_.back().at;

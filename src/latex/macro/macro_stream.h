@@ -24,6 +24,8 @@ class MacroStream {
 
   /// The next token, which stays or goes; nothing at the end.
   [[nodiscard]] std::optional<Token> peek();
+  /// The token that is so many behind the next.
+  [[nodiscard]] std::optional<Token> peek(std::size_t behind) const;
   std::optional<Token> take();
   /// The next token goes if it is this sign.
   bool take_sign(std::string_view sign);

@@ -10,6 +10,7 @@
 #include "latex/macro/macro_definition.h"
 #include "latex/macro/macro_output.h"
 #include "latex/macro/macro_stream.h"
+#include "latex/macro/package_macros.h"
 #include "latex/macro/plain_names.h"
 
 namespace rigor {
@@ -70,6 +71,8 @@ class Expander {
       if (token.text == "mathchoice") return choose_display_style(token);
       if (is_spacing_class(token.text)) return unwrap(token);
       if (const auto sign = sign_named(token.text)) return add({sign->kind, sign->text, token.span});
+      if (const auto package = package_call(token.text, stream_))
+        return replace(token, package->body, package->arguments);
     }
     return add(token);
   }
@@ -140,15 +143,19 @@ class Expander {
   }
 
   bool call(const Token& control, const Macro& macro) {
-    if (stream_.depth() >= deepest_macro || ++expansions_ > most_expansions) return fail_endless(control);
+    if (stream_.depth() >= deepest_macro) return fail_endless(control);
     std::vector<TakenArgument> arguments;
-    if (!take_arguments(control, macro, arguments)) return false;
+    return take_arguments(control, macro, arguments) && replace(control, macro.body, arguments);
+  }
+
+  bool replace(const Token& control, TokenView replacement, const std::vector<TakenArgument>& arguments) {
+    if (stream_.depth() >= deepest_macro || ++expansions_ > most_expansions) return fail_endless(control);
     Span written = control.span;
     for (const TakenArgument& argument : arguments) {
       if (argument.span.file == written.file && !argument.span.empty())
         written = cover(written, argument.span);
     }
-    auto body = substitute(macro.body, arguments, written);
+    auto body = substitute(replacement, arguments, written);
     if (!body) return fail_endless(control);
     if (body->size() > 1 && output_.awaits_argument()) {
       body->insert(body->begin(), {TokenKind::begin_group, "{", written});

@@ -194,9 +194,44 @@ class IndexReader {
   IndexReading reading_;
 };
 
+/// The letters of `\text{lab}`, `\mathrm{lab}`, `\rm lab`, if there is nothing else.
+std::string word_of(TokenView tokens) {
+  if (tokens.empty() || !holds_words(tokens[0])) return {};
+  const Argument words = argument_at(tokens, 1);
+  const bool switches = is_control(tokens[0], "rm");
+  const TokenView inside = trim(switches ? tokens.subspan(1) : words.content);
+  if (!switches && words.next != tokens.size()) return {};
+  const bool plain = !inside.empty() && std::ranges::all_of(inside, [](const Token& token) {
+    return token.kind == TokenKind::letter && token.text.size() == 1;
+  });
+  return plain ? text_of(inside) : std::string();
+}
+
 }  // namespace
 
 IndexReading read_indices(TokenView tokens) { return IndexReader(tokens).read(); }
+
+std::optional<WrittenIndex> read_upper_label(TokenView tokens) {
+  tokens = trim(tokens);
+  if (tokens.empty()) return std::nullopt;
+  const auto label = [&](const std::string& text) {
+    return WrittenIndex{fmt::format("^{{{}}}", text), IndexForm::word, 0, span_of(tokens)};
+  };
+  if (tokens.size() == 1 && is_control_of(tokens[0], {"max", "min"})) return label(text_of(tokens));
+  if (tokens.size() > 2 && is_sign(tokens.front(), "(") && is_sign(tokens.back(), ")")) {
+    const TokenView inside = trim(tokens.subspan(1, tokens.size() - 2));
+    const auto is_number = [](const Token& token) { return token.kind == TokenKind::digit; };
+    const bool number = !inside.empty() && inside.size() <= 2 && std::ranges::all_of(inside, is_number);
+    const bool capital = inside.size() == 1 && inside[0].kind == TokenKind::letter &&
+                         inside[0].text.size() == 1 && !is_small_letter(inside[0].text[0]);
+    if (number || capital) return label("(" + text_of(inside) + ")");
+    const std::string word = word_of(inside);
+    return word.empty() ? std::nullopt : std::optional(label("(\\text{" + word + "})"));
+  }
+  static const WordSet others("T t tr Tr H h th st nd rd i j d e x dag adj");  // a transpose, a count, a unit
+  const std::string word = word_of(tokens);
+  return word.empty() || others.contains(word) ? std::nullopt : std::optional(label("\\text{" + word + "}"));
+}
 
 SumReading read_sum_bounds(TokenView lower, TokenView upper) {
   SumReading reading;

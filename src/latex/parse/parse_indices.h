@@ -18,6 +18,10 @@ struct IndexReading {
 /// letter is an obstacle.
 [[nodiscard]] IndexReading read_indices(TokenView tokens);
 
+/// The label that stands above a letter: `^{(0)}` of `(0)`, `^{\text{lab}}` of `\mathrm{lab}`. Nothing for
+/// what can be a power, an index, a transpose or a conjugate.
+[[nodiscard]] std::optional<WrittenIndex> read_upper_label(TokenView tokens);
+
 /// The contents of a sum's subscript: `i`, `i=1`, `i,j`, `\alpha`; conditions such as `i<j` are obstacles.
 struct SumReading {
   WrittenSum sum;

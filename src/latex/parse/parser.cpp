@@ -321,8 +321,14 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
                     {"`{}` between them says that the second comes after the first"});
       continue;
     }
-    base = script.kind == TokenKind::subscript ? add_indices(base, argument.content, place)
-                                               : exponent(base, argument.content, place);
+    if (script.kind == TokenKind::subscript) {
+      base = add_indices(base, argument.content, place);
+    } else {
+      const auto labelled = is_sign_at(cursor.tokens, skip_blank(cursor.tokens, cursor.at), "(")
+                                ? std::nullopt  // `f^{(2)}(x)`
+                                : add_upper_label(base, argument.content, place);
+      base = labelled ? *labelled : exponent(base, argument.content, place);
+    }
   }
 }
 
@@ -362,6 +368,22 @@ SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
     return tree_.add_symbol(span, std::move(symbol));
   }
   return tree_.add_component(span, base, std::move(reading.indices));
+}
+
+/// `E^{(1)}_n`: the label comes before the indices, wherever it stands.
+std::optional<SyntaxId> Parser::add_upper_label(SyntaxId base, TokenView content, Span place) {
+  if (tree_[base].kind != SyntaxKind::symbol) return std::nullopt;
+  WrittenSymbol symbol = tree_.symbol(base);
+  static const WordSet others("\\delta \\epsilon \\pi \\nabla e d i j \\mathrm{e} \\mathrm{d} \\mathrm{i}");
+  const bool plain = symbol.face == Face::plain && symbol.accent == Accent::none && symbol.primes == 0 &&
+                     symbol.dots == 0 && symbol.change.empty() && !others.contains(symbol.letter) &&
+                     symbol.letter != hole_letter;
+  const bool raised = !symbol.lower.empty() && symbol.lower.front().text.starts_with('^');
+  auto label = plain && !raised ? read_upper_label(content) : std::nullopt;
+  if (!label) return std::nullopt;
+  read(content);
+  symbol.lower.insert(symbol.lower.begin(), std::move(*label));
+  return tree_.add_symbol(cover(tree_[base].span, place), std::move(symbol));
 }
 
 SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {

@@ -46,6 +46,7 @@ class Parser {
   SyntaxId scripts(Cursor& cursor, SyntaxId base);
   SyntaxId add_primes(SyntaxId base, std::uint8_t primes, Span place);
   SyntaxId add_indices(SyntaxId base, TokenView content, Span place);
+  std::optional<SyntaxId> add_upper_label(SyntaxId base, TokenView content, Span place);
   SyntaxId exponent(SyntaxId base, TokenView content, Span place);
   static bool starts_sign(const Cursor& cursor);
 
@@ -80,6 +81,14 @@ class Parser {
   SyntaxId asked(Cursor& cursor);  // `?`
   SyntaxId box_operator(Span place);
 
+  // parser_struck.cpp
+  SyntaxId struck(Cursor& cursor);     // \cancel
+  SyntaxId struck_to(Cursor& cursor);  // \cancelto
+
+  // parser_states.cpp
+  std::optional<SyntaxId> state_bracket(Cursor& cursor);     // \ket, \langle
+  std::optional<SyntaxId> pair_in_brackets(Cursor& cursor);  // \comm{A}{B}
+
   // parser_controls.cpp
   SyntaxId control(Cursor& cursor);
   SyntaxId annotated(Cursor& cursor);  // \overset, \stackrel
@@ -93,6 +102,7 @@ class Parser {
   struct EvaluationBar {
     std::vector<WrittenIndex> indices;  // empty: it does not name a frame
     Span span;
+    std::string text;  // of its subscript; empty: it has two limits
   };
   SyntaxId physics_derivative(Cursor& cursor, bool partial);
   SyntaxId partial(Cursor& cursor);
@@ -118,6 +128,7 @@ class Parser {
   // parser_units.cpp
   static bool starts_quantity(const Cursor& cursor);
   SyntaxId quantity(Cursor& cursor);
+  SyntaxId one_degree(Span span);
   [[nodiscard]] bool takes_unit(SyntaxId id) const;
   [[nodiscard]] bool has_unit(SyntaxId id) const;
   std::optional<SyntaxId> unit_behind(Cursor& cursor, SyntaxId before, bool spaced);

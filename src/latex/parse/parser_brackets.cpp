@@ -303,7 +303,7 @@ std::optional<SyntaxId> Parser::reversed_interval(Cursor& cursor) {
 SyntaxId Parser::environment(Cursor& cursor) {
   const Token begin = cursor.token();
   const Argument name_argument = argument_at(cursor.tokens, cursor.at + 1);
-  const std::string name = text_of(name_argument.content);
+  std::string name = text_of(name_argument.content);
   const std::size_t end = closing_bracket(cursor.tokens, cursor.at);
   if (end >= cursor.tokens.size() || end < name_argument.next) {
     cursor.at = cursor.tokens.size();
@@ -314,6 +314,13 @@ SyntaxId Parser::environment(Cursor& cursor) {
   read_since({cursor.tokens, name_argument.next}, cursor.at);
   cursor.at = argument_at(cursor.tokens, end + 1).next;
   read_since(cursor, end);
+  if (name.ends_with("matrix*")) {  // of mathtools: `[r]` says how columns are set
+    name.pop_back();
+    const TokenView columns = body.first(optional_argument_at(body, 0).next);
+    if (!are_columns(columns)) return opaque(span, "the columns of this matrix are not read");
+    read(columns);
+    body = body.subspan(columns.size());
+  }
   if (name == "cases" || name == "dcases" || name == "rcases") return cases(body, span);
   if (name == "array") {
     const TokenView columns = body.first(argument_at(body, optional_argument_at(body, 0).next).next);

@@ -60,6 +60,8 @@ SyntaxId Parser::control(Cursor& cursor) {
   if (starts_quantity(cursor)) return quantity(cursor);
   if (is_one_of(name, {"abs", "norm", "qty", "quantity", "absolutevalue"})) return braced_bracket(cursor);
   if (is_one_of(name, {"lvert", "lVert", "|", "Vert", "vert"})) return bars(cursor);
+  if (const auto states = state_bracket(cursor)) return *states;
+  if (const auto pair = pair_in_brackets(cursor)) return *pair;
   if (name == "{" || name == "lbrace") return bracketed(cursor);
   if (name == "begin") return environment(cursor);
   if (!letter_of(token).empty() || name == "nabla") return letter(cursor);
@@ -68,6 +70,8 @@ SyntaxId Parser::control(Cursor& cursor) {
     ++cursor.at;
     return opaque(token.span, "colour is not read here");
   }
+  if (is_one_of(name, {"cancel", "bcancel", "xcancel"})) return struck(cursor);
+  if (name == "cancelto") return struck_to(cursor);
   if (is_transparent(token)) {
     const Argument argument = argument_at(cursor.tokens, cursor.at + 1);
     cursor.at = argument.next;
@@ -82,8 +86,6 @@ SyntaxId Parser::control(Cursor& cursor) {
     return opaque(token.span, "this bar or brace closes nothing");
   }
   const std::string_view reason = unread_reason(name);
-  // The argument of such a control goes with it; one obstacle is enough.
-  if (name.ends_with("cancel")) cursor.at = argument_at(cursor.tokens, cursor.at).next;
   if (!reason.empty()) return opaque(token.span, fmt::format("`\\{}`: {}", name, reason));
   return opaque(token.span, fmt::format("`\\{}` is not known", name), DiagnosticKind::unsupported,
                 {"if it is a macro of your own, its definition was not seen"});

@@ -63,6 +63,15 @@ bool starts_differential(TokenView tokens, std::size_t at) {
   return mark && symbol_end(tokens, mark->next) != mark->next;
 }
 
+/// `\sin[2](x)` of the physics package: the place behind it; `at` itself for anything else.
+std::size_t behind_power_in_brackets(TokenView tokens, std::size_t at) {
+  const Argument power = optional_argument_at(tokens, at);
+  const TokenView content = trim(power.content);
+  const std::size_t open = skip_blank(tokens, power.next);
+  const bool is_power = power.next != at && content.size() == 1 && content[0].kind == TokenKind::digit;
+  return is_power && is_sign_at(tokens, open, "(") ? bracket_end(tokens, open) : at;
+}
+
 }  // namespace
 
 /// `behind`: the place behind the name as it is written.
@@ -71,6 +80,14 @@ SyntaxId Parser::function(Cursor& cursor, std::string_view name, std::size_t beh
   const std::size_t begin = std::exchange(cursor.at, behind);
   read_since(cursor, begin);
   std::size_t script = skip_blank(cursor.tokens, cursor.at);
+  if (const std::size_t end = behind_power_in_brackets(cursor.tokens, script); end != script) {
+    cursor.at = end;
+    const Span whole = span_of(cursor.tokens.subspan(begin, end - begin));
+    return opaque(whole,
+                  fmt::format("`{}` can be a power of `{}`, or a product with its value",
+                              text_of(cursor.tokens.subspan(begin, end - begin)), name),
+                  DiagnosticKind::ambiguous_reading);
+  }
   std::optional<Argument> exponent;
   Span place;
   if (is_kind_at(cursor.tokens, script, TokenKind::superscript)) {

@@ -32,9 +32,24 @@ WrittenVariable coordinate_of(const WrittenIndex& index) {
   return variable;
 }
 
+/// `x, y` of the derivative package: what is between the commas outside all braces.
+std::vector<TokenView> listed(TokenView tokens) {
+  std::vector<TokenView> parts;
+  Nesting nesting(false);
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at <= tokens.size(); ++at) {
+    const bool comma = at < tokens.size() && nesting.enter(tokens[at]) == 0 && is_sign(tokens[at], ",");
+    if (!comma && at < tokens.size()) continue;
+    parts.push_back(tokens.subspan(begin, at - begin));
+    begin = at + 1;
+  }
+  return parts;
+}
+
 }  // namespace
 
-/// `\dv{x}{t}`, `\dv[2]{x}{t}`, `\dv{t}`, `\pdv{f}{x}{y}`: the physics package.
+/// `\dv{x}{t}`, `\dv[2]{x}{t}`, `\dv{t}`, `\pdv{f}{x}{y}`, `\pdv{f}{x,y}`: the packages physics and
+/// derivative.
 SyntaxId Parser::physics_derivative(Cursor& cursor, bool partial) {
   const TokenView tokens = cursor.tokens;
   const std::size_t begin = cursor.at;
@@ -54,9 +69,12 @@ SyntaxId Parser::physics_derivative(Cursor& cursor, bool partial) {
   const bool acts = arguments.size() > 1 && !trim(arguments[0].content).empty();
   std::vector<WrittenVariable> by;
   for (std::size_t k = arguments.size() > 1 ? 1 : 0; k < arguments.size(); ++k) {
-    const auto variable = this->variable(inner(arguments[k].content, span));
-    if (!variable || variable->times != 1) return opaque(span, "this derivative is not read");
-    by.push_back(*variable);
+    for (const TokenView written : listed(arguments[k].content)) {
+      const auto variable = this->variable(inner(written, span));
+      if (!variable || variable->times != 1) return opaque(span, "this derivative is not read");
+      if (written.data() != arguments[k].content.data()) read({written.data() - 1, 1});
+      by.push_back(*variable);
+    }
   }
   if (order.next != at) {
     const std::string times = text_of(order.content);
@@ -155,22 +173,30 @@ std::optional<Parser::EvaluationBar> Parser::evaluation_bar(Cursor& cursor) {
   const std::size_t script = skip_blank(tokens, bar + 1);
   if (!is_kind_at(tokens, script, TokenKind::subscript)) return std::nullopt;
   const Argument argument = script_argument_at(tokens, script + 1);
-  cursor.at = argument.next;
-  read(tokens.subspan(bar, argument.next - bar));
+  const std::size_t above = skip_blank(tokens, argument.next);
+  const bool limits = is_kind_at(tokens, above, TokenKind::superscript);
+  cursor.at = limits ? script_argument_at(tokens, above + 1).next : argument.next;
+  read(tokens.subspan(bar, cursor.at - bar));
   IndexReading reading = read_indices(argument.content);
-  const bool named = !reading.obstacle && !reading.indices.empty() &&
+  const bool named = !limits && !reading.obstacle && !reading.indices.empty() &&
                      std::ranges::none_of(reading.indices, [](const WrittenIndex& index) {
                        return index.form == IndexForm::digit;
                      });
   return EvaluationBar{named ? std::move(reading.indices) : std::vector<WrittenIndex>{},
-                       span_of(tokens.subspan(bar, argument.next - bar))};
+                       span_of(tokens.subspan(bar, cursor.at - bar)),
+                       limits ? std::string() : text_of(argument.content)};
 }
 
 SyntaxId Parser::in_frame(SyntaxId node, bool partial, EvaluationBar bar) {
   const Span span = cover(tree_[node].span, bar.span);
   if (tree_[node].kind == SyntaxKind::opaque) return node;
   if (tree_[node].kind != SyntaxKind::derivative || partial || bar.indices.empty())
-    return opaque(span, "an evaluation bar is read only where it names the frame of a derivative");
+    return opaque(
+        span, bar.text.empty()
+                  ? "the difference between two limits is not read"
+                  : fmt::format("the value at `{}` is not read: a bar is read where it names the frame of a "
+                                "derivative",
+                                bar.text));
   const SyntaxChild child{node};
   const SyntaxId group = tree_.add(SyntaxKind::group, tree_[node].span, {&child, 1});
   return tree_.add_component(span, group, std::move(bar.indices));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers with units: \SI{3}{kg.m^2}, \qty{3}{\kilo\gram}, \unit{m/s}, \num{3.2e5}, and 3\,\mathrm{kg}.
+// Numbers with units: \SI{3}{kg.m^2}, \qty{3}{\kilo\gram}, \unit{m/s}, \num{3.2e5}, \ang{30}, and
+// 3\,\mathrm{kg}.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,10 +51,11 @@ std::optional<std::string> digits_of(std::string_view text, bool& negative) {
 /// package.
 bool Parser::starts_quantity(const Cursor& cursor) {
   const std::string_view name = cursor.token().text;
-  if (name == "SI" || name == "si" || name == "num") return true;
+  if (name == "SI" || name == "si" || name == "num" || name == "ang") return true;
   if (name != "qty" && name != "unit") return false;
   const auto is_group = [&](std::size_t at) { return is_kind_at(cursor.tokens, at, TokenKind::begin_group); };
-  const std::size_t first = skip_blank(cursor.tokens, cursor.at + 1);
+  const std::size_t options = skip_blank(cursor.tokens, cursor.at + 1);
+  const std::size_t first = skip_blank(cursor.tokens, optional_argument_at(cursor.tokens, options).next);
   if (!is_group(first)) return false;
   if (name == "unit") return true;
   const Argument number = argument_at(cursor.tokens, first);
@@ -63,11 +65,21 @@ bool Parser::starts_quantity(const Cursor& cursor) {
          read_unit(text_of(argument_at(cursor.tokens, second).content), UnitNames::units);
 }
 
+SyntaxId Parser::one_degree(Span span) {
+  WrittenSymbol pi;
+  pi.letter = "\\pi";
+  pi.letter_span = span;
+  const SyntaxChild parts[] = {{tree_.add_symbol(span, std::move(pi))},
+                               {tree_.add_text(SyntaxKind::number, span, "180")}};
+  return tree_.add(SyntaxKind::fraction, span, parts);
+}
+
 SyntaxId Parser::quantity(Cursor& cursor) {
   const Token token = cursor.token();
   const std::size_t begin = cursor.at;
-  const bool has_number = token.text == "SI" || token.text == "qty" || token.text == "num";
-  const bool has_unit = token.text != "num";
+  const bool is_angle = token.text == "ang";
+  bool has_number = token.text == "SI" || token.text == "qty" || token.text == "num" || is_angle;
+  const bool has_unit = token.text != "num" && !is_angle;
   std::size_t at = skip_blank(cursor.tokens, cursor.at + 1);
   const auto skip_options = [&] {
     if (!is_sign_at(cursor.tokens, at, "[")) return;
@@ -83,6 +95,10 @@ SyntaxId Parser::quantity(Cursor& cursor) {
     span = cover(token.span, cursor.tokens.subspan(begin, at - begin));
     return text_of(found.content);
   };
+  if (token.text == "SI" && trim(argument_at(cursor.tokens, at).content).empty()) {  // \SI{}{kg}
+    static_cast<void>(argument());
+    has_number = false;
+  }
   if (has_number) {
     const std::string text = argument();
     bool negative = false;
@@ -92,6 +108,7 @@ SyntaxId Parser::quantity(Cursor& cursor) {
     const SyntaxId number = tree_.add_text(SyntaxKind::number, span, *digits);
     const SyntaxChild minus{number, Joint::minus, span};
     factors.push_back({negative ? tree_.add(SyntaxKind::sum, span, {&minus, 1}) : number});
+    if (is_angle) factors.push_back({one_degree(span), Joint::juxtaposed, span});
   }
   if (has_unit) {
     at = skip_blank(cursor.tokens, at);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -39,8 +40,9 @@ struct Display {
 /// A definition such as `\newcommand{\v}[1]{\mathbf{#1}}` outside any display: to be run through `expand`.
 struct MacroText {
   Span span;
-  bool global = false;  // \gdef, \global: outlives the groups around it
-  bool quiet = false;   // of a package: what is not read in it is no mistake of the notes
+  bool global = false;         // \gdef, \global: outlives the groups around it
+  bool quiet = false;          // of a package: what is not read in it is no mistake of the notes
+  std::string_view made = {};  // the definition, where what is at `span` says it in another form
 };
 
 /// LaTeX: a group in which macros are defined begins before the first of them, or it ends.

@@ -9,7 +9,7 @@
 namespace rigor {
 
 void ScopedMacros::define(const SourceMap& sources, const MacroText& text, Diagnostics& diagnostics) {
-  const std::vector<Token> tokens = lex(sources, text.span);
+  const std::vector<Token> tokens = text.made.empty() ? lex(sources, text.span) : lex_text(text.made);
   if (text.quiet) return define_quietly(tokens);
   static_cast<void>(expand(tokens, table_, diagnostics));
   if (!text.global) return;

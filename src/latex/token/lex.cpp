@@ -141,4 +141,10 @@ std::vector<Token> lex(const SourceMap& sources, Span span, std::uint32_t quotes
   return Lexer(sources.text(span.file), span, quotes).all();
 }
 
+std::vector<Token> lex_text(std::string_view text) {
+  std::vector<Token> tokens = Lexer(text, {{}, 0, static_cast<std::uint32_t>(text.size())}, 0).all();
+  for (Token& token : tokens) token.span = {};
+  return tokens;
+}
+
 }  // namespace rigor

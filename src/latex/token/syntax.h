@@ -51,7 +51,7 @@ enum class Accent : std::uint8_t { none, hat, bar, tilde };
 enum class IndexForm : std::uint8_t { letter, greek, digit, word };
 
 struct WrittenIndex {
-  std::string text;  // `i`, `\alpha`, `2`, `rot`
+  std::string text;  // `i`, `\alpha`, `2`, `rot`; `^{(0)}`: a label above the letter, which is the first
   IndexForm form = IndexForm::letter;
   std::uint8_t primes = 0;
   Span span;

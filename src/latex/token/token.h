@@ -40,5 +40,7 @@ struct Token {
 /// controls like others; the braces that follow are tokens. In a Markdown quotation, up to `quotes` marks `>`
 /// at the start of each line are blanks. Nothing is an error here. Cost: linear.
 [[nodiscard]] std::vector<Token> lex(const SourceMap& sources, Span span, std::uint32_t quotes = 0);
+/// The same of a text that outlives its tokens and stands in no notes: spans are empty.
+[[nodiscard]] std::vector<Token> lex_text(std::string_view text);
 
 }  // namespace rigor

@@ -224,6 +224,13 @@ std::optional<FieldOperator> field_operator(std::string_view word) {
   return table.find(word);
 }
 
+bool is_state_bracket(const Token& token) {
+  static const WordSet names(
+      "ket bra braket Ket Bra Braket ev expval expectationvalue mel matrixel matrixelement ip innerproduct "
+      "ketbra dyad op outerproduct");
+  return is_control_of(token, names);
+}
+
 std::string_view unread_reason(std::string_view control) {
   static const WordMap<std::string_view> reasons{
       {"fdv functionalderivative", "this derivative is not read"},
@@ -235,8 +242,15 @@ std::string_view unread_reason(std::string_view control) {
       {"pm mp", "`\\pm` and `\\mp` stand for two statements, which are not read yet"},
       {"dots ldots cdots dotsb dotsc vdots ddots", "an ellipsis does not say what is left out"},
       {"wedge otimes oplus circ star ast", "this product is not read; write `\\times` or `\\cdot`"},
-      {"cancel bcancel xcancel cancelto", "a cancelled term is not read"},
-      {"langle rangle bra ket braket expval", "brackets of states or averages are not read"},
+      {"rangle", "brackets of states or averages are not read"},
+      {"Re Im real imaginary", "real and imaginary parts are not decided yet"},
+      {"rank erf erfc Res Pr", "functions such as this one are not decided yet"},
+      {"pv PV principalvalue", "a principal value is not read"},
+      {"qtyrange qtylist SIrange SIlist numrange numlist", "a range or list of numbers is not read"},
+      {"imat dmat xmat zmat admat identitymatrix zeromatrix paulimatrix",
+       "this matrix is not read; write its entries"},
+      {"slashed", "a contraction with Dirac's matrices is not read"},
+      {"prescript", "a subscript or superscript before its symbol is not read"},
       {"infty", "infinity is not a number"}};
   return reasons.find(control).value_or("");
 }

@@ -90,6 +90,9 @@ enum class FieldOperator : std::uint8_t { gradient, divergence, curl, laplacian 
 /// The derivatives of fields that the physics package names: `grad`, `gradient`, `div`…
 [[nodiscard]] std::optional<FieldOperator> field_operator(std::string_view word);
 
+/// `\ket`, `\mel`…: a bracket of states with its arguments, of braket and physics.
+[[nodiscard]] bool is_state_bracket(const Token& token);
+
 /// Why a control is not read yet, e.g. "limits are not decided yet"; empty for unknown controls.
 [[nodiscard]] std::string_view unread_reason(std::string_view control);
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "base/ascii.h"
 
@@ -47,6 +48,8 @@ constexpr auto unit_table = std::to_array<NamedUnit>({
     {"l", "liter", {0, 3}, 1, -3},
     {"t", "tonne", {1}, 1000},
     {"bar", "bar", {1, -1, -2}, 1, 5},
+    {"Å", "angstrom", {0, 1}, 1, -10},
+    {"%", "percent", {}, 1, -2},
     {"rad", "radian", {}},
     {"sr", "steradian", {}},
 });
@@ -93,6 +96,20 @@ bool take_word(std::string_view& text, std::string_view word) {
   return fits;
 }
 
+/// `\km`, `\us`, `\kohm`: a sign as a control, with `u` for µ. Those that TeX has for other things are none.
+std::optional<WrittenUnit> take_unit_abbreviation(std::string_view& text) {
+  std::size_t end = 1;
+  while (end < text.size() && is_letter(text[end])) ++end;
+  if (text.empty() || text[0] != '\\' || end == 1) return std::nullopt;
+  std::string sign(text.substr(1, end - 1));
+  if (sign == "d" || sign == "t" || sign == "min" || sign == "H") return std::nullopt;
+  if (sign.size() > 1 && sign[0] == 'u') sign.replace(0, 1, "µ");
+  if (sign.ends_with("ohm")) sign.replace(sign.size() - 3, 3, "\\Omega");
+  const auto unit = unit_by_sign(sign);
+  if (unit) text.remove_prefix(end);
+  return unit;
+}
+
 }  // namespace
 
 std::optional<WrittenUnit> unit_by_sign(std::string_view sign) {
@@ -123,7 +140,7 @@ std::optional<WrittenUnit> take_unit_words(std::string_view& text) {
   for (const NamedUnit& named : unit_table) {
     if (take_word(text, named.word)) return unit_of(named, ten);
   }
-  return std::nullopt;
+  return ten == 0 ? take_unit_abbreviation(text) : std::nullopt;
 }
 
 }  // namespace rigor

@@ -181,6 +181,16 @@ TEST_CASE("nothing is written into a file that is not UTF-8") {
   CHECK(notes.text() == text);
 }
 
+TEST_CASE("a hole of notes in Latin-1 is answered and not written") {
+  const std::string text = "Carr\xE9s:\n\n$$(a+b)^2 = a^2 + b^2 + \\square$$\n";
+  const HoleFile notes(text);
+  const Derived answer = derived({notes.path()});
+  CHECK(answer.code == 0);
+  CHECK(answer.out.find("2 a b") != std::string::npos);
+  CHECK(derived({notes.path(), "--write"}).code == 1);
+  CHECK(notes.text() == text);
+}
+
 TEST_CASE("a hole that comes out of a macro is reported and not written") {
   const std::string text = "\\newcommand{\\gap}{\\square}\n$$(a+b)^2 = \\gap$$\n";
   const HoleFile notes(text, ".tex");

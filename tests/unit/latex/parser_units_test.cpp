@@ -33,6 +33,12 @@ TEST_CASE("siunitx writes a number, a unit, or both") {
   CHECK(parsed("\\si{\\metre\\per\\second}") == "<\\metre\\per\\second>");
 }
 
+TEST_CASE("an angle in degrees is a multiple of pi, and a unit may have no number") {
+  CHECK(parsed("\\ang{30}") == parsed("(30\\frac{\\pi}{180})"));
+  CHECK(parsed("\\ang{30;15;}") == parsed("\\num{30;15;}"));
+  CHECK(parsed("\\SI{}{kg}") == parsed("\\si{kg}"));
+}
+
 TEST_CASE("a number of siunitx may have a sign and a power of ten") {
   CHECK(parsed("\\num{3.2e5}") == "320000");
   CHECK(parsed("\\num{3.25e1}") == "32.5");

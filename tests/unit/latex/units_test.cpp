@@ -49,6 +49,19 @@ TEST_CASE("derived units, multiples and prefixes are exact") {
   CHECK(unit("kg^{1/2}") == "1 kg^1/2");
 }
 
+TEST_CASE("abbreviations of siunitx are signs as controls") {
+  CHECK(unit("\\km\\per\\s") == unit("km/s"));
+  CHECK(unit("\\um") == unit("\\micro\\metre"));
+  CHECK(unit("\\kohm") == unit("k\\Omega"));
+  CHECK(unit("\\m\\tothe{3}") == "1 m^3");
+  CHECK(unit("\\percent") == "1 10^-2");
+  CHECK(unit("\\angstrom") == unit("\\nano\\metre").substr(0, 2) + "10^-10 m");
+  for (const char* text : {"\\d", "\\t", "\\min", "\\kilo\\m", "\\foo"}) {
+    INFO(text);
+    CHECK(unit(text).find("is not a unit") != std::string::npos);
+  }
+}
+
 TEST_CASE("M, L and T are dimensions where these are meant, and units elsewhere") {
   CHECK(unit("M L^2 T^{-2}", UnitNames::dimensions) == "1 kg m^2 s^-2");
   CHECK(unit("1/T", UnitNames::dimensions) == "1 s^-1");

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is struck out, and brackets of states and of operators.
+#include "catch.h"
+#include "latex/dump_syntax.h"
+
+namespace {
+
+using namespace rigor;
+
+struct Read {
+  Stretch stretch;
+  SyntaxTree tree;
+  SyntaxId root{};
+
+  explicit Read(const std::string& text) : stretch(text) {
+    const Tokens side = stretch.side();
+    root = parse_side(side, span_of(side), tree);
+  }
+  [[nodiscard]] std::string dump() const { return dump_syntax(tree, root); }
+};
+
+std::string parsed(const std::string& text) { return Read(text).dump(); }
+
+/// All obstacles in the text.
+std::string obstacles(const std::string& text) {
+  const Read read(text);
+  std::string all;
+  for (const SyntaxId id : nodes_below(read.tree, {read.root})) {
+    if (read.tree[id].kind == SyntaxKind::opaque) all += read.tree.obstacle(id).message + "; ";
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("what cancels above and below, or in a sum, is read as if it were not struck out") {
+  for (const char* text :
+       {"\\frac{\\cancel{x}y}{\\cancel{x}}", "\\cancel{x}y/\\bcancel{x}", "\\xcancel{x} + y - \\cancel{x}",
+        "\\frac{\\cancel{4}y}{\\cancel{2}}", "\\cancel{(a + b)}y"}) {
+    INFO(text);
+    CHECK(obstacles(text).find("struck out, and may be 0") !=
+          std::string::npos);  // beside it, so that it is not refuted
+  }
+}
+
+TEST_CASE("a struck term alone, a struck letter alone and a value at its arrow are not read") {
+  CHECK(obstacles("y + \\cancel{2ab}").find("why `\\cancel{2ab}` is struck out") != std::string::npos);
+  CHECK(obstacles("\\cancel{2ab} + y + \\cancel{2ab}").find("why") != std::string::npos);
+  CHECK(obstacles("\\frac{\\cancel{p} + m}{2}").find("Dirac") != std::string::npos);
+  CHECK(obstacles("i\\cancel{\\partial}").find("Dirac") != std::string::npos);
+  CHECK(obstacles("\\cancelto{0}{x} + y").find("that `x` becomes `0`") != std::string::npos);
+  CHECK(obstacles("\\frac{\\cancel{4}^2}{\\cancel{2}}").find("take its place") != std::string::npos);
+}
+
+TEST_CASE("a bracket of states is one obstacle") {
+  for (const char* text : {"\\braket{a|b}", "\\braket{a}{b}", "\\Braket{a|H|b}", "\\ket\\psi",
+                           "\\mel**{a}{H}{b}", "\\langle a | H | b \\rangle", "\\langle a |", "\\ev{A}{a}"}) {
+    INFO(text);
+    CHECK(parsed(text) == parsed("\\ket{a}"));
+  }
+}
+
+TEST_CASE("commutators and Poisson brackets are the pairs that they abbreviate") {
+  CHECK(parsed("\\comm{A}{B}") == parsed("[A, B]"));
+  CHECK(parsed("\\commutator*{A}{B + C}") == parsed("[A, B + C]"));
+  CHECK(parsed("\\acomm{A}{B}") == parsed("\\{A, B\\}"));
+  CHECK(parsed("\\pb{q}{p}") == parsed("\\{q, p\\}"));
+}
