@@ -57,10 +57,10 @@ std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing) {
   return sets;
 }
 
-std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available) {
+std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available, bool inferred) {
   if (auto found = prove_from(row, {})) return found;
   const Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available);
-  if (auto restated = restating(row, bearing)) return restated;
+  if (auto restated = inferred ? std::nullopt : restating(row, bearing)) return restated;
   if (auto solved = solves(row, bearing)) return solved;
   for (const Laws& set : promising_sets(row, bearing)) {
     if (set.empty()) continue;  // tried
@@ -72,11 +72,11 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available) 
 }  // namespace
 
 std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, const Claim& claim,
-                                          const Laws& available, DecisionCache& cache) {
+                                          const Laws& available, bool inferred, DecisionCache& cache) {
   if (claim.nearly || claim.for_all || claim.recorded != nullptr) return std::nullopt;
   if (cache.budget().exhausted()) return std::nullopt;
   const ShareOfWork share(cache, most_work);
-  return follow({tree, names, claim, &cache}, available);
+  return follow({tree, names, claim, &cache}, available, inferred);
 }
 
 }  // namespace rigor

@@ -21,8 +21,9 @@ namespace rigor {
 /// `uses`; nothing if neither is so. `available`: in the order of the notes. A few sets of laws are tried:
 /// those that share letters with the claim, bring in few others and stand near it come first. That takes at
 /// most a share of the work that the step may take.
+/// `inferred`: behind an arrow a row that says again what a law says is proved from it.
 [[nodiscard]] std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names,
                                                         const Claim& claim, const Laws& available,
-                                                        DecisionCache& cache);
+                                                        bool inferred, DecisionCache& cache);
 
 }  // namespace rigor

@@ -101,13 +101,27 @@ bool is_about_values(const RowPlace& place, const Equation& equation) {
   return found;
 }
 
+/// `v = \dot x`; not `\dot x = v_0`, which may be how it starts.
+bool names_a_rate(const ExprTree& tree, const Equation& equation) {
+  const auto is_rate = [&](ExprId side) {
+    return tree[side].op == Op::symbol && tree.symbols[tree[side].symbol].derivation.has_value();
+  };
+  const auto is_name = [&](ExprId side) {
+    return tree[side].op == Op::symbol && !is_rate(side) &&
+           !tree.symbols[tree[side].symbol].name.ends_with("_{0}");
+  };
+  return (is_rate(equation.left) && is_name(equation.right)) ||
+         (is_name(equation.left) && is_rate(equation.right));
+}
+
 /// `\dot x = 0`, `x = a`, `\phi_1 = \phi_2`: letters and nothing else.
 bool sets_letters_equal(const ExprTree& tree, const Equation& equation) {
   const auto is_bare = [&](ExprId side) {
     return tree[side].op == Op::symbol || tree[side].op == Op::number;
   };
-  return (is_bare(equation.left) || tree.is_zero_literal(equation.left)) &&
-         (is_bare(equation.right) || tree.is_zero_literal(equation.right));
+  const bool bare = (is_bare(equation.left) || tree.is_zero_literal(equation.left)) &&
+                    (is_bare(equation.right) || tree.is_zero_literal(equation.right));
+  return bare && !names_a_rate(tree, equation);
 }
 
 /// `H\psi = E\psi`: who does not cancel the common factor does not mean a product of numbers.
@@ -349,9 +363,10 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
   Laws founded = available;
   std::erase_if(founded, [](const PageLaw* law) { return law->unfounded; });
   DecisionCache& cache = *place.options.cache;
-  auto found = follow_from_laws(place.tree, place.names, claim, founded, cache);
+  const bool inferred = row.parsed.written.inference != Inference::none;
+  auto found = follow_from_laws(place.tree, place.names, claim, founded, inferred, cache);
   const bool rests_on_open = !found && is_announced(place, row) && founded.size() < available.size();
-  if (rests_on_open) found = follow_from_laws(place.tree, place.names, claim, available, cache);
+  if (rests_on_open) found = follow_from_laws(place.tree, place.names, claim, available, inferred, cache);
   if (!found) return false;
   add_used(place, judgement.used);
   judgement = *std::move(found);

@@ -84,17 +84,18 @@ bool restricts_from_before(std::string_view word) {
 
 bool is_named_quantity(std::string_view word) {
   static constexpr std::array<std::string_view, 68> nouns{
-      "constants",   "numbers",      "parameters",   "coefficients", "integer",    "integers",
-      "frequency",   "frequencies",  "period",       "wavelength",   "wavenumber", "mass",
-      "masses",      "energy",       "momentum",     "ratio",        "factor",     "parameter",
-      "coefficient", "constant",     "speed",        "velocity",     "density",    "acceleration",
-      "force",       "torque",       "charge",       "field",        "potential",  "current",
-      "resistance",  "impedance",    "power",        "temperature",  "pressure",   "moment",
-      "tensor",      "vector",       "operator",     "function",     "lagrangian", "hamiltonian",
-      "rate",        "viscosity",    "capacitance",  "inductance",   "modulus",    "stiffness",
-      "flux",        "entropy",      "conductivity", "number",       "difference", "sum",
-      "product",     "mean",         "average",      "amplitude",    "lifetime",   "mobility",
-      "diffusivity", "permittivity", "action",       "efficiency", "combination", "combinations", "quantity", "abbreviation"};
+      "constants",   "numbers",      "parameters",   "coefficients", "integer",     "integers",
+      "frequency",   "frequencies",  "period",       "wavelength",   "wavenumber",  "mass",
+      "masses",      "energy",       "momentum",     "ratio",        "factor",      "parameter",
+      "coefficient", "constant",     "speed",        "velocity",     "density",     "acceleration",
+      "force",       "torque",       "charge",       "field",        "potential",   "current",
+      "resistance",  "impedance",    "power",        "temperature",  "pressure",    "moment",
+      "tensor",      "vector",       "operator",     "function",     "lagrangian",  "hamiltonian",
+      "rate",        "viscosity",    "capacitance",  "inductance",   "modulus",     "stiffness",
+      "flux",        "entropy",      "conductivity", "number",       "difference",  "sum",
+      "product",     "mean",         "average",      "amplitude",    "lifetime",    "mobility",
+      "diffusivity", "permittivity", "action",       "efficiency",   "combination", "combinations",
+      "quantity",    "abbreviation"};
   return is_one_of(word, nouns);
 }
 
