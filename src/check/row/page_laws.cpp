@@ -60,7 +60,8 @@ bool is_headed_as_example(const RowPlace& place) {
 
 /// `\mathbf r = (r, \theta, \phi)`: these need not be components along Cartesian axes.
 bool names_coordinates(const ExprTree& tree, const Equation& equation) {
-  return tree[equation.left].op == Op::symbol && tree[equation.right].op == Op::tuple;
+  return tree[equation.left].op == Op::symbol && tree[equation.right].op == Op::tuple &&
+         !tree.is_zero_literal(equation.right);
 }
 
 /// "At the top", "the boundary condition is", "for instance": words before a row that say it for a moment, a
@@ -83,6 +84,15 @@ bool is_of_a_moment(const RowPlace& place) {
   const std::string tail = lowered(beside(place).tail);
   const std::vector<std::string_view> behind = words_of(tail);
   return !behind.empty() && (behind[0] == "at" || behind[0] == "when" || behind[0] == "initially");
+}
+
+/// `\mathbf J = 0` where the notes differentiate by place: a field that vanishes does so at all times.
+bool says_that_a_field_vanishes(const RowPlace& place, const Equation& equation) {
+  const ExprNode& left = place.tree[equation.left];
+  if (left.op != Op::symbol || !place.tree.is_zero_literal(equation.right)) return false;
+  const NameKey* key = key_of(place.names.symbols, left.symbol);  // none of a derivative
+  const Sightings& sightings = *place.names.symbols.sightings;
+  return key != nullptr && sightings.places && !has_rate(sightings, *key);
 }
 
 /// `x(0) = x_0`, `u(h) = U`: it speaks of a moment or a place, and holds at all times.
@@ -285,14 +295,17 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
       names_a_surface(place, equation) || (parsed.written.doubt && !parsed.written.only_said_for))
     return;
   const ProseBeside& here = beside(place);
-  const bool said_for_now = is_of_a_moment(place) || sets_letters_equal(place.tree, equation);
+  const bool momentary = is_of_a_moment(place);
+  const bool sets = sets_letters_equal(place.tree, equation);
+  const bool lasts =
+      is_about_values(place, equation) || (!momentary && says_that_a_field_vanishes(place, equation));
   PageLaw law{.equation = equation,
               .name = name_of_law(parsed.written.tag, relation, place.sources, word),
               .span = relation,
               .place = here.place,
               .paragraph = here.paragraph,
-              .at_instant = said_for_now && !is_about_values(place, equation),
-              .of_a_case = said_for_now || is_conditional(place) || is_value(place.tree, equation),
+              .at_instant = (momentary || sets) && !lasts,
+              .of_a_case = momentary || sets || is_conditional(place) || is_value(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .unfounded = word == unfounded};
   place.found.stated.push_back({.law = std::move(law),
@@ -340,9 +353,19 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
 }
 
 Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
-  std::map<SymbolId, int> said;  // how often the page says what a letter is
+  struct Times {
+    int here = 0;  // in this section or one around it
+    int anywhere = 0;
+  };
+  std::map<SymbolId, Times> said;  // how often the page says what a letter is
+  const auto is_here = [&](const StatedLaw& stated) {
+    return place.notes.prose.sections.reaches(stated.law.place, beside(place).place);
+  };
   for (const StatedLaw& stated : place.above.stated) {
-    if (stated.letter) ++said[*stated.letter];
+    if (!stated.letter) continue;
+    Times& times = said[*stated.letter];
+    ++times.anywhere;
+    if (is_here(stated)) ++times.here;
   }
   const std::vector<std::string> conditions = conditions_said(place, parsed);
   Laws available;
@@ -350,7 +373,8 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
     const Span at = stated.law.span;
     const Span own = parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
-    const Reach reach{stated.letter && said[*stated.letter] > 1, conditions};
+    const Times times = stated.letter ? said[*stated.letter] : Times{};
+    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions};
     if (!of_this_chain && is_available(place, stated, reach)) available.push_back(&stated.law);
   }
   return available;

@@ -167,6 +167,8 @@ bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& cl
   if (!open || claim.recorded != nullptr || claim.equation.relation != Relation::equal || row.unsettled ||
       !number_shown(place.tree, claim))
     return false;
+  const auto is_number = [&](ExprId side) { return is_measured(place.tree, side); };
+  if (is_number(claim.equation.left) && is_number(claim.equation.right)) return false;
   const std::vector<GivenValue> values = values_above(place);
   for (const bool again : {false, true}) {
     const Names names = with_values(place, row.parsed, claim, values, again);
