@@ -522,8 +522,11 @@ class Judging {
 
   /// `f(2x)` and `f(x + x)` are two symbols to us.
   [[nodiscard]] bool speaks_of_values() const {
-    return std::ranges::any_of(symbols_of(prepared_.question),
-                               [this](SymbolId symbol) { return is_function_value(names_, tree_, symbol); });
+    const std::vector<Definition>& known = prepared_.question.definitions;
+    return std::ranges::any_of(symbols_of(prepared_.question), [&](SymbolId symbol) {
+      return is_function_value(names_, tree_, symbol) &&
+             std::ranges::find(known, symbol, &Definition::symbol) == known.end();
+    });
   }
 
   /// An assumption could not be read, or not all that it says was looked at: it may make the claim true.
