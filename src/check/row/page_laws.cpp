@@ -156,6 +156,15 @@ std::optional<SymbolId> letter_of_law(const ExprTree& tree, const Equation& equa
   return alone ? std::optional(left.symbol) : std::nullopt;
 }
 
+/// Its tag, without brackets, and its label; no empty ones.
+std::vector<std::string> labels_of(const WrittenChain& written) {
+  std::string tag = written.tag;
+  std::erase_if(tag, [](char c) { return c == '(' || c == ')'; });
+  std::vector<std::string> labels{std::move(tag), written.label};
+  std::erase(labels, "");
+  return labels;
+}
+
 /// Does the sentence name it, "with (1.3)"?
 bool is_named_beside(const RowPlace& place, const StatedLaw& stated) {
   return std::ranges::any_of(beside(place).references,
@@ -309,7 +318,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .unfounded = word == unfounded};
   place.found.stated.push_back({.law = std::move(law),
-                                .labels = {parsed.written.tag, parsed.written.label},
+                                .labels = labels_of(parsed.written),
                                 .conditions = conditions_said(place, parsed),
                                 .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
                                 .letter = letter_of_law(place.tree, equation),
