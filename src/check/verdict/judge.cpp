@@ -520,12 +520,16 @@ class Judging {
     judgement_.diagnostics.clear();
   }
 
-  /// `f(2x)` and `f(x + x)` are two symbols to us.
+  /// `f(2x)` and `f(x + x)` are two symbols to us; `\omega(k + q)` of `\omega(k) = ck` can be a product.
   [[nodiscard]] bool speaks_of_values() const {
     const std::vector<Definition>& known = prepared_.question.definitions;
+    const auto& values = *names_.symbols.function_values;
+    const auto is_plain = [&](ExprId at) { return tree_[at].op == Op::symbol || tree_[at].op == Op::number; };
     return std::ranges::any_of(symbols_of(prepared_.question), [&](SymbolId symbol) {
-      return is_function_value(names_, tree_, symbol) &&
-             std::ranges::find(known, symbol, &Definition::symbol) == known.end();
+      const auto value = values.find(base_of(tree_.symbols, symbol));
+      if (value == values.end()) return false;
+      const bool is_known = std::ranges::find(known, symbol, &Definition::symbol) != known.end();
+      return !is_known || !std::ranges::all_of(value->second.at, is_plain);
     });
   }
 

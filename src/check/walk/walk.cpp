@@ -79,6 +79,8 @@ void take_what_lines_say(Walk& walk) {
   for (; walk.lines_taken < said.size() && said[walk.lines_taken].before <= walk.event; ++walk.lines_taken) {
     RowPlace place = place_here(walk);
     leave_what_a_line_says(place, said[walk.lines_taken]);
+    if (place.found.stated.empty()) continue;
+    walk.names.symbols = std::move(place.names.symbols);  // its letters are those of the rows below
     take_over(walk, std::move(place.found));
   }
 }

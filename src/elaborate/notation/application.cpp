@@ -222,6 +222,19 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
 
 namespace {
 
+/// `V''` of V'' where primes differentiate, as it is read back; else as it is printed.
+std::string name_of_function(const Reading& reading, const Typed& of) {
+  const ExprNode& node = reading.tree[of.id];
+  const auto* derivation = node.op == Op::symbol && reading.tree.symbols[node.symbol].derivation
+                               ? &*reading.tree.symbols[node.symbol].derivation
+                               : nullptr;
+  const bool primed = derivation != nullptr && std::ranges::all_of(derivation->by, [](const Variable& by) {
+                        return by.by == By::letter && !by.partial;
+                      });
+  if (!primed) return print_latex(reading.tree, of.id);
+  return reading.tree.symbols[derivation->base].name + std::string(derivation->by.size(), '\'');
+}
+
 /// t of `x(t)`, as the section writes it; of what is dotted the time.
 std::vector<std::string> running_variables(const Reading& reading, const WrittenSymbol& function,
                                            std::size_t count) {
@@ -252,7 +265,7 @@ MaybeTyped value_of_function(Reading& reading, SyntaxId function, SyntaxId brack
   }
   if (open || of->rank > 1)
     return unsupported(reading, span, "the value of a function with indices is not decided");
-  const std::string name = fmt::format("{}({})", print_latex(reading.tree, of->id), arguments);
+  const std::string name = fmt::format("{}({})", name_of_function(reading, *of), arguments);
   reading.found.values = true;
   const SymbolId symbol = symbol_named(reading, {name, of->rank, false}, name, span);
   if (reading.tree[of->id].op == Op::symbol && !reading.names.symbols.function_values->contains(symbol))
