@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "check/meaning/function_value.h"
+#include "elaborate/name/function_value.h"
 
 namespace rigor {
 namespace {

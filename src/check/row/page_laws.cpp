@@ -14,7 +14,7 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/law/from_laws.h"
-#include "check/meaning/function_value.h"
+#include "elaborate/name/function_value.h"
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/prose/restrictions.h"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/among.h"
-#include "check/meaning/function_value.h"
+#include "elaborate/name/function_value.h"
 #include "elaborate/name/letters.h"
 
 namespace rigor {

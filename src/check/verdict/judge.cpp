@@ -9,7 +9,7 @@
 #include "algebra/decide/decide.h"
 #include "base/among.h"
 #include "check/meaning/divisors.h"
-#include "check/meaning/function_value.h"
+#include "elaborate/name/function_value.h"
 #include "check/meaning/identity_reading.h"
 #include "check/meaning/negative_squares.h"
 #include "check/meaning/sign_doubt.h"

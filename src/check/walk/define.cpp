@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "check/meaning/function_value.h"
+#include "elaborate/name/function_value.h"
 #include "check/meaning/measured.h"
 #include "check/prose/denial.h"
 #include "check/row/row.h"

@@ -102,6 +102,8 @@ LatexName latex_name(std::string_view name) {
     const std::size_t end = behind_argument(name, at + 1);
     parts.labels = inside_braces(name.substr(at + 1, end - at - 1));
     parts.behind = name.substr(end);
+  } else {
+    parts.behind = name.substr(at);  // `V'(r_0)`
   }
   return parts;
 }
