@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,13 @@
 #include "expr/statement/statement.h"
 
 namespace rigor {
+
+/// How it came to stand on the page.
+enum class Standing : std::uint8_t {
+  law,         // it is stated
+  result,      // it follows from what stands above it
+  conclusion,  // it is announced as one, and no proof of it was found
+};
 
 /// A relation that the page states, or that follows from such.
 struct PageLaw {
@@ -21,7 +29,7 @@ struct PageLaw {
   bool of_a_case = false;     // behind "for critical damping": it holds in its paragraph only
   bool of_its_own = false;    // words before it speak of something: "Particle B obeys"
   bool mentioned = false;     // in a line, and no word says that it holds: nothing is suspected by it
-  bool unfounded = false;     // announced as a conclusion, and it follows from nothing
+  Standing standing = Standing::law;
 };
 
 using Laws = std::vector<const PageLaw*>;

@@ -13,9 +13,9 @@
 #include "base/among.h"
 #include "check/law/bearing.h"
 #include "check/law/witness.h"
-#include "elaborate/name/function_value.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
+#include "elaborate/name/function_value.h"
 #include "expr/calculus/differentiate.h"
 
 namespace rigor {

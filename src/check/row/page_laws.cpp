@@ -14,7 +14,6 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/law/from_laws.h"
-#include "elaborate/name/function_value.h"
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/prose/restrictions.h"
@@ -23,6 +22,7 @@
 #include "check/repair/suspicion.h"
 #include "check/verdict/law_diagnostic.h"
 #include "check/word/prose_words.h"
+#include "elaborate/name/function_value.h"
 
 namespace rigor {
 namespace {
@@ -209,10 +209,15 @@ std::vector<std::string> conditions_said(const RowPlace& place, const ParsedChai
   return conditions;
 }
 
-constexpr std::string_view unfounded = "conclusion";
+std::string_view word_of(Standing standing) {
+  static constexpr std::array<std::string_view, 3> words{"law", "result", "conclusion"};
+  return words[static_cast<std::size_t>(standing)];
+}
 
-void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::string_view word) {
-  if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, word);
+bool is_open(const PageLaw& law) { return law.standing == Standing::conclusion; }
+
+void leave(RowPlace& place, const StepReading& row, const Claim& claim, Standing standing) {
+  if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, standing);
 }
 
 /// Laws of this section and those around it, but none of a case, and no conclusion that follows from nothing:
@@ -221,7 +226,7 @@ void leave(RowPlace& place, const StepReading& row, const Claim& claim, std::str
 Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
   const ProseBeside& here = beside(place);
   std::erase_if(laws, [&](const PageLaw* law) {
-    return law->unfounded || law->of_a_case || law->at_instant || law->mentioned ||
+    return is_open(*law) || law->of_a_case || law->at_instant || law->mentioned ||
            !place.notes.prose.sections.reaches(law->place, here.place);
   });
   return laws;
@@ -273,7 +278,7 @@ bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
 /// It would follow from a conclusion that follows from nothing itself.
 Judgement follows_from_open(const Laws& available, const Claim& claim, Judgement judgement) {
   const auto open = std::ranges::find_if(available, [&](const PageLaw* law) {
-    return law->unfounded && std::ranges::find(judgement.uses, law->name) != judgement.uses.end();
+    return is_open(*law) && std::ranges::find(judgement.uses, law->name) != judgement.uses.end();
   });
   if (open == available.end()) return judgement;
   Judgement undecided;
@@ -298,7 +303,7 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
 }  // namespace
 
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
-                         std::string_view word) {
+                         Standing standing) {
   if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
       names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
       names_a_surface(place, equation) || (parsed.written.doubt && !parsed.written.only_said_for))
@@ -309,14 +314,14 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
   const bool lasts =
       is_about_values(place, equation) || (!momentary && says_that_a_field_vanishes(place, equation));
   PageLaw law{.equation = equation,
-              .name = name_of_law(parsed.written.tag, relation, place.sources, word),
+              .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
               .span = relation,
               .place = here.place,
               .paragraph = here.paragraph,
               .at_instant = (momentary || sets) && !lasts,
               .of_a_case = momentary || sets || is_conditional(place) || is_value(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
-              .unfounded = word == unfounded};
+              .standing = standing};
   place.found.stated.push_back({.law = std::move(law),
                                 .labels = labels_of(parsed.written),
                                 .conditions = conditions_said(place, parsed),
@@ -394,7 +399,7 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
     return false;
   const Laws available = available_to(place, row.parsed);
   Laws founded = available;
-  std::erase_if(founded, [](const PageLaw* law) { return law->unfounded; });
+  std::erase_if(founded, [](const PageLaw* law) { return is_open(*law); });
   DecisionCache& cache = *place.options.cache;
   const bool inferred = row.parsed.written.inference != Inference::none;
   auto found = follow_from_laws(place.tree, place.names, claim, founded, inferred, cache);
@@ -406,13 +411,13 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
   add_used(place, judgement.used);
   if (rests_on_open) {
     judgement = follows_from_open(available, claim, std::move(judgement));
-    leave(place, row, claim, unfounded);
+    leave(place, row, claim, Standing::conclusion);
     return true;
   }
   if (judgement.restates) return true;
   heed_proof(place, row.parsed, claim, judgement);
   const bool both_ways = row.parsed.written.inference == Inference::equivalence;
-  if (judgement.verdict == Verdict::proved && !both_ways) leave(place, row, claim, "result");
+  if (judgement.verdict == Verdict::proved && !both_ways) leave(place, row, claim, Standing::result);
   return true;
 }
 
@@ -454,11 +459,11 @@ void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judg
   // Who assumes something about its letters means it to follow from that.
   if (place.is_stated || (!judgement.despite_given && !is_announced(place, row))) {
     judgement.route = "stated; it follows from nothing above it";
-    return leave(place, row, claim, "law");
+    return leave(place, row, claim, Standing::law);
   }
   judgement.verdict = Verdict::undecided;
   judgement.diagnostics.push_back(without_ground(place.tree, place.names, claim, judgement));
-  leave(place, row, claim, unfounded);
+  leave(place, row, claim, Standing::conclusion);
 }
 
 }  // namespace rigor

@@ -62,9 +62,9 @@ std::string unread_premise(RowPlace& place, const ParsedChain& parsed);
 
 // --- page_laws.cpp: What a row takes from the laws above it, and what it leaves to the rows below it.
 
-/// `word` is what rows below call it: a law, a result, a conclusion. Not what holds on its line only.
+/// Not what holds on its line only.
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
-                         std::string_view word);
+                         Standing standing);
 /// The same of a relation in a line of prose: "The combination $E = …$ does not change."
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// The laws above that hold here, in the order of the notes; not the other links of its own chain.

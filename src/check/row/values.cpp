@@ -106,7 +106,9 @@ Names with_values(const RowPlace& place, const ParsedChain& parsed, const Claim&
   const Laws laws = available_to(place, parsed);
   for (auto law = laws.rbegin(); law != laws.rend(); ++law) {
     const auto letter = bare_letter(place.tree, (*law)->equation.left);
-    if (!letter || (*law)->unfounded || is_measured(place.tree, (*law)->equation.right)) continue;
+    if (!letter || (*law)->standing == Standing::conclusion ||
+        is_measured(place.tree, (*law)->equation.right))
+      continue;
     const bool defined = definition_of(names.scope, *letter) != nullptr;
     if (defined && (!again || approximate_value(place.tree, names, (*law)->equation.left))) continue;
     forget_definition(names.scope, *letter);

@@ -85,7 +85,7 @@ class GroundList {
         laws_that_bear(place_.tree, place_.names.scope, equation_, available_to(place_, parsed));
     for (const PageLaw* law : bearing) {
       if (left == 0 || !bears(law->equation) || !is_new(law->name)) continue;
-      const auto kind = law->unfounded ? Ground::Kind::conclusion : Ground::Kind::law;
+      const auto kind = law->standing == Standing::conclusion ? Ground::Kind::conclusion : Ground::Kind::law;
       grounds_.push_back({kind, law->name, latex(law->equation)});
       --left;
     }

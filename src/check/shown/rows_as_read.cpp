@@ -88,7 +88,7 @@ class RowReader {
     if (leaves && statement.role == Role::display)
       leave_to_rows_below(place, *statement.chain, *equation,
                           statement.chain->written.relations[from.which].span,
-                          row.role == RowRole::law ? "law" : "conclusion");
+                          row.role == RowRole::law ? Standing::law : Standing::conclusion);
     std::move(place.found.stated.begin(), place.found.stated.end(), std::back_inserter(above_.stated));
     return row;
   }

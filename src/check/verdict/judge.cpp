@@ -9,7 +9,6 @@
 #include "algebra/decide/decide.h"
 #include "base/among.h"
 #include "check/meaning/divisors.h"
-#include "elaborate/name/function_value.h"
 #include "check/meaning/identity_reading.h"
 #include "check/meaning/negative_squares.h"
 #include "check/meaning/sign_doubt.h"
@@ -22,6 +21,7 @@
 #include "check/verdict/law_diagnostic.h"
 #include "check/verdict/other_reading.h"
 #include "check/verdict/rational_expression.h"
+#include "elaborate/name/function_value.h"
 
 namespace rigor {
 namespace {

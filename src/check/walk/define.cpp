@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "elaborate/name/function_value.h"
 #include "check/meaning/measured.h"
 #include "check/prose/denial.h"
 #include "check/row/row.h"
@@ -14,6 +13,7 @@
 #include "check/scope/decomposition.h"
 #include "check/scope/definition.h"
 #include "check/word/prose_words.h"
+#include "elaborate/name/function_value.h"
 
 namespace rigor {
 namespace {

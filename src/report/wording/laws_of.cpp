@@ -9,11 +9,21 @@
 
 namespace rigor {
 
+namespace {
+
+bool is_used(const std::string& name, const FileReport& file) {
+  return std::ranges::any_of(file.steps, [&](const Step& step) { return is_one_of(name, step.uses); });
+}
+
+}  // namespace
+
 std::vector<LawUse> laws_of(const FileReport& file, const SourceMap& sources) {
   std::vector<LawUse> laws;
   for (const Step& step : file.steps) {
-    if (step.verdict != Verdict::law || step.restates) continue;
-    std::string name = name_of_law(step.tag, step.relation_span, sources, "law");
+    const bool open = step.verdict == Verdict::undecided;  // it may be a conclusion that others rest on
+    if (!open && (step.verdict != Verdict::law || step.restates)) continue;
+    std::string name = name_of_law(step.tag, step.relation_span, sources, open ? "conclusion" : "law");
+    if (open && !is_used(name, file)) continue;
     if (std::ranges::find(laws, name, &LawUse::name) == laws.end())
       laws.push_back({std::move(name), step.span});
   }
@@ -34,7 +44,8 @@ std::string print_laws(const std::vector<LawUse>& laws) {
       ++unused;
       continue;
     }
-    const std::string place = law.name.substr(law.name.starts_with("law in ") ? 7 : 4);
+    const std::size_t behind = law.name.starts_with("law in ") ? 7 : law.name.starts_with("law ") ? 4 : 0;
+    const std::string place = law.name.substr(behind);
     text +=
         fmt::format("{} {}, used by {} step{}", first ? ":" : ";", place, law.used, law.used == 1 ? "" : "s");
     first = false;
