@@ -60,7 +60,7 @@ std::vector<const ParsedChain*> definitions_behind(const RowPlace& place, const 
 /// What the row is inferred from, where that cannot be taken for granted: it was not read.
 std::string unread_premise(RowPlace& place, const ParsedChain& parsed);
 
-// --- page_laws.cpp: What a row takes from the laws above it, and what it leaves to the rows below it.
+// --- laws_above.cpp: What rows, and relations in lines of prose, leave to the rows below them.
 
 /// Not what holds on its line only.
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
@@ -69,6 +69,12 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// The laws above that hold here, in the order of the notes; not the other links of its own chain.
 [[nodiscard]] Laws available_to(const RowPlace& place, const ParsedChain& parsed);
+/// "At the top", "the boundary condition is", "for instance": words before a row that say it for a moment, a
+/// place or one example.
+[[nodiscard]] bool is_of_a_moment(const RowPlace& place);
+
+// --- page_laws.cpp: What follows from these laws.
+
 /// Proved from laws of the page, or said by one of them already; else the judgement stays as it is.
 [[nodiscard]] bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim,
                                      Judgement& judgement);

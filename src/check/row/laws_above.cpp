@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What rows, and relations in lines of prose, leave to the rows below them, and where that holds.
+#include "check/row/row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/among.h"
+#include "base/ascii.h"
+#include "check/meaning/measured.h"
+#include "check/place/place.h"
+#include "check/word/prose_words.h"
+#include "elaborate/name/function_value.h"
+
+namespace rigor {
+namespace {
+
+/// What the letters of an equation mean, where they are defined.
+std::vector<std::pair<SymbolId, ExprId>> meanings_of(const RowPlace& place, const Equation& equation) {
+  std::vector<std::pair<SymbolId, ExprId>> meanings;
+  for (const SymbolId letter :
+       symbols_reached(place.tree, place.names.scope, {equation.left, equation.right})) {
+    if (const auto body = body_of_definition(place.names.scope, letter)) meanings.emplace_back(letter, *body);
+  }
+  return meanings;
+}
+
+/// Its letters mean what they meant where the law was stated: none was defined anew since.
+bool means_the_same(const RowPlace& place, const StatedLaw& stated) {
+  return std::ranges::all_of(stated.meanings, [&](const auto& meaning) {
+    return body_of_definition(place.names.scope, meaning.first) == meaning.second;
+  });
+}
+
+/// `\omega_0 = 5.0\,\mathrm{s^{-1}}`: a letter and a number, of an example.
+bool is_value(const ExprTree& tree, const Equation& equation) {
+  const auto is_number = [&](ExprId side) { return !tree.is_zero_literal(side) && is_measured(tree, side); };
+  return is_number(equation.left) || is_number(equation.right);
+}
+
+/// "Example 3", "Exercises": what is stated there holds there.
+bool is_headed_as_example(const RowPlace& place) {
+  static constexpr std::array<std::string_view, 8> heads{"example", "examples", "exercise", "exercises",
+                                                         "problem", "problems", "question", "questions"};
+  const std::string heading = lowered(place.section);
+  return std::ranges::any_of(words_of(heading), [](std::string_view word) { return is_one_of(word, heads); });
+}
+
+/// `\mathbf r = (r, \theta, \phi)`: these need not be components along Cartesian axes.
+bool names_coordinates(const ExprTree& tree, const Equation& equation) {
+  return tree[equation.left].op == Op::symbol && tree[equation.right].op == Op::tuple &&
+         !tree.is_zero_literal(equation.right);
+}
+
+/// `\mathbf J = 0` where the notes differentiate by place: a field that vanishes does so at all times.
+bool says_that_a_field_vanishes(const RowPlace& place, const Equation& equation) {
+  const ExprNode& left = place.tree[equation.left];
+  if (left.op != Op::symbol || !place.tree.is_zero_literal(equation.right)) return false;
+  const NameKey* key = key_of(place.names.symbols, left.symbol);  // none of a derivative
+  const Sightings& sightings = *place.names.symbols.sightings;
+  return key != nullptr && sightings.places && !has_rate(sightings, *key);
+}
+
+/// `x(0) = x_0`, `u(h) = U`: it speaks of a moment or a place, and holds at all times.
+bool is_about_values(const RowPlace& place, const Equation& equation) {
+  bool found = false;
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SymbolId symbol : symbols_in(place.tree, side)) {
+      if (is_function_value(place.names, place.tree, symbol)) {
+        found = true;
+        continue;
+      }
+      const NameKey* key = key_of(place.names.symbols, symbol);
+      if (key == nullptr || may_be_changing(*place.names.symbols.evidence, key->base)) return false;
+    }
+  }
+  return found;
+}
+
+/// `v = \dot x`; not `\dot x = v_0`, which may be how it starts.
+bool names_a_rate(const ExprTree& tree, const Equation& equation) {
+  const auto is_rate = [&](ExprId side) {
+    return tree[side].op == Op::symbol && tree.symbols[tree[side].symbol].derivation.has_value();
+  };
+  const auto is_name = [&](ExprId side) {
+    return tree[side].op == Op::symbol && !is_rate(side) &&
+           !tree.symbols[tree[side].symbol].name.ends_with("_{0}");
+  };
+  return (is_rate(equation.left) && is_name(equation.right)) ||
+         (is_name(equation.left) && is_rate(equation.right));
+}
+
+/// `\dot x = 0`, `x = a`, `\phi_1 = \phi_2`: letters and nothing else.
+bool sets_letters_equal(const ExprTree& tree, const Equation& equation) {
+  const auto is_bare = [&](ExprId side) {
+    return tree[side].op == Op::symbol || tree[side].op == Op::number;
+  };
+  const bool bare = (is_bare(equation.left) || tree.is_zero_literal(equation.left)) &&
+                    (is_bare(equation.right) || tree.is_zero_literal(equation.right));
+  return bare && !names_a_rate(tree, equation);
+}
+
+/// `H\psi = E\psi`: who does not cancel the common factor does not mean a product of numbers.
+bool keeps_a_common_factor(const ExprTree& tree, const Equation& equation) {
+  const auto factors_of = [&](ExprId side) {
+    std::vector<SymbolId> factors;
+    if (tree[side].op != Op::multiply) return factors;
+    for (const ExprId factor : tree.children(side)) {
+      if (tree[factor].op == Op::symbol) factors.push_back(tree[factor].symbol);
+    }
+    return factors;
+  };
+  const std::vector<SymbolId> right = factors_of(equation.right);
+  return std::ranges::any_of(factors_of(equation.left),
+                             [&](SymbolId each) { return is_one_of(each, right); });
+}
+
+/// The letter that a law says alone on its left side what it is: F of `F = -kx`.
+std::optional<SymbolId> letter_of_law(const ExprTree& tree, const Equation& equation) {
+  const ExprNode& left = tree[equation.left];
+  const bool alone = left.op == Op::symbol && !tree.symbols[left.symbol].derivation;
+  return alone ? std::optional(left.symbol) : std::nullopt;
+}
+
+/// Its tag, without brackets, and its label; no empty ones.
+std::vector<std::string> labels_of(const WrittenChain& written) {
+  std::string tag = written.tag;
+  std::erase_if(tag, [](char c) { return c == '(' || c == ')'; });
+  std::vector<std::string> labels{std::move(tag), written.label};
+  std::erase(labels, "");
+  return labels;
+}
+
+/// Does the sentence name it, "with (1.3)"?
+bool is_named_beside(const RowPlace& place, const StatedLaw& stated) {
+  return std::ranges::any_of(beside(place).references,
+                             [&](const std::string& each) { return is_one_of(each, stated.labels); });
+}
+
+/// Where a law may be used.
+struct Reach {
+  bool one_of_several = false;          // `F = -kx` and `F = mg`: each of them holds in its paragraph
+  std::vector<std::string> conditions;  // that are said of the row
+};
+
+/// Above in this section or one around it; of earlier sections, what is not said for a case or an example. A
+/// case holds in its paragraph, and where it is named; under a condition, where that is said as well.
+bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& reach) {
+  const ProseBeside& here = beside(place);
+  const Sections& sections = place.notes.prose.sections;
+  const PageLaw& law = stated.law;
+  const bool said = std::ranges::all_of(
+      stated.conditions, [&](const std::string& each) { return is_one_of(each, reach.conditions); });
+  if (!said) return false;
+  const bool in_reach = law.paragraph == here.paragraph || is_named_beside(place, stated);
+  if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
+  const bool reaches = sections.reaches(law.place, here.place);
+  if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place))) return false;
+  return means_the_same(place, stated);
+}
+
+/// `z = \zeta(x, y)` where derivatives by place are written: a surface, and elsewhere z is another number.
+bool names_a_surface(const RowPlace& place, const Equation& equation) {
+  const auto letter = letter_of_law(place.tree, equation);
+  return letter && is_free_variable(place.names, place.tree, *letter, By::space);
+}
+
+/// `E_r = \rho r/3\epsilon_0 \quad (r < R)`: where, when or in which case it holds, as it is written next to
+/// it.
+std::vector<std::string> conditions_said(const RowPlace& place, const ParsedChain& parsed) {
+  std::vector<std::string> conditions;
+  for (const ParsedChain& each : parsed.assumed) conditions.push_back(text_of(each.written));
+  for (const ParsedChain* each : conditions_beside(place, parsed))
+    conditions.push_back(text_of(each->written));
+  return conditions;
+}
+
+std::string_view word_of(Standing standing) {
+  static constexpr std::array<std::string_view, 3> words{"law", "result", "conclusion"};
+  return words[static_cast<std::size_t>(standing)];
+}
+
+}  // namespace
+
+bool is_of_a_moment(const RowPlace& place) {
+  static constexpr auto moments = std::to_array<std::string_view>(
+      {"when",    "where",   "whenever",    "initially", "boundary", "surface", "interface", "edge",
+       "wall",    "top",     "bottom",      "turning",   "instant",  "moment",  "meet",      "meets",
+       "reaches", "reached", "vanishes",    "maximum",   "minimum",  "once",    "until",     "after",
+       "before",  "during",  "starts",      "ends",      "instance", "example", "however",   "clamped",
+       "fixed",   "rest",    "equilibrium", "grounded",  "finally"});
+  static constexpr std::array<std::string_view, 5> all{"all", "any", "every", "each", "least"};
+  const std::string lead = lowered(beside(place).lead);
+  const std::vector<std::string_view> words = words_of(lead);
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one_of(words[k], moments)) return true;
+    const bool rate = k > 0 && words[k - 1] == "rate";  // "the rate at which"
+    if (words[k] == "at" && !rate && (k + 1 == words.size() || !is_one_of(words[k + 1], all))) return true;
+  }
+  const std::string tail = lowered(beside(place).tail);
+  const std::vector<std::string_view> behind = words_of(tail);
+  return !behind.empty() && (behind[0] == "at" || behind[0] == "when" || behind[0] == "initially");
+}
+
+void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
+                         Standing standing) {
+  if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
+      names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
+      names_a_surface(place, equation) || (parsed.written.doubt && !parsed.written.only_said_for))
+    return;
+  const ProseBeside& here = beside(place);
+  const bool momentary = is_of_a_moment(place);
+  const bool sets = sets_letters_equal(place.tree, equation);
+  const bool lasts =
+      is_about_values(place, equation) || (!momentary && says_that_a_field_vanishes(place, equation));
+  PageLaw law{.equation = equation,
+              .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
+              .span = relation,
+              .place = here.place,
+              .paragraph = here.paragraph,
+              .at_instant = (momentary || sets) && !lasts,
+              .of_a_case = momentary || sets || is_conditional(place) || is_value(place.tree, equation),
+              .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
+              .standing = standing};
+  place.found.stated.push_back({.law = std::move(law),
+                                .labels = labels_of(parsed.written),
+                                .conditions = conditions_said(place, parsed),
+                                .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+                                .letter = letter_of_law(place.tree, equation),
+                                .meanings = meanings_of(place, equation)});
+}
+
+void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
+  const bool defines = said.cue == Cue::definition;
+  if (said.at_place || !(defines || (said.cue == Cue::none && said.alone))) return;
+  const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
+  const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
+  if (sentence == sentences.end() || sentence->asks) return;
+  for (const ParsedChain& chain : said.chains) {
+    if (chain.sides.size() != 2 || chain.written.relations[0].kind != RelationKind::equal ||
+        chain.written.condition || chain.written.doubt)
+      continue;
+    const auto reading = read_here(place, chain);
+    if (!reading->sides[0].typed || !reading->sides[1].typed || guess_of(reading->reading())) continue;
+    Diagnostics ignored;
+    const auto claim = reading->claim(chain, 0, false, ignored);
+    if (!claim || !ignored.empty()) continue;
+    const Equation& equation = claim->equation;
+    const bool for_now = sets_letters_equal(place.tree, equation) || is_measured(place.tree, equation.right);
+    if (for_now || names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
+        names_a_surface(place, equation))
+      continue;
+    const std::string words = lowered(sentence->text);
+    PageLaw law{.equation = equation,
+                .name = fmt::format("{} (line {})", written_at(place, said.span),
+                                    place.sources.line_column(said.span.file, said.span.begin).line),
+                .span = said.span,
+                .place = said.place,
+                .paragraph = sentence->paragraph,
+                .of_a_case = word_that_demands(words) || word_of_a_special_case(words),
+                .mentioned = !defines};
+    place.found.stated.push_back({.law = std::move(law),
+                                  .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
+                                  .letter = letter_of_law(place.tree, equation),
+                                  .meanings = meanings_of(place, equation)});
+  }
+}
+
+Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
+  struct Times {
+    int here = 0;  // in this section or one around it
+    int anywhere = 0;
+  };
+  std::map<SymbolId, Times> said;  // how often the page says what a letter is
+  const auto is_here = [&](const StatedLaw& stated) {
+    return place.notes.prose.sections.reaches(stated.law.place, beside(place).place);
+  };
+  for (const StatedLaw& stated : place.above.stated) {
+    if (!stated.letter) continue;
+    Times& times = said[*stated.letter];
+    ++times.anywhere;
+    if (is_here(stated)) ++times.here;
+  }
+  const std::vector<std::string> conditions = conditions_said(place, parsed);
+  Laws available;
+  for (const StatedLaw& stated : place.above.stated) {
+    const Span at = stated.law.span;
+    const Span own = parsed.written.span;
+    const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
+    const Times times = stated.letter ? said[*stated.letter] : Times{};
+    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions};
+    if (!of_this_chain && is_available(place, stated, reach)) available.push_back(&stated.law);
+  }
+  return available;
+}
+
+}  // namespace rigor
