@@ -38,6 +38,15 @@ std::vector<std::string> latin_letters(const std::vector<WrittenIndex>& indices)
   return letters;
 }
 
+/// `(\partial S/\partial T)_p`: p is held, and no index.
+bool holds_by_name(const SyntaxTree& syntax, SyntaxId component) {
+  SyntaxId of = syntax.child(component, 0);
+  while (syntax[of].kind == SyntaxKind::group) of = syntax.child(of, 0);
+  if (syntax[of].kind != SyntaxKind::derivative || !syntax.derivative(of).partial) return false;
+  return std::ranges::all_of(syntax.derivative(of).by,
+                             [](const WrittenVariable& by) { return by.symbol.lower.empty(); });
+}
+
 /// Letters that an index notation of this statement settles: on δ and ε, on brackets, under explicit sums.
 void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
   const SyntaxKind kind = syntax[id].kind;
@@ -47,7 +56,7 @@ void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol))
       found = latin_letters(symbol.lower);
   } else if (kind == SyntaxKind::component) {
-    found = latin_letters(syntax.indices(id));
+    if (!holds_by_name(syntax, id)) found = latin_letters(syntax.indices(id));
   } else if (kind == SyntaxKind::big_sum) {
     found = latin_letters(syntax.big_sum(id).indices);
   } else if (kind == SyntaxKind::derivative) {
