@@ -25,6 +25,16 @@ constexpr const char* solution = "the solution";
 constexpr std::size_t most_constants = 6;
 constexpr std::size_t most_other_laws = 3;
 
+/// u of `u(x, t)`, or of `\partial u/\partial t`: its "constants" can be functions.
+bool depends_on_several(const RowUnderLaws& row, SymbolId unknown) {
+  const NameKey* key = key_of(row.names.symbols, unknown);
+  if (key == nullptr || row.names.symbols.sightings->partial_rates.contains({key->base, false})) return true;
+  const auto& applied = row.names.symbols.evidence->applied;
+  const auto found = applied.find(key->base);
+  return found != applied.end() &&
+         std::ranges::any_of(found->second, [](const auto& letters) { return letters.size() > 1; });
+}
+
 /// The letter alone on the left side, which nothing defines and the right side has not.
 std::optional<SymbolId> unknown_of(const RowUnderLaws& row) {
   const Equation& equation = row.claim.equation;
@@ -32,7 +42,8 @@ std::optional<SymbolId> unknown_of(const RowUnderLaws& row) {
   const bool alone = equation.relation == Relation::equal && left.op == Op::symbol && left.rank == 0 &&
                      left.slot_count == 0 && left.particle == no_particle && equation.indices.empty();
   if (!alone || row.tree.symbols[left.symbol].derivation) return std::nullopt;
-  if (definition_of(row.names.scope, left.symbol) != nullptr) return std::nullopt;
+  if (definition_of(row.names.scope, left.symbol) != nullptr || depends_on_several(row, left.symbol))
+    return std::nullopt;
   const Equation right{.left = equation.right, .right = equation.right};
   if (base_letters(row.tree, row.names.scope, right).contains(left.symbol)) return std::nullopt;
   return left.symbol;

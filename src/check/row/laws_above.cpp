@@ -139,6 +139,12 @@ std::vector<std::string> labels_of(const WrittenChain& written) {
 
 /// Does the sentence name it, "with (1.3)"?
 bool is_named_beside(const RowPlace& place, const StatedLaw& stated) {
+  const std::string& lead = beside(place).lead;
+  static constexpr std::array<std::string_view, 5> contrasts{"compar", "replac", "unlike", "instead",
+                                                             "contrast"};
+  if (std::ranges::any_of(contrasts,
+                          [&](std::string_view stem) { return lead.find(stem) != std::string::npos; }))
+    return false;
   return std::ranges::any_of(beside(place).references,
                              [&](const std::string& each) { return is_one_of(each, stated.labels); });
 }
@@ -215,6 +221,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
       names_a_surface(place, equation) || (parsed.written.doubt && !parsed.written.only_said_for))
     return;
   const ProseBeside& here = beside(place);
+  const bool beside_an_arrow = parsed.written.premise || parsed.written.inference != Inference::none;
   const bool momentary = is_of_a_moment(place);
   const bool sets = sets_letters_equal(place.tree, equation);
   const bool lasts =
@@ -225,7 +232,8 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
               .place = here.place,
               .paragraph = here.paragraph,
               .at_instant = (momentary || sets) && !lasts,
-              .of_a_case = momentary || sets || is_conditional(place) || is_value(place.tree, equation),
+              .of_a_case = momentary || sets || beside_an_arrow || is_conditional(place) ||
+                           is_value(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .standing = standing};
   place.found.stated.push_back({.law = std::move(law),
@@ -263,7 +271,7 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                 .span = said.span,
                 .place = said.place,
                 .paragraph = sentence->paragraph,
-                .of_a_case = word_that_demands(words) || word_of_a_special_case(words),
+                .of_a_case = !said.named || word_that_demands(words) || word_of_a_special_case(words),
                 .mentioned = !defines};
     place.found.stated.push_back({.law = std::move(law),
                                   .of_a_section = is_of_a_case(place) || is_headed_as_example(place),

@@ -58,16 +58,6 @@ bool begins_with_a_case(std::string_view lead) {
   return false;
 }
 
-/// "In an incompressible fluid", "At $B$ we find": words of the sentence, the heading or the sentences around
-/// it that may say the row for a case.
-bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
-  const ProseBeside& here = beside(place);
-  const std::string heading = lowered(place.section);
-  return is_conditional(place) || is_of_a_moment(place) || is_of_a_case(place) ||
-         begins_with_a_case(here.lead) || restriction_in_heading(heading) ||
-         said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);
-}
-
 /// Does it rest on definitions that are said for this place only, and not on one of its own chain?
 bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
                                 const std::vector<std::string>& uses) {
@@ -110,6 +100,14 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
 }
 
 }  // namespace
+
+bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
+  const ProseBeside& here = beside(place);
+  const std::string heading = lowered(place.section);
+  return is_conditional(place) || is_of_a_moment(place) || is_of_a_case(place) ||
+         begins_with_a_case(here.lead) || restriction_in_heading(heading) ||
+         said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);
+}
 
 bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (row.role != Role::display || row.unsettled || is_meant_for_all(place.tree, place.names, claim))

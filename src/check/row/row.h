@@ -75,6 +75,9 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 
 // --- page_laws.cpp: What follows from these laws.
 
+/// "In an incompressible fluid", "At $B$ we find": words of the sentence, the heading or the sentences around
+/// it that may say the row for a case.
+[[nodiscard]] bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed);
 /// Proved from laws of the page, or said by one of them already; else the judgement stays as it is.
 [[nodiscard]] bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim,
                                      Judgement& judgement);

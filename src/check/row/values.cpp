@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "base/among.h"
+#include "base/ascii.h"
 #include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/question/granted.h"
+#include "check/word/prose_words.h"
 
 namespace rigor {
 namespace {
@@ -41,12 +43,20 @@ bool gives(RelationKind kind) {
   return kind == RelationKind::equal || kind == RelationKind::nearly || kind == RelationKind::defines;
 }
 
+/// "If the temperature were $T = 600\,\mathrm K$, …" gives no value to other sentences.
+bool is_supposed(const RowPlace& place, const SaidInLine& said) {
+  const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
+  const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
+  return sentence != sentences.end() && word_that_demands(lowered(sentence->text)).has_value();
+}
+
 void note_values_in_lines(RowPlace& place, std::vector<GivenValue>& values) {
   const ProseBeside& here = beside(place);
   for (const SaidInLine& said : place.notes.prose.said) {
     const bool above =
         said.before <= place.event && place.notes.prose.sections.reaches(said.place, here.place);
-    if (said.cue == Cue::apart || (!above && said.sentence != here.sentence)) continue;
+    const bool own = said.sentence == here.sentence;
+    if (said.cue == Cue::apart || (!above && !own) || (!own && is_supposed(place, said))) continue;
     for (const ParsedChain& chain : said.chains) {
       if (chain.sides.size() != 2 || !gives(chain.written.relations[0].kind)) continue;
       const auto reading = read_here(place, chain);
@@ -72,7 +82,8 @@ void note_values_in_displays(const RowPlace& place, std::vector<GivenValue>& val
   }
 }
 
-/// The last one of each letter; none where one sentence gives several.
+/// The last one of each letter. Where its section gives several, only that of the same sentence counts, and
+/// none where one sentence gives several: "In air $n = 1.00$. In glass $n = 1.50$."
 std::vector<GivenValue> values_above(RowPlace& place) {
   std::vector<GivenValue> all;
   note_values_in_displays(place, all);
@@ -84,8 +95,12 @@ std::vector<GivenValue> values_above(RowPlace& place) {
              dump(place.tree, other.number) != dump(place.tree, value->number);
     };
     const auto is_same = [&](const GivenValue& other) { return other.letter == value->letter; };
+    const auto is_another = [&](const GivenValue& other) {
+      return is_same(other) && dump(place.tree, other.number) != dump(place.tree, value->number);
+    };
     if (std::ranges::any_of(last, is_same)) continue;
     if (value->sentence > 0 && std::ranges::any_of(all, is_other)) continue;
+    if (value->sentence != beside(place).sentence && std::ranges::any_of(all, is_another)) continue;
     last.push_back(*value);
   }
   return last;
@@ -126,6 +141,21 @@ std::vector<std::string> uses_of(const ExprTree& tree, const Names& names, const
     if (named != nullptr && !is_one_of(named->origin.text, uses)) uses.push_back(named->origin.text);
   }
   return uses;
+}
+
+/// "The largest current is" may say another one. A link of a chain, a conclusion, and a row without words of
+/// its own go on with what stands above; a letter that has a number already has it for another case.
+bool may_be_suspected(const RowPlace& place, const StepReading& row, const Claim& claim) {
+  const std::string& lead = beside(place).lead;
+  const bool goes_on =
+      row.which > 0 || says_that_it_follows(lead) || !has_own_words(lead.substr(lead.rfind('\n') + 1));
+  if (!goes_on || place.is_stated || may_be_of_a_case(place, row.parsed) || is_alternative(place, row.parsed))
+    return false;
+  const auto own = bare_letter(place.tree, claim.equation.left);
+  return std::ranges::none_of(place.above.stated, [&](const StatedLaw& stated) {
+    return own && bare_letter(place.tree, stated.law.equation.left) == own &&
+           is_measured(place.tree, stated.law.equation.right);
+  });
 }
 
 /// More than roundings on the way from the numbers to the result: 3 %, and ten of the last digit.
@@ -185,10 +215,10 @@ bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& cl
       judgement.sample.reset();
       judgement.diagnostics.clear();
       judgement.uses = uses_of(place.tree, names, claim);
+      leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, Standing::result);
       return true;
     }
-    if (compared->agreement == Agreement::differs && !again && !place.is_stated && !is_conditional(place) &&
-        !is_alternative(place, row.parsed))
+    if (compared->agreement == Agreement::differs && !again && may_be_suspected(place, row, claim))
       return suspects_number(place, claim, names, judgement);
     return false;
   }

@@ -183,7 +183,8 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
   if (!definition || is_function_value(walk.names, walk.tree, definition->symbol)) return false;
   if (context.role == Role::display && is_surface(walk, definition->symbol, parsed)) return false;
   // `x = 1 \Rightarrow x^2 = 1`: a case, from which something follows on its line.
-  if (context.role == Role::display && parsed.written.premise &&
+  const bool beside_an_arrow = parsed.written.premise || parsed.written.inference != Inference::none;
+  if (context.role == Role::display && beside_an_arrow &&
       parsed.written.relations[0].kind != RelationKind::defines)
     return false;
   const bool square = walk.tree[left.typed->id].op == Op::power;
@@ -246,7 +247,9 @@ bool redefines(Walk& walk, const Judgement& judgement, const ParsedChain& parsed
   const bool elsewhere = judgement.verdict == Verdict::law && earlier->origin.section != walk.section;
   if (!elsewhere && !(judgement.verdict == Verdict::refuted && stated)) return false;
   // `\omega_0 = 5.0\,\mathrm{s^{-1}}` is a value of what was defined.
-  if (is_measured(walk.tree, right.id) && !symbols_in(walk.tree, right.id).empty()) return false;
+  const bool of_a_value = is_measured(walk.tree, earlier->definition.body);  // the mass of another body
+  if (is_measured(walk.tree, right.id) && !symbols_in(walk.tree, right.id).empty() && !of_a_value)
+    return false;
   RowPlace here = place_here(walk);
   const bool holds_here = is_used_here(standpoint(here, parsed), walk.names, earlier->origin,
                                        earlier->definition.symbol, here.found.used);

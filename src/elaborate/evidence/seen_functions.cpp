@@ -192,7 +192,9 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
       if (differential) note_changing(syntax.symbol(factors[k + 1].id), evidence);
       const SyntaxId of = without_derivatives(syntax, factors[k].id);
       if (factors[k + 1].joint != Joint::juxtaposed || syntax[of].kind != SyntaxKind::symbol) continue;
-      std::vector<std::string> letters = letters_in_bracket(syntax, factors[k + 1].id);
+      SyntaxId bracket = factors[k + 1].id;
+      if (syntax[bracket].kind == SyntaxKind::power) bracket = syntax.child(bracket, 0);  // `v(t)^2`
+      std::vector<std::string> letters = letters_in_bracket(syntax, bracket);
       if (letters.empty() || is_never_applied(syntax.symbol(of))) continue;
       note_changing(syntax.symbol(of), evidence);
       if (syntax.symbol(of).primes > 0) evidence.primed.insert(name_of(syntax.symbol(of)));
@@ -266,6 +268,36 @@ bool may_be_changing(const Evidence& evidence, std::string_view name) {
 
 namespace {
 
+/// \omega of `\omega^2`, x of `x(t)`.
+SyntaxId letter_of_side(const SyntaxTree& syntax, SyntaxId side) {
+  if (syntax[side].kind == SyntaxKind::power) return syntax.child(side, 0);
+  if (syntax[side].kind != SyntaxKind::term || syntax.children(side).size() != 2) return side;
+  const SyntaxChild bracket = syntax.children(side)[1];
+  const SyntaxKind kind = syntax[bracket.id].kind;
+  const bool applied =
+      bracket.joint == Joint::juxtaposed && (kind == SyntaxKind::group || kind == SyntaxKind::tuple);
+  return applied ? syntax.children(side)[0].id : side;
+}
+
+/// `Cd = \epsilon A` says of none of its letters alone what it is, so that any of them may follow the others.
+/// An identity, with the same letters on both sides, and a law of rates do not.
+void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  std::vector<std::set<std::string>> letters;
+  for (const SyntaxId side : sides) {
+    std::set<std::string>& own = letters.emplace_back();
+    for (const SyntaxId id : nodes_below(syntax, {side})) {
+      if (syntax[id].kind == SyntaxKind::derivative) return;
+      if (syntax[id].kind != SyntaxKind::symbol) continue;
+      if (syntax.symbol(id).dots > 0 || syntax.symbol(id).primes > 0) return;
+      own.insert(changing_name(syntax.symbol(id)));
+    }
+  }
+  if (letters.size() != 2 || letters[0] == letters[1]) return;
+  letters[0].merge(letters[1]);
+  for (const std::string& letter : letters[0])
+    evidence.tied[letter].insert(letters[0].begin(), letters[0].end());
+}
+
 /// `x(0)`, `\dot x(0)`: it does not change with x.
 bool is_value_at_a_number(const SyntaxTree& syntax, SyntaxId side) {
   if (syntax[side].kind != SyntaxKind::term || syntax.children(side).size() != 2) return false;
@@ -278,9 +310,12 @@ bool is_value_at_a_number(const SyntaxTree& syntax, SyntaxId side) {
 }  // namespace
 
 void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  bool says_what_a_letter_is = false;
   for (const SyntaxId side : sides) {
-    if (syntax[side].kind != SyntaxKind::symbol) continue;
-    std::set<std::string>& tied = evidence.tied[changing_name(syntax.symbol(side))];
+    const SyntaxId letter = letter_of_side(syntax, side);
+    if (syntax[letter].kind != SyntaxKind::symbol) continue;
+    says_what_a_letter_is = true;
+    std::set<std::string>& tied = evidence.tied[changing_name(syntax.symbol(letter))];
     for (const SyntaxId other : sides) {
       if (other == side || is_value_at_a_number(syntax, other)) continue;
       for (const SyntaxId id : nodes_below(syntax, {other})) {
@@ -288,6 +323,7 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
       }
     }
   }
+  if (!says_what_a_letter_is) see_mutual_ties(syntax, sides, evidence);
 }
 
 void see_said_changes(std::string_view text, Evidence& evidence) {
@@ -302,7 +338,14 @@ void see_said_changes(std::string_view text, Evidence& evidence) {
                                                "loses",          "accretes",
                                                "evaporates",     "leaks",
                                                "time-dependent", "position-dependent",
-                                               "nonuniform",     "non-uniform"};
+                                               "nonuniform",     "non-uniform",
+                                               "not constant",   "not really constant",
+                                               "vary",           "time dependent",
+                                               "changes with",   "change with",
+                                               "dependent on",   "function of time",
+                                               "depend on",      "ejects",
+                                               "drifts",         "evolves",
+                                               "falls with",     "rises with"};
   const std::string small = lowered(text);
   evidence.speaks_of_change =
       evidence.speaks_of_change || std::ranges::any_of(words, [&](std::string_view word) {
