@@ -236,7 +236,9 @@ class Preparation {
 
   /// With its definitions put in; nothing where they go too deep, or are of components.
   std::optional<ExprId> opened(ExprId body) {
-    for (int k = 0; k < largest_order; ++k) {
+    constexpr int deepest = 8;                // definitions of definitions; a circle is none
+    constexpr std::uint32_t largest = 4'000;  // nodes
+    for (int k = 0; k < deepest && tree_[body].weight < largest; ++k) {
       bool plain = true;
       const ExprId next = replaced(tree_, body, [&](ExprId id) -> std::optional<ExprId> {
         const auto of = definition_of(tree_[id].symbol, 1);

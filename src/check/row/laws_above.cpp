@@ -13,6 +13,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/meaning/identity_reading.h"
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/word/prose_words.h"
@@ -149,10 +150,35 @@ bool is_named_beside(const RowPlace& place, const StatedLaw& stated) {
                              [&](const std::string& each) { return is_one_of(each, stated.labels); });
 }
 
+/// Its left side, and the first term of that: `m\ddot x` of `m\ddot x + kx = 0`.
+std::vector<std::string> beginnings_of_law(ExprTree& tree, const Equation& equation) {
+  return {dump(tree, equation.left), dump(tree, signed_terms(tree, equation.left).front().id)};
+}
+
+/// `m\ddot x + kx = 0` of "Undamped", where "Damped" begins another law so.
+bool is_stated_anew(const RowPlace& place, const StatedLaw& stated) {
+  const std::vector<std::string> own = beginnings_of_law(place.tree, stated.law.equation);
+  return std::ranges::any_of(place.above.stated, [&](const StatedLaw& other) {
+    if (other.law.mentioned || other.law.standing != Standing::law ||
+        !place.notes.prose.sections.reaches(other.law.place, beside(place).place))
+      return false;
+    return std::ranges::any_of(beginnings_of_law(place.tree, other.law.equation),
+                               [&](const std::string& each) { return is_one_of(each, own); });
+  });
+}
+
+/// `U = RI` defines U, and "a coil has" `U = L\dot I`: both need not be about one thing.
+bool is_of_another_thing(const RowPlace& place, const StatedLaw& stated) {
+  if (!stated.letter || !stated.law.of_its_own) return false;
+  const NamedDefinition* named = definition_of(place.names.scope, *stated.letter);
+  return named != nullptr && !named->origin.directive;
+}
+
 /// Where a law may be used.
 struct Reach {
   bool one_of_several = false;          // `F = -kx` and `F = mg`: each of them holds in its paragraph
   std::vector<std::string> conditions;  // that are said of the row
+  bool of_any_thing = false;            // also what may be of another thing than the letter's definition
 };
 
 /// Above in this section or one around it; of earlier sections, what is not said for a case or an example. A
@@ -167,7 +193,11 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
   const bool in_reach = law.paragraph == here.paragraph || is_named_beside(place, stated);
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
-  if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place))) return false;
+  if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place) ||
+                   is_stated_anew(place, stated)))
+    return false;
+  if (!reach.of_any_thing && is_of_another_thing(place, stated) && !is_named_beside(place, stated))
+    return false;
   return means_the_same(place, stated);
 }
 
@@ -280,7 +310,7 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
   }
 }
 
-Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
+Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_thing) {
   struct Times {
     int here = 0;  // in this section or one around it
     int anywhere = 0;
@@ -302,7 +332,7 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed) {
     const Span own = parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
     const Times times = stated.letter ? said[*stated.letter] : Times{};
-    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions};
+    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions, of_any_thing};
     if (!of_this_chain && is_available(place, stated, reach)) available.push_back(&stated.law);
   }
   return available;

@@ -46,9 +46,9 @@ Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
 bool begins_with_a_case(std::string_view lead) {
   static constexpr auto openings = std::to_array<std::string_view>({"in", "for", "at", "on", "as", "near"});
   static constexpr auto neutral = std::to_array<std::string_view>(
-      {"this", "that",  "the",  "these", "general",    "fact",  "particular", "all",
-       "any",  "every", "each", "terms", "components", "index", "other",      "words",
-       "both", "our",   "its",  "which", "before",     "above"});
+      {"this", "that",    "the",  "these", "general",    "fact",   "particular", "all",
+       "any",  "every",   "each", "terms", "components", "index",  "other",      "words",
+       "both", "numbers", "our",  "its",   "which",      "before", "above"});
   const std::string text = lowered(lead);
   const std::vector<std::string_view> words = words_of(text);
   for (std::size_t k = 0; k + 1 < words.size() && k < 3; ++k) {

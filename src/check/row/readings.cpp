@@ -47,6 +47,7 @@ bool is_nonsense(RowPlace& place, const ParsedChain& parsed, const std::vector<S
 /// The row in its other reading, as far as it can be read so.
 std::optional<Step> settled_otherwise(RowPlace& place, const StepReading& row, const Claim& claim,
                                       const Step& before) {
+  if (row.other == nullptr) return std::nullopt;  // brackets were read in several ways already
   ChainReading& reading = *row.other;
   add_used(place, reading.used());
   if (!reading.sides[row.which].typed || !reading.sides[row.which + 1].typed) return std::nullopt;
@@ -97,7 +98,11 @@ void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim,
     if (other->verdict == Verdict::undecided) step = *other;
     return;
   }
-  const Obstacle guess = *guess_of(*claim.reading);
+  const auto open = guess_of(*claim.reading);
+  const Obstacle guess =
+      open ? *open
+           : Obstacle{
+                 DiagnosticKind::ambiguous_reading, "this can be a product or the value of a function", {}};
   step = before;
   step.verdict = Verdict::not_understood;
   step.diagnostics.push_back(

@@ -68,7 +68,8 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
 /// The same of a relation in a line of prose: "The combination $E = …$ does not change."
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// The laws above that hold here, in the order of the notes; not the other links of its own chain.
-[[nodiscard]] Laws available_to(const RowPlace& place, const ParsedChain& parsed);
+/// `of_any_thing`: also `C = \epsilon A/d` of "Plates have" below the definition `C = Q/V`.
+[[nodiscard]] Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_thing = false);
 /// "At the top", "the boundary condition is", "for instance": words before a row that say it for a moment, a
 /// place or one example.
 [[nodiscard]] bool is_of_a_moment(const RowPlace& place);

@@ -118,7 +118,8 @@ Names with_values(const RowPlace& place, const ParsedChain& parsed, const Claim&
     define(names.scope,
            {{value.letter, {}, no_particle, value.number}, Origin{value.text, {}, std::nullopt}, 0});
   }
-  const Laws laws = available_to(place, parsed);
+  const Laws laws =
+      available_to(place, parsed, true);  // that the digits agree shows that it is the same thing
   for (auto law = laws.rbegin(); law != laws.rend(); ++law) {
     const auto letter = bare_letter(place.tree, (*law)->equation.left);
     if (!letter || (*law)->standing == Standing::conclusion ||
@@ -147,8 +148,10 @@ std::vector<std::string> uses_of(const ExprTree& tree, const Names& names, const
 /// its own go on with what stands above; a letter that has a number already has it for another case.
 bool may_be_suspected(const RowPlace& place, const StepReading& row, const Claim& claim) {
   const std::string& lead = beside(place).lead;
-  const bool goes_on =
-      row.which > 0 || says_that_it_follows(lead) || !has_own_words(lead.substr(lead.rfind('\n') + 1));
+  const std::string clause = lowered(lead.substr(lead.rfind('\n') + 1));
+  const bool in_numbers =
+      clause.find("in numbers") != std::string::npos || clause.find("numerical") != std::string::npos;
+  const bool goes_on = row.which > 0 || in_numbers || says_that_it_follows(lead) || !has_own_words(clause);
   if (!goes_on || place.is_stated || may_be_of_a_case(place, row.parsed) || is_alternative(place, row.parsed))
     return false;
   const auto own = bare_letter(place.tree, claim.equation.left);
@@ -199,16 +202,19 @@ bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& cl
   if (!open || claim.recorded != nullptr || claim.equation.relation != Relation::equal || row.unsettled ||
       !number_shown(place.tree, claim))
     return false;
+  if (approximate_value(place.tree, place.names, number_shown(place.tree, claim)->side) == 0.0) return false;
   const auto is_number = [&](ExprId side) { return is_measured(place.tree, side); };
   if (is_number(claim.equation.left) && is_number(claim.equation.right)) return false;
   const std::vector<GivenValue> values = values_above(place);
   for (const bool again : {false, true}) {
     const Names names = with_values(place, row.parsed, claim, values, again);
     const auto compared = agreement_of_digits(place.tree, names, claim, place.options.cache);
-    if (!compared) continue;
-    if (compared->agreement == Agreement::rounds) {
+    const bool exactly = !compared && !claim.nearly &&
+                         judge(place.tree, names, claim, {}, place.options.cache).verdict == Verdict::proved;
+    if (!compared && !exactly) continue;
+    if (exactly || compared->agreement == Agreement::rounds) {
       judgement.verdict = Verdict::proved;
-      judgement.route = "to the digits shown";
+      judgement.route = exactly ? "by the numbers of the page" : "to the digits shown";
       judgement.measures = true;
       judgement.of_another_question = true;
       judgement.counterexample.reset();

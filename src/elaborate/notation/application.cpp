@@ -102,6 +102,20 @@ bool is_greek_d(const WrittenSymbol& symbol) {
          symbol.change.empty();
 }
 
+/// `f^{-1}(y)` where the section writes `f(x)`.
+bool may_be_inverse(const Reading& reading, SyntaxId power, SyntaxId bracket) {
+  const SyntaxTree& syntax = reading.syntax;
+  if (syntax[bracket].kind != SyntaxKind::group) return false;
+  SyntaxId one = syntax.child(power, 1);
+  while (syntax[one].kind == SyntaxKind::group) one = syntax.child(one, 0);
+  const bool negative = syntax[one].kind == SyntaxKind::sum && syntax.children(one).size() == 1 &&
+                        syntax.children(one)[0].joint == Joint::minus;
+  if (!negative || syntax[syntax.child(one, 0)].kind != SyntaxKind::number) return false;
+  return syntax.text(syntax.child(one, 0)) == "1" &&
+         is_applied(*reading.names.symbols.evidence,
+                    letter_with_marks(syntax.symbol(syntax.child(power, 0))));
+}
+
 /// `f(x)` and `\omega(t)` can be a value of a function or a product; `dx` a differential or a product.
 std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxChild> factors) {
   const SyntaxTree& syntax = reading.syntax;
@@ -120,6 +134,8 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
         syntax[id].kind == SyntaxKind::power && syntax[syntax.child(id, 0)].kind == SyntaxKind::symbol;
     if (power_of_symbol && is_greek_d(syntax.symbol(syntax.child(id, 0))))
       return SpelledPart{both, "this can be a change of second order, or a power and a factor", {}};
+    if (power_of_symbol && may_be_inverse(reading, id, next))
+      return SpelledPart{both, "this can be the value of the inverse function, or a reciprocal", {}};
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, id)) continue;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/ascii.h"
 #include "latex/parse/parser.h"
 #include "latex/token/cover_tokens.h"
 #include "latex/unit/units.h"
@@ -43,6 +44,27 @@ std::optional<std::string> digits_of(std::string_view text, bool& negative) {
   const auto place = static_cast<std::size_t>(at);
   if (place >= digits.size()) return digits + std::string(place - digits.size(), '0');
   return digits.insert(place, ".");
+}
+
+/// The text of a unit, and where it ends.
+struct QuantityUnit {
+  std::string text;
+  std::size_t next = 0;
+};
+
+std::string trimmed(std::string text) {
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text;
+}
+
+/// The 2 of `\text{m/s}^2` belongs to the second alone. `at`: behind the words.
+QuantityUnit with_exponent(TokenView tokens, std::size_t at, QuantityUnit unit) {
+  const bool compound = !std::ranges::all_of(unit.text, [](char c) { return is_letter(c) || c == ' '; });
+  if (!compound || !is_kind_at(tokens, at, TokenKind::superscript)) return unit;
+  const Argument exponent = argument_at(tokens, skip_blank(tokens, at + 1));
+  const std::string whole = unit.text + "^{" + text_of(exponent.content) + "}";
+  if (!read_unit(whole, UnitNames::units)) return unit;
+  return {whole, exponent.next};
 }
 
 }  // namespace
@@ -158,11 +180,12 @@ std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, boo
   const bool goes_on = behind < cursor.tokens.size() && (cursor.tokens[behind].kind == TokenKind::subscript ||
                                                          is_sign_of(cursor.tokens[behind], "('"));
   if (goes_on || !is_unit_word(text, apart)) return std::nullopt;
+  const QuantityUnit unit = with_exponent(cursor.tokens, behind, {trimmed(text), word.next});
   const Span span =
-      cover(cursor.token().span, span_of(cursor.tokens.subspan(cursor.at, word.next - cursor.at)));
-  read(cursor.tokens.subspan(cursor.at, word.next - cursor.at));
-  cursor.at = word.next;
-  return scripts(cursor, tree_.add_text(SyntaxKind::unit, span, text));
+      cover(cursor.token().span, span_of(cursor.tokens.subspan(cursor.at, unit.next - cursor.at)));
+  read(cursor.tokens.subspan(cursor.at, unit.next - cursor.at));
+  cursor.at = unit.next;
+  return scripts(cursor, tree_.add_text(SyntaxKind::unit, span, unit.text));
 }
 
 }  // namespace rigor
