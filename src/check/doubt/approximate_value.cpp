@@ -84,4 +84,13 @@ std::optional<double> approximate_value(const ExprTree& tree, const Names& names
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+bool may_be_rounded_on_the_way(const ExprTree& tree, const Names& names, const Claim& claim,
+                               const DigitComparison& compared) {
+  constexpr double tolerance = 0.005;
+  if (compared.agreement != Agreement::differs || !compared.of_decimals) return false;
+  const auto left = approximate_value(tree, names, claim.equation.left);
+  const auto right = approximate_value(tree, names, claim.equation.right);
+  return left && right && std::abs(*left - *right) <= tolerance * std::abs(*right);
+}
+
 }  // namespace rigor

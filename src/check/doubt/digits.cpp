@@ -251,7 +251,10 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     const auto may_round = comparison.lies_within(claim.nearly ? 2 : 1, shown->unsure);
     if (!may_round) return std::nullopt;
     if (*may_round) return DigitComparison{};
-    if (!differs) differs = DigitComparison{.agreement = Agreement::differs, .bound = comparison.bound()};
+    if (!differs)
+      differs = DigitComparison{.agreement = Agreement::differs,
+                                .bound = comparison.bound(),
+                                .of_decimals = has_decimal(tree, names, value)};
     if (!claim.nearly) return differs;
   }
   return differs;

@@ -21,7 +21,8 @@ enum class Agreement : std::uint8_t {
 
 struct DigitComparison {
   Agreement agreement = Agreement::unclear;
-  std::string bound = {};  // where it differs: `less than 1.415`
+  std::string bound = {};    // where it differs: `less than 1.415`
+  bool of_decimals = false;  // it is computed from decimals, which may be rounded themselves
 };
 
 /// `6.3\,\mathrm{m/s}`: a side that is one number, with powers of ten and units.

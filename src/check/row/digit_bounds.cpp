@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
 #include "check/place/place.h"
 #include "check/question/decision_cache.h"
@@ -28,7 +29,9 @@ std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const
   };
   if (!is_own(claim.equation.left) || !is_own(claim.equation.right)) return std::nullopt;
   const auto compared = agreement_of_digits(tree, names, claim, cache);
-  if (!compared || compared->agreement != Agreement::differs || compared->bound.empty()) return std::nullopt;
+  if (!compared || compared->agreement != Agreement::differs || compared->bound.empty() ||
+      may_be_rounded_on_the_way(tree, names, claim, *compared))
+    return std::nullopt;
   const auto digits = [&](ExprId side) -> std::optional<std::string> {
     if (tree[side].op != Op::number) return std::nullopt;
     return tree.digits(side);

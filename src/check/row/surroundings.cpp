@@ -9,6 +9,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
 #include "check/place/place.h"
 #include "check/prose/denial.h"
@@ -72,6 +73,10 @@ void heed_digits(ExprTree& tree, const Names& names, const Claim& claim, Judgeme
   } else if (agreement == Agreement::unclear && judgement.verdict == Verdict::refuted) {
     withdraw("whether it holds depends on how many of the digits are meant",
              "write only the digits that are meant");
+  } else if (compared && judgement.verdict == Verdict::refuted &&
+             may_be_rounded_on_the_way(tree, names, claim, *compared)) {
+    withdraw("it holds if the decimals that it is computed from are rounded themselves",
+             "more digits of them show whether it holds");
   } else if (!agreement && judgement.verdict == Verdict::refuted &&
              compares_decimals(tree, names, claim.equation)) {
     withdraw("decimals are rounded, and nothing shows to how many digits the other side is meant",
