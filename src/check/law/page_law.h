@@ -28,7 +28,6 @@ struct PageLaw {
   bool at_instant = false;    // it may hold at one moment or place only: it says nothing of rates
   bool of_a_case = false;     // behind "for critical damping": it holds in its paragraph only
   bool of_its_own = false;    // words before it speak of something: "Particle B obeys"
-  bool mentioned = false;     // in a line, and no word says that it holds: nothing is suspected by it
   Standing standing = Standing::law;
 };
 

@@ -159,7 +159,7 @@ std::vector<std::string> beginnings_of_law(ExprTree& tree, const Equation& equat
 bool is_stated_anew(const RowPlace& place, const StatedLaw& stated) {
   const std::vector<std::string> own = beginnings_of_law(place.tree, stated.law.equation);
   return std::ranges::any_of(place.above.stated, [&](const StatedLaw& other) {
-    if (other.law.mentioned || other.law.standing != Standing::law ||
+    if (other.law.standing != Standing::law ||
         !place.notes.prose.sections.reaches(other.law.place, beside(place).place))
       return false;
     return std::ranges::any_of(beginnings_of_law(place.tree, other.law.equation),
@@ -275,8 +275,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
 }
 
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
-  const bool defines = said.cue == Cue::definition;
-  if (said.at_place || !(defines || (said.cue == Cue::none && said.alone))) return;
+  if (said.at_place || said.cue != Cue::definition || !said.named) return;
   const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
   const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
   if (sentence == sentences.end() || sentence->asks) return;
@@ -291,8 +290,8 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     if (!claim || !ignored.empty()) continue;
     const Equation& equation = claim->equation;
     const bool for_now = sets_letters_equal(place.tree, equation) || is_measured(place.tree, equation.right);
-    if (for_now || names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
-        names_a_surface(place, equation))
+    if (for_now || !letter_of_law(place.tree, equation) || names_coordinates(place.tree, equation) ||
+        keeps_a_common_factor(place.tree, equation) || names_a_surface(place, equation))
       continue;
     const std::string words = lowered(sentence->text);
     PageLaw law{.equation = equation,
@@ -301,8 +300,7 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                 .span = said.span,
                 .place = said.place,
                 .paragraph = sentence->paragraph,
-                .of_a_case = !said.named || word_that_demands(words) || word_of_a_special_case(words),
-                .mentioned = !defines};
+                .of_a_case = word_that_demands(words) || word_of_a_special_case(words)};
     place.found.stated.push_back({.law = std::move(law),
                                   .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
                                   .letter = letter_of_law(place.tree, equation),

@@ -35,7 +35,7 @@ void leave(RowPlace& place, const StepReading& row, const Claim& claim, Standing
 Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
   const ProseBeside& here = beside(place);
   std::erase_if(laws, [&](const PageLaw* law) {
-    return is_open(*law) || law->of_a_case || law->at_instant || law->mentioned ||
+    return is_open(*law) || law->of_a_case || law->at_instant ||
            !place.notes.prose.sections.reaches(law->place, here.place);
   });
   return laws;
