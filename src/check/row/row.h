@@ -65,7 +65,8 @@ std::string unread_premise(RowPlace& place, const ParsedChain& parsed);
 /// Not what holds on its line only.
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
                          Standing standing);
-/// The same of a relation in a line of prose that names a quantity: "The combination $E = …$ does not change."
+/// The same of a relation in a line of prose that names a quantity: "The combination $E = …$ does not
+/// change."
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// The laws above that hold here, in the order of the notes; not the other links of its own chain.
 /// `of_any_thing`: also `C = \epsilon A/d` of "Plates have" below the definition `C = Q/V`.

@@ -17,8 +17,8 @@ struct LawUse {
   std::uint32_t used = 0;  // steps that name it
 };
 
-/// In the order of the notes. Laws of one tag are one entry; rows that restate a law are none. A conclusion of
-/// which no proof was found is one where others would follow from it.
+/// In the order of the notes. Laws of one tag are one entry; rows that restate a law are none. A conclusion
+/// of which no proof was found is one where others would follow from it.
 [[nodiscard]] std::vector<LawUse> laws_of(const FileReport& file, const SourceMap& sources);
 
 /// `rests on 3 laws: (1.2), used by 4 steps; line 30, by 1; 1 other by none`; empty if it states none.
