@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/doubt/approximate_value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "check/doubt/digits.h"
 
@@ -88,6 +90,12 @@ bool may_be_rounded_on_the_way(const ExprTree& tree, const Names& names, const C
                                const DigitComparison& compared) {
   constexpr double tolerance = 0.005;
   if (compared.agreement != Agreement::differs || !compared.of_decimals) return false;
+  // `58.8\,\mathrm N` and 58.8 J are not near each other.
+  const std::vector<SymbolId> symbols =
+      symbols_reached(tree, names.scope, {claim.equation.left, claim.equation.right});
+  if (std::ranges::any_of(symbols,
+                          [&](SymbolId each) { return tree.symbols[each].unit_of_measure.has_value(); }))
+    return false;
   const auto left = approximate_value(tree, names, claim.equation.left);
   const auto right = approximate_value(tree, names, claim.equation.right);
   return left && right && std::abs(*left - *right) <= tolerance * std::abs(*right);
