@@ -25,6 +25,7 @@ using Side = ChainReading::Side;
 struct StatedLaw {
   PageLaw law;
   std::vector<std::string> labels = {};      // its tag and its label
+  std::vector<std::string> beginnings = {};  // its left side, and the first term of that
   std::vector<std::string> conditions = {};  // `r < R` next to it, as they are written
   bool of_a_section = false;                 // its heading is about a special case: "Electrostatics"
   std::optional<SymbolId> letter = {};       // F of `F = -kx`: what it says that the letter is

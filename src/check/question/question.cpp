@@ -193,7 +193,7 @@ class Preparation {
       result = at_value(symbol, value->second, depth);
       return derived_[symbol] = result;
     }
-    const auto derivation = tree_.symbols[symbol].derivation;
+    const auto& derivation = tree_.symbols[symbol].derivation;
     if (!derivation || derivation->by.size() > largest_order) return std::nullopt;
     for (auto by = derivation->by.rbegin(); by != derivation->by.rend() && !result; ++by) {
       const auto of = definition_of(parent_of(*derivation, *by), depth + 1);

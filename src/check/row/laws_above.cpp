@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -155,18 +156,6 @@ std::vector<std::string> beginnings_of_law(ExprTree& tree, const Equation& equat
   return {dump(tree, equation.left), dump(tree, signed_terms(tree, equation.left).front().id)};
 }
 
-/// `m\ddot x + kx = 0` of "Undamped", where "Damped" begins another law so.
-bool is_stated_anew(const RowPlace& place, const StatedLaw& stated) {
-  const std::vector<std::string> own = beginnings_of_law(place.tree, stated.law.equation);
-  return std::ranges::any_of(place.above.stated, [&](const StatedLaw& other) {
-    if (other.law.standing != Standing::law ||
-        !place.notes.prose.sections.reaches(other.law.place, beside(place).place))
-      return false;
-    return std::ranges::any_of(beginnings_of_law(place.tree, other.law.equation),
-                               [&](const std::string& each) { return is_one_of(each, own); });
-  });
-}
-
 /// `U = RI` defines U, and "a coil has" `U = L\dot I`: both need not be about one thing.
 bool is_of_another_thing(const RowPlace& place, const StatedLaw& stated) {
   if (!stated.letter || !stated.law.of_its_own) return false;
@@ -174,11 +163,17 @@ bool is_of_another_thing(const RowPlace& place, const StatedLaw& stated) {
   return named != nullptr && !named->origin.directive;
 }
 
+/// `m\ddot x + kx = 0` of "Undamped", where "Damped" begins another law so.
+bool is_stated_anew(const StatedLaw& stated, const std::set<std::string>& here) {
+  return std::ranges::any_of(stated.beginnings, [&](const std::string& each) { return here.contains(each); });
+}
+
 /// Where a law may be used.
 struct Reach {
-  bool one_of_several = false;          // `F = -kx` and `F = mg`: each of them holds in its paragraph
-  std::vector<std::string> conditions;  // that are said of the row
-  bool of_any_thing = false;            // also what may be of another thing than the letter's definition
+  bool one_of_several = false;               // `F = -kx` and `F = mg`: each of them holds in its paragraph
+  std::vector<std::string> conditions;       // that are said of the row
+  const std::set<std::string>& stated_here;  // how the laws of this section begin
+  bool of_any_thing = false;                 // also what may be of another thing than the letter's definition
 };
 
 /// Above in this section or one around it; of earlier sections, what is not said for a case or an example. A
@@ -194,7 +189,7 @@ bool is_available(const RowPlace& place, const StatedLaw& stated, const Reach& r
   if (!in_reach && (law.of_a_case || reach.one_of_several)) return false;
   const bool reaches = sections.reaches(law.place, here.place);
   if (!reaches && (stated.of_a_section || sections.leaves_an_example(law.place, here.place) ||
-                   is_stated_anew(place, stated)))
+                   is_stated_anew(stated, reach.stated_here)))
     return false;
   if (!reach.of_any_thing && is_of_another_thing(place, stated) && !is_named_beside(place, stated))
     return false;
@@ -268,6 +263,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
               .standing = standing};
   place.found.stated.push_back({.law = std::move(law),
                                 .labels = labels_of(parsed.written),
+                                .beginnings = beginnings_of_law(place.tree, equation),
                                 .conditions = conditions_said(place, parsed),
                                 .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
                                 .letter = letter_of_law(place.tree, equation),
@@ -317,7 +313,10 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_
   const auto is_here = [&](const StatedLaw& stated) {
     return place.notes.prose.sections.reaches(stated.law.place, beside(place).place);
   };
+  std::set<std::string> stated_here;
   for (const StatedLaw& stated : place.above.stated) {
+    if (stated.law.standing == Standing::law && is_here(stated))
+      stated_here.insert(stated.beginnings.begin(), stated.beginnings.end());
     if (!stated.letter) continue;
     Times& times = said[*stated.letter];
     ++times.anywhere;
@@ -330,7 +329,8 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_
     const Span own = parsed.written.span;
     const bool of_this_chain = at.file == own.file && at.begin >= own.begin && at.end <= own.end;
     const Times times = stated.letter ? said[*stated.letter] : Times{};
-    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions, of_any_thing};
+    const Reach reach{(is_here(stated) ? times.here : times.anywhere) > 1, conditions, stated_here,
+                      of_any_thing};
     if (!of_this_chain && is_available(place, stated, reach)) available.push_back(&stated.law);
   }
   return available;

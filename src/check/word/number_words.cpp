@@ -9,7 +9,7 @@
 namespace rigor {
 namespace {
 
-/// The stems_on_numbers of words.
+/// The beginnings of words.
 constexpr std::array<std::string_view, 35> stems_on_numbers{
     "approx",  "rough",   "about",     "nearly",  "almost", "around",    "estimat",   "guess",   "round",
     "truncat", "negl",    "ignor",     "omit",    "drop",   "magnitude", "quadratur", "decibel", "logarithm",
