@@ -42,8 +42,9 @@ bool is_plain(const Json& step) {
   for (const Json& use : step["uses"]) {
     if (use.get<std::string>().starts_with("definition")) return false;
   }
-  for (const char* side : {"left", "right"}) {  // bounds, of decimals and roots
-    if (example[side].get<std::string>().find("than") != std::string::npos) return false;
+  for (const char* side : {"left", "right"}) {  // bounds, and what is rounded
+    const auto text = example[side].get<std::string>();
+    if (text.find("than") != std::string::npos || text.find('.') != std::string::npos) return false;
   }
   if (example["particles"] != 0 || !example["component"].empty() || example["squared_distance"]) return false;
   for (const Json& value : example["values"]) {

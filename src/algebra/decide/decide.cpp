@@ -282,12 +282,12 @@ Decision Decider::decide() {
   auto found = try_all_proofs(Effort::plain);
   if (!found && last_trial_.radicals) found = try_all_proofs(Effort::factored);
   if (found && !found->trial.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
-    static_cast<void>(look([this] {
-      refuter_.find_a_point();
+    bool has_value = false;
+    static_cast<void>(look([&] {
+      has_value = refuter_.finds_a_point();
       return std::optional<Refuter::Counterexample>();
     }));
-    if (refuter_.points_compared() == 0)
-      return undecided("no sample was found at which both sides have a value");
+    if (!has_value) return undecided("no sample was found at which both sides have a value");
   }
   if (found) {
     if (limits_.fewest_assumptions) drop_needless_assumptions(*found);

@@ -95,6 +95,7 @@ Replay replay_closely(const Question& question, const Sample& sample) {
     return result;
   }
   SampleEvaluator evaluator(scope, Limits{});
+  evaluator.enclose();
   try {
     evaluator.look_at(point);
     if (const auto broken = broken_assumption(question, assumptions, evaluator)) {
@@ -127,6 +128,7 @@ std::vector<SampleValue> following_values(const Question& question, const Sample
   SamplePoint point(scope.tree(), reached.symbols, sample.particles);
   if (fill(point, scope.tree(), sample)) return values;
   SampleEvaluator evaluator(scope, Limits{});
+  evaluator.enclose();
   evaluator.look_at(point);
   for (const SymbolId symbol : symbols_in_claim(question)) {
     const Definition* definition = scope.is_zeroed(symbol) ? nullptr : scope.definition_of(symbol);
@@ -135,7 +137,7 @@ std::vector<SampleValue> following_values(const Question& question, const Sample
     for (std::uint32_t p = per_particle ? 1 : 0; p <= (per_particle ? sample.particles : 0); ++p) {
       try {
         SampleValue value{.symbol = symbol, .particle = p, .components = {}};
-        for (const Rational& each : evaluator.value_of(*definition, p))
+        for (const PointValue& each : evaluator.value_of(*definition, p))
           value.components.push_back(to_text(each));
         values.push_back(std::move(value));
       } catch (const PointRejected&) {

@@ -19,7 +19,9 @@ class Search {
         limits_(limits),
         solver_(scope, all_of(scope.question().assumptions)),
         reach_(reach(scope, sides_of(scope.question().assumptions))),
-        evaluator_(scope, limits) {}
+        evaluator_(scope, limits) {
+    evaluator_.take_circle_number_as_rational();
+  }
 
   /// With what is known put into each point that is drawn, and then without.
   [[nodiscard]] std::optional<Sample> run(const Sample& known) {

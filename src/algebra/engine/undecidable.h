@@ -32,6 +32,12 @@ class PointRejected : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A sample at which both sides have a value, and these lie too near each other to be told apart.
+class ValuesTooNear : public PointRejected {
+ public:
+  using PointRejected::PointRejected;
+};
+
 inline constexpr int largest_exponent = 64;
 inline constexpr int largest_rank = 4;
 inline constexpr std::size_t largest_free_indices = 6;

@@ -9,6 +9,8 @@
 //   Number multiply(const Number&, const Number&) Number divide(const Number&, const Number&)
 //   Number power(const Number&, int exponent)     Number root(const Number&)       (non-negative square root)
 //   Number function(Function, const Number&)
+//   Number real_power(const Number& base, const Number& exponent)
+//   Number circle_number()
 //   Number value(SymbolId, std::uint32_t particle, std::size_t component)          (of a free symbol)
 //   std::vector<Number> particle_sum(std::size_t count, body)   body(particle) gives `count` numbers
 //   Number even_power_of_root(const Number& square, int exponent)

@@ -39,6 +39,8 @@ auto Evaluator<Domain>::scalar(ExprId id) -> Number {
       return domain_->divide(scalar(child(id, 0)), scalar(child(id, 1)));
     case Op::power:
       return scalar_power(id);
+    case Op::real_power:
+      return domain_->real_power(scalar(child(id, 0)), scalar(child(id, 1)));
     case Op::root:
       return domain_->root(scalar(child(id)));
     case Op::length:

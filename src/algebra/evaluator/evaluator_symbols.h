@@ -14,6 +14,7 @@ auto Evaluator<Domain>::symbol_component(const ExprNode& symbol, std::size_t com
   if (const Definition* definition = scope_->definition_of(symbol.symbol)) {
     return unfolded_component(*definition, particle, component);
   }
+  if (scope_->is_circle_number(symbol.symbol)) return domain_->circle_number();
   return domain_->value(symbol.symbol, particle, component);
 }
 

@@ -18,14 +18,17 @@ void Evaluator<Domain>::demand_value(ExprId id) {
   }
 }
 
-/// Does it divide, or take a root of what may be negative? Definitions are unfolded; each node is asked once.
+/// Does it divide, or take a root or a logarithm of what may be negative? Definitions are unfolded; each node
+/// is asked once.
 template <class Domain>
 bool Evaluator<Domain>::may_lack_value(ExprId id) {
   if (may_lack_value_.empty()) may_lack_value_.resize(tree_->size());
   if (const auto known = may_lack_value_[static_cast<std::size_t>(id)]) return *known;
   const Level level(depth_);
   const ExprNode& here = node(id);
-  bool may_lack = here.op == Op::divide || here.op == Op::root || (here.op == Op::power && here.exponent < 0);
+  bool may_lack = here.op == Op::divide || here.op == Op::root || here.op == Op::real_power ||
+                  (here.op == Op::power && here.exponent < 0) ||
+                  (here.op == Op::function && here.function > Function::exp);
   const Definition* definition = here.op == Op::symbol ? scope_->definition_of(here.symbol) : nullptr;
   if (definition != nullptr) may_lack = may_lack_value(definition->body);
   for (const ExprId each : tree_->children(id)) may_lack = may_lack || may_lack_value(each);

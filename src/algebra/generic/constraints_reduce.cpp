@@ -156,6 +156,7 @@ bool Constraints::vanishes(const ex& value, ConstraintsTrace::Vanishing& found) 
   if (found.left.empty()) return false;
   System system;
   for (const std::size_t each : found.left) system.equations.push_back(remaining_[each].equation);
+  for (const ex& each : domain_.functions().never_zero()) note_nonzero(each, std::nullopt);
   const Positions before = used_;  // what is not 0 may need assumptions, but seldom others
   for (const auto& each : trace_.nonzero) system.nonzero.push_back(reduced(each.value));
   used_ = before;

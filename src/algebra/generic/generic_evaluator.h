@@ -49,6 +49,10 @@ class GenericDomain {
   [[nodiscard]] Fraction function(Function function, const Fraction& argument) {
     return functions_.value(function, argument);
   }
+  [[nodiscard]] Fraction real_power(const Fraction& base, const Fraction& exponent) {
+    return functions_.real_power(base, exponent);
+  }
+  [[nodiscard]] Fraction circle_number() { return functions_.circle_number(); }
   [[nodiscard]] Fraction value(SymbolId symbol, std::uint32_t frame, std::size_t component);
   template <class Body>
   [[nodiscard]] std::vector<Fraction> particle_sum(std::size_t count, const Body& body) {

@@ -157,6 +157,14 @@ ProofLetter ProofWriter::letter(std::uint32_t at) const {
     named.kind = sine ? Kind::sine : cosine ? Kind::cosine : Kind::exponential;
     note_quotient(named, quantity, domain_.functions().divisor());
   }
+  for (const Functions::Value& value : domain_.functions().values()) {
+    if (!value.symbol.is_equal(indeterminate)) continue;
+    named.kind = value.function == Function::log      ? Kind::logarithm
+                 : value.function == Function::arcsin ? Kind::arcsine
+                                                      : Kind::arctangent;
+    note_quotient(named, value.argument, 1);
+  }
+  if (domain_.functions().is_circle_number(indeterminate)) named.kind = Kind::circle;
   return named;
 }
 

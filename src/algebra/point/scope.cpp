@@ -34,6 +34,7 @@ void note_operation(const ExprNode& node, Reach& reached) {
     case Op::root:
     case Op::length:
     case Op::absolute:
+    case Op::real_power:
       reached.roots = true;
       break;
     case Op::particle_sum:
@@ -42,6 +43,7 @@ void note_operation(const ExprNode& node, Reach& reached) {
       break;
     case Op::function:
       reached.functions = true;
+      reached.roots = reached.roots || node.function > Function::exp;
       break;
     default:
       break;
@@ -81,6 +83,12 @@ Scope::Scope(const Question& question, Definitions definitions)
 /// What sees a symbol, a bit for each.
 enum Seen : std::uint8_t { plainly = 1, by_angle_functions = 2, by_exponential = 4 };
 
+/// What its argument is seen by.
+[[nodiscard]] Seen seen_by(Function function) {
+  if (function == Function::exp) return by_exponential;
+  return function == Function::sin || function == Function::cos ? by_angle_functions : plainly;
+}
+
 /// Goes through all expressions with the innermost function around them, definitions once for each such.
 void note_what_functions_see(const Scope& scope, std::span<const ExprId> roots, Reach& reached) {
   const ExprTree& tree = scope.tree();
@@ -92,8 +100,8 @@ void note_what_functions_see(const Scope& scope, std::span<const ExprId> roots, 
     open.pop_back();
     const ExprNode& node = tree[id];
     Seen inside = by;
-    if (node.op == Op::function)
-      inside = node.function == Function::exp ? by_exponential : by_angle_functions;
+    if (node.op == Op::function) inside = seen_by(node.function);
+    if (node.op == Op::real_power) inside = plainly;
     for (const ExprId child : tree.children(id)) open.emplace_back(child, inside);
     if (node.op != Op::symbol) continue;
     std::uint8_t& of_symbol = seen[static_cast<std::size_t>(node.symbol)];
@@ -128,7 +136,7 @@ Reach reach(const Scope& scope, std::span<const ExprId> roots) {
     if (const Definition* definition = scope.definition_of(node.symbol)) {
       reached.unfolded.push_back(node.symbol);
       open.push_back(definition->body);
-    } else if (!scope.is_zeroed(node.symbol)) {
+    } else if (!scope.is_zeroed(node.symbol) && !scope.is_circle_number(node.symbol)) {
       reached.symbols.push_back(node.symbol);
     }
   }

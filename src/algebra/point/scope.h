@@ -28,6 +28,9 @@ class Scope {
   /// Is the symbol defined at all, unfolded or not? Then what is declared of it (symmetric, unit) is not
   /// taken for granted.
   [[nodiscard]] bool is_defined(SymbolId symbol) const { return defined_[static_cast<std::size_t>(symbol)]; }
+  [[nodiscard]] bool is_circle_number(SymbolId symbol) const {
+    return tree().symbols[symbol].circle_number && !is_defined(symbol);
+  }
   [[nodiscard]] bool is_zeroed(SymbolId symbol) const { return zeroed_[static_cast<std::size_t>(symbol)]; }
 
  private:
@@ -46,7 +49,7 @@ struct Reach {
   std::vector<SymbolId> exponents;  // the same, that only exp sees
   bool particle_sums = false;
   bool functions = false;
-  bool roots = false;  // a root, a length or an absolute value
+  bool roots = false;  // a root, a length, an absolute value, or what else only some real numbers have
   std::optional<std::string>
       too_large;  // a rank, an exponent or a number beyond what is evaluated: which, as a reason
 };

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint32_t quick_attempts = 24;
 constexpr std::uint32_t free_attempts = 8;
+constexpr std::uint32_t enclosed_attempts = 16;
+constexpr std::uint32_t enough_points = 4;
 constexpr std::size_t most_zero_alone = 8;  // symbols
 
 }  // namespace
@@ -60,6 +62,9 @@ std::optional<Refuter::Counterexample> Refuter::fails_on(const SamplePoint& draw
     if (below == nullptr && compared_.insert(text_of(point)).second) ++points_compared_;
     if (!difference) return std::nullopt;
     return Counterexample{drawn, point, attempt, *std::move(difference)};
+  } catch (const ValuesTooNear&) {
+    has_near_values_ = true;
+    return std::nullopt;
   } catch (const PointRejected&) {
     return std::nullopt;
   }
@@ -72,6 +77,7 @@ std::optional<Refuter::Counterexample> Refuter::attempt_next() {
 
 std::optional<Refuter::Counterexample> Refuter::quick_look() {
   const std::uint32_t wanted = is_constant() ? 1 : limits_.quick_points;
+  if (is_constant()) evaluator_.enclose();
   while (points_compared_ < wanted && sequence_.drawn() < quick_attempts &&
          evaluator_.steps() < limits_.quick_steps) {
     if (auto found = attempt_next()) return found;
@@ -131,12 +137,30 @@ std::optional<Refuter::Counterexample> Refuter::search() {
   while (sequence_.drawn() < limits_.sample_attempts) {
     if (auto found = attempt_next()) return found;
   }
+  return points_compared_ < enough_points ? search_enclosed() : std::nullopt;
+}
+
+/// From now on everything is enclosed: what is found is made simple, too.
+std::optional<Refuter::Counterexample> Refuter::search_enclosed() {
+  evaluator_.enclose();
+  const std::uint32_t most = sequence_.drawn() + std::min(limits_.sample_attempts, enclosed_attempts);
+  while (sequence_.drawn() < most) {
+    if (auto found = attempt_next()) return found;
+  }
   return std::nullopt;
 }
 
-void Refuter::find_a_point() {
-  while (points_compared_ == 0 && sequence_.drawn() < limits_.sample_attempts)
-    static_cast<void>(attempt_next());
+bool Refuter::finds_a_point() {
+  const auto found = [&] { return points_compared_ > 0 || has_near_values_; };
+  const auto look = [&](std::uint32_t until) {
+    while (!found() && sequence_.drawn() < until) static_cast<void>(attempt_next());
+  };
+  evaluator_.take_circle_number_as_rational();
+  look(std::max(limits_.sample_attempts, sequence_.drawn() + quick_attempts));
+  evaluator_.enclose();
+  look(sequence_.drawn() + enclosed_attempts);
+  evaluator_.take_circle_number_as_it_is();
+  return found();
 }
 
 Sample Refuter::to_sample(const Counterexample& found) const {

@@ -15,8 +15,9 @@
 namespace rigor {
 
 /// Method: points are drawn from a fixed sequence, solved for the assumptions, and the sides are compared
-/// there as exact numbers. A difference is a refutation; no difference at any number of points is not a
-/// proof, but for a claim without symbols.
+/// there as exact numbers; where none of them gives both sides one, as numbers that are enclosed between
+/// others. A difference is a refutation; no difference at any number of points is not a proof, but for a
+/// claim without symbols.
 class Refuter {
  public:
   /// The scope's definitions are unfolded. Only assumptions that bear on the claim are met.
@@ -37,8 +38,8 @@ class Refuter {
   [[nodiscard]] bool fails_without_assumptions();
   /// All attempts that the limits allow, with up to 6 particles; for an order, first where symbols are 0.
   [[nodiscard]] std::optional<Counterexample> search();
-  /// Attempts until one point has been compared: do both sides have a value anywhere?
-  void find_a_point();
+  /// Do both sides have a value anywhere?
+  [[nodiscard]] bool finds_a_point();
   /// The simplest counterexample found from a given one: tiny points first, then one number after the other
   /// made smaller.
   [[nodiscard]] Sample simplest(const Counterexample& found);
@@ -58,6 +59,7 @@ class Refuter {
  private:
   [[nodiscard]] std::optional<Counterexample> attempt_next();
   [[nodiscard]] std::optional<Counterexample> look_at_zero();
+  [[nodiscard]] std::optional<Counterexample> search_enclosed();
   /// With a bound, only simpler points are compared.
   [[nodiscard]] std::optional<Counterexample> fails_on(const SamplePoint& drawn, std::uint32_t attempt,
                                                        const Complexity* below = nullptr);
@@ -87,6 +89,7 @@ class Refuter {
   std::optional<SamplePoint> point_;  // the one that is being looked at
   SampleSequence sequence_;
   std::uint32_t points_compared_ = 0;  // different ones
+  bool has_near_values_ = false;       // at a point where the sides could not be told apart
   std::set<std::string> compared_;
   std::uint32_t looked_at_zero_ = 0;     // points
   std::uint64_t shrinks_until_ = 0;      // steps

@@ -35,7 +35,7 @@ class Residual {
   [[nodiscard]] Rational now() const {
     evaluator_.look_at(point_);
     const Difference sides = evaluator_.at(equation_, place_);
-    return sides.left - sides.right;
+    return rational_of(sides.left) - rational_of(sides.right);
   }
 
   /// Gives the residual a value by this number if it is linear in it; else leaves it.

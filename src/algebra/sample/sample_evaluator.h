@@ -16,63 +16,77 @@
 
 namespace rigor {
 
-/// The exact values of one sample, as a Domain of `Evaluator`. Throws PointRejected where a value is not
-/// rational or not defined, Undecidable where the work is too much.
+/// The values of one sample, as a Domain of `Evaluator`. Throws PointRejected where a value is not defined,
+/// or not exact unless it may be enclosed; Undecidable where the work is too much.
 class SampleDomain {
  public:
-  using Number = ExactValue;
+  using Number = PointValue;
 
   explicit SampleDomain(const Limits& limits) : largest_steps_(limits.steps), budget_(limits.budget) {}
 
   void look_at(const SamplePoint& point) { point_ = &point; }
   [[nodiscard]] const SamplePoint& point() const { return *point_; }
 
-  [[nodiscard]] ExactValue number(const std::string& digits);
-  [[nodiscard]] ExactValue integer(int value) { return value; }
-  [[nodiscard]] bool is_zero(const ExactValue& value) {
-    return value.parts.empty() && cln::zerop(value.rational);
+  [[nodiscard]] PointValue number(const std::string& digits);
+  [[nodiscard]] PointValue integer(int value) { return value; }
+  [[nodiscard]] bool is_zero(const PointValue& value) {
+    return is_rational(value) && cln::zerop(value.rational);
   }
-  void add(ExactValue& total, const ExactValue& summand) {
-    if (summand.parts.empty()) {
+  void add(PointValue& total, const PointValue& summand) {
+    if (is_rational(total) && is_rational(summand)) {
       total.rational = total.rational + summand.rational;  // a sum is hardly longer than its summands
     } else {
       rigor::add(total, summand);
     }
   }
-  void negate(ExactValue& value) {
-    if (value.parts.empty()) {
+  void negate(PointValue& value) {
+    if (is_rational(value)) {
       value.rational = -value.rational;
     } else {
       value = scaled(std::move(value), -1);
     }
   }
-  [[nodiscard]] ExactValue multiply(const ExactValue& a, const ExactValue& b);
-  [[nodiscard]] ExactValue divide(const ExactValue& a, const ExactValue& b);
-  [[nodiscard]] ExactValue power(const ExactValue& base, int exponent);
-  [[nodiscard]] ExactValue root(const ExactValue& square);
-  [[nodiscard]] ExactValue even_power_of_root(const ExactValue& square, int exponent) {
+  [[nodiscard]] PointValue multiply(const PointValue& a, const PointValue& b);
+  [[nodiscard]] PointValue divide(const PointValue& a, const PointValue& b);
+  [[nodiscard]] PointValue power(const PointValue& base, int exponent);
+  [[nodiscard]] PointValue real_power(const PointValue& base, const PointValue& exponent);
+  [[nodiscard]] PointValue root(const PointValue& square);
+  [[nodiscard]] PointValue even_power_of_root(const PointValue& square, int exponent) {
     check_root(square);
     return power(square, exponent / 2);
   }
-  void check_root(const ExactValue& square);
-  [[nodiscard]] ExactValue function(Function function, const ExactValue& argument);
-  [[nodiscard]] ExactValue value(SymbolId symbol, std::uint32_t particle, std::size_t component);
+  void check_root(const PointValue& square);
+  [[nodiscard]] PointValue function(Function function, const PointValue& argument);
+  [[nodiscard]] PointValue circle_number() const;
+  [[nodiscard]] PointValue value(SymbolId symbol, std::uint32_t particle, std::size_t component);
   template <class Body>
-  [[nodiscard]] std::vector<ExactValue> particle_sum(std::size_t count, const Body& body) {
-    std::vector<ExactValue> total(count);
+  [[nodiscard]] std::vector<PointValue> particle_sum(std::size_t count, const Body& body) {
+    std::vector<PointValue> total(count);
     for (std::uint32_t particle = 1; particle <= point_->particles(); ++particle) {
-      const std::vector<ExactValue> term = body(particle);
+      const std::vector<PointValue> term = body(particle);
       for (std::size_t i = 0; i < count; ++i) add(total[i], term[i]);
     }
     return total;
   }
-  void settle(ExactValue&) {}
+  /// From now on what is not exact is enclosed.
+  void enclose() { encloses_ = true; }
+  /// From now on π is taken for a rational number, as any letter is: no polynomial tells the two apart for
+  /// good, so that this serves where it is only asked whether something can be met.
+  void take_circle_number_as_rational() { circle_ = Rational(22) / 7; }
+  void take_circle_number_as_it_is() { circle_.reset(); }
+  void settle(PointValue&) {}
   void step();
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   void allow_more(std::uint64_t steps) { largest_steps_ = std::max(largest_steps_, steps_ + steps); }
 
  private:
+  [[nodiscard]] static PointValue exact_function(Function function, const PointValue& argument);
+  /// Counts as many steps as it takes the time of.
+  [[nodiscard]] Enclosure enclosure(const PointValue& value);
+
   const SamplePoint* point_ = nullptr;
+  bool encloses_ = false;
+  std::optional<Rational> circle_;
   std::unordered_map<std::string, Rational> numbers_;
   std::uint64_t largest_steps_;
   Budget* budget_;  // may be none
@@ -88,8 +102,8 @@ struct Place {
 /// Where a relation does not hold.
 struct Difference {
   Place place;
-  Rational left;
-  Rational right;
+  PointValue left;
+  PointValue right;
 };
 
 class SampleEvaluator {
@@ -108,7 +122,11 @@ class SampleEvaluator {
   /// left − right at all places, in the order of `places`.
   [[nodiscard]] std::vector<Rational> residuals(const Equation& equation);
   [[nodiscard]] Difference at(const Equation& equation, const Place& place);
-  [[nodiscard]] std::vector<Rational> value_of(const Definition& definition, std::uint32_t particle);
+  [[nodiscard]] std::vector<PointValue> value_of(const Definition& definition, std::uint32_t particle);
+  /// From now on what is not exact is enclosed.
+  void enclose() { domain_.enclose(); }
+  void take_circle_number_as_rational() { domain_.take_circle_number_as_rational(); }
+  void take_circle_number_as_it_is() { domain_.take_circle_number_as_it_is(); }
   /// How many steps of evaluation there have been.
   [[nodiscard]] std::uint64_t steps() const { return domain_.steps(); }
   /// From now on at least so many.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "algebra/point/scope.h"
-#include "algebra/sample/exact_value.h"
+#include "algebra/sample/point_value.h"
 #include "base/splitmix.h"
 
 namespace rigor {

@@ -27,6 +27,7 @@ class SampleScreen::Samples {
         evaluator_(scope_, limits_),
         tree_size_(question.tree->size()) {
     if (reach_.too_large) return;
+    evaluator_.take_circle_number_as_rational();  // what passes is proved afterwards
     SampleSequence sequence(scope_.tree(), reach_, solver_.has_particle_sums());
     try {
       while (points_.size() < wanted_points && sequence.drawn() < most_attempts) draw(sequence);

@@ -65,6 +65,13 @@ DimensionForm DimensionReader::compute(ExprId id) {
     case Op::power:
       form.add(read(tree_.children(id)[0]), node.exponent);
       return form;
+    case Op::real_power: {
+      const ExprId exponent = tree_.children(id)[1];
+      const Span span = tree_[exponent].span;
+      demand(equations_, {read(exponent), {}, span, span, Alike::argument});
+      form.any = true;  // a power of a dimension that no number says
+      return form;
+    }
     case Op::root:
       form.add(read(tree_.children(id)[0]), SmallRational(1, 2));
       return form;
@@ -129,6 +136,8 @@ DimensionForm DimensionReader::determinant(ExprId id) {
 }
 
 DimensionForm DimensionReader::function(ExprId id) {
+  // `\ln V_2 - \ln V_1` is the usual way to write the logarithm of a ratio.
+  if (tree_[id].function == Function::log) return {};
   const ExprId argument = tree_.children(id)[0];
   const Span span = tree_[argument].span;
   demand(equations_, {read(argument), {}, span, span, Alike::argument});

@@ -36,6 +36,8 @@ class Approximation {
         return child(0) / child(1);
       case Op::power:
         return std::pow(child(0), node.exponent);
+      case Op::real_power:
+        return std::pow(child(0), child(1));
       case Op::root:
         return std::sqrt(child(0));
       case Op::absolute:
@@ -71,6 +73,14 @@ class Approximation {
         return std::cos(argument);
       case Function::exp:
         return std::exp(argument);
+      case Function::log:
+        return std::log(argument);
+      case Function::arcsin:
+        return std::asin(argument);
+      case Function::arccos:
+        return std::acos(argument);
+      case Function::arctan:
+        return std::atan(argument);
     }
     return NAN;
   }

@@ -11,9 +11,6 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_digits = 15;
-constexpr int most_digits_of_pi = 10;  // far fewer than its bounds have
-constexpr const char* below_pi = "3.14159265358979";
-constexpr const char* above_pi = "3.14159265358980";
 
 /// M · 10^-places, whose last `unsure` digits are zeros that may count or not.
 struct Shown {
@@ -117,38 +114,15 @@ class Comparison {
     order.left = value_left ? value_ : other;
     order.right = value_left ? other : value_;
     order.relation = Relation::less_or_equal;
-    const bool speaks_of_pi = holds_pi(value_);
     const auto decided = [&](const Equation& claim) {
       Prepared prepared = prepare(tree_, names_, claim);
-      Decision open;
-      if (prepared.too_large || (speaks_of_pi && shown_.digits > most_digits_of_pi)) return open;
-      if (speaks_of_pi) bound_pi(prepared.question);
-      return decide(cache_, prepared.question, {.simplest_sample = false});
+      return prepared.too_large ? Decision() : decide(cache_, prepared.question, {.simplest_sample = false});
     };
     const Decision decision = decided(order);
     if (decision.outcome == Outcome::proved) return true;
-    // a sample between the bounds of π shows nothing, and a root has no rational one
-    if (decision.outcome == Outcome::refuted && !speaks_of_pi) return false;
+    if (decision.outcome == Outcome::refuted) return false;
     const Equation reverse{.left = order.right, .right = order.left, .relation = Relation::less};
     return decided(reverse).outcome == Outcome::proved ? std::optional(false) : std::nullopt;
-  }
-
-  bool holds_pi(ExprId root) const {
-    const auto body_of = [this](SymbolId symbol) { return body_of_definition(names_.scope, symbol); };
-    return std::ranges::any_of(symbols_reached(tree_, {root}, body_of),
-                               [this](SymbolId symbol) { return is_circle_number(tree_, names_, symbol); });
-  }
-
-  void bound_pi(Question& question) {
-    const std::optional<SymbolId> pi = find_symbol(names_.symbols, {"\\pi", 0, false});
-    if (!pi) return;
-    const Span span = tree_[side_].span;
-    const ExprId circle = tree_.add({.op = Op::symbol, .span = span, .symbol = *pi});
-    question.assumptions.push_back(
-        {.left = tree_.add_number(span, below_pi), .right = circle, .relation = Relation::less});
-    question.assumptions.push_back(
-        {.left = circle, .right = tree_.add_number(span, above_pi), .relation = Relation::less});
-    question.tree = &tree_;
   }
 
   ExprId with(ExprId id, ExprId number) {
@@ -214,9 +188,7 @@ bool compares_decimals(const ExprTree& tree, const Names& names, const Equation&
 }
 
 bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol) {
-  const NameKey* key = key_of(names.symbols, symbol);
-  return key != nullptr && *key == NameKey{"\\pi", 0, false} && !tree.symbols[symbol].declared &&
-         definition_of(names.scope, symbol) == nullptr;
+  return tree.symbols[symbol].circle_number && definition_of(names.scope, symbol) == nullptr;
 }
 
 bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left, const Typed& right) {

@@ -98,10 +98,13 @@ std::optional<int> degree_of(const ExprTree& tree, ExprId id) {
 
 bool may_be_an_equation_of_letters(const ExprTree& tree, const Equation& equation) {
   const auto is_index_sum = [](const ExprNode& node) { return node.op == Op::index_sum; };
-  const bool letters = !symbols_in(tree, equation.left).empty() || !symbols_in(tree, equation.right).empty();
-  return letters && equation.relation == Relation::equal && equation.indices.empty() &&
-         is_of_scalars(tree, equation.left) && is_of_scalars(tree, equation.right) &&
-         !holds_anywhere(tree, equation.left, is_index_sum) &&
+  const auto has_letter = [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(tree, side),
+                               [&](SymbolId each) { return !tree.symbols[each].circle_number; });
+  };
+  return (has_letter(equation.left) || has_letter(equation.right)) && equation.relation == Relation::equal &&
+         equation.indices.empty() && is_of_scalars(tree, equation.left) &&
+         is_of_scalars(tree, equation.right) && !holds_anywhere(tree, equation.left, is_index_sum) &&
          !holds_anywhere(tree, equation.right, is_index_sum);
 }
 

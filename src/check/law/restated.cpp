@@ -40,14 +40,17 @@ bool restates(ExprTree& tree, const Equation& claim, const Equation& law, Decisi
   const auto sides = replay(question, sample);
   if (!sides) return false;
   const Span span = tree[claim.left].span;
-  const auto number = [&](const std::string& left, const std::string& right) {
-    return difference(tree, add_rational(tree, span, left), add_rational(tree, span, right));
+  const auto number = [&](const std::string& left, const std::string& right) -> std::optional<ExprId> {
+    const auto first = add_rational(tree, span, left);
+    const auto second = add_rational(tree, span, right);
+    return first && second ? std::optional(difference(tree, *first, *second)) : std::nullopt;
   };
-  const ExprId of_law = number(sides->left, sides->right);
-  const ExprId of_claim = number(sample.left, sample.right);
+  const auto of_law = number(sides->left, sides->right);
+  const auto of_claim = number(sample.left, sample.right);
+  if (!of_law || !of_claim) return false;
   const auto is_same = [&](ExprId own, ExprId other) {
-    question.claim.left = product(tree, of_law, own);
-    question.claim.right = product(tree, of_claim, other);
+    question.claim.left = product(tree, *of_law, own);
+    question.claim.right = product(tree, *of_claim, other);
     const Decision same = decide(cache, question, {.simplest_sample = false});
     return same.outcome == Outcome::proved && !same.vanishes;
   };

@@ -69,6 +69,10 @@ class Elimination {
 };
 
 /// The parity of an expression, with what its sums demand. Nothing: it fits any, or is not known.
+[[nodiscard]] bool is_odd(Function function) {
+  return function == Function::sin || function == Function::arcsin || function == Function::arctan;
+}
+
 class ParityReader {
  public:
   explicit ParityReader(const LintInput& input) : tree_(input.tree), declared_(input.mirrored) {}
@@ -144,6 +148,7 @@ class ParityReader {
       case Op::length:
       case Op::absolute:
       case Op::root:
+      case Op::real_power:
         return Parity{};
       case Op::add:
         return terms(children);
@@ -159,7 +164,7 @@ class ParityReader {
       case Op::power:
         return node.exponent % 2 == 0 ? Parity{} : known_.at(children[0]);
       case Op::function:
-        return node.function == Function::sin ? known_.at(children[0]) : Parity{};
+        return is_odd(node.function) ? known_.at(children[0]) : Parity{};
       case Op::tuple:
         return common(children);
       case Op::determinant:

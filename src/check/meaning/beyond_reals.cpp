@@ -104,6 +104,12 @@ class ComplexValues {
         return mapped(children[0], [](Complex a) { return -a; });
       case Op::power:
         return mapped(children[0], [&](Complex a) { return std::pow(a, node.exponent); });
+      case Op::real_power: {
+        const auto base = value(children[0]);
+        const auto exponent = value(children[1]);
+        if (!base || !exponent || std::abs(*base) < 1e-9) return std::nullopt;
+        return std::pow(*base, *exponent);
+      }
       case Op::root:
         return mapped(children[0], [](Complex a) { return std::sqrt(a); });
       case Op::absolute:
@@ -144,9 +150,18 @@ class ComplexValues {
         return std::sin(argument);
       case Function::cos:
         return std::cos(argument);
-      default:
+      case Function::exp:
         return std::exp(argument);
+      case Function::log:
+        return std::log(argument);
+      case Function::arcsin:
+        return std::asin(argument);
+      case Function::arccos:
+        return std::acos(argument);
+      case Function::arctan:
+        return std::atan(argument);
     }
+    return {};
   }
 
   const Definition* definition_of(ExprId id) const {

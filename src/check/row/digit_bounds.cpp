@@ -14,15 +14,12 @@
 namespace rigor {
 namespace {
 
-constexpr const char* circle_as_letter = "`\\pi` was taken as any number";
-
 /// Where the number lies instead; nothing where the step is not refuted so.
 std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const Claim& claim,
                                        DecisionCache* cache) {
   if (claim.nearly || claim.doubt != nullptr || claim.equation.relation != Relation::equal)
     return std::nullopt;
-  if (const auto guess = guess_of(*claim.reading); guess && guess->message != circle_as_letter)
-    return std::nullopt;
+  if (guess_of(*claim.reading)) return std::nullopt;
   const auto is_own = [&](ExprId side) {
     return std::ranges::all_of(symbols_in(tree, side),
                                [&](SymbolId symbol) { return is_circle_number(tree, names, symbol); });

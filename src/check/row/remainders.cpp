@@ -232,8 +232,8 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
   std::vector<SymbolId> letters = symbols_in(place.tree, held->left);
   for (const SymbolId symbol : symbols_in(place.tree, held->right)) letters.push_back(symbol);
   const bool no_other = std::ranges::all_of(letters, [&](SymbolId symbol) { return symbol == node.symbol; });
-  const bool identity =
-      !whole || whole->verdict == Verdict::refuted || (whole->verdict == Verdict::undecided && no_other);
+  const bool occurs = is_one_of(node.symbol, letters);
+  const bool identity = !whole || (occurs && (whole->verdict == Verdict::refuted || no_other));
   Judgement result;
   result.verdict = Verdict::proved;
   std::optional<Judgement> first_open;

@@ -43,6 +43,10 @@ class Counting {
         return of_power(id);
       case Op::divide:
         return has_no_letter(child(id, 1)) ? letters(child(id, 0)) : std::nullopt;
+      case Op::real_power:
+        return has_no_letter(child(id, 0)) && has_no_letter(child(id, 1))
+                   ? LettersOfClaim(std::map<IndexId, int>{})
+                   : std::nullopt;
       case Op::root:
       case Op::length:
       case Op::absolute:

@@ -382,7 +382,9 @@ class Judging {
     const auto is_constant = [&](ExprId side, const std::string& value) {
       Question question = prepared_.question;
       question.claim.left = side;
-      question.claim.right = add_rational(tree_, claim_.relation, value);
+      const auto number = add_rational(tree_, claim_.relation, value);
+      if (!number) return false;
+      question.claim.right = *number;
       return decide(cache_, question, {.simplest_sample = false}).outcome == Outcome::proved;
     };
     return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
@@ -479,12 +481,6 @@ class Judging {
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
           "it was found to fail only where values of a function are taken as any numbers");
-      return;
-    }
-    if (claim_.reading->found.circle_number) {
-      judgement_.verdict = Verdict::not_understood;
-      add(DiagnosticKind::unsupported,
-          "`\\pi` was taken as any number; the equation does not hold in the reading that was tried");
       return;
     }
     prepared_.question.tree = &tree_;

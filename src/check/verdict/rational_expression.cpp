@@ -3,7 +3,8 @@
 
 namespace rigor {
 
-ExprId add_rational(ExprTree& tree, Span span, const std::string& value) {
+std::optional<ExprId> add_rational(ExprTree& tree, Span span, const std::string& value) {
+  if (value.find('.') != std::string::npos) return std::nullopt;
   const bool negative = value.starts_with('-');
   const std::string digits = negative ? value.substr(1) : value;
   const auto slash = digits.find('/');

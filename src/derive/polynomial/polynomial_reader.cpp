@@ -73,6 +73,8 @@ class PolynomialReader {
         return times(read(child(id), slots), inverse(child(id, 1)));
       case Op::power:
         return power(child(id), node.exponent);
+      case Op::real_power:
+        throw TooManyMonomials{};
       case Op::root:
         return single({.kind = IndexFactor::Kind::root, .argument = shared(read(child(id), {}))});
       case Op::length:

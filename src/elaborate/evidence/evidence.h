@@ -53,7 +53,8 @@ struct Evidence {
   std::string other_arithmetic;    // words of sums and products that are not those of real numbers
   std::set<std::string> raised;    // x of `x^\mu`, `x^1 = x`: its upper indices are no powers
   bool speaks_of_raised = false;   // the words do, and name no letter
-  std::set<std::string> counters;  // n of `x_{n+1}`: in a subscript it counts the members of a sequence
+  std::set<std::string> exponents;  // that are numbers where they stand above: they stand on the line as well
+  std::set<std::string> counters;   // n of `x_{n+1}`: in a subscript it counts the members of a sequence
   bool speaks_of_segments = false;  // of triangles and segments: `AB` can be the name of one
   bool sentence_is_open = false;    // while reading: such a sentence goes on with the next display
 
@@ -100,6 +101,9 @@ void see_raised(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Ev
 
 /// "The coordinates $x^i$", "upper indices", "superscripts label …".
 void see_said_raised(std::string_view text, Evidence& evidence);
+
+/// `x^{-n}`, `V^{\gamma - 1}`, `T^{n/2}`: no index is written so.
+[[nodiscard]] bool is_reckoned(const SyntaxTree& syntax, SyntaxId exponent);
 
 /// Can the number above the symbol be an index?
 [[nodiscard]] bool may_be_raised(const WrittenSymbol& symbol, const Evidence& evidence);

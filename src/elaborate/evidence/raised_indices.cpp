@@ -66,6 +66,16 @@ std::vector<std::string> letters_of_exponent(const SyntaxTree& syntax, SyntaxId 
   return letters;
 }
 
+/// What stands above something below `sides`, each node.
+std::set<SyntaxId> nodes_above(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {
+  std::vector<SyntaxId> exponents;
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
+    if (syntax[id].kind == SyntaxKind::power) exponents.push_back(syntax.child(id, 1));
+  }
+  const std::vector<SyntaxId> below = nodes_below(syntax, exponents);
+  return {below.begin(), below.end()};
+}
+
 /// `i` and `j` that stand alone above a letter below `side`.
 std::set<std::string> above_letters(const SyntaxTree& syntax, SyntaxId side) {
   std::set<std::string> found;
@@ -75,6 +85,16 @@ std::set<std::string> above_letters(const SyntaxTree& syntax, SyntaxId side) {
     if (letters.size() == 1 && (letters[0] == "i" || letters[0] == "j")) found.insert(letters[0]);
   }
   return found;
+}
+
+/// \gamma of `V^{\gamma - 1}`; n of `x^{n+1}` may count the steps of an iteration.
+void see_reckoned(const SyntaxTree& syntax, SyntaxId exponent, Evidence& evidence) {
+  static constexpr std::array<std::string_view, 8> counters{"i", "j", "k", "l", "m", "n", "s", "t"};
+  if (!is_reckoned(syntax, exponent)) return;
+  for (const SyntaxId id : nodes_below(syntax, {exponent})) {
+    if (syntax[id].kind != SyntaxKind::symbol || is_one_of(syntax.symbol(id).letter, counters)) continue;
+    evidence.exponents.insert(syntax.symbol(id).letter);
+  }
 }
 
 bool is_upper_index(const SyntaxTree& syntax, SyntaxId exponent, const Scripts& scripts) {
@@ -119,6 +139,15 @@ bool mentions(std::string_view text, std::string_view words) {
 
 }  // namespace
 
+bool is_reckoned(const SyntaxTree& syntax, SyntaxId exponent) {
+  return std::ranges::any_of(nodes_below(syntax, {exponent}), [&](SyntaxId id) {
+    if (syntax[id].kind == SyntaxKind::fraction || syntax[id].kind == SyntaxKind::number) return true;
+    return std::ranges::any_of(syntax.children(id), [](const SyntaxChild& child) {
+      return child.joint == Joint::minus || child.joint == Joint::slash;
+    });
+  });
+}
+
 void see_raised(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   Scripts scripts = scripts_in(syntax, sides);
   if (sides.size() > 1) scripts.ridden = above_letters(syntax, sides.front());
@@ -126,8 +155,12 @@ void see_raised(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Ev
     const std::set<std::string> above = above_letters(syntax, side);
     std::erase_if(scripts.ridden, [&](const std::string& letter) { return !above.contains(letter); });
   }
+  const std::set<SyntaxId> raised = nodes_above(syntax, sides);
   for (const SyntaxId id : nodes_below(syntax, sides)) {
+    if (syntax[id].kind == SyntaxKind::symbol && !raised.contains(id) && syntax.symbol(id).lower.empty())
+      evidence.exponents.insert(syntax.symbol(id).letter);
     if (syntax[id].kind != SyntaxKind::power) continue;
+    see_reckoned(syntax, syntax.child(id, 1), evidence);
     const SyntaxId base = syntax.child(id, 0);
     if (syntax[base].kind != SyntaxKind::symbol || is_euler(syntax.symbol(base))) continue;
     if (is_upper_index(syntax, syntax.child(id, 1), scripts))

@@ -2,6 +2,11 @@
 // Named functions, angles between axes, and integrals over a body.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "elaborate/notation/derivative.h"
 #include "elaborate/notation/matrix.h"
 #include "elaborate/notation/notations.h"
@@ -55,6 +60,20 @@ MaybeTyped angle_cosine(Reading& reading, SyntaxId first, SyntaxId second, Span 
   return summed(tree, std::move(cosine), *std::move(letters));
 }
 
+/// Those that an expression has as they are; the others are made of them.
+std::optional<Function> function_of_tree(std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, Function>, 8> table{{{"sin", Function::sin},
+                                                                               {"cos", Function::cos},
+                                                                               {"exp", Function::exp},
+                                                                               {"ln", Function::log},
+                                                                               {"log", Function::log},
+                                                                               {"arcsin", Function::arcsin},
+                                                                               {"arccos", Function::arccos},
+                                                                               {"arctan", Function::arctan}}};
+  const auto found = std::ranges::find(table, name, &std::pair<std::string_view, Function>::first);
+  return found == table.end() ? std::nullopt : std::optional(found->second);
+}
+
 }  // namespace
 
 MaybeTyped elementary_function(Reading& reading, const std::string& name, const Typed& argument, Span span) {
@@ -70,26 +89,37 @@ MaybeTyped elementary_function(Reading& reading, const std::string& name, const 
   const auto over = [&](const Typed& above, const Typed& below) {
     return apply_op(tree, Op::divide, span, 0, {above, below});
   };
-  if (name == "exp") return apply(Function::exp, argument);
+  if (const auto function = function_of_tree(name)) return apply(*function, argument);
+  const auto number = [&](const char* digits) { return Typed{.id = tree.add_number(span, digits)}; };
+  const auto opposite = [&](const Typed& of) { return apply_op(tree, Op::negate, span, 0, {of}); };
+  const auto sum = [&](const Typed& a, const Typed& b) { return apply_op(tree, Op::add, span, 0, {a, b}); };
+  const auto root = [&](const Typed& of) { return apply_op(tree, Op::root, span, 0, {of}); };
+  const auto logarithm = [&](const Typed& of) { return apply(Function::log, of); };
+  const Typed one = number("1");
   const Typed sine = apply(Function::sin, argument);
   const Typed cosine = apply(Function::cos, argument);
-  const Typed one{.id = tree.add_number(span, "1")};
-  if (name == "sin") return sine;
-  if (name == "cos") return cosine;
   if (name == "tan") return over(sine, cosine);
   if (name == "cot") return over(cosine, sine);
   if (name == "sec") return over(one, cosine);
   if (name == "csc") return over(one, sine);
-  const bool hyperbolic = name == "sinh" || name == "cosh" || name == "tanh";
-  if (!hyperbolic) return unsupported(reading, span, fmt::format("the function `\\{}` is not decided", name));
+  if (name == "lg") return over(logarithm(argument), logarithm(number("10")));
+  if (name == "lb") return over(logarithm(argument), logarithm(number("2")));
+  const Typed square = apply_op(tree, Op::power, span, 0, {argument}, 2);
+  if (name == "arsinh") return logarithm(sum(argument, root(sum(square, one))));
+  if (name == "arcosh") return logarithm(sum(argument, root(sum(square, opposite(one)))));
+  if (name == "artanh")
+    return over(logarithm(over(sum(one, argument), sum(one, opposite(argument)))), number("2"));
   const Typed grows = apply(Function::exp, argument);
-  const Typed falls = apply(Function::exp, apply_op(tree, Op::negate, span, 0, {argument}));
-  const Typed minus = apply_op(tree, Op::negate, span, 0, {falls});
-  const Typed two{.id = tree.add_number(span, "2")};
-  const Typed sum = apply_op(tree, Op::add, span, 0, {grows, falls});
-  const Typed difference = apply_op(tree, Op::add, span, 0, {grows, minus});
-  if (name == "tanh") return over(difference, sum);
-  return over(name == "cosh" ? sum : difference, two);
+  const Typed falls = apply(Function::exp, opposite(argument));
+  const Typed both = sum(grows, falls);
+  const Typed difference = sum(grows, opposite(falls));
+  if (name == "sinh") return over(difference, number("2"));
+  if (name == "cosh") return over(both, number("2"));
+  if (name == "tanh") return over(difference, both);
+  if (name == "coth") return over(both, difference);
+  if (name == "sech") return over(number("2"), both);
+  if (name == "csch") return over(number("2"), difference);
+  return unsupported(reading, span, fmt::format("the function `\\{}` is not decided", name));
 }
 
 MaybeTyped elaborate_function(Reading& reading, SyntaxId id, const Around& around) {

@@ -2,8 +2,12 @@
 // Powers and roots.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <string_view>
 
+#include "base/among.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/symbol/named_symbol.h"
@@ -57,6 +61,72 @@ bool reads_as_order(const Reading& reading, SyntaxId id) {
   return (exponent == "0" || exponent == "1") && !euler;
 }
 
+/// Of what is the exponent made: numbers, and plain letters with nothing but labels at them?
+std::optional<std::vector<std::string>> letters_of_number(const SyntaxTree& syntax, SyntaxId exponent) {
+  std::vector<std::string> letters;
+  for (const SyntaxId id : nodes_below(syntax, {exponent})) {
+    const SyntaxNode& node = syntax[id];
+    switch (node.kind) {
+      case SyntaxKind::number:
+      case SyntaxKind::sum:
+      case SyntaxKind::term:
+      case SyntaxKind::fraction:
+      case SyntaxKind::group:
+        break;
+      case SyntaxKind::symbol: {
+        const WrittenSymbol& symbol = syntax.symbol(id);
+        const bool plain = symbol.face == Face::plain && symbol.accent == Accent::none &&
+                           symbol.primes == 0 && symbol.dots == 0 && symbol.change.empty();
+        if (!plain) return std::nullopt;
+        letters.push_back(symbol.letter);
+        break;
+      }
+      default:
+        return std::nullopt;
+    }
+  }
+  return letters;
+}
+
+bool is_said_for_all(const Reading& reading, const std::string& letter) {
+  const auto symbol = find_symbol(reading.names.symbols, {letter, 0, false});
+  return symbol && is_for_all(reading.names.scope, *symbol);
+}
+
+/// `x^n`, `2^n`, `(1 + x)^\alpha`, `T V^{\gamma - 1}`: what stands above is a number for sure. It is where it
+/// is written as no index is, and where all its letters stand on the line as well, or are declared.
+bool is_number_above(const Reading& reading, SyntaxId base, SyntaxId exponent) {
+  const SyntaxTree& syntax = reading.syntax;
+  const auto letters = letters_of_number(syntax, exponent);
+  if (!letters || syntax[exponent].kind == SyntaxKind::group) return false;  // `f^{(2)}` is a derivative
+  const Evidence& evidence = *reading.names.symbols.evidence;
+  const bool of_symbol = syntax[base].kind == SyntaxKind::symbol;
+  const bool of_number = syntax[base].kind == SyntaxKind::number;
+  if (of_symbol && may_be_raised(syntax.symbol(base), evidence)) return false;
+  static constexpr std::array<std::string_view, 4> marks{"T", "H", "i", "j"};  // transposes, the unit i
+  return std::ranges::all_of(*letters, [&](const std::string& letter) {
+    if (reading.letters.is_sure(letter) || reading.indices.summed.contains(letter) ||
+        evidence.counters.contains(letter))
+      return false;
+    if (of_number || is_declared(reading.names.symbols, {letter, 0, false}) ||
+        is_said_for_all(reading, letter))
+      return true;
+    const bool alone = syntax[exponent].kind == SyntaxKind::symbol;
+    if (alone && is_one_of(letter, marks)) return false;
+    return is_reckoned(syntax, exponent) || evidence.exponents.contains(letter);
+  });
+}
+
+MaybeTyped real_power(Reading& reading, const Typed& base, SyntaxId exponent, Span span,
+                      const Around& around) {
+  const auto above = elaborate(reading, exponent, around);
+  if (!above) return std::nullopt;
+  if (base.rank != 0 || above->rank != 0 || !above->free.empty())
+    return unsupported(reading, span, "a power of a vector with such an exponent is not defined");
+  note(reading, "a power whose exponent is not a whole number is one of a positive number");
+  return apply_op(reading.tree, Op::real_power, span, 0, {base, *above});
+}
+
 }  // namespace
 
 std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id) {
@@ -105,12 +175,12 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   const auto base = elaborate(reading, raised, inside);
   if (!base) return std::nullopt;
   const auto halves = half_number(syntax, exponent);
-  if (!halves) {
+  const bool number_above = !halves && is_number_above(reading, raised, exponent);
+  if (!halves && !number_above) {
     return unsupported(reading, syntax[exponent].span,
-                       fmt::format("only whole and half exponents up to {} are read, and no upper indices",
-                                   largest_exponent));
+                       "what stands above is read as a power only where it is a number for sure");
   }
-  if (*halves == 2) return base;
+  if (halves == 2) return base;
   if (!base->free.empty()) {
     const std::string& letter = base->free[0].letter;
     return ambiguous(
@@ -120,6 +190,7 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
         {"write the factors out, or the sum"});
   }
   if (base->rank > 1) return unsupported(reading, span, "a power of a tensor is not decided");
+  if (number_above) return real_power(reading, *base, exponent, span, around);
   if (base->rank == 1) {
     if (*halves == 4) return apply_op(reading.tree, Op::dot, span, 0, {*base, *base});
     if (*halves % 4 != 0)

@@ -91,7 +91,6 @@ struct Reading {
     std::optional<Obstacle> guess;         // see guess_of()
     std::optional<Obstacle> belongs;  // a letter was taken for a part of a vector: see ReadingRules::apart
     std::optional<Obstacle> applied;  // a bracket can be a factor or an argument: see OpenBracket
-    bool circle_number = false;       // π was taken as any number: what fails so need not fail
     std::vector<SymbolId> unknown_changes;  // differentiated though nothing says whether they change: such a
                                             // statement may be proved, never refuted
     std::set<std::string> positions;        // the ways in which it writes the position

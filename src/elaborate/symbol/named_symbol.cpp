@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "elaborate/evidence/evidence.h"
 #include "elaborate/reading/summation.h"
 #include "elaborate/symbol/axes.h"
 
@@ -38,6 +39,13 @@ std::optional<bool> is_varying_in_body(Reading& reading, const WrittenName& name
       reading, span,
       fmt::format("`{}` can be one number for the body, or differ from point to point", name.base),
       {fmt::format("`rigor: scalar {0}` or `rigor: vector {0}` makes it one for the body", name.base)});
+}
+
+/// Is this letter π the number? Not where it is declared, or the section lets it change.
+bool is_circle_number(const Names& names, const NameKey& key) {
+  return key == NameKey{"\\pi", 0, false} && !is_declared(names.symbols, key) &&
+         !is_changing(*names.symbols.evidence, key.base) &&
+         !names.symbols.evidence->primed.contains(key.base);
 }
 
 }  // namespace
@@ -83,6 +91,7 @@ MaybeTyped named_symbol(Reading& reading, const Occurrence& at, const std::strin
       return unsupported(reading, span, "unit vectors are read in three dimensions only");
     tree.symbols[symbol].unit = true;
   }
+  if (fresh && is_circle_number(names, key)) tree.symbols[symbol].circle_number = true;
   const bool position = (vector_position || coordinate) && !key.per_particle;
   if (position && change_of(reading, symbol, By::space).kind == Dependence::Kind::variable)
     note_position(reading, symbol);

@@ -319,8 +319,6 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   if (written.letter == "\\nabla") return unsupported(reading, span, "`\\nabla` has nothing to act on here");
   if (auto fixed = unit_or_basis(reading, written, span, around)) return *std::move(fixed);
   if (const auto obstacle = no_quantity(reading, written)) return fail(reading, span, *obstacle);
-  if (written.letter == "\\pi" && is_bare_and_undeclared(reading.names, written))
-    reading.found.circle_number = true;
   if (may_be_derivative_of_order(reading.names, written)) {
     const std::string labelled = with_labels(written.letter, {written.lower.front()});
     return ambiguous(

@@ -52,6 +52,8 @@ std::optional<ExprId> Differentiator::compute(ExprId id) {
       return of_quotient(id);
     case Op::power:
       return of_power(id);
+    case Op::real_power:
+      return of_real_power(id);
     case Op::root:
       return of_root(id);
     case Op::length:
@@ -70,6 +72,7 @@ std::optional<ExprId> Differentiator::compute(ExprId id) {
 
 std::optional<ExprId> Differentiator::of_symbol(ExprId id) {
   const ExprNode node = tree_[id];
+  if (tree_.symbols[node.symbol].circle_number) return std::nullopt;
   const Dependence dependence = dependence_of_(node.symbol);
   if (dependence.kind == Dependence::Kind::constant) return std::nullopt;
   const std::span<const Slot> written = tree_.slots(id);
@@ -184,6 +187,22 @@ std::optional<ExprId> Differentiator::of_power(ExprId id) {
   return make(Op::multiply, 0, {factor, make(Op::power, 0, {base}, exponent - 1), *inner});
 }
 
+/// (b^y)' = y b^(y−1) b' + b^y ln b y'
+std::optional<ExprId> Differentiator::of_real_power(ExprId id) {
+  const ExprId base = child(id, 0);
+  const ExprId exponent = child(id, 1);
+  const Maybe of_base = derivative(base);
+  const Maybe of_exponent = derivative(exponent);
+  std::vector<ExprId> terms;
+  if (of_base) {
+    const ExprId less = make(Op::add, 0, {exponent, make(Op::negate, 0, {number("1")})});
+    terms.push_back(make(Op::multiply, 0, {exponent, make(Op::real_power, 0, {base, less}), *of_base}));
+  }
+  if (of_exponent) terms.push_back(make(Op::multiply, 0, {id, applied(Function::log, base), *of_exponent}));
+  if (terms.empty()) return std::nullopt;
+  return terms.size() == 1 ? terms[0] : make(Op::add, 0, terms);
+}
+
 std::optional<ExprId> Differentiator::of_root(ExprId id) {
   const Maybe inner = derivative(child(id));
   if (!inner) return std::nullopt;
@@ -203,14 +222,30 @@ std::optional<ExprId> Differentiator::of_function(ExprId id) {
   const ExprId argument = child(id);
   const Maybe inner = derivative(argument);
   if (!inner) return std::nullopt;
-  const Function function = tree_[id].function;
-  ExprId outer = id;  // exp
-  if (function != Function::exp) {
-    const Function other = function == Function::sin ? Function::cos : Function::sin;
-    outer = tree_.add({.op = Op::function, .span = span_, .function = other}, std::span(&argument, 1));
+  const auto times = [&](ExprId outer) { return make(Op::multiply, 0, {outer, *inner}); };
+  const auto over = [&](ExprId below) { return make(Op::divide, 0, {*inner, below}); };
+  const auto opposite = [&](ExprId of) { return make(Op::negate, 0, {of}); };
+  const auto square = [&] { return make(Op::power, 0, {argument}, 2); };
+  const auto cosine_of_arcsine = [&] {  // √(1 − u²)
+    return make(Op::root, 0, {make(Op::add, 0, {number("1"), opposite(square())})});
+  };
+  switch (tree_[id].function) {
+    case Function::sin:
+      return times(applied(Function::cos, argument));
+    case Function::cos:
+      return opposite(times(applied(Function::sin, argument)));
+    case Function::exp:
+      return times(id);
+    case Function::log:
+      return over(argument);
+    case Function::arcsin:
+      return over(cosine_of_arcsine());
+    case Function::arccos:
+      return opposite(over(cosine_of_arcsine()));
+    case Function::arctan:
+      return over(make(Op::add, 0, {number("1"), square()}));
   }
-  const ExprId product = make(Op::multiply, 0, {outer, *inner});
-  return function == Function::cos ? make(Op::negate, 0, {product}) : product;
+  return std::nullopt;
 }
 
 std::optional<ExprId> Differentiator::of_entries(ExprId id) {
@@ -261,6 +296,11 @@ ExprId Differentiator::copy(ExprId like, std::vector<ExprId> children) {
 ExprId Differentiator::make(Op op, std::uint8_t rank, std::vector<ExprId> children, std::int32_t exponent) {
   spend(children.size());
   return tree_.add({.op = op, .rank = rank, .span = span_, .exponent = exponent}, children);
+}
+
+ExprId Differentiator::applied(Function function, ExprId argument) {
+  spend(1);
+  return tree_.add({.op = Op::function, .span = span_, .function = function}, std::span(&argument, 1));
 }
 
 ExprId Differentiator::scaled(ExprId scalar, ExprId value) {

@@ -64,6 +64,7 @@ class Differentiator {
   Maybe of_product(ExprId id);
   Maybe of_quotient(ExprId id);
   Maybe of_power(ExprId id);
+  Maybe of_real_power(ExprId id);
   Maybe of_root(ExprId id);
   Maybe of_length(ExprId id);
   Maybe of_function(ExprId id);
@@ -78,6 +79,7 @@ class Differentiator {
   ExprId copy(ExprId like, std::vector<ExprId> children);
   ExprId make(Op op, std::uint8_t rank, std::vector<ExprId> children, std::int32_t exponent = 0);
   ExprId number(const char* digits) { return tree_.add_number(span_, digits); }
+  ExprId applied(Function function, ExprId argument);
   ExprId scaled(ExprId scalar, ExprId value);
 
   ExprTree& tree_;

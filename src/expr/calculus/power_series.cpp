@@ -36,6 +36,8 @@ std::optional<PowerSeries> PowerSeriesExpansion::of(ExprId id) {
         return quotient(id);
       case Op::power:
         return power(id);
+      case Op::real_power:
+        return real_power(id);
       case Op::root:
         return root(id);
       case Op::function:
@@ -270,9 +272,68 @@ std::optional<PowerSeries> PowerSeriesExpansion::root(ExprId id) {
   return result;
 }
 
+/// f = b^y with y constant and b_0 ≠ 0: k b_0 f_k = Σ_{0<i≤k} (i y − (k − i)) b_i f_{k−i}.
+std::optional<PowerSeries> PowerSeriesExpansion::real_power(ExprId id) {
+  const ExprId exponent = tree_.children(id)[1];
+  Maybe inside = from_zero(of(tree_.children(id)[0]));
+  if (depends(exponent) || !inside || !inside->terms[0] || is_zero_(*inside->terms[0]) != false)
+    return std::nullopt;
+  const std::vector<Term>& b = inside->terms;
+  PowerSeries result;
+  result.terms.emplace_back(make({.op = Op::real_power}, {*b[0], exponent}));
+  for (std::size_t k = 1; k < b.size(); ++k) {
+    std::vector<ExprId> terms;
+    for (std::size_t i = 1; i <= k; ++i) {
+      const int order = static_cast<int>(k);
+      const int power = static_cast<int>(i);
+      ExprId weight = scaled(power, order, exponent);
+      if (power < order)
+        weight = make({.op = Op::add},
+                      {weight, make({.op = Op::negate}, {scaled(order - power, order, number(1))})});
+      if (const Term term = scalar_times(weight, scalar_times(b[i], result.terms[k - i])))
+        terms.push_back(*term);
+    }
+    result.terms.push_back(over(added(std::move(terms), 0), *b[0]));
+  }
+  return result;
+}
+
+/// Of f with f' = u'/w: f_k = (u_k − Σ_{0<i<k} (i/k) f_i w_{k−i}) / w_0, where w is u for the logarithm,
+/// 1 + u² for the arc tangent and √(1 − u²) for the arc sine.
+std::optional<PowerSeries> PowerSeriesExpansion::inverse_function(ExprId id) {
+  const Function function = tree_[id].function;
+  const ExprId argument = tree_.children(id)[0];
+  const auto rate = [&] {
+    if (function == Function::log) return argument;
+    const ExprId square = make({.op = Op::power, .exponent = 2}, {argument});
+    if (function == Function::arctan) return make({.op = Op::add}, {number(1), square});
+    return make({.op = Op::root}, {make({.op = Op::add}, {number(1), make({.op = Op::negate}, {square})})});
+  };
+  const Maybe inside = from_zero(of(argument));
+  const Maybe below = from_zero(of(rate()));
+  if (!inside || !below || !below->terms[0] || is_zero_(*below->terms[0]) != false) return std::nullopt;
+  const std::vector<Term>& u = inside->terms;
+  const std::vector<Term>& w = below->terms;
+  const bool falls = function == Function::arccos;
+  PowerSeries result;
+  result.terms.emplace_back(make({.op = Op::function, .function = function}, {u[0].value_or(number(0))}));
+  for (std::size_t k = 1; k < u.size(); ++k) {
+    std::vector<ExprId> terms;
+    if (u[k]) terms.push_back(falls ? make({.op = Op::negate}, {*u[k]}) : *u[k]);
+    for (std::size_t i = 1; i < k; ++i) {
+      const Term share = scalar_times(result.terms[i], w[k - i]);
+      if (share)
+        terms.push_back(make({.op = Op::negate}, {scaled(static_cast<int>(i), static_cast<int>(k), *share)}));
+    }
+    result.terms.push_back(over(added(std::move(terms), 0), *w[0]));
+  }
+  return result;
+}
+
 /// With f' = g u': k f_k = Σ_{0<i≤k} i u_i g_{k−i}, where g is f for exp, cos for sin and −sin for cos.
 std::optional<PowerSeries> PowerSeriesExpansion::function(ExprId id) {
   const Function function = tree_[id].function;
+  if (function > Function::exp) return inverse_function(id);
   const Maybe inside = from_zero(of(tree_.children(id)[0]));
   if (!inside) return inside;
   const std::vector<Term>& u = inside->terms;

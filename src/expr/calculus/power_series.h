@@ -47,6 +47,8 @@ class PowerSeriesExpansion {
   Maybe quotient(ExprId id);
   Maybe power(ExprId id);
   Maybe root(ExprId id);
+  Maybe real_power(ExprId id);
+  Maybe inverse_function(ExprId id);
   Maybe function(ExprId id);
 
   PowerSeries product(const PowerSeries& a, const PowerSeries& b, ExprId like);

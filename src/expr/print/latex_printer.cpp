@@ -27,6 +27,14 @@ const char* sign_of(Function function) {
       return "\\cos";
     case Function::exp:
       return "\\exp";
+    case Function::log:
+      return "\\ln";
+    case Function::arcsin:
+      return "\\arcsin";
+    case Function::arccos:
+      return "\\arccos";
+    case Function::arctan:
+      return "\\arctan";
   }
   return "";
 }
@@ -71,6 +79,8 @@ LatexPrinter::Piece LatexPrinter::piece(ExprId id) {
       return quotient(id);
     case Op::power:
       return power(id);
+    case Op::real_power:
+      return real_power(id);
     case Op::root:
       return {"\\sqrt{" + text(child(id)) + "}"};
     case Op::length:
@@ -148,6 +158,13 @@ LatexPrinter::Piece LatexPrinter::power(ExprId id) {
   const bool labelled =
       tree_[base].op == Op::symbol && inside.text.find('^') != std::string::npos;  // `H^{(0)}`
   return {(labelled ? in_brackets(inside).text : inside.text) + exponent_text(exponent), Level::factor};
+}
+
+/// `x^{n - 1}`; what stands above is never a number alone, so that it is no order of a term.
+LatexPrinter::Piece LatexPrinter::real_power(ExprId id) {
+  const Piece base = at_least(Level::base, child(id, 0));
+  const bool raised = base.text.find('^') != std::string::npos;
+  return {(raised ? in_brackets(base).text : base.text) + "^{" + text(child(id, 1)) + "}", Level::factor};
 }
 
 bool LatexPrinter::has_letter_e() const {

@@ -42,6 +42,7 @@ class LatexPrinter {
   Piece sum(ExprId id);
   Piece quotient(ExprId id);
   Piece power(ExprId id);
+  Piece real_power(ExprId id);
   Piece function(ExprId id, int exponent);
   bool has_letter_e() const;
   Piece bars(ExprId id);

@@ -10,7 +10,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t op_count = static_cast<std::size_t>(Op::table) + 1;
-constexpr std::size_t function_count = static_cast<std::size_t>(Function::exp) + 1;
+constexpr std::size_t function_count = static_cast<std::size_t>(Function::arctan) + 1;
 constexpr std::size_t relation_count = static_cast<std::size_t>(Relation::unequal) + 1;
 constexpr std::size_t outcome_count = static_cast<std::size_t>(Outcome::undecided) + 1;
 
@@ -66,7 +66,7 @@ template <class Archive>
 void fields(Archive& archive, Symbol& symbol) {
   bool measures = symbol.unit_of_measure.has_value();
   archive(symbol.name, symbol.rank, symbol.per_particle, symbol.symmetric, symbol.unit, symbol.rotation,
-          symbol.declared, measures, symbol.derivation);
+          symbol.declared, symbol.circle_number, measures, symbol.derivation);
   if (measures) symbol.unit_of_measure.emplace();
   spaces_of(archive, symbol.axes, std::min(symbol.rank, most_axes_apart));
 }

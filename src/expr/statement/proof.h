@@ -46,6 +46,10 @@ struct ProofLetter {
     sine,         // of of/over
     cosine,       // of of/over
     exponential,  // of of/over
+    logarithm,    // of |of/over|
+    arcsine,      // of of/over
+    arctangent,   // of of/over
+    circle,       // π
     parameter,    // any number: how far something is from a bound
   };
   Kind kind = Kind::component;
@@ -167,7 +171,7 @@ void fields(Archive& archive, ProofTerm& term) {
 
 template <class Archive>
 void fields(Archive& archive, ProofLetter& letter) {
-  archive.bounded(letter.kind, 9);
+  archive.bounded(letter.kind, 13);
   archive(letter.symbol, letter.component, letter.particle, letter.of, letter.over);
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 [[nodiscard]] std::string_view name_of(Op op) {
   static constexpr auto names = std::to_array<std::string_view>(
-      {"number", "symbol",      "e",         "delta",        "epsilon",  "add",  "negate", "multiply",
-       "divide", "power",       "root",      "length",       "absolute", "dot",  "cross",  "component",
-       "tuple",  "determinant", "index-sum", "particle-sum", "function", "table"});
+      {"number",    "symbol", "e",           "delta",     "epsilon",      "add",      "negate", "multiply",
+       "divide",    "power",  "real-power",  "root",      "length",       "absolute", "dot",    "cross",
+       "component", "tuple",  "determinant", "index-sum", "particle-sum", "function", "table"});
   static_assert(names.size() == static_cast<std::size_t>(Op::table) + 1);
   return names[static_cast<std::size_t>(op)];
 }
@@ -27,6 +27,14 @@ namespace {
       return "cos";
     case Function::exp:
       return "exp";
+    case Function::log:
+      return "log";
+    case Function::arcsin:
+      return "arcsin";
+    case Function::arccos:
+      return "arccos";
+    case Function::arctan:
+      return "arctan";
   }
   return "?";
 }

@@ -56,13 +56,14 @@ struct Derivation {
 inline constexpr int largest_derivation = 1000;
 
 struct Symbol {
-  std::string name;           // LaTeX without indices and particle label: `\mathbf{r}`, `T_{\text{rot}}`
-  int rank = 0;               // 0 scalar, 1 vector, 2 and more tensor
-  bool per_particle = false;  // has a value for each particle
-  bool symmetric = false;     // rank 2: equal to its transpose
-  bool unit = false;          // rank 1: length 1
-  bool rotation = false;      // rank 2: orthogonal with determinant 1; the first axis is the rotated one
-  bool declared = false;      // a directive says what it is
+  std::string name;            // LaTeX without indices and particle label: `\mathbf{r}`, `T_{\text{rot}}`
+  int rank = 0;                // 0 scalar, 1 vector, 2 and more tensor
+  bool per_particle = false;   // has a value for each particle
+  bool symmetric = false;      // rank 2: equal to its transpose
+  bool unit = false;           // rank 1: length 1
+  bool rotation = false;       // rank 2: orthogonal with determinant 1; the first axis is the rotated one
+  bool declared = false;       // a directive says what it is
+  bool circle_number = false;  // π, unless it is defined
   std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes
   Span first_seen = {};
   std::optional<Derivation> derivation = {};  // of a derivative; the last axes, by space, can be exchanged

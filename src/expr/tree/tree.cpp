@@ -37,6 +37,7 @@ struct Shape {
     case Op::multiply:
       return {any_count, 0};
     case Op::divide:
+    case Op::real_power:
       return {2, 0};
     case Op::power:
       return {1, 0};
@@ -108,6 +109,8 @@ constexpr int no_rank = -1;
       return ranks.empty() ? no_rank : sum_of(ranks);
     case Op::divide:
       return ranks[1] == 0 ? ranks[0] : no_rank;
+    case Op::real_power:
+      return all_of_rank(ranks, 0) ? 0 : no_rank;
     case Op::power:
     case Op::root:
     case Op::absolute:

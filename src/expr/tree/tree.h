@@ -25,20 +25,21 @@ enum class IndexId : std::uint32_t {};     // an index variable, over the axes o
 enum class ParticleId : std::uint32_t {};  // a particle variable
 
 enum class Op : std::uint8_t {
-  number,     // text: decimal digits with at most one point, e.g. `2`, `0.25`
-  symbol,     // all slots given: rank 0; no slots: the symbol's rank. `particle` where the symbol is per
-              // particle
-  basis,      // e_s, a unit vector along the axis of its one slot; rank 1; `axes` says in which space
-  delta,      // two slots
-  epsilon,    // three slots; ε_123 = 1
-  add,        // any number of children, all of one rank
-  negate,     // one child
-  multiply,   // outer product in order; ranks add up (at most one child of rank > 0 is the usual case)
-  divide,     // dividend of any rank, divisor of rank 0
-  power,      // child of rank 0, integer `exponent`
-  root,       // the non-negative square root; rank 0
-  length,     // rank 1 -> rank 0: √(a·a), never negative
-  absolute,   // rank 0: √(a²)
+  number,      // text: decimal digits with at most one point, e.g. `2`, `0.25`
+  symbol,      // all slots given: rank 0; no slots: the symbol's rank. `particle` where the symbol is per
+               // particle
+  basis,       // e_s, a unit vector along the axis of its one slot; rank 1; `axes` says in which space
+  delta,       // two slots
+  epsilon,     // three slots; ε_123 = 1
+  add,         // any number of children, all of one rank
+  negate,      // one child
+  multiply,    // outer product in order; ranks add up (at most one child of rank > 0 is the usual case)
+  divide,      // dividend of any rank, divisor of rank 0
+  power,       // child of rank 0, integer `exponent`
+  real_power,  // base and exponent of rank 0: a real number where the base is positive; rank 0
+  root,        // the non-negative square root; rank 0
+  length,      // rank 1 -> rank 0: √(a·a), never negative
+  absolute,    // rank 0: √(a²)
   dot,        // contraction of the last axis of the first with the first axis of the second; rank a + b − 2
   cross,      // ranks 1, 1 -> 1: (a×b)_i = ε_ijk a_j b_k
   component,  // one child of rank = number of slots -> rank 0
@@ -52,7 +53,15 @@ enum class Op : std::uint8_t {
           // Table)
 };
 
-enum class Function : std::uint8_t { sin, cos, exp };
+enum class Function : std::uint8_t {
+  sin,
+  cos,
+  exp,
+  log,     // to the base e, of what is positive
+  arcsin,  // −π/2 … π/2
+  arccos,  // 0 … π
+  arctan,  // −π/2 … π/2
+};
 
 /// A place for an index: a literal axis, from 1, or a variable.
 struct Slot {

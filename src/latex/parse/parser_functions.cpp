@@ -97,6 +97,17 @@ SyntaxId Parser::function(Cursor& cursor, std::string_view name, std::size_t beh
     cursor.at = exponent->next;
     script = skip_blank(cursor.tokens, cursor.at);
   }
+  // `\log_{10} x`, `\log_2 x`
+  if (name == "log" && is_kind_at(cursor.tokens, script, TokenKind::subscript)) {
+    const Argument base = script_argument_at(cursor.tokens, script + 1);
+    const std::string digits = text_of(base.content);
+    if (digits == "10" || digits == "2") {
+      read(cursor.tokens.subspan(script, base.next - script));
+      name = digits == "2" ? "lb" : "lg";
+      cursor.at = base.next;
+      script = skip_blank(cursor.tokens, cursor.at);
+    }
+  }
   const bool other = script < cursor.tokens.size() && (cursor.tokens[script].kind == TokenKind::subscript ||
                                                        is_sign(cursor.tokens[script], "'"));
   const SyntaxId argument = function_argument(cursor, token.span, name, begin);

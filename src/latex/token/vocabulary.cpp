@@ -211,7 +211,9 @@ bool is_usual_angle(std::string_view letter) {
 
 std::string_view function_name(std::string_view word) {
   static const WordTable functions(R"(sin sin  cos cos  tan tan  cot cot  sec sec  csc csc  sinh sinh
-      cosh cosh  tanh tanh  exp exp  ln ln  log log  det det  determinant det
+      cosh cosh  tanh tanh  coth coth  sech sech  csch csch  exp exp  ln ln  log log  lg lg
+      arcsin arcsin  arccos arccos  arctan arctan  arsinh arsinh  arcosh arcosh  artanh artanh
+      arcsinh arsinh  arccosh arcosh  arctanh artanh  det det  determinant det
       tr tr  Tr tr  trace tr  Trace tr)");
   return functions.find(word);
 }
@@ -234,7 +236,7 @@ bool is_state_bracket(const Token& token) {
 std::string_view unread_reason(std::string_view control) {
   static const WordMap<std::string_view> reasons{
       {"fdv functionalderivative", "this derivative is not read"},
-      {"arcsin arccos arctan max min arg sgn coth lg", "functions such as this one are not decided yet"},
+      {"max min arg sgn", "functions such as this one are not decided yet"},
       {"iint oint oiint", "only integrals over a body (`dm`, `dV`, `d^3r`) are read"},
       {"dd differential", "a differential by itself is not read"},
       {"prod bigcup bigcap bigoplus", "this operator is not read"},

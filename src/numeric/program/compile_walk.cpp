@@ -84,6 +84,9 @@ Operand ExpressionCompiler::scalar_of(ExprId id) {
     }
     case Op::power:
       return scalar_power(id);
+    case Op::real_power:
+      fail("powers with such an exponent are not evaluated in floating point yet");
+      return ValueTable::zero;
     case Op::root:
       return values_.unary(Instruction::root, scalar(child(id)));
     case Op::length:
@@ -99,8 +102,10 @@ Operand ExpressionCompiler::scalar_of(ExprId id) {
           return values_.unary(Instruction::cos, argument);
         case Function::exp:
           return values_.unary(Instruction::exp, argument);
+        default:
+          fail("logarithms and arcs are not evaluated in floating point yet");
+          return ValueTable::zero;
       }
-      return ValueTable::zero;
     }
     case Op::table:
       return table_entry(id);

@@ -56,6 +56,8 @@ class Inference {
       }
       case Op::power:
         return scaled(of(children[0]), SmallRational(node.exponent));
+      case Op::real_power:
+        return of(children[0]) == Dimension() ? std::optional(Dimension()) : std::nullopt;
       case Op::root:
         return scaled(of(children[0]), SmallRational(1, 2));
       case Op::determinant: {  // any product in it has the dimension of the diagonal

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "algebra/sample/exact_value.h"
+#include "algebra/sample/point_value.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr int largest_count = 200;  // of arctan t or log t
 
 /// How often arctan t (twice) or log t is taken.
-[[nodiscard]] int count_of(const ExactValue::Part& part) {
+[[nodiscard]] int count_of(const PointValue::Part& part) {
   const Rational count = part.factor * part.meaning.multiple;
   if (cln::denominator(count) != 1 || cln::abs(count) > largest_count) {
     throw PointRejected("a multiple of an angle is not whole");
@@ -29,15 +29,41 @@ constexpr int largest_count = 200;  // of arctan t or log t
 
 }  // namespace
 
-const Rational& rational_of(const ExactValue& value) {
-  if (!value.parts.empty()) throw PointRejected("a value is not rational");
+const Rational& rational_of(const PointValue& value) {
+  if (!is_rational(value)) throw PointRejected("a value is not rational");
   return value.rational;
 }
 
-void add(ExactValue& total, const ExactValue& summand) {
+Enclosure enclosure_of(const PointValue& value) {
+  if (value.enclosed) return *value.enclosed;
+  Enclosure total{value.rational, value.rational};
+  for (const PointValue::Part& part : value.parts) {
+    const bool angle = part.meaning.kind == Meaning::Kind::angle;
+    const Rational factor = part.factor * part.meaning.multiple * (angle ? 2 : 1);
+    const Enclosure of = applied(angle ? Function::arctan : Function::log, {part.number, part.number});
+    total = sum(total, product({factor, factor}, of));
+  }
+  return total;
+}
+
+bool is_related(const PointValue& left, Relation relation, const PointValue& right) {
+  PointValue difference = left;
+  add(difference, scaled(right, -1));
+  if (is_rational(difference)) return is_related(difference.rational, relation, Rational(0));
+  const Enclosure bounds = enclosure_of(difference);
+  if (cln::plusp(bounds.low)) return is_related(Rational(1), relation, Rational(0));
+  if (cln::minusp(bounds.high)) return is_related(Rational(-1), relation, Rational(0));
+  throw ValuesTooNear("two values that cannot be told apart");
+}
+
+void add(PointValue& total, const PointValue& summand) {
+  if (total.enclosed || summand.enclosed) {
+    total = PointValue(sum(enclosure_of(total), enclosure_of(summand)));
+    return;
+  }
   total.rational = total.rational + summand.rational;
-  for (const ExactValue::Part& part : summand.parts) {
-    const auto at = std::ranges::lower_bound(total.parts, part.place, {}, &ExactValue::Part::place);
+  for (const PointValue::Part& part : summand.parts) {
+    const auto at = std::ranges::lower_bound(total.parts, part.place, {}, &PointValue::Part::place);
     if (at == total.parts.end() || at->place != part.place) {
       total.parts.insert(at, part);
       continue;
@@ -47,18 +73,20 @@ void add(ExactValue& total, const ExactValue& summand) {
   }
 }
 
-ExactValue scaled(ExactValue value, const Rational& factor) {
+PointValue scaled(PointValue value, const Rational& factor) {
   if (cln::zerop(factor)) return {};
+  if (value.enclosed) return PointValue(product(*value.enclosed, {factor, factor}));
   value.rational = value.rational * factor;
-  for (ExactValue::Part& part : value.parts) part.factor = part.factor * factor;
+  for (PointValue::Part& part : value.parts) part.factor = part.factor * factor;
   return value;
 }
 
 /// cos 2φ + i sin 2φ = (1 + i t)² / (1 + t²) for t = tan φ.
-CosineAndSine cosine_and_sine(const ExactValue& angle) {
-  if (!cln::zerop(angle.rational)) throw PointRejected("a value of a function is not rational");
+CosineAndSine cosine_and_sine(const PointValue& angle) {
+  if (angle.enclosed || !cln::zerop(angle.rational))
+    throw PointRejected("a value of a function is not rational");
   CosineAndSine total;
-  for (const ExactValue::Part& part : angle.parts) {
+  for (const PointValue::Part& part : angle.parts) {
     if (part.meaning.kind != Meaning::Kind::angle)
       throw PointRejected("a value of a function is not rational");
     const Rational square = part.number * part.number;
@@ -70,16 +98,21 @@ CosineAndSine cosine_and_sine(const ExactValue& angle) {
   return total;
 }
 
-Rational exponential(const ExactValue& value) {
-  if (!cln::zerop(value.rational)) throw PointRejected("a value of a function is not rational");
+Rational exponential(const PointValue& value) {
+  if (value.enclosed || !cln::zerop(value.rational))
+    throw PointRejected("a value of a function is not rational");
   Rational product = 1;
-  for (const ExactValue::Part& part : value.parts) {
+  for (const PointValue::Part& part : value.parts) {
     if (part.meaning.kind != Meaning::Kind::logarithm || !cln::plusp(part.number)) {
       throw PointRejected("a value of a function is not rational");
     }
     product = product * power_of(part.number, count_of(part));
   }
   return product;
+}
+
+std::string to_text(const PointValue& value) {
+  return is_rational(value) ? to_text(value.rational) : to_text(enclosure_of(value));
 }
 
 std::string to_text(const Rational& number, const Meaning& meaning) {
