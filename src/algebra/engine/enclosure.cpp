@@ -133,10 +133,13 @@ Enclosure circle_number() { return widened(cln::pi(cln::float_format(function_di
 
 std::string to_text(const Enclosure& value) {
   const Rational middle = (value.low + value.high) / 2;
-  const Rational size = cln::abs(middle);
+  const bool may_be_zero = !cln::plusp(value.low) && !cln::minusp(value.high);
+  const Rational size = may_be_zero ? Rational(0) : cln::abs(middle);
   int decimals = shown_digits;
   for (Rational scale = 1; decimals > 1 && scale <= size; scale = scale * 10) --decimals;
-  for (Rational scale = Rational(1) / 10; decimals < most_decimals && scale > size; scale = scale / 10) ++decimals;
+  for (Rational scale = Rational(1) / 10; !may_be_zero && decimals < most_decimals && scale > size;
+       scale = scale / 10)
+    ++decimals;
   std::string digits = to_text(Rational(cln::round1(size * power_of(10, decimals))));
   const auto places = static_cast<std::size_t>(decimals);
   if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');

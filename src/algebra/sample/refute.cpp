@@ -32,6 +32,15 @@ constexpr std::size_t most_zero_alone = 8;  // symbols
   return text + std::to_string(point.particles());
 }
 
+/// Numbers below 1, as an arc sine asks for.
+[[nodiscard]] SamplePoint made_small(SamplePoint point) {
+  constexpr int divisor = 10;
+  for (const Coordinate& at : point.coordinates()) {
+    if (point.is_free(at)) point.set(at, point[at] / divisor);
+  }
+  return point;
+}
+
 Reach reach_of_sample(const Scope& scope, const std::vector<std::size_t>& assumptions) {
   std::vector<ExprId> roots{scope.question().claim.left, scope.question().claim.right};
   for (const std::size_t position : assumptions) {
@@ -145,7 +154,9 @@ std::optional<Refuter::Counterexample> Refuter::search_enclosed() {
   evaluator_.enclose();
   const std::uint32_t most = sequence_.drawn() + std::min(limits_.sample_attempts, enclosed_attempts);
   while (sequence_.drawn() < most) {
-    if (auto found = attempt_next()) return found;
+    const std::uint32_t attempt = sequence_.drawn();
+    const SamplePoint point = sequence_.next();
+    if (auto found = fails_on(attempt % 2 == 0 ? point : made_small(point), attempt)) return found;
   }
   return std::nullopt;
 }
@@ -158,7 +169,8 @@ bool Refuter::finds_a_point() {
   evaluator_.take_circle_number_as_rational();
   look(std::max(limits_.sample_attempts, sequence_.drawn() + quick_attempts));
   evaluator_.enclose();
-  look(sequence_.drawn() + enclosed_attempts);
+  for (std::uint32_t k = 0; k < enclosed_attempts && !found(); ++k)
+    static_cast<void>(fails_on(k % 2 == 0 ? sequence_.next() : made_small(sequence_.next()), k));
   evaluator_.take_circle_number_as_it_is();
   return found();
 }

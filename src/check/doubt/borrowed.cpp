@@ -149,7 +149,7 @@ class Heeding {
     const std::vector<ExprId> nodes = nodes_below(tree_, {claim_.equation.left, claim_.equation.right});
     return std::ranges::all_of(nodes, [this](ExprId id) {
       const ExprNode& node = tree_[id];
-      const bool letter = node.op == Op::symbol && !tree_.symbols[node.symbol].unit_of_measure;
+      const bool letter = node.op == Op::symbol && !tree_.symbols[node.symbol].is_fixed();
       return !letter && node.rank == 0 && node.slot_count == 0;
     });
   }

@@ -23,7 +23,7 @@ bool is_of_scalars(const ExprTree& tree, ExprId side) {
   const std::vector<SymbolId> symbols = symbols_in(tree, side);
   return tree[side].rank == 0 && std::ranges::all_of(symbols, [&](SymbolId id) {
            const Symbol& symbol = tree.symbols[id];
-           return !symbol.derivation && !symbol.rotation && !symbol.per_particle && !symbol.unit_of_measure;
+           return !symbol.derivation && !symbol.rotation && !symbol.per_particle && !symbol.is_fixed();
          });
 }
 

@@ -223,8 +223,7 @@ std::vector<SymbolId> not_zero(const RowUnderLaws& row, const Laws& set) {
     if (vanishes(law->equation)) continue;
     for (const SymbolId letter : base_letters(row.tree, row.names.scope, law->equation)) {
       const Symbol& symbol = row.tree.symbols[letter];
-      const bool plain =
-          symbol.rank == 0 && !symbol.per_particle && !symbol.unit_of_measure && !symbol.circle_number;
+      const bool plain = symbol.rank == 0 && !symbol.per_particle && !symbol.is_fixed();
       const bool free = plain && !own.contains(letter) && definition_of(row.names.scope, letter) == nullptr;
       if (free && !is_one_of(letter, letters) && letters.size() < most_not_zero) letters.push_back(letter);
     }

@@ -90,9 +90,9 @@ std::vector<SymbolId> free_constants(const RowUnderLaws& row, const Equation& la
   for (const SymbolId letter : base_letters(row.tree, row.names.scope, right)) {
     const Symbol& symbol = row.tree.symbols[letter];
     const NameKey* key = key_of(row.names.symbols, letter);
-    const bool plain = symbol.rank == 0 && !symbol.per_particle && !symbol.unit_of_measure &&
-                       key != nullptr && definition_of(row.names.scope, letter) == nullptr;
-    if (!plain || known.contains(letter) || *key == NameKey{"\\pi", 0, false}) continue;
+    const bool plain = symbol.rank == 0 && !symbol.per_particle && !symbol.is_fixed() && key != nullptr &&
+                       definition_of(row.names.scope, letter) == nullptr;
+    if (!plain || known.contains(letter)) continue;
     if (seen_in_equation(row.names.scope, letter)) continue;
     const bool changes = may_be_changing(*row.names.symbols.evidence, key->base) &&
                          !is_function_value(row.names, row.tree, letter);

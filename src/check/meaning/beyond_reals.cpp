@@ -24,7 +24,7 @@ const NameKey* open_key(const ExprTree& tree, const Names& names, SymbolId symbo
   const Symbol& each = tree.symbols[symbol];
   const SymbolId base = each.derivation ? each.derivation->base : symbol;
   const Symbol& whole = tree.symbols[base];
-  if (whole.declared || whole.unit_of_measure || whole.rank != 0) return nullptr;
+  if (whole.declared || whole.is_fixed() || whole.rank != 0) return nullptr;
   return key_of(names.symbols, base);
 }
 

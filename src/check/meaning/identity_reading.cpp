@@ -63,7 +63,7 @@ std::vector<SymbolId> symbols_not_for_all(const ExprTree& tree, const NameScope&
   std::copy_if(symbols.begin(), symbols.end(), std::back_inserter(open), [&](SymbolId symbol) {
     const SymbolId base = base_of(tree.symbols, symbol);
     const Symbol& known = tree.symbols[base];
-    return !is_for_all(scope, base) && !known.unit_of_measure && !known.rotation && !known.circle_number;
+    return !is_for_all(scope, base) && !known.is_fixed() && !known.rotation;
   });
   return open;
 }

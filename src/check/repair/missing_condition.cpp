@@ -59,7 +59,7 @@ class Conditions {
     std::vector<const Symbol*> found;
     for (const SymbolId id : symbols_) {
       const Symbol& symbol = tree_.symbols[id];
-      const bool plain = !symbol.derivation && !symbol.rotation && !symbol.unit;
+      const bool plain = !symbol.derivation && !symbol.rotation && !symbol.unit && !symbol.is_fixed();
       if (plain && symbol.rank == rank && symbol.per_particle == per_particle) found.push_back(&symbol);
     }
     return found;

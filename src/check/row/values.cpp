@@ -35,7 +35,7 @@ std::optional<SymbolId> bare_letter(const ExprTree& tree, ExprId side) {
   const ExprNode& node = tree[side];
   const bool bare = node.op == Op::symbol && node.rank == 0 && node.slot_count == 0 &&
                     node.particle == no_particle && !tree.symbols[node.symbol].derivation &&
-                    !tree.symbols[node.symbol].unit_of_measure;
+                    !tree.symbols[node.symbol].is_fixed();
   return bare ? std::optional(node.symbol) : std::nullopt;
 }
 

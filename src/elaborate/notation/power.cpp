@@ -72,6 +72,7 @@ std::optional<std::vector<std::string>> letters_of_number(const SyntaxTree& synt
       case SyntaxKind::term:
       case SyntaxKind::fraction:
       case SyntaxKind::group:
+      case SyntaxKind::power:
         break;
       case SyntaxKind::symbol: {
         const WrittenSymbol& symbol = syntax.symbol(id);

@@ -69,6 +69,8 @@ struct Symbol {
   std::optional<Derivation> derivation = {};  // of a derivative; the last axes, by space, can be exchanged
   AxisSpaces axes = {};                       // orthonormal
 
+  /// A unit of measure or π: it has the one value that it has.
+  [[nodiscard]] bool is_fixed() const { return unit_of_measure.has_value() || circle_number; }
   /// How often it is differentiated, by this or by anything.
   [[nodiscard]] int order(const Variable& by) const {
     return derivation ? static_cast<int>(derivation->by.count(by)) : 0;
