@@ -41,6 +41,7 @@ bool is_plain(const Json& step) {
   if (step["source"].get<std::string>().find("O(") != std::string::npos) return false;  // coefficients
   for (const Json& use : step["uses"]) {
     if (use.get<std::string>().starts_with("definition")) return false;
+    if (use.get<std::string>().find("are differentiated by") != std::string::npos) return false;
   }
   for (const char* side : {"left", "right"}) {  // bounds, and what is rounded
     const auto text = example[side].get<std::string>();

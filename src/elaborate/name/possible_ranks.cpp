@@ -115,6 +115,8 @@ class RankReader {
         return component(id);
       case SyntaxKind::group:
       case SyntaxKind::big_sum:
+      case SyntaxKind::line_integral:
+      case SyntaxKind::between:
         return read(syntax_.child(id, 0));
       case SyntaxKind::bars:
       case SyntaxKind::norm:

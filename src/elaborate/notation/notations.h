@@ -12,6 +12,7 @@ ReadPart elaborate_bars, elaborate_component;                       // bracket.c
 ReadPart elaborate_cases;                                           // cases.cpp
 ReadPart elaborate_derivative;                                      // derivative.cpp
 ReadPart elaborate_function, elaborate_integral;                    // function.cpp
+ReadPart elaborate_line_integral, elaborate_between;                // integral.cpp
 ReadPart elaborate_tuple, elaborate_matrix, elaborate_determinant;  // matrix.cpp
 ReadPart elaborate_power, elaborate_root;                           // power.cpp
 ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
