@@ -93,8 +93,9 @@ void see_units(const SyntaxTree& syntax, SyntaxId id, Evidence& evidence) {
   }
 }
 
-/// `i^2 = -1`, `i = \sqrt{-1}`; and `i = 5`, which no unit is.
-void see_equation_of_unit(const SyntaxTree& syntax, SyntaxId side, SyntaxId other, Evidence& evidence) {
+/// `i^2 = -1`, `i = \sqrt{-1}`; and `i = 5` (`defines`: the side comes first), which no unit is.
+void see_equation_of_unit(const SyntaxTree& syntax, SyntaxId side, SyntaxId other, bool defines,
+                          Evidence& evidence) {
   const bool squared =
       syntax[side].kind == SyntaxKind::power && is_number(syntax, syntax.child(side, 1), "2");
   const SyntaxId unit = squared ? syntax.child(side, 0) : side;
@@ -104,7 +105,7 @@ void see_equation_of_unit(const SyntaxTree& syntax, SyntaxId side, SyntaxId othe
   const std::string& letter = syntax.symbol(unit).letter;
   if (squared ? is_minus_one(syntax, other) : root) {
     evidence.imaginary_units.insert(letter);
-  } else if (!squared) {
+  } else if (!squared && defines) {
     evidence.no_units.insert(letter);
   }
 }
@@ -316,7 +317,7 @@ void see_complex(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, E
   for (const SyntaxId side : sides) {
     for (const SyntaxId other : sides) {
       if (side == other) continue;
-      see_equation_of_unit(syntax, side, other, evidence);
+      see_equation_of_unit(syntax, side, other, side == sides.front(), evidence);
       see_makings(syntax, side, other, evidence);
     }
   }

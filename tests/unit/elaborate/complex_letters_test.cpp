@@ -49,6 +49,7 @@ TEST_CASE("an i above an e, beside hbar or in words is the imaginary unit", "[ev
   CHECK(shows_unit({"i", "\\sqrt{-1}"}));
   CHECK(shows_unit({"z", "x + iy"}, "Complex numbers are"));
   CHECK(shows_unit({"a", "b"}, "with $e^{i\\theta}$"));
+  CHECK(shows_unit({"z", "i"}, "complex numbers"));
 }
 
 TEST_CASE("an i that is an index, a current or a number shows nothing", "[evidence]") {
