@@ -69,7 +69,8 @@ std::string replayed(const Json& step) {
     note += fmt::format("claim {} = {}\n", step[side].get<std::string>(),
                         number(example[side].get<std::string>()));
   }
-  return note + "-->\n";
+  const bool complex = note.find("i\n") != std::string::npos;  // `let q = 1 - 2i`
+  return (complex ? "Here $i$ is the imaginary unit.\n\n" : "") + note + "-->\n";
 }
 
 /// How many of a report's refutations are confirmed and how many are not, one file.

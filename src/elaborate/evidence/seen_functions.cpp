@@ -161,7 +161,8 @@ SyntaxId without_derivatives(const SyntaxTree& syntax, SyntaxId id) {
     const SyntaxKind kind = syntax[id].kind;
     const bool applied = kind == SyntaxKind::term && syntax[id].count == 2 &&
                          !letters_in_bracket(syntax, syntax.child(id, 1)).empty();
-    if (kind != SyntaxKind::group && kind != SyntaxKind::derivative && !applied) return id;
+    const bool starred = kind == SyntaxKind::function && syntax.text(id) == "conjugate";  // `\psi^*(x)`
+    if (kind != SyntaxKind::group && kind != SyntaxKind::derivative && !applied && !starred) return id;
     id = syntax.child(id, 0);
   }
 }
@@ -204,7 +205,8 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
 }
 
 bool is_never_applied(const WrittenSymbol& symbol) {
-  static constexpr std::string_view letters[] = {"\\pi", "i", "d", "O", "o", "\\delta", "\\Delta", "\\nabla"};
+  static constexpr std::string_view letters[] = {"\\pi", "i",       "\\mathrm{i}", "d",      "O",
+                                                 "o",    "\\delta", "\\Delta",     "\\nabla"};
   return is_one_of(symbol.letter, letters) || !symbol.change.empty();
 }
 
@@ -239,7 +241,7 @@ bool is_function_of(const Evidence& evidence, std::string_view name, std::string
 
 bool is_own_variable(const Evidence& evidence, std::string_view letter) {
   static constexpr std::string_view coordinates[] = {"x", "y", "z"};
-  if (!is_one_of(letter, coordinates)) return true;
+  if (!is_one_of(letter, coordinates) || evidence.complex_numbers.contains(std::string(letter))) return true;
   return std::ranges::any_of(coordinates, [&](std::string_view other) {
     return other != letter && is_function_of(evidence, other, letter);
   });

@@ -17,6 +17,7 @@ struct NameKey {
   int rank = 0;
   bool per_particle = false;
   std::uint8_t space = 0;  // of its axes, as `Space::id`; `Symbols` fills in the one in force
+  bool complex = false;    // `Symbols` fills in what the section shows
   friend auto operator<=>(const NameKey&, const NameKey&) = default;
 };
 

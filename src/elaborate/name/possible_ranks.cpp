@@ -9,6 +9,7 @@
 #include <functional>
 #include <span>
 
+#include "base/among.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -270,7 +271,7 @@ class RankReader {
     const std::string& name = syntax_.text(id);
     if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what is next to it");
     const RankSet inside = read(syntax_.child(id, 0));
-    if (name == "D/Dt") return inside;
+    if (is_one_of(name, {"D/Dt", "conjugate", "bar", "Re", "Im"})) return inside;
     if (name == "det" || name == "tr") return scalar;
     if (const auto of_field = field_operator(name)) {
       if (*of_field == FieldOperator::gradient) return static_cast<RankSet>(inside << 1 & any_rank);

@@ -136,6 +136,10 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
       return SpelledPart{both, "this can be a change of second order, or a power and a factor", {}};
     if (power_of_symbol && may_be_inverse(reading, id, next))
       return SpelledPart{both, "this can be the value of the inverse function, or a reciprocal", {}};
+    const bool starred = syntax[id].kind == SyntaxKind::function && syntax.text(id) == "conjugate";
+    if (starred && syntax[next].kind == SyntaxKind::group &&
+        part_of_bracket(reading, without_derivatives(syntax, id), next) != BracketPart::factor)
+      return SpelledPart{both, "this can be a product, or the conjugate of a function's value", {}};
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, id)) continue;

@@ -192,6 +192,10 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   }
   if (base->rank > 1) return unsupported(reading, span, "a power of a tensor is not decided");
   if (number_above) return real_power(reading, *base, exponent, span, around);
+  if (base->rank == 1 && has_complex_numbers(reading.tree, base->id))
+    return ambiguous(reading, span,
+                     "a power of a complex vector can be one of its length, or of its product with itself",
+                     {"write `|…|^2`, or the product with a dot"});
   if (base->rank == 1) {
     if (*halves == 4) return apply_op(reading.tree, Op::dot, span, 0, {*base, *base});
     if (*halves % 4 != 0)

@@ -91,6 +91,7 @@ struct Symbol {
   bool symmetric = false;      // rank 2: equal to its transpose
   bool unit = false;           // rank 1: length 1
   bool rotation = false;       // rank 2: orthogonal with determinant 1; the first axis is the rotated one
+  bool complex = false;        // each component is a complex number; all others are real
   bool declared = false;       // a directive says what it is
   bool circle_number = false;  // π, unless it is defined
   std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes

@@ -361,9 +361,17 @@ SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {
   return tree_.add_symbol(span, std::move(symbol));
 }
 
+/// `z^*`
+bool Parser::is_conjugate(SyntaxId node) const {
+  return tree_[node].kind == SyntaxKind::function && tree_.text(node) == "conjugate";
+}
+
 SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind == SyntaxKind::opaque) return base;
+  if (is_conjugate(base) && tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol)  // \psi^*_n
+    return tree_.add_named(SyntaxKind::function, span, "conjugate",
+                           add_indices(tree_.child(base, 0), content, place));
   if (tree_[base].kind == SyntaxKind::power &&
       tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol) {  // v^2_x
     const SyntaxChild children[] = {{add_indices(tree_.child(base, 0), content, place)},
@@ -416,12 +424,14 @@ SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind == SyntaxKind::opaque) return base;
   if (content.size() == 1) {
-    for (const char* mark : {"*", "+"}) {
-      if (is_sign(content[0], mark)) return opaque(place, "a conjugate or adjoint is not read yet");
+    if (is_sign(content[0], "*") || is_control_of(content[0], {"ast", "star"})) {
+      read(content);
+      return tree_.add_named(SyntaxKind::function, span, "conjugate", base);
     }
+    if (is_sign(content[0], "+")) return opaque(place, "an adjoint is not read yet");
     if (is_sign(content[0], "-") || is_control(content[0], "pm") || is_control(content[0], "mp"))
       return opaque(place, "a sign above a letter is a label, which is not read yet");
-    for (const char* mark : {"T", "dagger", "dag", "top", "intercal", "ast", "star"}) {
+    for (const char* mark : {"T", "dagger", "dag", "top", "intercal"}) {
       if (content[0].text == mark) return opaque(place, "a transpose or adjoint is not read yet");
     }
   }

@@ -133,6 +133,13 @@ SyntaxId Parser::function_argument(Cursor& cursor, Span place, std::string_view 
     const SyntaxId argument = factor(cursor);
     const std::size_t next = skip_narrow(cursor.tokens, cursor.at);
     if (matrix_function && is_bold(cursor.tokens, next)) return unclear_argument(place, name);
+    // `\Re\mathbf E_0 e^{i\omega t}`
+    const bool part = name == "Re" || name == "Im";
+    const bool more =
+        next < cursor.tokens.size() &&
+        (is_bold(cursor.tokens, next) || is_plain_factor(cursor.tokens, next) ||
+         opens_argument(cursor.tokens[next]) || factor_joint(cursor.tokens[next]) != Joint::none);
+    if (part && more) return unclear_argument(place, name);
     return argument;
   }
   return plain_argument(cursor, name, begin);

@@ -95,10 +95,21 @@ TEST_CASE("a superscript is a power of all that it stands on") {
 }
 
 TEST_CASE("a transpose or an adjoint is no power") {
-  for (const char* mark : {"T", "*", "\\dagger", "\\top", "\\star"}) {
+  for (const char* mark : {"T", "+", "\\dagger", "\\top"}) {
     INFO(mark);
     CHECK(parsed(std::string("A^") + mark) == "<unsupported>");
   }
+}
+
+TEST_CASE("a star above is a conjugate, on the letter with its indices") {
+  for (const char* mark : {"*", "{*}", "\\ast", "{\\star}"}) {
+    INFO(mark);
+    CHECK(parsed(std::string("A^") + mark) == "(conjugate A)");
+  }
+  CHECK(parsed("A_n^*") == parsed("A^*_n"));
+  CHECK(parsed("(a + b)^*") == "(conjugate (group (sum +a +b)))");
+  CHECK(parsed("\\overline{a + b}") == "(bar (sum +a +b))");
+  CHECK(parsed("\\bar a") == "bar:a");
 }
 
 TEST_CASE("fractions and square roots take their arguments") {

@@ -30,6 +30,17 @@ std::string repeated(const std::string& text, int count) {
 
 }  // namespace
 
+TEST_CASE("a real or imaginary part takes a bracket, or the plain factors behind it") {
+  for (const char* text : {"\\Re z", "\\operatorname{Re} z", "\\mathrm{Re}(z)"}) {
+    INFO(text);
+    CHECK(parsed(text) == "(Re z)");
+  }
+  CHECK(parsed("\\Im(z w)") == "(Im (term z w))");
+  CHECK(parsed("\\Re\\mathbf{E}") == "(Re vector:E)");
+  CHECK(parsed("\\Re\\{z + w\\}") == "(Re (sum +z +w))");
+  CHECK(parsed("\\Re\\mathbf{E} z") == "(term <ambiguous-reading> z)");
+}
+
 TEST_CASE("a bracket behind a function is its argument") {
   for (const char* text :
        {"\\cos(x)", "\\cos[x]", "\\cos\\left(x\\right)", "\\cos{x}", "\\cos\\bigl(x\\bigr)", "\\cos x",
