@@ -539,6 +539,13 @@ class Judging {
     }
     if (claim_.doubt != nullptr) return doubted();
     if (speaks_of_open_integral() || may_be_rounded(*decision.sample)) return;
+    if (claim_.reading->found.differentiates_logarithm &&
+        (order || asks_for_real_numbers(tree_, prepared_.question))) {
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided,
+          "it was found to fail only where the logarithm that is differentiated may have no value");
+      return;
+    }
     if (speaks_of_values()) {
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,

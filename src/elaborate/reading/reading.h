@@ -97,6 +97,7 @@ struct Reading {
     std::set<std::string> positions;        // the ways in which it writes the position
     Directives used;                        // what was looked up is said by these
     bool differentiates_position = false;
+    bool differentiates_logarithm = false;  // whose derivative has values where it has none itself
   } found = {};
 
   struct Derivatives {

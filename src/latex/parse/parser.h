@@ -156,6 +156,7 @@ class Parser {
   SyntaxId plain_argument(Cursor& cursor, std::string_view name, std::size_t begin);
   bool argument_ends(const Cursor& cursor, const Application& application);
   bool bracket_belongs(const Cursor& cursor, const Application& application);
+  bool power_belongs(const Cursor& cursor, const Application& application);
   SyntaxId unclear_argument(Span span, std::string_view name);
   [[nodiscard]] bool is_rate_or_change(SyntaxId node) const;
   [[nodiscard]] bool is_conjugate(SyntaxId node) const;
