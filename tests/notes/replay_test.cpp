@@ -39,6 +39,7 @@ bool is_plain(const Json& step) {
   const Json& example = step["counterexample"];
   if (step["source"].get<std::string>().find("(cyclic image ") != std::string::npos) return false;
   if (step["source"].get<std::string>().find("O(") != std::string::npos) return false;  // coefficients
+  if (step["source"].get<std::string>().find("\\frac{d}{d") != std::string::npos) return false;
   for (const Json& use : step["uses"]) {
     if (use.get<std::string>().starts_with("definition")) return false;
     if (use.get<std::string>().find("are differentiated by") != std::string::npos) return false;

@@ -85,7 +85,7 @@ bool IntegralValues::changes_with(SymbolId variable, SymbolId symbol, bool shown
   if (sources_.contains(symbol)) return bound_ == variable;
   const Symbol& known = tree_.symbols[symbol];
   if (bound_ == variable && !known.integral) return false;  // what changes with it was put there
-  if (known.unit_of_measure || is_declared_constant(names_.scope, symbol)) return false;
+  if (known.is_fixed() || is_declared_constant(names_.scope, symbol)) return false;
   if (known.integral) {
     const auto& upper = known.integral->upper;
     const bool reaches = !upper || (upper->at && holds_variable(*upper->at));
@@ -96,8 +96,6 @@ bool IntegralValues::changes_with(SymbolId variable, SymbolId symbol, bool shown
       value != names_.symbols.function_values->end())
     return std::ranges::any_of(value->second.at, holds_variable);
   if (std::ranges::any_of(values_, [&](const auto& entry) { return entry.second == symbol; })) return false;
-  const NameKey* key = key_of(names_.symbols, symbol);
-  if (key != nullptr && key->base == "\\pi") return false;
   if (!shown) return may_run_(symbol) || is_tied_to(names_, symbol, variable);
   return shows_change(names_, symbol, variable);
 }

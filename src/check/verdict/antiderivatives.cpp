@@ -160,7 +160,7 @@ class Differentiating {
     const Names& names = reading_.names;
     const Symbol& known = tree().symbols[symbol];
     if (symbol == integral_.variable) return {Kind::variable, integral_.axis};
-    if (known.unit_of_measure || is_declared_constant(names.scope, symbol)) return {Kind::constant};
+    if (known.is_fixed() || is_declared_constant(names.scope, symbol)) return {Kind::constant};
     if (known.derivation || known.rank > 0 || known.per_particle || known.integral) return {Kind::varies};
     if (names.scope.variables->contains(symbol)) return {Kind::varies};
     const auto value = names.symbols.function_values->find(symbol);
@@ -172,7 +172,7 @@ class Differentiating {
     const NameKey* key = key_of(names.symbols, symbol);
     const Evidence& evidence = *names.symbols.evidence;
     if (key == nullptr || is_changing(evidence, key->base)) return {Kind::varies};
-    if (is_usual_constant(key->base) || key->base == "\\pi") return {Kind::constant};
+    if (is_usual_constant(key->base)) return {Kind::constant};
     const bool beside = beside_variable_.contains(symbol);
     const bool may_change = beside ? changes_in_section(names, symbol) : may_be_changing(evidence, key->base);
     const bool said = beside && !may_change;

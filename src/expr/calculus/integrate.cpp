@@ -33,12 +33,22 @@ struct Wave {
 };
 
 /// A term's factors with the variable, by their kind.
+/// 1/(c + s x²), or 1/√(c + s x²).
+struct Quadratic {
+  ExprId constant{};
+  ExprId slope{};
+  bool under_root = false;
+};
+
 struct Factors {
   int power = 0;  // of the variable
   std::vector<LinearPower> powers = {};
   std::optional<Linear> exponent = {};
   std::vector<Wave> waves = {};
+  std::optional<Quadratic> quadratic = {};
+  std::optional<Linear> logarithm = {};  // of it
   std::vector<ExprId> others = {};
+  int count = 0;  // of all factors
 };
 
 class Integrator {
@@ -80,6 +90,9 @@ class Integrator {
     if (!factors) return std::nullopt;
     const bool waves = !factors->waves.empty();
     const bool algebraic = !waves && !factors->exponent;
+    if (factors->quadratic)
+      return factors->count == 1 ? std::optional(of_quadratic(*factors->quadratic)) : std::nullopt;
+    if (factors->logarithm) return factors->count == 1 ? of_logarithm(*factors->logarithm) : std::nullopt;
     if (!factors->others.empty()) return of_function(term, *factors);
     if (algebraic && factors->powers.empty()) return of_variable(factors->power);
     if (algebraic && factors->powers.size() == 1) return of_linear_power(factors->power, factors->powers[0]);
@@ -245,6 +258,7 @@ class Integrator {
   }
 
   bool add_factor(ExprId factor, Factors& all) {
+    ++all.count;
     int exponent = 1;
     ExprId base = factor;
     if (tree_[factor].op == Op::power) {
@@ -258,7 +272,7 @@ class Integrator {
     }
     if (node.op == Op::root) {
       const ExprId inside = tree_.children(base)[0];
-      return add_power(inside, exponent, all);
+      return add_power(inside, exponent, all) || (exponent == -1 && add_quadratic(inside, true, all));
     }
     if (node.op == Op::function) {
       const auto argument = linear(tree_.children(base)[0]);
@@ -268,6 +282,8 @@ class Integrator {
           all.exponent = all.exponent ? added(*all.exponent, *argument, false) : *argument;
         } else if (node.function == Function::sin || node.function == Function::cos) {
           all.waves.push_back({node.function == Function::sin, *argument});
+        } else if (node.function == Function::log && exponent == 1) {
+          all.logarithm = *argument;
         } else {
           return false;
         }
@@ -278,7 +294,24 @@ class Integrator {
       all.others.push_back(factor);
       return true;
     }
-    return add_power(base, 2 * exponent, all);
+    return add_power(base, 2 * exponent, all) || (exponent == -1 && add_quadratic(base, false, all));
+  }
+
+  bool add_quadratic(ExprId base, bool under_root, Factors& all) {
+    const Terms parts = terms(base);
+    if (!parts || all.quadratic) return false;
+    std::vector<ExprId> constants;
+    std::vector<ExprId> slopes;
+    for (const IntegrandTerm& part : *parts) {
+      const bool square = part.running.size() == 1 && tree_[part.running[0]].op == Op::power &&
+                          tree_[part.running[0]].exponent == 2 &&
+                          is_variable(tree_.children(part.running[0])[0]);
+      if (!part.running.empty() && !square) return false;
+      (square ? slopes : constants).push_back(product(part.constant));
+    }
+    if (constants.empty() || slopes.empty()) return false;
+    all.quadratic = Quadratic{sum(std::move(constants)), sum(std::move(slopes)), under_root};
+    return true;
   }
 
   bool add_power(ExprId base, int twice, Factors& all) {
@@ -328,7 +361,8 @@ class Integrator {
   // --- their antiderivatives
 
   std::optional<Primitive> of_variable(int n) {
-    if (n == -1 || n > highest_power || n < -highest_power) return std::nullopt;
+    if (n == -1) return Primitive{.value = logarithm_of(variable())};
+    if (n > highest_power || n < -highest_power) return std::nullopt;
     const ExprId raised = over(power(variable(), n + 1), number(std::abs(n + 1)));
     Primitive result{.value = n < -1 ? negative(raised) : raised, .falls = n < -1};
     return result;
@@ -344,9 +378,9 @@ class Integrator {
     int binomial = 1;  // n over j
     for (int j = 0; j <= n; ++j) {
       const int twice = factor.twice + 2 * j + 2;
-      if (twice == 0) return std::nullopt;
       const ExprId raised =
-          over(product({number(2), half_power(factor.base, twice)}), number(std::abs(twice)));
+          twice == 0 ? logarithm_of(factor.base)
+                     : over(product({number(2), half_power(factor.base, twice)}), number(std::abs(twice)));
       const ExprId term = product({number(binomial), power(shift, n - j), raised});
       terms.push_back(over(twice < 0 ? negative(term) : term, power(slope, n + 1)));
       result.falls = result.falls && twice < 0;
@@ -360,6 +394,41 @@ class Integrator {
     }
     result.value = sum(std::move(terms));
     return result;
+  }
+
+  /// ln|u|, whatever the sign of u.
+  ExprId logarithm_of(ExprId base) { return over(apply(Function::log, power(base, 2)), number(2)); }
+
+  /// A square root that is seen at once.
+  ExprId root_of(ExprId id) {
+    if (is_one(id)) return id;
+    const ExprNode node = tree_[id];
+    if (node.op == Op::power && node.exponent % 2 == 0)
+      return power(tree_.children(id)[0], node.exponent / 2);
+    return tree_.add({.op = Op::root, .span = span_}, std::span(&id, 1));
+  }
+
+  /// ∫ du/(c + s u²) = arctan(u√s/√c)/√(cs), and ∫ du/√(c − s u²) = arcsin(u√s/√c)/√s.
+  Primitive of_quadratic(const Quadratic& of) {
+    if (of.under_root) {
+      const ExprId falls = negative(of.slope);
+      const ExprId slope = tree_.add({.op = Op::root, .span = span_}, std::span(&falls, 1));
+      const ExprId scale = tree_.add({.op = Op::root, .span = span_}, std::span(&of.constant, 1));
+      const ExprId argument = over(product({variable(), slope}), scale);
+      return {.value = over(apply(Function::arcsin, argument), slope)};
+    }
+    const ExprId slope = root_of(of.slope);
+    const ExprId scale = root_of(of.constant);
+    const ExprId argument = over(product({variable(), slope}), scale);
+    return {.value = over(apply(Function::arctan, argument), product({slope, scale}))};
+  }
+
+  /// ∫ ln u dx = (u ln u − u)/α for u = αx + β.
+  std::optional<Primitive> of_logarithm(const Linear& argument) {
+    if (!argument.slope) return std::nullopt;
+    const ExprId u = value_of(argument);
+    const ExprId value = sum({product({u, apply(Function::log, u)}), negative(u)});
+    return Primitive{.value = over(value, *argument.slope)};
   }
 
   /// Σ_j (−1)^j (x^n)^{(j)} G_{j+1}(u)/α^{j+1}, where G_{j+1} is G_j integrated.

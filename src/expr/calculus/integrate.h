@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Antiderivatives as trees, for what can be integrated term by term: powers, exponentials, sines and cosines
-// of a linear argument with powers of the variable before them, and what is a derivative already. Whoever
-// asks checks the result by differentiating it, so that a slip here proves nothing.
+// of a linear argument with powers of the variable before them, 1/(c + s x²) and its root, logarithms, and
+// what is a derivative already. Whoever asks checks the result by differentiating it, so that a slip here
+// proves nothing.
 #pragma once
 
 #include <functional>
