@@ -289,6 +289,11 @@ bool IntegralValues::keeps_its_sign(ExprId linear, const Running& running, const
   crosses.relation = Relation::less_or_equal;
   if (ask(one_sign).outcome == Outcome::proved) return true;
   if (ask(crosses).outcome != Outcome::refuted) return false;
+  // `\int_a^b`, `\int_1^b`: that the ends have one sign goes without saying, but not those of `\int_{-m}^M`.
+  const auto is_plain = [&](ExprId end) {
+    return tree_[end].op == Op::symbol || tree_[end].op == Op::number;
+  };
+  if (!std::ranges::all_of(ends, is_plain)) return false;
   result.conditions.push_back(one_sign);
   return true;
 }
@@ -496,6 +501,10 @@ std::optional<ExprId> IntegralValues::derivative(SymbolId primitive, const Deriv
   const Integral integral = *tree_.symbols[primitive].integral;
   const Span span = tree_.symbols[primitive].first_seen;
   const Running running = running_over(integral);
+  // Of an unknown function an integral without end may exist, and `\int_r^\infty s\,ds` does not.
+  const bool endless = (integral.lower && !integral.lower->at) || !integral.upper->at;
+  const auto is_unknown = [&](SymbolId each) { return each != integral.variable && running.changes(each); };
+  if (endless && std::ranges::none_of(symbols_in(tree_, integral.integrand), is_unknown)) return std::nullopt;
   std::vector<ExprId> parts;
   if (integral.upper->at) {
     const auto there = at(integral.integrand, running, *integral.upper->at);

@@ -637,7 +637,12 @@ class Judging {
 
 Judgement judge(ExprTree& tree, const Names& names, const Claim& claim, const Limits& limits,
                 DecisionCache* cache) {
-  return Judging(tree, names, claim, limits, cache).judge();
+  if (claim.derived_by.empty()) return Judging(tree, names, claim, limits, cache).judge();
+  // The derivatives are meant for every value of the variable, whatever it is elsewhere: `t = 5`.
+  Names free = names;
+  if (const auto variable = find_symbol(names.symbols, {claim.derived_by, 0, false}))
+    forget_definition(free.scope, *variable);
+  return Judging(tree, free, claim, limits, cache).judge();
 }
 
 std::optional<Sample> sample_of_assumptions(ExprTree& tree, const Names& names, const Sample& known,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
@@ -67,6 +69,8 @@ KnownChange change_but_for_squares(const Names& names, const ExprTree& tree, Sym
   const NameKey* key = key_of(names.symbols, symbol);
   if (definition_of(names.scope, symbol) != nullptr) return {};
   if (by.by == By::letter) {
+    const auto body = body_of_definition(names.scope, by.letter);  // x = 2t: t changes with x
+    if (body && is_one_of(base, symbols_reached(tree, names.scope, {*body}))) return {};
     return is_held(names, tree, symbol, by) ? KnownChange{{Dependence::Kind::constant}} : KnownChange{};
   }
   if (key == nullptr || key->per_particle) return {};

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "elaborate/name/function_value.h"
 #include "elaborate/notation/derivative.h"
@@ -57,6 +58,26 @@ std::optional<Limit> limit_of(Reading& reading, SyntaxId id, const Around& aroun
   }
   unsupported(reading, syntax[id].span, "a limit with indices, or a vector as a limit, is not decided");
   return std::nullopt;
+}
+
+/// `Q = CU` above `\int U\,dQ`: does a letter of the integrand change with the variable?
+bool is_bound_to(const Reading& reading, SymbolId variable, ExprId integrand) {
+  const NameScope& scope = reading.names.scope;
+  const std::vector<SymbolId> own = symbols_in(reading.tree, integrand);
+  const auto speaks = [&](const std::vector<SymbolId>& letters) {
+    return std::ranges::any_of(letters, [&](SymbolId each) {
+      return each != variable && !reading.tree.symbols[each].is_fixed() && is_one_of(each, own);
+    });
+  };
+  if (const auto body = body_of_definition(scope, variable);
+      body && speaks(symbols_reached(reading.tree, scope, {*body})))
+    return true;
+  return std::ranges::any_of(*scope.assumptions, [&](const NamedAssumption& each) {
+    if (each.equation.relation != Relation::equal) return false;
+    std::vector<SymbolId> letters = symbols_in(reading.tree, each.equation.left);
+    for (const SymbolId letter : symbols_in(reading.tree, each.equation.right)) letters.push_back(letter);
+    return is_one_of(variable, letters) && speaks(letters);
+  });
 }
 
 /// The symbol of a plain number that is integrated over.
@@ -173,6 +194,11 @@ MaybeTyped elaborate_line_integral(Reading& reading, SyntaxId id, const Around& 
   if (!may_be_hidden(reading, inside->id))
     return unsupported(reading, span,
                        "an integral of what may be a matrix, or of vectors in a frame, is not decided");
+  if (is_bound_to(reading, *variable, inside->id))
+    return unsupported(reading, span,
+                       fmt::format("what `{}` is was said above, and the integrand may change with it",
+                                   syntax.symbol(parts[1].id).letter),
+                       {"put what was said into the integrand"});
   Integral integral{.integrand = inside->id};
   note_variable(reading, syntax.symbol(parts[1].id), *variable, integral);
   if (parts.size() > 2) {

@@ -83,6 +83,9 @@ TEST_CASE("the derivative of an antiderivative is the integrand, and not another
                                      sin(a * x) * cos(b * x),
                                      exp(a * x) * sin(b * x),
                                      exp(-x) * pow(cos(x), 2),
+                                     1 / x,
+                                     1 / (x + a),
+                                     1 / (page.number("1") + pow(x, 2)),
                                      a * rate,
                                      pow(f, 3) * rate + x};
   for (const Term& integrand : integrands) {
@@ -99,8 +102,7 @@ TEST_CASE("what has no antiderivative here has none", "[algebra]") {
   Integrand page;
   const Term x = page.x;
   const Term f = page.f;
-  for (const Term& integrand : {1 / x, 1 / (x + page.a), exp(pow(x, 2)), sin(x) / x, root(pow(x, 2) + page.a),
-                                Term(f), f * f, 1 / (page.number("1") + pow(x, 2))}) {
+  for (const Term& integrand : {exp(pow(x, 2)), sin(x) / x, root(pow(x, 2) + page.a), Term(f), f * f}) {
     INFO(dump(page.tree, integrand.id));
     CHECK_FALSE(page.integrated(integrand).has_value());
   }

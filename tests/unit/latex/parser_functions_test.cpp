@@ -95,8 +95,9 @@ TEST_CASE("an exponent on a function is a power of its value, but for the invers
         "(sum +(power (cos \\theta) 2) +(power (sin \\theta) 2))");
   CHECK(parsed("\\cos^2(x)") == "(power (cos x) 2)");
   CHECK(parsed("\\sin^{-1}x") == "<unsupported>");
-  CHECK(obstacle("\\arcsin") == "`\\arcsin`: functions such as this one are not decided yet");
-  CHECK(parsed("\\log_2 x") == "<unsupported>");
+  CHECK(obstacle("\\max") == "`\\max`: functions such as this one are not decided yet");
+  CHECK(parsed("\\log_2 x") == "(lb x)");
+  CHECK(parsed("\\log_a x") == "<unsupported>");
 }
 
 TEST_CASE("determinant and trace take a bracket or one tensor") {
