@@ -291,7 +291,8 @@ bool IntegralValues::keeps_its_sign(ExprId linear, const Running& running, const
   if (ask(crosses).outcome != Outcome::refuted) return false;
   // `\int_a^b`, `\int_1^b`: that the ends have one sign goes without saying, but not those of `\int_{-m}^M`.
   const auto is_plain = [&](ExprId end) {
-    return tree_[end].op == Op::symbol || tree_[end].op == Op::number;
+    return std::ranges::none_of(nodes_below(tree_, {end}),
+                                [&](ExprId each) { return tree_[each].op == Op::negate; });
   };
   if (!std::ranges::all_of(ends, is_plain)) return false;
   result.conditions.push_back(one_sign);

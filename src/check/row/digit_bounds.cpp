@@ -45,6 +45,7 @@ std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const
     if (tree[side].op != Op::number) return std::nullopt;
     return tree.digits(side);
   };
+  if (digits(shown.left) && digits(shown.right)) return std::nullopt;  // nothing is computed
   Counterexample example;
   example.left = digits(shown.left).value_or(compared->bound);
   example.right = digits(shown.right).value_or(compared->bound);

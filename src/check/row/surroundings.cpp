@@ -91,7 +91,7 @@ void heed_digits(ExprTree& tree, const Names& names, const Claim& claim, Judgeme
              may_be_rounded_on_the_way(tree, names, claim, *compared)) {
     withdraw("it holds if the decimals that it is computed from are rounded themselves",
              "more digits of them show whether it holds");
-  } else if (judgement.verdict == Verdict::refuted && lacks_units(tree, claim.equation)) {
+  } else if (claim.nearly && judgement.verdict == Verdict::refuted && lacks_units(tree, claim.equation)) {
     withdraw("one side has a unit, and the other is a number without one", "write the units on both sides");
   } else if (!agreement && judgement.verdict == Verdict::refuted &&
              compares_decimals(tree, names, claim.equation)) {
