@@ -9,11 +9,14 @@
 #include "base/among.h"
 #include "check/doubt/one_direction.h"
 #include "check/prose/restrictions.h"
+#include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/question/granted.h"
 #include "check/verdict/law_diagnostic.h"
 #include "check/word/number_words.h"
 #include "check/word/prose_words.h"
+#include "elaborate/name/function_value.h"
+#include "elaborate/symbol/named_symbol.h"
 #include "expr/calculus/differentiate.h"
 
 namespace rigor {
@@ -22,14 +25,6 @@ namespace {
 bool is_open(const Judgement& judgement) {
   return judgement.verdict == Verdict::law || judgement.verdict == Verdict::refuted ||
          judgement.verdict == Verdict::undecided;
-}
-
-/// The letters that it leads to, definitions unfolded.
-std::set<SymbolId> letters_of(const ExprTree& tree, const Names& names, const Equation& equation) {
-  std::set<SymbolId> letters;
-  for (const SymbolId symbol : symbols_reached(tree, names.scope, {equation.left, equation.right}))
-    letters.insert(base_of(tree.symbols, symbol));
-  return letters;
 }
 
 class Heeding {
@@ -60,7 +55,83 @@ class Heeding {
 
  private:
   std::set<SymbolId> letters_of(const Equation& equation) const {
-    return rigor::letters_of(tree_, names_, equation);
+    return base_letters(tree_, names_.scope, equation);
+  }
+
+  /// Does the fact integrate what the statement has nothing of? It can have any value there.
+  bool integrates_something_else(const Fact& fact, const std::set<SymbolId>& of_claim) const {
+    return std::ranges::any_of(letters_of(fact.equation), [&](SymbolId letter) {
+      const auto& integral = tree_.symbols[letter].integral;
+      return integral && !of_claim.contains(letter) &&
+             std::ranges::any_of(letters_in(tree_, integral->integrand), [&](SymbolId inside) {
+               return inside != integral->variable && !tree_.symbols[inside].is_fixed() &&
+                      !of_claim.contains(inside);
+             });
+    });
+  }
+
+  /// Is it about one value of a letter that runs here? The energy up to R does not depend on where r is, be
+  /// it a length or not.
+  bool is_about_what_runs(const Fact& fact, const std::set<SymbolId>& of_claim) const {
+    const auto letter_of = [&](SymbolId symbol) {
+      const NameKey* key = key_of(names_.symbols, symbol);
+      return key == nullptr ? std::string{} : key->base;
+    };
+    const std::set<SymbolId> letters = letters_of(fact.equation);
+    return std::ranges::any_of(of_claim, [&](SymbolId claimed) {
+      const auto& integral = tree_.symbols[claimed].integral;
+      if (!integral || of_claim.contains(integral->variable)) return false;
+      const std::string running = letter_of(integral->variable);
+      return std::ranges::any_of(letters, [&](SymbolId letter) {
+        return is_one_of(letter_of(letter), {running, bold(running)});
+      });
+    });
+  }
+
+  /// What facts restrict. `r = R` next to a statement without r restricts nothing, since some r is equal to
+  /// R, if R is not negative where r is a length.
+  std::vector<Fact> restrictions(std::vector<Fact> facts) const {
+    const std::set<SymbolId> of_claim = letters_of(claim_.equation);
+    std::erase_if(facts, [&](const Fact& fact) {
+      return integrates_something_else(fact, of_claim) || is_about_what_runs(fact, of_claim);
+    });
+    for (std::size_t k = 0; k < facts.size();) {
+      const Equation said = facts[k].equation;
+      const bool names_left = is_met_only_in(facts, k, said.left, said.right);
+      if (!names_left && !is_met_only_in(facts, k, said.right, said.left)) {
+        ++k;
+        continue;
+      }
+      const ExprId named = names_left ? said.left : said.right;
+      if (tree_[named].op == Op::symbol) {
+        facts.erase(facts.begin() + static_cast<std::ptrdiff_t>(k));
+      } else {
+        facts[k].equation = {.left = tree_.add_number(tree_[named].span, "0"),
+                             .right = names_left ? said.right : said.left,
+                             .relation = Relation::less_or_equal};
+      }
+      k = 0;  // now another letter may be met only once
+    }
+    return facts;
+  }
+
+  /// Is the side a letter, or the length of a vector, of which nothing but this fact speaks?
+  bool is_met_only_in(const std::vector<Fact>& facts, std::size_t k, ExprId side, ExprId other) const {
+    const ExprId inside = tree_[side].op == Op::length ? tree_.children(side)[0] : side;
+    if (facts[k].equation.relation != Relation::equal || tree_[inside].op != Op::symbol ||
+        tree_[inside].slot_count > 0)
+      return false;
+    const SymbolId letter = tree_[inside].symbol;
+    const Symbol& symbol = tree_.symbols[letter];
+    const bool free = !symbol.derivation && !symbol.is_fixed() && !symbol.per_particle &&
+                      !is_function_value(names_, tree_, letter) &&
+                      definition_of(names_.scope, letter) == nullptr;
+    if (!free || is_one_of(letter, symbols_in(tree_, other)) || letters_of(claim_.equation).contains(letter))
+      return false;
+    for (std::size_t each = 0; each < facts.size(); ++each) {
+      if (each != k && letters_of(facts[each].equation).contains(letter)) return false;
+    }
+    return true;
   }
 
   std::vector<const Fact*> facts_that_bear() const {
@@ -147,22 +218,27 @@ class Heeding {
 
   bool is_of_numbers() const {
     const std::vector<ExprId> nodes = nodes_below(tree_, {claim_.equation.left, claim_.equation.right});
-    return std::ranges::all_of(nodes, [this](ExprId id) {
-      const ExprNode& node = tree_[id];
-      const bool letter = node.op == Op::symbol && !tree_.symbols[node.symbol].is_fixed();
-      return !letter && node.rank == 0 && node.slot_count == 0;
-    });
+    const bool scalars = std::ranges::all_of(
+        nodes, [this](ExprId id) { return tree_[id].rank == 0 && tree_[id].slot_count == 0; });
+    return scalars && std::ranges::all_of(letters_of(claim_.equation), [this](SymbolId letter) {
+             return tree_.symbols[letter].is_fixed() || tree_.symbols[letter].integral;
+           });
   }
 
-  /// `70/24 = 36/12`, `\mathrm{1\,h} = \mathrm{100\,min}`.
+  /// `70/24 = 36/12`, `\mathrm{1\,h} = \mathrm{100\,min}`, `\int_0^1x\,dx = 1`.
   void restricted_as_numbers() {
     auto word = word_that_demands(at_.beside().lead);
     if (!word) word = at_.denied;
     if (!word) word = word_on_numbers(sentence_);
     if (word) {
       restricted_by(*word, "its sentence");
-    } else if (const std::string& arithmetic = names_.symbols.evidence->other_arithmetic;
-               !arithmetic.empty()) {
+      return;
+    }
+    const bool integrates =
+        std::ranges::any_of(base_letters(tree_, names_.scope, claim_.equation),
+                            [&](SymbolId each) { return tree_.symbols[each].integral.has_value(); });
+    if (integrates) return;  // digits can be of another base, and bytes logical
+    if (const std::string& arithmetic = names_.symbols.evidence->other_arithmetic; !arithmetic.empty()) {
       restricted_by(arithmetic, "its section");
     } else if (auto heading = word_on_numbers(at_.heading)) {
       restricted_by(*heading, "its heading");
@@ -257,9 +333,13 @@ class Heeding {
 
   /// What is stated nearby, as a law or in a line, would make it true, or leave it open.
   bool holds_with(const std::vector<const Fact*>& bearing) {
+    std::vector<Fact> said_here;
+    for (const Fact* fact : bearing) {
+      if (!fact->elsewhere && !is_in_force(*fact)) said_here.push_back(*fact);
+    }
+    said_here = restrictions(std::move(said_here));
     std::vector<const Fact*> here;
-    std::copy_if(bearing.begin(), bearing.end(), std::back_inserter(here),
-                 [&](const Fact* fact) { return !fact->elsewhere && !is_in_force(*fact); });
+    for (const Fact& each : said_here) here.push_back(&each);
     if (!here.empty() && holds_with_what_is_said_here(here)) return true;
     if (is_meant_for_all()) return false;
     // One at a time: two special cases together prove anything.
@@ -340,7 +420,7 @@ class Heeding {
 
 bool is_meant_for_all(const ExprTree& tree, const Names& names, const Claim& claim) {
   if (claim.for_all) return true;
-  const std::set<SymbolId> letters = letters_of(tree, names, claim.equation);
+  const std::set<SymbolId> letters = base_letters(tree, names.scope, claim.equation);
   return !letters.empty() && std::ranges::all_of(letters, [&](SymbolId each) {
     return is_for_all(names.scope, each) || definition_of(names.scope, each) != nullptr;
   });

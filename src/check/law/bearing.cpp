@@ -6,15 +6,9 @@
 #include <string>
 
 #include "base/among.h"
+#include "check/question/base_letters.h"
 
 namespace rigor {
-
-std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
-  std::set<SymbolId> letters;
-  for (const SymbolId symbol : symbols_reached(tree, scope, {equation.left, equation.right}))
-    letters.insert(base_of(tree.symbols, symbol));
-  return letters;
-}
 
 Laws laws_that_bear(const ExprTree& tree, const NameScope& scope, const Equation& row,
                     const Laws& available) {

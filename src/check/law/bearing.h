@@ -10,10 +10,6 @@
 
 namespace rigor {
 
-/// The letters that it leads to, definitions unfolded, each without its derivatives.
-[[nodiscard]] std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope,
-                                              const Equation& equation);
-
 /// Those that share a letter with the row, then those that share one with these. Within each round those come
 /// first that bring in the fewest other letters, and of such the nearest. `available`: in the order of the
 /// notes.

@@ -11,6 +11,7 @@
 #include "check/law/bearing.h"
 #include "check/law/witness.h"
 #include "check/meaning/identity_reading.h"
+#include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/question/granted.h"
 #include "check/question/question.h"

@@ -13,6 +13,7 @@
 #include "base/among.h"
 #include "check/law/bearing.h"
 #include "check/law/witness.h"
+#include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
 #include "elaborate/name/function_value.h"

@@ -136,10 +136,19 @@ std::optional<ExprId> IntegralValues::function_of_rate(const Integral& integral,
   return tree_.add({.op = Op::symbol, .span = node.span, .symbol = function}, {}, slots);
 }
 
+/// R of `\int_0^R`: an end stays where it is while the variable runs up to it.
+bool IntegralValues::is_end_of(const Integral& integral, SymbolId symbol) const {
+  return std::ranges::any_of(std::array{integral.lower, integral.upper}, [&](const auto& limit) {
+    return symbol != integral.variable && limit && limit->at &&
+           is_one_of(symbol, symbols_in(tree_, *limit->at));
+  });
+}
+
 Running IntegralValues::running_over(const Integral& integral) const {
   const bool shown = is_one_of(integral.variable, symbols_in(tree_, integral.integrand));
   const auto changes = [this, integral, shown](SymbolId each) {
-    return !is_independent(names_, tree_, each, integral) && changes_with(integral.variable, each, shown);
+    return !is_end_of(integral, each) && !is_independent(names_, tree_, each, integral) &&
+           changes_with(integral.variable, each, shown);
   };
   return {.variable = integral.variable, .changes = changes, .antiderivative = [this, integral](ExprId rate) {
             return function_of_rate(integral, rate);

@@ -48,6 +48,7 @@ class IntegralValues {
   [[nodiscard]] bool is_bound(SymbolId symbol) const;
 
  private:
+  [[nodiscard]] bool is_end_of(const Integral& integral, SymbolId symbol) const;
   [[nodiscard]] Running running_over(const Integral& integral) const;
   [[nodiscard]] bool changes_with(SymbolId variable, SymbolId symbol, bool shown) const;
   [[nodiscard]] ExprId bare(const Integral& integral) const;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "base/among.h"
@@ -11,6 +12,7 @@
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
 #include "check/verdict/chain_reading.h"
+#include "expr/calculus/differentiate.h"
 #include "latex/parse/parse.h"
 
 namespace rigor {
@@ -168,8 +170,9 @@ class Conditions {
 
 class ConditionSearch {
  public:
-  ConditionSearch(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache)
-      : tree_(tree), names_(names), cache_(cache), chain_(wrong.parsed) {
+  ConditionSearch(ExprTree& tree, Names& names, const WrongStep& wrong, DecisionCache* cache,
+                  bool with_all_terms)
+      : tree_(tree), names_(names), cache_(cache), with_all_terms_(with_all_terms), chain_(wrong.parsed) {
     for (std::size_t k = 0; k < chain_.sides.size(); ++k)
       chain_.sides[k] = parse_side(chain_.written.sides[k].tokens, chain_.written.sides[k].span, syntax_);
     reading_ = read_chain(syntax_, tree, names, chain_);
@@ -251,8 +254,24 @@ class ConditionSearch {
   bool holds_given(const std::string& latex) {
     if (!assume(latex)) return false;
     const Judgement judgement = judge(tree_, names_, *claim_, limits_of_guesses, cache_);
-    return says_something(judgement) &&
+    return says_something(judgement) && !(with_all_terms_ && makes_a_term_vanish()) &&
            sample_of_assumptions(tree_, names_, {}, limits_of_guesses, cache_).has_value();
+  }
+
+  /// Who means `\mathbf{A}\cdot\mathbf{B} = 0` does not write `\mathbf{C}(\mathbf{A}\cdot\mathbf{B})`.
+  bool makes_a_term_vanish() {
+    const auto vanishes = [&](ExprId term) {
+      if (tree_.is_zero_literal(term)) return false;
+      Claim claim = *claim_;
+      claim.equation.left = term;
+      claim.equation.right = zero_of_rank(tree_, tree_[term].span, tree_[term].rank, tree_[term].axes);
+      return judge(tree_, names_, claim, limits_of_guesses, cache_).verdict == Verdict::proved;
+    };
+    return std::ranges::any_of(std::array{claim_->equation.left, claim_->equation.right}, [&](ExprId side) {
+      if (tree_[side].op != Op::add) return false;
+      const std::vector<ExprId> terms(tree_.children(side).begin(), tree_.children(side).end());
+      return std::ranges::any_of(terms, vanishes);
+    });
   }
 
   bool holds_to_first_order(const std::string& latex) {
@@ -284,6 +303,7 @@ class ConditionSearch {
   ExprTree& tree_;
   Names& names_;
   DecisionCache* cache_;
+  bool with_all_terms_;
   ParsedChain chain_;
   SyntaxTree syntax_;
   SourceMap sources_;
@@ -306,10 +326,10 @@ bool is_sum_of_weights(const std::string& condition) {
 }
 
 std::vector<std::string> missing_conditions(const ExprTree& tree, const Names& names, const WrongStep& wrong,
-                                            DecisionCache* cache) {
+                                            DecisionCache* cache, bool with_all_terms) {
   ExprTree own_tree = tree;
   Names own_names = names;
-  return ConditionSearch(own_tree, own_names, wrong, cache).run();
+  return ConditionSearch(own_tree, own_names, wrong, cache, with_all_terms).run();
 }
 
 }  // namespace rigor

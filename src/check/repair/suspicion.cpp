@@ -9,16 +9,18 @@
 #include "check/law/bearing.h"
 #include "check/law/from_set.h"
 #include "check/law/restated.h"
+#include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/repair/missing_condition.h"
 #include "check/repair/trivial_statement.h"
+#include "expr/tree/same_expression.h"
 
 namespace rigor {
 namespace {
 
 /// Of the work that a step may take. Words that may restrict a row are rare, and take more to be overruled.
 constexpr std::uint64_t most_work = 250'000;
-constexpr std::uint64_t most_work_despite_words = 1'000'000;
+constexpr std::uint64_t most_work_despite_words = 4'000'000;
 
 /// The letter is another one than was written, so that another quantity may be meant.
 bool changes_a_letter(Slip slip) {
@@ -53,7 +55,9 @@ class Suspecting {
   /// A slip exchanges one letter for another: the sides of an identity lead to the same letters.
   bool may_be_near_an_identity() const {
     const auto letters_of = [&](ExprId side) {
-      return base_letters(tree_, names_.scope, Equation{.left = side, .right = side});
+      auto letters = base_letters(tree_, names_.scope, Equation{.left = side, .right = side});
+      std::erase_if(letters, [&](SymbolId each) { return tree_.symbols[each].integral.has_value(); });
+      return letters;
     };
     const std::set<SymbolId> left = letters_of(row_.claim.equation.left);
     const std::set<SymbolId> right = letters_of(row_.claim.equation.right);
@@ -63,13 +67,15 @@ class Suspecting {
     return apart.size() <= 2 && (all > 1 || calculates());
   }
 
-  /// Functions, derivatives, vectors: more than a polynomial, whose values at a root are a condition.
+  /// Functions, derivatives, integrals, vectors: more than a polynomial, whose values at a root are a
+  /// condition.
   bool calculates() const {
     const Equation& own = row_.claim.equation;
     return std::ranges::any_of(nodes_below(tree_, {own.left, own.right}), [&](ExprId id) {
       const ExprNode& node = tree_[id];
-      return node.op == Op::function || node.rank > 0 ||
-             (node.op == Op::symbol && tree_.symbols[node.symbol].derivation.has_value());
+      if (node.op != Op::symbol) return node.op == Op::function || node.rank > 0;
+      const Symbol& symbol = tree_.symbols[node.symbol];
+      return node.rank > 0 || symbol.derivation || symbol.integral;
     });
   }
 
@@ -86,7 +92,7 @@ class Suspecting {
   std::optional<Suspicion> nearest(const Laws& met, const std::vector<Laws>& sets) {
     const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim, Slip slip) {
       auto uses = is_likely(tree, claim, slip) ? proved(tree, names, claim, slip, sets) : std::nullopt;
-      const bool doubtful = uses && (row_.restricted || changes_a_letter(slip));
+      const bool doubtful = uses && (row_.restricted || changes_a_letter(slip)) && slip != Slip::factor;
       if (doubtful && may_hold_under_a_usual_condition()) uses.reset();
       return uses;
     };
@@ -133,6 +139,14 @@ class Suspecting {
     return judge(tree, names, claim, limits_of_candidates, &cache_).verdict == Verdict::proved;
   }
 
+  /// Both sides of the row are the same but for a number, and no condition changes that.
+  bool scales_a_side(const ExprTree& tree, const Equation& candidate) const {
+    const Equation& own = row_.claim.equation;
+    const bool left_stays = same_expression(tree, candidate.left, tree_, own.left);
+    if (!left_stays && !same_expression(tree, candidate.right, tree_, own.right)) return false;
+    return tree_[left_stays ? own.right : own.left].op != Op::add;
+  }
+
   /// Letters that stand nowhere above and are no longer there were meant: a new quantity is no slip.
   bool adds_letters(const ExprTree& tree, const Equation& candidate) const {
     const std::set<SymbolId> own = written(tree, row_.claim.equation);
@@ -165,7 +179,8 @@ class Suspecting {
   /// Then the prose may say that `R` is a rotation, and all letters are right.
   bool may_hold_under_a_usual_condition() {
     if (!usual_)
-      usual_ = !missing_conditions(tree_, names_, row_.wrong, &cache_).empty() || cache_.budget().exhausted();
+      usual_ = !missing_conditions(tree_, names_, row_.wrong, &cache_, true).empty() ||
+               cache_.budget().exhausted();
     return *usual_;
   }
 
@@ -178,8 +193,8 @@ class Suspecting {
         becomes(claim.equation.left, own.left) || becomes(claim.equation.right, own.right);
     if (becomes_zero) return false;
     if (slip == Slip::factor_missing || slip == Slip::factor_extra) return false;  // another quantity
-    const bool changes_what_is_said =
-        changes_a_letter(slip) || changes_the_terms(slip) || slip == Slip::factor;
+    const bool changes_what_is_said = changes_a_letter(slip) || changes_the_terms(slip) ||
+                                      (slip == Slip::factor && !scales_a_side(tree, claim.equation));
     if (row_.restricted && changes_what_is_said) return false;
     if (!changes_the_terms(slip)) return true;
     if (written(tree, claim.equation) != written(tree_, own)) return false;  // of another quantity

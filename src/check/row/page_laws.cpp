@@ -74,6 +74,17 @@ bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
   });
 }
 
+/// The names without definitions that are said for other places.
+Names as_said_here(RowPlace& place, const StepReading& row) {
+  const Standpoint at = standpoint(place, row.parsed);
+  Names here = place.names;
+  for (const NamedDefinition& named : *place.names.scope.definitions) {
+    if (!named.origin.directive && !is_said_for(at, named.origin))
+      forget_definition(here.scope, named.definition.symbol);
+  }
+  return here;
+}
+
 /// It would follow from a conclusion that follows from nothing itself.
 Judgement follows_from_open(const Laws& available, const Claim& claim, Judgement judgement) {
   const auto open = std::ranges::find_if(available, [&](const PageLaw* law) {
@@ -149,8 +160,8 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
   const Laws grounds = restricted ? Laws{} : grounds_for_suspicion(place, available_to(place, row.parsed));
   const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
-  auto found = suspicion(place.tree, place.names, {wrong, claim, grounds, may_lack_a_term, restricted},
-                         *place.options.cache);
+  auto found = suspicion(place.tree, as_said_here(place, row),
+                         {wrong, claim, grounds, may_lack_a_term, restricted}, *place.options.cache);
   if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
   judgement.verdict = Verdict::suspect;
   judgement.route = "one slip of the pen away from what follows";

@@ -395,8 +395,8 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
     withdraw(DiagnosticKind::restricted,
              fmt::format("`{}` next to it may say that it does not hold", *at.denied), {});
   } else if (judgement.verdict == Verdict::law) {
-    if (!claim.nearly) remember(false);
     state_law(place, row, claim, judgement);
+    if (!claim.nearly && judgement.verdict != Verdict::suspect) remember(false);
   }
 }
 

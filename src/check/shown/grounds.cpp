@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/law/bearing.h"
+#include "check/question/base_letters.h"
 #include "check/row/row.h"
 #include "expr/print/print_latex.h"
 

@@ -187,6 +187,18 @@ bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol, con
   return principal_values && has_rate(sightings, {key->base, 2, key->per_particle});
 }
 
+bool leads_to(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by) {
+  const SymbolTable& symbols = tree.symbols;
+  const auto body = body_of_definition(names.scope, base_of(symbols, symbol));
+  if (!body) return symbol == by.letter || knows_change(names, tree, symbol, by);
+  const bool rate = symbols[symbol].derivation.has_value();
+  return std::ranges::any_of(symbols_reached(tree, names.scope, {*body}), [&](SymbolId each) {
+    const bool same = rate && base_of(symbols, each) == base_of(symbols, by.letter);
+    const bool defined = body_of_definition(names.scope, base_of(symbols, each)).has_value();
+    return same || each == by.letter || (!defined && knows_change(names, tree, each, by));
+  });
+}
+
 bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by) {
   if (change(names, tree, symbol, by).dependence.kind != Dependence::Kind::variable) return false;
   const NameKey* key = key_of(names.symbols, symbol);

@@ -46,6 +46,8 @@ struct KnownChange {
 /// Does anything say how a symbol changes: a declaration, a definition, a derivative that is written?
 [[nodiscard]] bool knows_change(const Names& names, const ExprTree& tree, SymbolId symbol,
                                 const Variable& by);
+/// Does anything say that it changes with a letter or a rate, by its definition or by a derivative?
+[[nodiscard]] bool leads_to(const Names& names, const ExprTree& tree, SymbolId symbol, const Variable& by);
 /// Is it the time, or the place where the notes speak of places and not of a body that moves?
 [[nodiscard]] bool is_free_variable(const Names& names, const ExprTree& tree, SymbolId symbol,
                                     const Variable& by);

@@ -41,11 +41,30 @@ bool holds_letter(const SyntaxTree& syntax, SyntaxId bracket, const std::string&
   });
 }
 
+/// `I(\dot\psi + \dot\varphi\cos\theta)`, `U(1 - a^2/r^2)`: a sum with rates, or of a bare number and more
+/// than a letter, is a factor to all who read it.
+bool sums_as_a_factor(const SyntaxTree& syntax, SyntaxId sum) {
+  if (syntax[sum].kind != SyntaxKind::sum || syntax.children(sum).size() < 2) return false;
+  bool number = false;
+  bool more = false;
+  for (const SyntaxChild& term : syntax.children(sum)) {
+    if (syntax[term.id].kind == SyntaxKind::number) number = true;
+    for (const SyntaxId id : nodes_below(syntax, {term.id})) {
+      const SyntaxKind kind = syntax[id].kind;
+      if (kind == SyntaxKind::symbol && syntax.symbol(id).dots > 0) return true;
+      more =
+          more || kind == SyntaxKind::fraction || kind == SyntaxKind::power || kind == SyntaxKind::function;
+    }
+  }
+  return number && more;
+}
+
 /// `f(x-ct)`, `V(2r)`: a bracket of plain coordinates after a letter that is no usual coefficient.
 bool looks_like_argument(const Reading& reading, const WrittenSymbol& symbol, SyntaxId bracket) {
   const SyntaxTree& syntax = reading.syntax;
   if (syntax[bracket].kind != SyntaxKind::group || is_usual_coefficient(symbol.letter)) return false;
-  if (is_declared_letter(reading.names, symbol)) return false;
+  if (is_declared_letter(reading.names, symbol) || sums_as_a_factor(syntax, syntax.child(bracket, 0)))
+    return false;
   bool coordinate = false;
   const bool more = std::ranges::any_of(nodes_below(syntax, {syntax.child(bracket, 0)}), [&](SyntaxId id) {
     if (syntax[id].kind != SyntaxKind::symbol) return false;

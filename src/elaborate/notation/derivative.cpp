@@ -61,8 +61,8 @@ std::optional<SymbolId> symbol_of_variable(Reading& reading, const WrittenSymbol
 }
 
 /// `\partial T/\partial\dot q` where T is defined by q or its rate: how a rate depends on another one is seen
-/// only where the definitions are open.
-Typed with_definitions_open(Reading& reading, Typed typed) {
+/// only where the definitions are open. What does not lead there stays closed.
+Typed with_definitions_open(Reading& reading, Typed typed, const Variable& variable) {
   const auto by = [&](ExprId id) -> std::optional<ExprId> {
     const ExprNode node = reading.tree[id];
     const Symbol& symbol = reading.tree.symbols[node.symbol];
@@ -70,7 +70,7 @@ Typed with_definitions_open(Reading& reading, Typed typed) {
     const NamedDefinition* named =
         rate ? definition_of(reading.names.scope, base_of(reading.tree.symbols, node.symbol)) : nullptr;
     if (named == nullptr || !named->definition.indices.empty() || named->definition.particle != no_particle ||
-        named->definition.by_square)
+        named->definition.by_square || !leads_to(reading.names, reading.tree, node.symbol, variable))
       return std::nullopt;
     Typed body{.id = named->definition.body};
     body = rate_of(reading, body, symbol.order());
@@ -153,9 +153,9 @@ MaybeTyped by_letter(Reading& reading, const Typed& operand, const WrittenVariab
                      {fmt::format("a subscript below the derivative, `(…)_{{{}}}`, holds it", name)});
   }
   const bool rate = reading.tree.symbols[*letter].derivation.has_value();
-  Typed typed = rate ? with_definitions_open(reading, operand) : operand;
-  for (int k = 0; k < variable.times; ++k)
-    typed = derivative_by(reading, std::move(typed), {By::letter, *letter, how.partial, how.held});
+  const Variable by{By::letter, *letter, how.partial, how.held};
+  Typed typed = rate ? with_definitions_open(reading, operand, by) : operand;
+  for (int k = 0; k < variable.times; ++k) typed = derivative_by(reading, std::move(typed), by);
   return typed;
 }
 

@@ -17,6 +17,7 @@ bool reaches_place(Reading& reading, ExprId id) {
   });
 }
 
+/// `partial`: by the time it holds the place; by a letter, all that nothing makes change with it.
 Differentiator& differentiator(Reading& reading, const Variable& by, Slot axis, bool partial) {
   const auto dependence_of = [&reading, by, partial](SymbolId symbol) {
     using Kind = Dependence::Kind;
@@ -24,6 +25,8 @@ Differentiator& differentiator(Reading& reading, const Variable& by, Slot axis, 
     if (partial && by == By::time && change_of(reading, symbol, By::space).kind == Kind::variable)
       return Dependence{Kind::constant};
     const Dependence dependence = change_of(reading, symbol, by);
+    const bool held = partial && by.by == By::letter && dependence.kind == Kind::varies;
+    if (held && !leads_to(names, reading.tree, symbol, by)) return Dependence{Kind::constant};
     if (by == By::space && dependence.kind == Kind::variable) {
       reading.found.differentiates_position = true;
       note_position(reading, symbol);
@@ -66,7 +69,10 @@ Typed rate_of(Reading& reading, Typed typed, int times, bool partial) {
 
 Typed derivative_by(Reading& reading, Typed typed, const Variable& by) {
   note_logarithm(reading, typed.id);
-  typed.id = differentiator(reading, by, {}, false).derivative_or_zero(typed.id);
+  // What has the rate in it says how it depends on it: the rest of \partial L/\partial\dot q is held.
+  const bool holds_the_rest = by.partial && !by.held && reading.tree.symbols[by.letter].derivation &&
+                              is_one_of(by.letter, symbols_in(reading.tree, typed.id));
+  typed.id = differentiator(reading, by, {}, holds_the_rest).derivative_or_zero(typed.id);
   return typed;
 }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an equation is about.
+#pragma once
+
+#include <set>
+
+#include "elaborate/name/names.h"
+#include "expr/statement/statement.h"
+
+namespace rigor {
+
+/// The letters that have a value and that it leads to, definitions unfolded, each without its derivatives. The
+/// variable of an integral between limits has none.
+[[nodiscard]] std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope,
+                                              const Equation& equation);
+
+}  // namespace rigor
