@@ -9,8 +9,8 @@
 
 namespace rigor {
 
-/// The letters that have a value and that it leads to, definitions unfolded, each without its derivatives. The
-/// variable of an integral between limits has none.
+/// The letters that have a value and that it leads to, definitions unfolded, each without its derivatives.
+/// The variable of an integral between limits has none.
 [[nodiscard]] std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope,
                                               const Equation& equation);
 
