@@ -61,7 +61,7 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available, 
   if (auto found = prove_from(row, {})) return found;
   const Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available);
   if (auto restated = inferred ? std::nullopt : restating(row, bearing)) return restated;
-  if (auto solved = solves(row, bearing)) return solved;
+  if (auto solved = solves(row, bearing, available)) return solved;
   for (const Laws& set : promising_sets(row, bearing)) {
     if (set.empty()) continue;  // tried
     if (auto found = prove_from(row, set)) return found;

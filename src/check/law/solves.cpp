@@ -52,19 +52,15 @@ std::optional<SymbolId> unknown_of(const RowUnderLaws& row) {
 
 /// What an equation differentiates the unknown by, as often as it does; nothing: not at all, or by several
 /// variables or places.
-struct Order {
-  Variable by;
-  std::uint8_t axis = 0;  // by a place: which
-  int order = 0;
-};
-
-std::optional<Order> order_in(const ExprTree& tree, const Equation& equation, SymbolId unknown) {
-  std::optional<Order> found;
+std::optional<DifferentialEquation> order_in(const ExprTree& tree, const Equation& equation,
+                                             SymbolId unknown) {
+  std::optional<DifferentialEquation> found;
   for (const ExprId id : nodes_below(tree, {equation.left, equation.right})) {
     if (tree[id].op != Op::symbol) continue;
     const auto& derivation = tree.symbols[tree[id].symbol].derivation;
     if (!derivation || derivation->base != unknown) continue;
-    Order own{*derivation->by.begin(), 0, static_cast<int>(derivation->by.size())};
+    DifferentialEquation own{equation, unknown, *derivation->by.begin(), 0,
+                             static_cast<int>(derivation->by.size())};
     const std::span<const Slot> slots = tree.slots(id);
     if (own.by == By::space && !slots.empty()) own.axis = slots[0].axis;
     const bool along = std::ranges::all_of(slots, [&](const Slot& slot) { return slot.axis == own.axis; });
@@ -76,17 +72,25 @@ std::optional<Order> order_in(const ExprTree& tree, const Equation& equation, Sy
   return found;
 }
 
-/// Does another row say what the unknown is? Then its constants are not free any more.
-bool is_solved_already(const ExprTree& tree, const Laws& bearing, SymbolId unknown) {
+/// Does another row say what the unknown is, below the one that begins the problem? Then its constants are
+/// not free any more.
+bool is_solved_since(const ExprTree& tree, const Laws& bearing, SymbolId unknown, Span begin) {
   const auto is_it = [&](ExprId side) { return tree[side].op == Op::symbol && tree[side].symbol == unknown; };
-  return std::ranges::any_of(
-      bearing, [&](const PageLaw* law) { return is_it(law->equation.left) || is_it(law->equation.right); });
+  return std::ranges::any_of(bearing, [&](const PageLaw* law) {
+    const bool above = law->span.file == begin.file && law->span.begin < begin.begin;
+    return !above && (is_it(law->equation.left) || is_it(law->equation.right));
+  });
 }
 
 /// The letters of the solution that no equation has had before, and that do not change.
-std::vector<SymbolId> free_constants(const RowUnderLaws& row, const Equation& law) {
+std::vector<SymbolId> free_constants(const RowUnderLaws& row, const Equation& law,
+                                     const std::vector<ValueCondition>& conditions) {
   const Equation right{.left = row.claim.equation.right, .right = row.claim.equation.right};
-  const std::set<SymbolId> known = base_letters(row.tree, row.names.scope, law);
+  std::set<SymbolId> known = base_letters(row.tree, row.names.scope, law);
+  for (const ValueCondition& each : conditions) {
+    const std::vector<SymbolId> where = symbols_in(row.tree, each.at);  // h of `u(h) = 0`
+    known.insert(where.begin(), where.end());
+  }
   std::vector<SymbolId> constants;
   for (const SymbolId letter : base_letters(row.tree, row.names.scope, right)) {
     const Symbol& symbol = row.tree.symbols[letter];
@@ -104,7 +108,7 @@ std::vector<SymbolId> free_constants(const RowUnderLaws& row, const Equation& la
 
 class Independence {
  public:
-  Independence(const RowUnderLaws& row, const Names& names, const Order& order)
+  Independence(const RowUnderLaws& row, const Names& names, const DifferentialEquation& order)
       : row_(row), names_(names), order_(order) {}
 
   /// Do so many of the constants take the solution and its derivatives to any values?
@@ -154,7 +158,7 @@ class Independence {
 
   const RowUnderLaws& row_;
   const Names& names_;
-  const Order& order_;
+  const DifferentialEquation& order_;
   DerivativeBudget budget_;
 };
 
@@ -172,41 +176,97 @@ std::optional<Judgement> holds_when_put_in(const RowUnderLaws& put_in, const Nam
   return met ? std::optional(std::move(judgement)) : std::nullopt;
 }
 
+/// What follows when the row is put in.
+Names with_row_put_in(const RowUnderLaws& row, SymbolId unknown, const std::vector<SymbolId>& constants) {
+  Names names = row.names;
+  define(names.scope,
+         {{unknown, {}, no_particle, row.claim.equation.right}, {solution, {}, std::nullopt}, 0});
+  for (const SymbolId each : constants) declare_constant(names.scope, each, std::nullopt);
+  return names;
+}
+
+/// Does the row meet all of them?
+bool meets(const RowUnderLaws& row, const Names& put_in, const std::vector<ValueCondition>& conditions) {
+  return std::ranges::all_of(conditions, [&](const ValueCondition& condition) {
+    Claim claim = row.claim;
+    claim.equation = condition.law->equation;
+    const Names constant = with_laws_and_constants({row.tree, put_in, claim, row.cache}, {});
+    const Judgement judgement = judge(row.tree, constant, claim, {}, row.cache);
+    return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
+  });
+}
+
 }  // namespace
 
-std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing) {
+std::optional<SolvedEquation> solved_equation(const RowUnderLaws& row, const Laws& bearing) {
   const auto unknown = unknown_of(row);
   if (!unknown) return std::nullopt;
-  const PageLaw* law = nullptr;
-  std::optional<Order> order;
+  std::optional<SolvedEquation> found;
   Laws others;
   for (const PageLaw* each : bearing) {
     const bool of_unknown = base_letters(row.tree, row.names.scope, each->equation).contains(*unknown);
-    if (law == nullptr && of_unknown && !each->at_instant && !each->of_a_case) {
-      order = order_in(row.tree, each->equation, *unknown);
-      if (order) law = each;
+    if (!found && of_unknown && !each->at_instant) {
+      if (const auto order = order_in(row.tree, each->equation, *unknown))
+        found = SolvedEquation{*order, each};
     }
     if (!of_unknown && others.size() < most_other_laws) others.push_back(each);
   }
-  if (law == nullptr || is_solved_already(row.tree, bearing, *unknown)) return std::nullopt;
-  const std::vector<SymbolId> constants = free_constants(row, law->equation);
-  if (static_cast<int>(constants.size()) < order->order) return std::nullopt;
-  Names names = row.names;
-  define(names.scope,
-         {{*unknown, {}, no_particle, row.claim.equation.right}, {solution, {}, std::nullopt}, 0});
-  for (const SymbolId each : constants) declare_constant(names.scope, each, std::nullopt);
+  if (found) found->others = std::move(others);
+  return found;
+}
+
+std::optional<Equation> put_in(ExprTree& tree, const Names& names, const DifferentialEquation& equation,
+                               ExprId function) {
+  DerivativeBudget budget;
+  const auto dependence_of = [&](SymbolId symbol) {
+    const Dependence known = change(names, tree, symbol, equation.by).dependence;
+    const bool guessed =
+        known.kind == Dependence::Kind::varies && !knows_change(names, tree, symbol, equation.by);
+    return guessed ? Dependence{Dependence::Kind::constant} : known;
+  };
+  Differentiator differentiate(tree, equation.by, dependence_of, budget, {equation.axis, {}});
+  std::vector<ExprId> derivatives{function};
+  for (int k = 0; k < equation.order; ++k)
+    derivatives.push_back(differentiate.derivative_or_zero(derivatives.back()));
+  if (budget.exceeded) return std::nullopt;
+  const auto by = [&](ExprId id) -> std::optional<ExprId> {
+    const SymbolId symbol = tree[id].symbol;
+    if (base_of(tree.symbols, symbol) != equation.unknown) return std::nullopt;
+    return derivatives[tree.symbols[symbol].derivation ? tree.symbols[symbol].derivation->by.size() : 0];
+  };
+  Equation result = equation.equation;
+  result.left = replaced(tree, result.left, by);
+  result.right = replaced(tree, result.right, by);
+  return result;
+}
+
+std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing, const Laws& available) {
+  const auto solved = solved_equation(row, bearing);
+  if (!solved) return std::nullopt;
+  const DifferentialEquation& of = solved->of;
+  std::vector<ValueCondition> conditions = conditions_on(row.tree, row.names, available, of.unknown);
+  const std::vector<SymbolId> constants = free_constants(row, solved->law->equation, conditions);
+  const bool is_general = static_cast<int>(constants.size()) >= of.order;
+  if (is_general) conditions.clear();  // they say what the constants are
+  const Span begin = conditions.empty() ? solved->law->span : conditions.front().law->span;
+  if (is_solved_since(row.tree, bearing, of.unknown, begin)) return std::nullopt;
+  if (!is_general && (!constants.empty() || !leave_one_solution(row.tree, row.names, of, conditions)))
+    return std::nullopt;
+  const Names names = with_row_put_in(row, of.unknown, constants);
   Claim claim = row.claim;
-  claim.equation = law->equation;
+  claim.equation = solved->law->equation;
   const RowUnderLaws put_in{row.tree, names, claim, row.cache};
   auto found = holds_when_put_in(put_in, row.names, {});
-  if (!found && !others.empty()) found = holds_when_put_in(put_in, row.names, others);
+  if (!found && !solved->others.empty()) found = holds_when_put_in(put_in, row.names, solved->others);
   if (!found) return std::nullopt;
   const Names constant = with_laws_and_constants(put_in, {});
-  if (!Independence(row, constant, *order).holds(constants)) return std::nullopt;
+  if (is_general && !Independence(row, constant, of).holds(constants)) return std::nullopt;
+  if (!meets(row, names, conditions)) return std::nullopt;
   std::erase(found->uses, solution);
-  found->uses.insert(found->uses.begin(), law->name);
+  for (const ValueCondition& each : conditions) found->uses.insert(found->uses.begin(), each.law->name);
+  found->uses.insert(found->uses.begin(), solved->law->name);
   found->uses.emplace_back("convention: what nothing differentiates is constant");
-  found->route = fmt::format("solves {}", law->name);
+  found->route = fmt::format("solves {}", solved->law->name);
   return found;
 }
 

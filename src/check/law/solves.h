@@ -6,12 +6,29 @@
 #include <optional>
 
 #include "check/law/from_set.h"
+#include "check/law/value_conditions.h"
 
 namespace rigor {
 
-/// Does the row, `x = …` without x on the right, solve the nearest law with a derivative of x? Put in, the
-/// law holds, and the row has as many independent free constants as the order of the law says, two at most:
-/// then it is what the law leaves open. `uses` names the law and what else is needed for that.
-[[nodiscard]] std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing);
+/// What a row `x = …`, without x on the right, may solve.
+struct SolvedEquation {
+  DifferentialEquation of;
+  const PageLaw* law = nullptr;
+  Laws others = {};  // that may be needed for it
+};
+
+/// The nearest law with a derivative of x.
+[[nodiscard]] std::optional<SolvedEquation> solved_equation(const RowUnderLaws& row, const Laws& bearing);
+
+/// The equation with a function and its derivatives put in; nothing where they cannot be.
+[[nodiscard]] std::optional<Equation> put_in(ExprTree& tree, const Names& names,
+                                             const DifferentialEquation& equation, ExprId function);
+
+/// Does the row solve the nearest law with a derivative of x? Put in, the law holds, and the row has as many
+/// independent free constants as the order of the law says, two at most; or it has none, and meets the
+/// initial or boundary conditions among `available`, which leave one solution. So it is what the law leaves
+/// open. `uses` names the law and what else is needed for that.
+[[nodiscard]] std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing,
+                                              const Laws& available);
 
 }  // namespace rigor

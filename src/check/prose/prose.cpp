@@ -262,7 +262,9 @@ class ProseReader {
     const bool behind_display = last != std::string::npos && sentence_[last] == '\n';
     // A capital after a blank line or a display begins a sentence, also where no full stop stands.
     if ((lines > 1 || (lines == 1 && behind_display)) && capital) end_sentence();
-    if (lines > 1) ++paragraph_;
+    // In Markdown blank lines stand around displays; the sentence that has one in it is of one paragraph.
+    const bool meets_display = at == text.size() ? !behind_display : behind_display && !capital;
+    if (lines > 1 && (sentence_.empty() || !meets_display)) ++paragraph_;
     if (!sentence_.empty() && sentence_.back() != ' ') sentence_ += ' ';
     return at;
   }

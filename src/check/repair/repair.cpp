@@ -48,10 +48,11 @@ bool have_same_places(const ExprTree& tree, const Equation& a, const Equation& b
 class RepairSearch {
  public:
   RepairSearch(ExprTree& tree, Names& names, const WrongStep& wrong, const NeighbourProof& proof,
-               DecisionCache* cache)
+               const Asked& asked, DecisionCache* cache)
       : tree_(tree),
         names_(names),
         proof_(proof),
+        asked_(asked),
         cache_(cache),
         wrong_(wrong),
         chain_(wrong.parsed),
@@ -67,19 +68,22 @@ class RepairSearch {
   std::vector<TrueNeighbour> run() {
     if (candidates_.side(0).size() + candidates_.side(1).size() > most_tokens) return {};
     const std::optional<Claim> original = claim_between(typed(0), typed(1));
-    const bool by_terms = original && !original->nearly && original->equation.relation == Relation::equal;
+    const bool by_terms =
+        original && !original->nearly && original->equation.relation == Relation::equal && !asked_;
     std::vector<RepairCandidate> rewritten = candidates_.rewritten_sides(!by_terms);
     std::vector<Equation> equations = read(rewritten);
     if (rewritten.empty()) return {};
     claim_ = original ? *original : *first_claim_;
+    if (asked_) ask_instead(rewritten, equations);
+    if (rewritten.empty()) return {};
     std::vector<RepairCandidate> holding;
     if (claim_.nearly) {
       holding = holding_to_first_order(rewritten, equations);
     } else {
       const std::vector<ComparedTerm> terms = by_terms ? candidates_.terms() : std::vector<ComparedTerm>{};
       holding = holding_on_samples(rewritten, equations, terms, false);
-      if (lack_terms(holding)) add_insertions(holding);
-      if (holding.empty()) holding = holding_on_samples(rewritten, equations, terms, true);
+      if (lack_terms(holding) && !asked_) add_insertions(holding);
+      if (holding.empty() && !asked_) holding = holding_on_samples(rewritten, equations, terms, true);
     }
     sort_and_reduce(holding, candidates_.side(0), candidates_.side(1));
     return prove_the_nearest(holding);
@@ -131,6 +135,22 @@ class RepairSearch {
       return false;
     });
     return equations;
+  }
+
+  /// Each equation becomes the one that is asked; what has none is taken out.
+  void ask_instead(std::vector<RepairCandidate>& candidates, std::vector<Equation>& equations) {
+    const auto own = asked_(tree_, names_, claim_.equation);
+    std::vector<RepairCandidate> kept;
+    std::vector<Equation> asked;
+    for (std::size_t k = 0; own && k < candidates.size(); ++k) {
+      const auto equation = asked_(tree_, names_, equations[k]);
+      if (!equation) continue;
+      kept.push_back(std::move(candidates[k]));
+      asked.push_back(*equation);
+    }
+    if (own) claim_.equation = *own;
+    candidates = std::move(kept);
+    equations = std::move(asked);
   }
 
   /// The term = 0, at the places of the claim.
@@ -313,6 +333,7 @@ class RepairSearch {
   ExprTree& tree_;
   Names& names_;
   const NeighbourProof& proof_;
+  const Asked& asked_;
   DecisionCache* cache_;
   const WrongStep& wrong_;
   SyntaxTree syntax_;
@@ -328,10 +349,11 @@ class RepairSearch {
 }  // namespace
 
 std::vector<TrueNeighbour> true_neighbours(const ExprTree& tree, const Names& names, const WrongStep& wrong,
-                                           const NeighbourProof& proof, DecisionCache* cache) {
+                                           const NeighbourProof& proof, DecisionCache* cache,
+                                           const Asked& asked) {
   ExprTree own_tree = tree;
   Names own_names = names;
-  return RepairSearch(own_tree, own_names, wrong, proof, cache).run();
+  return RepairSearch(own_tree, own_names, wrong, proof, asked, cache).run();
 }
 
 std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names, const WrongStep& wrong,

@@ -41,6 +41,10 @@ inline constexpr Limits limits_of_candidates{.expanded_terms = 10'000,
 using NeighbourProof =
     std::function<std::optional<std::vector<std::string>>(ExprTree&, const Names&, const Claim&, Slip)>;
 
+/// What is asked on samples in place of a neighbour: of `x = …` beside an equation of motion, that equation
+/// with the side put in. Nothing: the neighbour is none.
+using Asked = std::function<std::optional<Equation>(ExprTree&, const Names&, const Equation&)>;
+
 /// A true statement within one slip of the wrong one.
 struct TrueNeighbour {
   Repair repair;
@@ -57,7 +61,8 @@ struct TrueNeighbour {
 /// of more than 400 tokens are not mended.
 [[nodiscard]] std::vector<TrueNeighbour> true_neighbours(const ExprTree& tree, const Names& names,
                                                          const WrongStep& wrong, const NeighbourProof& proof,
-                                                         DecisionCache* cache = nullptr);
+                                                         DecisionCache* cache = nullptr,
+                                                         const Asked& asked = {});
 
 /// Those that are judged to be proved, without a warning.
 [[nodiscard]] std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names,

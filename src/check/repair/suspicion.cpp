@@ -9,6 +9,7 @@
 #include "check/law/bearing.h"
 #include "check/law/from_set.h"
 #include "check/law/restated.h"
+#include "check/law/solves.h"
 #include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/repair/missing_condition.h"
@@ -39,6 +40,7 @@ class Suspecting {
       if (auto identity = nearest({}, {})) return identity;
     }
     const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, row_.available);
+    if (auto solution = nearest_solution()) return solution;
     std::vector<Laws> sets = sets_of(tree_, bearing);
     sets.erase(sets.begin());  // of no laws
     // What follows from some laws holds wherever all of them do, so the samples meet as many as can be met.
@@ -52,6 +54,32 @@ class Suspecting {
   }
 
  private:
+  /// `x = A\cos 2\omega t` beside `\ddot x = -\omega^2x`.
+  std::optional<Suspicion> nearest_solution() {
+    const Laws& laws = row_.to_be_solved;
+    const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, laws);
+    ExprTree grown = tree_;
+    const auto solved = solved_equation({grown, names_, row_.claim, &cache_}, bearing);
+    if (!solved) return std::nullopt;
+    const Asked asked = [&](ExprTree& tree, const Names& names,
+                            const Equation& row) -> std::optional<Equation> {
+      if (!same_expression(tree, row.left, tree_, row_.claim.equation.left)) return std::nullopt;
+      return put_in(tree, names, solved->of, row.right);
+    };
+    const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim,
+                                     Slip slip) -> std::optional<std::vector<std::string>> {
+      const bool of_another = changes_a_letter(slip) || changes_the_terms(slip) ||
+                              slip == Slip::factor_missing || slip == Slip::factor_extra;
+      if (of_another || is_trivial_up_to_order(tree, claim.equation.right, row_.claim.equation.right))
+        return std::nullopt;
+      auto found = solves({tree, names, claim, &cache_}, bearing, laws);
+      return found ? std::optional(std::move(found->uses)) : std::nullopt;
+    };
+    std::vector<TrueNeighbour> found = true_neighbours(grown, names_, row_.wrong, proof, &cache_, asked);
+    if (found.empty()) return std::nullopt;
+    return Suspicion{std::move(found.front().repair), std::move(found.front().uses)};
+  }
+
   /// A slip exchanges one letter for another: the sides of an identity lead to the same letters.
   bool may_be_near_an_identity() const {
     const auto letters_of = [&](ExprId side) {

@@ -23,9 +23,10 @@ struct Suspicion {
 struct OpenRow {
   const WrongStep& wrong;
   const Claim& claim;
-  const Laws& available = {};  // in the order of the notes
-  bool announced = false;      // as a conclusion: then it may lack a term
-  bool restricted = false;     // words may limit it to a case: only an identity near it counts
+  const Laws& available = {};     // in the order of the notes
+  const Laws& to_be_solved = {};  // differential equations and their conditions
+  bool announced = false;         // as a conclusion: then it may lack a term
+  bool restricted = false;        // words may limit it to a case: only an identity near it counts
 };
 
 /// The nearest statement that is an identity or follows from definitions and from what is given; else one

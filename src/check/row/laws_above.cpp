@@ -221,11 +221,11 @@ std::string_view word_of(Standing standing) {
 
 bool is_of_a_moment(const RowPlace& place) {
   static constexpr auto moments = std::to_array<std::string_view>(
-      {"when",    "where",   "whenever",    "initially", "boundary", "surface", "interface", "edge",
-       "wall",    "top",     "bottom",      "turning",   "instant",  "moment",  "meet",      "meets",
-       "reaches", "reached", "vanishes",    "maximum",   "minimum",  "once",    "until",     "after",
-       "before",  "during",  "starts",      "ends",      "instance", "example", "however",   "clamped",
-       "fixed",   "rest",    "equilibrium", "grounded",  "finally"});
+      {"when",    "where",   "whenever", "initially", "boundary",    "surface",  "interface",
+       "edge",    "wall",    "top",      "bottom",    "turning",     "instant",  "moment",
+       "meet",    "meets",   "reaches",  "reached",   "vanishes",    "maximum",  "minimum",
+       "once",    "until",   "after",    "before",    "during",      "starts",   "ends",
+       "however", "clamped", "fixed",    "rest",      "equilibrium", "grounded", "finally"});
   static constexpr std::array<std::string_view, 5> all{"all", "any", "every", "each", "least"};
   const std::string lead = lowered(beside(place).lead);
   const std::vector<std::string_view> words = words_of(lead);
@@ -239,6 +239,13 @@ bool is_of_a_moment(const RowPlace& place) {
   return !behind.empty() && (behind[0] == "at" || behind[0] == "when" || behind[0] == "initially");
 }
 
+bool is_an_example(const RowPlace& place) {
+  const std::string lead = lowered(beside(place).lead);
+  return std::ranges::any_of(words_of(lead), [](std::string_view word) {
+    return is_one_of(word, {"instance", "example"});
+  });
+}
+
 void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equation& equation, Span relation,
                          Standing standing) {
   if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
@@ -249,16 +256,16 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
   const bool beside_an_arrow = parsed.written.premise || parsed.written.inference != Inference::none;
   const bool momentary = is_of_a_moment(place);
   const bool sets = sets_letters_equal(place.tree, equation);
-  const bool lasts =
-      is_about_values(place, equation) || (!momentary && says_that_a_field_vanishes(place, equation));
+  const bool of_values = is_about_values(place, equation);
+  const bool lasts = of_values || (!momentary && says_that_a_field_vanishes(place, equation));
   PageLaw law{.equation = equation,
               .name = name_of_law(parsed.written.tag, relation, place.sources, word_of(standing)),
               .span = relation,
               .place = here.place,
               .paragraph = here.paragraph,
               .at_instant = (momentary || sets) && !lasts,
-              .of_a_case = momentary || sets || beside_an_arrow || is_conditional(place) ||
-                           is_value(place.tree, equation),
+              .of_a_case = ((momentary || sets) && !of_values) || is_an_example(place) || beside_an_arrow ||
+                           is_conditional(place) || is_value(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .standing = standing};
   place.found.stated.push_back({.law = std::move(law),

@@ -29,15 +29,19 @@ void leave(RowPlace& place, const StepReading& row, const Claim& claim, Standing
   if (!claim.nearly) leave_to_rows_below(place, row.parsed, claim.equation, claim.relation, standing);
 }
 
-/// Laws of this section and those around it, but none of a case, and no conclusion that follows from nothing:
-/// that may be wrong itself. What another section states makes nothing suspect: "The other end is now held by
+/// Laws of this section and those around it, but no conclusion that follows from nothing: that may be wrong
+/// itself. What another section states makes nothing suspect: "The other end is now held by
 /// a hinge."
 Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
   const ProseBeside& here = beside(place);
   std::erase_if(laws, [&](const PageLaw* law) {
-    return is_open(*law) || law->of_a_case || law->at_instant ||
-           !place.notes.prose.sections.reaches(law->place, here.place);
+    return is_open(*law) || law->at_instant || !place.notes.prose.sections.reaches(law->place, here.place);
   });
+  return laws;
+}
+
+Laws without_cases(Laws laws) {
+  std::erase_if(laws, [](const PageLaw* law) { return law->of_a_case; });
   return laws;
 }
 
@@ -115,7 +119,7 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
 bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
   const ProseBeside& here = beside(place);
   const std::string heading = lowered(place.section);
-  return is_conditional(place) || is_of_a_moment(place) || is_of_a_case(place) ||
+  return is_conditional(place) || is_of_a_moment(place) || is_an_example(place) || is_of_a_case(place) ||
          begins_with_a_case(here.lead) || restriction_in_heading(heading) ||
          said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);
 }
@@ -158,10 +162,13 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                         .near = sides_near(place.notes, row.parsed)};
   const bool of_a_case = may_be_of_a_case(place, row.parsed);
   const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
-  const Laws grounds = restricted ? Laws{} : grounds_for_suspicion(place, available_to(place, row.parsed));
+  const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
+  const Laws to_be_solved = judgement.verdict == Verdict::undecided ? Laws{} : here;
+  const Laws grounds = restricted ? Laws{} : without_cases(here);
   const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
-  auto found = suspicion(place.tree, as_said_here(place, row),
-                         {wrong, claim, grounds, may_lack_a_term, restricted}, *place.options.cache);
+  auto found =
+      suspicion(place.tree, as_said_here(place, row),
+                {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted}, *place.options.cache);
   if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
   judgement.verdict = Verdict::suspect;
   judgement.route = "one slip of the pen away from what follows";

@@ -71,9 +71,10 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// The laws above that hold here, in the order of the notes; not the other links of its own chain.
 /// `of_any_thing`: also `C = \epsilon A/d` of "Plates have" below the definition `C = Q/V`.
 [[nodiscard]] Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_thing = false);
-/// "At the top", "the boundary condition is", "for instance": words before a row that say it for a moment, a
-/// place or one example.
+/// "At the top", "the boundary condition is": words before a row that say it for a moment or a place.
 [[nodiscard]] bool is_of_a_moment(const RowPlace& place);
+/// "For instance": it holds where the example does.
+[[nodiscard]] bool is_an_example(const RowPlace& place);
 
 // --- page_laws.cpp: What follows from these laws.
 
