@@ -167,12 +167,12 @@ TEST_CASE("δ and ε take index letters and axes") {
   CHECK(meaning("\\delta_{i4}") == "1 unsupported: ?");
 }
 
-TEST_CASE("δ before a letter is part of its name, and π is any number") {
+TEST_CASE("δ before a letter is part of its name, and π is the number") {
   CHECK(meaning("\\delta x") == "\\delta x");
   CHECK(meaning("\\Delta x") == "\\Delta x");
   Statements statements;
   CHECK(statements.meaning("\\pi") == "\\pi");
-  CHECK(statements.circle_number);
+  CHECK(statements.tree.symbols[SymbolId{0}].circle_number);
 }
 
 TEST_CASE("hats over x, y, z and a bold e are the basis") {

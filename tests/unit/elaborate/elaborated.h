@@ -22,7 +22,6 @@ class Statements {
   Names names;
   std::vector<std::string> conventions;  // of the last statement that was read
   std::optional<Obstacle> guess;
-  bool circle_number = false;
   Directives used;  // as the directives that the last statement looked up are numbered
 
   /// Words of `vector \mathbf A`: a symbol is declared by its key.
@@ -68,7 +67,6 @@ class Statements {
     if (equation) static_cast<void>(equate(reading, *typed[0], *typed[1], {relation_, diagnostics}));
     conventions = reading.found.conventions;
     guess = guess_of(reading);
-    circle_number = reading.found.circle_number;
     used = reading.found.used;
     stretches_.back()->diagnostics = std::move(diagnostics);
     std::string text = stretches_.back()->complaints();
