@@ -364,7 +364,8 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
       const auto& derivation = tree.symbols[symbol].derivation;
       const SymbolId base = derivation ? derivation->base : symbol;
       const NameKey* key = key_of(names.symbols, base);
-      if (key == nullptr || key->rank > 1 || tree.symbols[base].declared) continue;
+      const bool read = key != nullptr && key->shape.any();  // a column of numbers
+      if (key == nullptr || key->rank > 1 || read || tree.symbols[base].declared) continue;
       const std::string letter = without_labels(key->base);
       // Of a vector of matrices, `\boldsymbol\sigma`, only what was shown counts, not that it is a capital.
       const bool labelled = letter.starts_with("\\") && key->base != letter;  // `\sigma_x`

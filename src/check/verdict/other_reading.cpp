@@ -89,11 +89,14 @@ std::optional<OtherReading> in_complex_vectors(const Question& question, const N
       {fmt::format("`rigor: vector {}` says that it is real", question.tree->symbols[*open.begin()].name)}};
 }
 
+/// A matrix or column that is no vector of a space.
+bool is_of_columns(const ExprNode& node) { return node.rank > 0 && node.axes[0].id == space_of_columns; }
+
 /// Does the claim name single components or axes? `axes`: unit vectors along axes count.
 bool has_components(const Question& question, bool axes) {
   bool found = false;
   for_each_node(question, [&](const ExprNode& node) {
-    if (node.op == Op::basis && !axes) return;
+    if ((node.op == Op::basis && !axes) || is_of_columns(node)) return;
     found = found || node.op == Op::basis || node.op == Op::tuple || node.op == Op::index_sum ||
             node.op == Op::component || node.slot_count > 0;
   });

@@ -189,6 +189,7 @@ void see_sentence(std::string_view sentence, Evidence& evidence) {
     const ListedLetters listed = listed_letters(sentence.substr(open + 1, close - open - 1));
     for (const std::string& letter : listed.letters) {
       if (listed.ordered || number) evidence.numbers.insert(letter);
+      if (listed.ordered || number) evidence.plain_numbers.insert(letter);
       if (listed.ordered || real) evidence.real.insert(letter);
     }
     open = sentence.find('$', close + 1);

@@ -27,6 +27,9 @@
 
 namespace rigor {
 
+inline constexpr int most_named_spaces = most_spaces - 1;
+inline constexpr std::uint8_t space_of_columns = most_spaces;  // its `Space::id`
+
 /// What declares a key, or a letter that labels particles.
 struct Declaration {
   std::size_t directive = 0;
@@ -69,6 +72,10 @@ struct Symbols {
 [[nodiscard]] inline Space space_of(const Symbols& symbols) {
   return symbols.spaces->empty() ? common_space : symbols.spaces->back().space;
 }
+/// The space of columns with so many entries: the one in force or the common one where that has as many axes,
+/// so that a column can be a vector; else one that is shared by all columns of that length.
+[[nodiscard]] Space column_space(const Symbols& symbols, int dimension);
+[[nodiscard]] AxisSpaces axes_of(const Symbols& symbols, MatrixShape shape);
 /// The directive that says so, if one does.
 [[nodiscard]] std::optional<std::size_t> space_declared_by(const Symbols& symbols);
 /// The key of this name where the space in force is.

@@ -209,6 +209,9 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
       is_never_applied(symbol) || (kind != SyntaxKind::group && kind != SyntaxKind::tuple) ||
       holds_letter(syntax, bracket, symbol.letter))
     return BracketPart::factor;
+  // Nobody writes an argument as a column; a letter that may be a map is ambiguous beside one.
+  const Evidence& here = *reading.names.symbols.evidence;
+  if (written_shape(syntax, bracket).any() || is_matrix_letter(symbol, here)) return BracketPart::factor;
   const SyntaxId argument = syntax.child(bracket, 0);
   const bool one_symbol = syntax[argument].kind == SyntaxKind::symbol && kind == SyntaxKind::group;
   if (one_symbol && is_declared(reading.names.symbols, {syntax.symbol(argument).letter, 0, false}))

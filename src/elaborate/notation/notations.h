@@ -13,6 +13,7 @@ ReadPart elaborate_cases;                                           // cases.cpp
 ReadPart elaborate_derivative;                                      // derivative.cpp
 ReadPart elaborate_function, elaborate_integral;                    // function.cpp
 ReadPart elaborate_tuple, elaborate_matrix, elaborate_determinant;  // matrix.cpp
+ReadPart elaborate_transpose, elaborate_diagonal;                   // matrix.cpp
 ReadPart elaborate_power, elaborate_root;                           // power.cpp
 ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
 ReadPart elaborate_term;                                            // term.cpp

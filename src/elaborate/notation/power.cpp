@@ -10,6 +10,7 @@
 #include "base/among.h"
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/notations.h"
+#include "elaborate/reading/matrix_product.h"
 #include "elaborate/symbol/named_symbol.h"
 
 namespace rigor {
@@ -175,6 +176,10 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   inside.squared = of_symbol && whole == 2;
   const auto base = elaborate(reading, raised, inside);
   if (!base) return std::nullopt;
+  if (base->layout != Layout::none) {
+    if (whole) return matrix_power(reading, *base, *whole, span);
+    return unsupported(reading, syntax[exponent].span, "powers of matrices are read with whole numbers only");
+  }
   const auto halves = half_number(syntax, exponent);
   const bool number_above = !halves && is_number_above(reading, raised, exponent);
   if (!halves && !number_above) {
