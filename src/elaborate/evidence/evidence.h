@@ -116,6 +116,8 @@ void see_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, 
                   Evidence& evidence);
 /// Is the letter one, and neither perhaps the length of a bold one nor an entry of its own matrix?
 [[nodiscard]] bool is_matrix_letter(const WrittenSymbol& symbol, const Evidence& evidence);
+/// Does such a letter, or a written matrix, stand in it?
+[[nodiscard]] bool holds_matrix_letter(const SyntaxTree& syntax, SyntaxId id, const Evidence& evidence);
 /// The shape of what is written in rows and columns; none for anything else.
 [[nodiscard]] MatrixShape written_shape(const SyntaxTree& syntax, SyntaxId id);
 /// Can a letter that nothing explains be a matrix, a column or a map, where it stands beside a matrix?

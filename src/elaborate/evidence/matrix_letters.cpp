@@ -160,6 +160,13 @@ bool is_matrix_letter(const WrittenSymbol& symbol, const Evidence& evidence) {
   return letter != evidence.matrices.end() && !letter->second.of_itself && !length;
 }
 
+bool holds_matrix_letter(const SyntaxTree& syntax, SyntaxId id, const Evidence& evidence) {
+  return std::ranges::any_of(nodes_below(syntax, {id}), [&](SyntaxId each) {
+    return written_shape(syntax, each).any() ||
+           (syntax[each].kind == SyntaxKind::symbol && is_matrix_letter(syntax.symbol(each), evidence));
+  });
+}
+
 bool may_be_a_matrix(const std::string& letter, const Evidence& evidence) {
   static constexpr std::array<std::string_view, 17> columns_and_maps{
       "u", "v", "w",     "x",     "y",        "z",     "p",    "q",    "f",

@@ -408,6 +408,7 @@ std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol
 bool is_argument(const SyntaxTree& syntax, SyntaxId applied, SyntaxId bracket, const Evidence& evidence) {
   const SyntaxId id = without_derivatives(syntax, applied);
   if (syntax[id].kind != SyntaxKind::symbol) return false;
+  if (holds_matrix_letter(syntax, bracket, evidence)) return false;
   const std::vector<std::string> letters = letters_in_bracket(syntax, bracket);
   return !letters.empty() && variables_of(syntax.symbol(id), evidence) == letters;
 }

@@ -21,7 +21,9 @@ namespace {
 MaybeTyped whole_tensor(Reading& reading, SyntaxId id, const Around& around) {
   if (reading.syntax[id].kind != SyntaxKind::symbol) return std::nullopt;
   const WrittenSymbol& written = reading.syntax.symbol(id);
-  if (!is_undecorated(written) || !written.lower.empty()) return std::nullopt;
+  if (!is_undecorated(written) || !written.lower.empty() ||
+      is_matrix_letter(written, *reading.names.symbols.evidence))
+    return std::nullopt;
   const bool tensor = is_known(reading.names, written.letter, 2, false) &&
                       !is_declared(reading.names.symbols, {written.letter, 0, false});
   if (!tensor) return std::nullopt;
