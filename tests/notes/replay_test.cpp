@@ -39,8 +39,10 @@ bool is_plain(const Json& step) {
   const Json& example = step["counterexample"];
   if (step["source"].get<std::string>().find("(cyclic image ") != std::string::npos) return false;
   if (step["source"].get<std::string>().find("O(") != std::string::npos) return false;  // coefficients
+  if (step["source"].get<std::string>().find("\\frac{d}{d") != std::string::npos) return false;
   for (const Json& use : step["uses"]) {
     if (use.get<std::string>().starts_with("definition")) return false;
+    if (use.get<std::string>().find("are differentiated by") != std::string::npos) return false;
   }
   for (const char* side : {"left", "right"}) {  // bounds, and what is rounded
     const auto text = example[side].get<std::string>();
@@ -68,7 +70,8 @@ std::string replayed(const Json& step) {
     note += fmt::format("claim {} = {}\n", step[side].get<std::string>(),
                         number(example[side].get<std::string>()));
   }
-  return note + "-->\n";
+  const bool complex = note.find("i\n") != std::string::npos;  // `let q = 1 - 2i`
+  return (complex ? "Here $i$ is the imaginary unit.\n\n" : "") + note + "-->\n";
 }
 
 /// How many of a report's refutations are confirmed and how many are not, one file.

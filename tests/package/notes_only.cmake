@@ -32,7 +32,7 @@ file(WRITE "${project}/a;b.md" "$$${true_step}$$\n")
 file(WRITE "${project}/-dash.md" "$$${true_step}$$\n")
 file(WRITE "${project}/same.md" "$$${true_step}$$\n")
 file(WRITE "${project}/same.tex" "$$${true_step}$$\n")
-file(WRITE "${project}/open.md" "$$\\int_a^b f(s)\\,ds = 0$$\n")
+file(WRITE "${project}/open.md" "$$\\oint f(s)\\,ds = 0$$\n")
 file(WRITE "${project}/aside.md" "$$m\\dot{\\mathbf{v}}\\cdot\\mathbf{v} = 0$$\n")
 file(WRITE "${project}/physics.rigor" "constant m\ngiven \\mathbf{v}\\cdot\\dot{\\mathbf{v}} = 0\n")
 

@@ -6,10 +6,18 @@
 #include <numeric>
 
 #include "algebra/decide/prove.h"
+#include "algebra/parts/real_parts.h"
 
 namespace rigor {
 
 bool assumptions_contradict(const Question& question, const Limits& limits) {
+  if (is_about_complex(question)) {
+    try {
+      return assumptions_contradict(in_real_parts(question).question, limits);
+    } catch (const Undecidable&) {
+      return false;
+    }
+  }
   const Scope scope(question, Scope::Definitions::unfolded);
   std::vector<std::size_t> all(question.assumptions.size());
   std::iota(all.begin(), all.end(), 0u);

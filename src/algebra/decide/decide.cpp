@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algebra/decide/prove.h"
+#include "algebra/parts/complex_sample.h"
 #include "algebra/sample/refute.h"
 
 namespace rigor {
@@ -32,14 +33,17 @@ constexpr std::uint32_t cheap_terms = 3000;
                      largest_free_indices);
 }
 
-/// Is there a quotient in the claim or in what it unfolds to? Then a proof says nothing where a denominator
-/// is zero for all values.
+/// Is there a quotient in the claim or in what it unfolds to, but by a written number? Then a proof says
+/// nothing where a denominator is zero for all values.
 [[nodiscard]] bool divides(const Scope& scope) {
   const ExprTree& tree = scope.tree();
   std::vector<ExprId> roots{scope.question().claim.left, scope.question().claim.right};
   for (const Definition& definition : scope.question().definitions) roots.push_back(definition.body);
   return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
-    return tree[id].op == Op::divide || (tree[id].op == Op::power && tree[id].exponent < 0);
+    if (tree[id].op == Op::power) return tree[id].exponent < 0;
+    if (tree[id].op != Op::divide) return false;
+    const ExprId divisor = tree.children(id)[1];
+    return tree[divisor].op != Op::number || tree.is_zero_literal(divisor);
   });
 }
 
@@ -301,11 +305,30 @@ Decision Decider::decide() {
 
 }  // namespace
 
+namespace {
+
+/// The answer to the question about both parts, with complex values in its sample.
+Decision decide_in_parts(const Question& question, const Limits& limits) {
+  const RealQuestion real = in_real_parts(question);
+  Decision decision = decide(real.question, limits);
+  if (!decision.sample) return decision;
+  Sample sample = without_part(with_complex_values(*std::move(decision.sample), real), real);
+  const auto sides = replay(question, sample);
+  if (!sides) return undecided("a counterexample was found, but putting it in again did not confirm it");
+  sample.left = sides->left;
+  sample.right = sides->right;
+  decision.sample = std::move(sample);
+  return decision;
+}
+
+}  // namespace
+
 Decision decide(const Question& question, const Limits& limits) {
   Budget own;
   Limits counted = limits;
   if (counted.budget == nullptr) counted.budget = &own;
   try {
+    if (is_about_complex(question)) return decide_in_parts(question, counted);
     return Decider(question, counted).decide();
   } catch (const Undecidable& reason) {
     return undecided(reason.what());

@@ -5,6 +5,7 @@
 
 #include "algebra/decide/decide.h"
 #include "algebra/evaluator/components.h"
+#include "algebra/parts/complex_sample.h"
 #include "algebra/sample/refute.h"
 #include "algebra/sample/sample_text.h"
 #include "base/among.h"
@@ -77,9 +78,37 @@ constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at
   return result;
 }
 
+/// What a sample of complex values says of both parts. Its sides are those of the claim, put together.
+[[nodiscard]] Replay replay_in_parts(const Question& question, const Sample& complex) {
+  const RealQuestion real = in_real_parts(question);
+  const Sample sample = with_parts(complex, real);
+  const bool claim_in_parts = real.sides_in_parts && question.claim.relation == Relation::equal;
+  const auto at = [&](const Question& of, std::uint8_t part, bool in_parts) {
+    return replay_closely(of, in_parts ? at_part(sample, real, part) : sample);
+  };
+  Replay result = at(real.question, 1, claim_in_parts);
+  if (result.fault != Replay::Fault::none || !real.sides_in_parts) return result;
+  Question of_sides = real.question;
+  of_sides.claim = real.sides;
+  const Replay re = at(of_sides, 1, true);
+  const Replay im = at(of_sides, 2, true);
+  if (re.fault != Replay::Fault::none || im.fault != Replay::Fault::none)
+    return fault(Replay::Fault::undefined);
+  if (claim_in_parts) result.differ = re.differ || im.differ;
+  result.sides = {complex_text(re.sides.left, im.sides.left), complex_text(re.sides.right, im.sides.right)};
+  return result;
+}
+
 }  // namespace
 
 Replay replay_closely(const Question& question, const Sample& sample) {
+  if (is_about_complex(question)) {
+    try {
+      return replay_in_parts(question, sample);
+    } catch (const Undecidable&) {
+      return fault(Replay::Fault::undefined);
+    }
+  }
   const Scope scope(question, Scope::Definitions::unfolded);
   const std::vector<std::size_t> assumptions = relevant_assumptions(scope);
   const Reach reached = reach_of_sample(scope, assumptions);
@@ -121,6 +150,16 @@ std::optional<SideValues> replay(const Question& question, const Sample& sample)
 }
 
 std::vector<SampleValue> following_values(const Question& question, const Sample& sample) {
+  if (is_about_complex(question)) {
+    try {
+      const RealQuestion real = in_real_parts(question);
+      std::vector<SampleValue> values = following_values(real.question, with_parts(sample, real));
+      for (SampleValue& value : values) value = with_complex_values(std::move(value), real);
+      return values;
+    } catch (const Undecidable&) {
+      return {};
+    }
+  }
   const Scope scope(question, Scope::Definitions::unfolded);
   const Reach reached = reach_of_sample(scope, relevant_assumptions(scope));
   std::vector<SampleValue> values;
@@ -151,6 +190,13 @@ std::vector<SampleValue> following_values(const Question& question, const Sample
 }
 
 std::vector<SymbolId> symbols_of_sample(const Question& question) {
+  if (is_about_complex(question)) {
+    try {
+      return symbols_of_sample(in_real_parts(question).question);
+    } catch (const Undecidable&) {
+      return {};
+    }
+  }
   const Scope scope(question, Scope::Definitions::unfolded);
   return reach_of_sample(scope, relevant_assumptions(scope)).symbols;
 }

@@ -4,6 +4,7 @@
 
 #include "algebra/decide/decide.h"
 #include "algebra/engine/undecidable.h"
+#include "algebra/parts/complex_sample.h"
 #include "algebra/sample/refute.h"
 #include "algebra/sample/sample_text.h"
 
@@ -91,6 +92,15 @@ class Search {
 
 std::optional<Sample> satisfying_sample(const Question& question, const Sample& known, const Limits& limits) {
   if (question.assumptions.empty()) return Sample{};
+  if (is_about_complex(question)) {
+    try {
+      const RealQuestion real = in_real_parts(question);
+      auto found = satisfying_sample(real.question, with_parts(known, real), limits);
+      return found ? std::optional(with_complex_values(*std::move(found), real)) : std::nullopt;
+    } catch (const Undecidable&) {
+      return std::nullopt;
+    }
+  }
   const Scope scope(question, Scope::Definitions::unfolded);
   Budget own;
   Limits counted = limits;

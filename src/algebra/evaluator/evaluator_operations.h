@@ -57,6 +57,11 @@ auto Evaluator<Domain>::scalar(ExprId id) -> Number {
     }
     case Op::function:
       return domain_->function(here.function, scalar(child(id)));
+    case Op::imaginary_unit:
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:  // `in_real_parts` leaves none of them
+      throw Undecidable("complex numbers are not evaluated here");
     case Op::table:
       return scalar(child(id, tree_->table(id).entry[slot_position(id)]));
     case Op::basis:

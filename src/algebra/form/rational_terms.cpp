@@ -52,7 +52,7 @@ GiNaC::ex RationalAtoms::value_of(ExprId id) {
       const bool even = node.exponent % 2 == 0;
       if (base.op == Op::root && even)
         return GiNaC::pow(value_of(tree_.children(children[0])[0]), node.exponent / 2);
-      if (base.op == Op::absolute && even)
+      if (base.op == Op::absolute && even && !has_complex_numbers(tree_, children[0]))
         return GiNaC::pow(value_of(tree_.children(children[0])[0]), node.exponent);
       const GiNaC::ex value = value_of(children[0]);
       if (node.exponent < 0 && normal_form(value).is_zero()) throw Undecidable("it divides by zero");
@@ -63,7 +63,7 @@ GiNaC::ex RationalAtoms::value_of(ExprId id) {
       if (!vectors) return atom(id);
       const std::string first = dump(tree_, children[0]);
       const std::string second = dump(tree_, children[1]);
-      if (first == second) return length_squared(children[0]);
+      if (first == second && !has_complex_numbers(tree_, children[0])) return length_squared(children[0]);
       return second < first ? atom(make(Op::dot, {children[1], children[0]})) : atom(id);
     }
     default:

@@ -66,6 +66,22 @@ bool divides(const ex& divisor, const ex& value, ex& quotient, Budget* budget) {
   return true;
 }
 
+bool may_be_factored(const ex& expanded) {
+  constexpr std::size_t most_terms = 32;
+  constexpr double most_monomials = 4'000;
+  if (term_count(expanded) > most_terms) return false;
+  std::map<ex, int, GiNaC::ex_is_less> degrees;
+  for (const ex& term : terms_of(expanded)) {
+    for (const ex& factor : factors_of(term)) {
+      const auto [base, exponent] = split_power(factor);
+      if (!is_number(base)) degrees[base] = std::max(degrees[base], std::abs(exponent));
+    }
+  }
+  double monomials = 1;
+  for (const auto& [variable, degree] : degrees) monomials *= degree + 1;
+  return monomials <= most_monomials;
+}
+
 ex with_repeated_factors(const ex& value, Budget* budget) {
   const std::size_t terms = term_count(value);
   if (budget != nullptr) budget->count(price::looked_at_term * terms);

@@ -19,6 +19,10 @@ namespace rigor {
 [[nodiscard]] bool divides(const GiNaC::ex& divisor, const GiNaC::ex& value, GiNaC::ex& quotient,
                            Budget* budget);
 
+/// May factors be looked for? GiNaC's greatest common divisors have no bound of their own; so many monomials
+/// as fit under the degrees of a polynomial are one.
+[[nodiscard]] bool may_be_factored(const GiNaC::ex& expanded);
+
 /// A polynomial as a product of powers, if it has a factor more than once.
 [[nodiscard]] GiNaC::ex with_repeated_factors(const GiNaC::ex& value, Budget* budget);
 

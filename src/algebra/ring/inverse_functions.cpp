@@ -11,6 +11,7 @@
 
 #include "algebra/engine/terms.h"
 #include "algebra/engine/undecidable.h"
+#include "algebra/ring/division.h"
 #include "algebra/ring/functions.h"
 
 namespace rigor {
@@ -18,8 +19,6 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr std::size_t largest_factored = 24;  // terms of a polynomial whose factors are looked for
-constexpr int largest_degree = 12;
 constexpr long largest_prime = 1000;  // that is looked for in a number
 
 [[nodiscard]] Rational rational_in(const ex& number) {
@@ -28,15 +27,7 @@ constexpr long largest_prime = 1000;  // that is looked for in a number
 
 /// Its factors with their exponents, where it is small enough to look for them.
 [[nodiscard]] ex factored(const ex& expanded) {
-  if (!GiNaC::is_a<GiNaC::add>(expanded) || term_count(expanded) > largest_factored) return expanded;
-  for (const ex& term : terms_of(expanded)) {
-    int degree = 0;
-    for (const ex& factor : factors_of(term)) {
-      const auto [base, exponent] = split_power(factor);
-      if (!is_number(base)) degree += exponent;
-    }
-    if (degree > largest_degree) return expanded;
-  }
+  if (!GiNaC::is_a<GiNaC::add>(expanded) || !may_be_factored(expanded)) return expanded;
   return GiNaC::factor(expanded);
 }
 
@@ -157,7 +148,7 @@ Fraction Functions::arc(Function function, Fraction argument) {
   if (auto known = known_arc(function, argument)) return *std::move(known);
   ex quotient = argument.numerator;
   for (const Divisor& each : argument.divisors) quotient /= GiNaC::pow(each.base, each.exponent);
-  if (term_count(argument.numerator) <= largest_factored) quotient = quotient.normal();
+  if (may_be_factored(argument.numerator)) quotient = quotient.normal();
   const bool negative = indeterminates_.unsigned_fingerprint(quotient).negative;  // arcs are odd
   const Fraction angle = polynomial(value_named(function, negative ? -quotient : quotient).symbol);
   return negative ? scaled(angle, -1) : angle;

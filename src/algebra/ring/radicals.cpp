@@ -20,7 +20,6 @@ namespace {
 using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
-constexpr std::size_t largest_radicand = 32;      // terms
 constexpr std::size_t largest_quotient = 20'000;  // takes up to 50 ms
 
 [[nodiscard]] Rational to_rational(const ex& value) {
@@ -108,7 +107,7 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
         value = quotient;
       }
     }
-    if (effort_ == Effort::factored && term_count(value) <= largest_radicand) {
+    if (effort_ == Effort::factored && may_be_factored(value)) {
       value = with_repeated_factors(value, arithmetic_.budget());
     }
   }

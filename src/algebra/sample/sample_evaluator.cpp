@@ -88,7 +88,7 @@ PointValue SampleDomain::function(Function function, const PointValue& argument)
 /// base^exponent is exp(exponent · log base).
 PointValue SampleDomain::real_power(const PointValue& base, const PointValue& exponent) {
   const Rational* whole = is_rational(exponent) ? &exponent.rational : nullptr;
-  if (is_rational(base) && !cln::plusp(base.rational))
+  if (is_rational(base) ? !cln::plusp(base.rational) : !cln::plusp(enclosure(base).low))
     throw PointRejected("a power of a number that is not positive");
   if (whole != nullptr && cln::denominator(*whole) == 1 && cln::abs(*whole) <= largest_exponent)
     return power(base, static_cast<int>(cln::double_approx(*whole)));

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "algebra/parts/real_parts.h"
 #include "algebra/sample/refute.h"
 #include "base/among.h"
 #include "base/check.h"
@@ -174,18 +175,69 @@ class SampleScreen::Samples {
   std::vector<SamplePoint> others_;  // on which the claim itself has no rational value
 };
 
+/// A screen of complex claims is one of their parts, made anew for each list of claims.
+class SampleScreen::InParts {
+ public:
+  InParts(const Question& question, std::span<const Equation> claims, const Limits& limits)
+      : real_(in_real_parts(question, claims)), screen_(real_.question, sides(), limits) {}
+
+  [[nodiscard]] Samples& screen() { return screen_; }
+  [[nodiscard]] const Equation& claim() const { return real_.sides; }
+  /// The claims that could be taken apart; the others are `never`, which fails.
+  [[nodiscard]] std::vector<Equation> claims(const Equation& never) const {
+    std::vector<Equation> all;
+    for (const std::optional<Equation>& each : real_.more) all.push_back(each.value_or(never));
+    return all;
+  }
+  [[nodiscard]] bool is_known(std::size_t k) const { return real_.more[k].has_value(); }
+
+ private:
+  [[nodiscard]] std::vector<ExprId> sides() const {
+    std::vector<ExprId> all;
+    for (const std::optional<Equation>& each : real_.more) {
+      if (each) all.insert(all.end(), {each->left, each->right});
+    }
+    return all;
+  }
+
+  RealQuestion real_;
+  Samples screen_;
+};
+
 SampleScreen::SampleScreen(const Question& question, std::span<const ExprId> also, const Limits& limits)
-    : samples_(std::make_unique<Samples>(question, also, limits)) {}
+    : question_(question), limits_(limits) {
+  if (!is_about_complex(question)) samples_ = std::make_unique<Samples>(question, also, limits);
+}
 
 SampleScreen::~SampleScreen() = default;
 
 std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
-  return samples_->passing(claims);
+  if (samples_) return samples_->passing(claims);
+  try {
+    InParts parts(question_, claims, limits_);
+    std::vector<bool> passing = parts.screen().passing(parts.claims(parts.claim()));
+    for (std::size_t k = 0; k < passing.size(); ++k) passing[k] = passing[k] && parts.is_known(k);
+    return passing;
+  } catch (const Undecidable&) {
+    return std::vector<bool>(claims.size());
+  }
 }
 
 std::vector<std::optional<std::string>> SampleScreen::multiples(const Equation& claim,
                                                                 std::span<const Equation> terms) {
-  return samples_->multiples(claim, terms);
+  if (samples_) return samples_->multiples(claim, terms);
+  try {
+    Question question = question_;
+    question.claim = claim;
+    InParts parts(question, terms, limits_);
+    auto found = parts.screen().multiples(parts.claim(), parts.claims(parts.claim()));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      if (!parts.is_known(k)) found[k].reset();
+    }
+    return found;
+  } catch (const Undecidable&) {
+    return std::vector<std::optional<std::string>>(terms.size());
+  }
 }
 
 }  // namespace rigor

@@ -33,7 +33,10 @@ class SampleScreen {
 
  private:
   class Samples;
-  std::unique_ptr<Samples> samples_;
+  class InParts;
+  Question question_;
+  Limits limits_;
+  std::unique_ptr<Samples> samples_;  // none: the question is about complex numbers
 };
 
 }  // namespace rigor

@@ -70,6 +70,7 @@ DimensionForm DimensionReader::compute(ExprId id) {
     case Op::basis:
     case Op::delta:
     case Op::epsilon:
+    case Op::imaginary_unit:
       return form;
     case Op::symbol:
       return form_of_symbol_(id);
@@ -100,6 +101,9 @@ DimensionForm DimensionReader::compute(ExprId id) {
     case Op::length:
     case Op::absolute:
     case Op::component:
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
     case Op::index_sum:
     case Op::particle_sum:
       return read(tree_.children(id)[0]);

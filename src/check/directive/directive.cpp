@@ -23,19 +23,31 @@ struct DirectiveWord {
   DirectiveKind kind;
 };
 
-constexpr std::array directive_words{
-    DirectiveWord{"vector", DirectiveKind::vector},     DirectiveWord{"scalar", DirectiveKind::scalar},
-    DirectiveWord{"tensor", DirectiveKind::tensor},     DirectiveWord{"particles", DirectiveKind::particles},
-    DirectiveWord{"constant", DirectiveKind::constant}, DirectiveWord{"let", DirectiveKind::let},
-    DirectiveWord{"given", DirectiveKind::given},       DirectiveWord{"claim", DirectiveKind::claim},
-    DirectiveWord{"expect", DirectiveKind::expect},     DirectiveWord{"skip", DirectiveKind::skip},
-    DirectiveWord{"rotation", DirectiveKind::rotation}, DirectiveWord{"basis", DirectiveKind::basis},
-    DirectiveWord{"frame", DirectiveKind::frame},       DirectiveWord{"small", DirectiveKind::small},
-    DirectiveWord{"variable", DirectiveKind::variable}, DirectiveWord{"where", DirectiveKind::where},
-    DirectiveWord{"order", DirectiveKind::first_order}, DirectiveWord{"allow", DirectiveKind::allow},
-    DirectiveWord{"warn", DirectiveKind::warn},         DirectiveWord{"units", DirectiveKind::units},
-    DirectiveWord{"for all", DirectiveKind::for_all},   DirectiveWord{"use", DirectiveKind::use},
-    DirectiveWord{"space", DirectiveKind::space},       DirectiveWord{"law next", DirectiveKind::expect}};
+constexpr std::array directive_words{DirectiveWord{"vector", DirectiveKind::vector},
+                                     DirectiveWord{"scalar", DirectiveKind::scalar},
+                                     DirectiveWord{"complex", DirectiveKind::complex},
+                                     DirectiveWord{"tensor", DirectiveKind::tensor},
+                                     DirectiveWord{"particles", DirectiveKind::particles},
+                                     DirectiveWord{"constant", DirectiveKind::constant},
+                                     DirectiveWord{"let", DirectiveKind::let},
+                                     DirectiveWord{"given", DirectiveKind::given},
+                                     DirectiveWord{"claim", DirectiveKind::claim},
+                                     DirectiveWord{"expect", DirectiveKind::expect},
+                                     DirectiveWord{"skip", DirectiveKind::skip},
+                                     DirectiveWord{"rotation", DirectiveKind::rotation},
+                                     DirectiveWord{"basis", DirectiveKind::basis},
+                                     DirectiveWord{"frame", DirectiveKind::frame},
+                                     DirectiveWord{"small", DirectiveKind::small},
+                                     DirectiveWord{"variable", DirectiveKind::variable},
+                                     DirectiveWord{"where", DirectiveKind::where},
+                                     DirectiveWord{"order", DirectiveKind::first_order},
+                                     DirectiveWord{"allow", DirectiveKind::allow},
+                                     DirectiveWord{"warn", DirectiveKind::warn},
+                                     DirectiveWord{"units", DirectiveKind::units},
+                                     DirectiveWord{"for all", DirectiveKind::for_all},
+                                     DirectiveWord{"use", DirectiveKind::use},
+                                     DirectiveWord{"space", DirectiveKind::space},
+                                     DirectiveWord{"law next", DirectiveKind::expect}};
 
 /// Those of symbols, before or after the kind.
 bool describes_symbols(const std::string& word) {

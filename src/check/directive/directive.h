@@ -19,6 +19,7 @@ namespace rigor {
 enum class DirectiveKind : std::uint8_t {
   vector,
   scalar,
+  complex,  // a number or a vector of complex numbers
   tensor,
   for_all,  // what is stated is meant for all values of these
   particles,

@@ -2,10 +2,13 @@
 #include "check/doubt/digits.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
+#include "base/among.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
+#include "expr/calculus/differentiate.h"
 
 namespace rigor {
 namespace {
@@ -66,6 +69,15 @@ std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
   shown.digits = static_cast<int>(digits.size());
   shown.mantissa = std::stoll(digits);
   return shown;
+}
+
+/// `0.693\,\tau`, `1.26\frac{\sigma}{\sqrt n}`: a decimal, and no other number in front of letters.
+bool is_number_times_letters(const ExprTree& tree, ExprId side) {
+  if (tree[side].op != Op::multiply || tree[side].rank != 0) return false;
+  const ExprId first = tree.children(side)[0];
+  const std::vector<SymbolId> letters = symbols_in(tree, side);
+  return tree[first].op == Op::number && tree.digits(first).find('.') != std::string::npos &&
+         std::ranges::any_of(letters, [&](SymbolId each) { return !tree.symbols[each].is_fixed(); });
 }
 
 /// The decimal number value · 10^-places.
@@ -168,6 +180,57 @@ bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
   });
 }
 
+/// Plain names by what they are defined as, as often as there are any.
+ExprId unfolded(ExprTree& tree, const Names& names, ExprId expr) {
+  constexpr int most_rounds = 8;
+  const auto body = [&](ExprId id) -> std::optional<ExprId> {
+    const NamedDefinition* named = definition_of(names.scope, tree[id].symbol);
+    const bool plain = named != nullptr && tree[id].rank == 0 && tree[id].slot_count == 0 &&
+                       named->definition.indices.empty() && named->definition.particle == no_particle &&
+                       !named->definition.by_square;
+    return plain ? std::optional(named->definition.body) : std::nullopt;
+  };
+  for (int round = 0; round < most_rounds; ++round) {
+    const ExprId next = replaced(tree, expr, body);
+    if (next == expr) break;
+    expr = next;
+  }
+  return expr;
+}
+
+/// `\tau\ln 2 = 0.693\,\tau`: the numbers before the same letters.
+std::optional<Equation> of_numbers(ExprTree& tree, const Names& names, const Equation& equation,
+                                   DecisionCache* cache) {
+  for (const bool swap : {false, true}) {
+    const ExprId side = swap ? equation.left : equation.right;
+    const ExprId value = swap ? equation.right : equation.left;
+    if (!is_number_times_letters(tree, side)) continue;
+    const std::vector<SymbolId> letters = symbols_in(tree, side);
+    const auto one = [&](ExprId id) -> std::optional<ExprId> {
+      const ExprNode node = tree[id];
+      if (tree.symbols[node.symbol].is_fixed() || !is_one_of(node.symbol, letters)) return std::nullopt;
+      return tree.add_number(node.span, "1");
+    };
+    const ExprId number = replaced(tree, side, one);
+    const ExprId own = replaced(tree, unfolded(tree, names, value), one);
+    const ExprId shown = tree.children(side)[0];
+    if (!is_a_number(tree, names, own)) continue;
+    const auto product = [&](ExprId a, ExprId b) {
+      const std::array factors{a, b};
+      return tree.add({.op = Op::multiply, .span = tree[a].span}, factors);
+    };
+    const Equation same{.left = product(value, number), .right = product(own, side)};
+    const Prepared prepared = prepare(tree, names, same);
+    if (prepared.too_large) continue;
+    const Decision decision = decide(cache, prepared.question, {.simplest_sample = false});
+    if (decision.outcome != Outcome::proved || decision.vanishes) continue;
+    const std::array ratio{product(own, shown), number};  // the value where the side is what is shown
+    const ExprId computed = tree.add({.op = Op::divide, .span = tree[value].span}, ratio);
+    return Equation{.left = swap ? shown : computed, .right = swap ? computed : shown};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<NumberShown> number_shown(const ExprTree& tree, const Claim& claim) {
@@ -198,8 +261,9 @@ bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& 
 
 std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& names, const Claim& claim,
                                                    DecisionCache* cache) {
-  const Equation& equation = claim.equation;
-  if (equation.relation != Relation::equal || tree[equation.left].rank != 0) return std::nullopt;
+  if (claim.equation.relation != Relation::equal || tree[claim.equation.left].rank != 0) return std::nullopt;
+  const auto before_letters = of_numbers(tree, names, claim.equation, cache);
+  const Equation equation = before_letters.value_or(claim.equation);
   std::optional<DigitComparison> differs;  // ≈ has two sides, and the coarser one counts
   for (const bool swap : {false, true}) {
     const ExprId side = swap ? equation.left : equation.right;
@@ -226,7 +290,8 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     if (!differs)
       differs = DigitComparison{.agreement = Agreement::differs,
                                 .bound = comparison.bound(),
-                                .of_decimals = has_decimal(tree, names, value)};
+                                .of_decimals = has_decimal(tree, names, value),
+                                .before_letters = before_letters};
     if (!claim.nearly) return differs;
   }
   return differs;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A number that is written with a decimal point, or after ≈, stands for all numbers that round to it:
 // 27/16 = 1.69 holds, 27/16 = 1.68 does not, 2^{-53} ≈ 1.11·10^{-16} does. So does a whole number
-// that is computed from decimals: 0.5·9.8·3^2 = 44. Trailing zeros of a whole number may be digits or not. A
-// root is compared by its square, and π by bounds of 14 digits.
+// that is computed from decimals: 0.5·9.8·3^2 = 44. Trailing zeros of a whole number may be digits or not.
+// Letters that both sides have alike are left out: τ ln 2 = 0.693 τ.
 #pragma once
 
 #include <optional>
@@ -23,6 +23,7 @@ struct DigitComparison {
   Agreement agreement = Agreement::unclear;
   std::string bound = {};    // where it differs: `less than 1.415`
   bool of_decimals = false;  // it is computed from decimals, which may be rounded themselves
+  std::optional<Equation> before_letters = {};  // the numbers that were compared, without the letters
 };
 
 /// `6.3\,\mathrm{m/s}`: a side that is one number, with powers of ten and units.

@@ -94,17 +94,31 @@ std::optional<int> degree_of(const ExprTree& tree, ExprId id) {
   return total;
 }
 
+/// Does the value depend on a letter? Not that of π, or of an integral between numbers.
+bool has_letter(const ExprTree& tree, ExprId root) {
+  return std::ranges::any_of(symbols_in(tree, root), [&](SymbolId each) {
+    const Symbol& symbol = tree.symbols[each];
+    if (!symbol.integral) return !symbol.circle_number;
+    const auto inside = [&](ExprId part) {
+      return std::ranges::any_of(symbols_in(tree, part), [&](SymbolId letter) {
+        return letter != symbol.integral->variable && !tree.symbols[letter].circle_number;
+      });
+    };
+    const auto open = [&](const std::optional<Limit>& limit) {
+      return !limit || (limit->at && inside(*limit->at));
+    };
+    return inside(symbol.integral->integrand) || open(symbol.integral->lower) || open(symbol.integral->upper);
+  });
+}
+
 }  // namespace
 
 bool may_be_an_equation_of_letters(const ExprTree& tree, const Equation& equation) {
   const auto is_index_sum = [](const ExprNode& node) { return node.op == Op::index_sum; };
-  const auto has_letter = [&](ExprId side) {
-    return std::ranges::any_of(symbols_in(tree, side),
-                               [&](SymbolId each) { return !tree.symbols[each].circle_number; });
-  };
-  return (has_letter(equation.left) || has_letter(equation.right)) && equation.relation == Relation::equal &&
-         equation.indices.empty() && is_of_scalars(tree, equation.left) &&
-         is_of_scalars(tree, equation.right) && !holds_anywhere(tree, equation.left, is_index_sum) &&
+  return (has_letter(tree, equation.left) || has_letter(tree, equation.right)) &&
+         equation.relation == Relation::equal && equation.indices.empty() &&
+         is_of_scalars(tree, equation.left) && is_of_scalars(tree, equation.right) &&
+         !holds_anywhere(tree, equation.left, is_index_sum) &&
          !holds_anywhere(tree, equation.right, is_index_sum);
 }
 

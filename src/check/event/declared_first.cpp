@@ -20,6 +20,7 @@ Rank rank_of(const Event& event) {
   switch (placed->directive.kind) {
     case DirectiveKind::vector:
     case DirectiveKind::scalar:
+    case DirectiveKind::complex:
     case DirectiveKind::tensor:
     case DirectiveKind::rotation:
     case DirectiveKind::particles:

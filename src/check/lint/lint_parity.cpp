@@ -145,6 +145,7 @@ class ParityReader {
       case Op::basis:
       case Op::delta:
       case Op::epsilon:
+      case Op::imaginary_unit:
       case Op::length:
       case Op::absolute:
       case Op::root:
@@ -158,6 +159,9 @@ class ParityReader {
       case Op::cross:
       case Op::negate:
       case Op::component:
+      case Op::conjugate:
+      case Op::real_part:
+      case Op::imaginary_part:
       case Op::index_sum:
       case Op::particle_sum:
         return product(children);

@@ -30,9 +30,20 @@ const NameKey* open_key(const ExprTree& tree, const Names& names, SymbolId symbo
 
 std::string letter_before_label(const NameKey& key) { return without_labels(key.base); }
 
+/// Where i is read, letters are real but for those that are shown to be complex and those that often are:
+/// amplitudes, coefficients and functions, and not the time, frequencies and lengths.
+bool is_usual_real(std::string_view letter) {
+  static constexpr std::array<std::string_view, 18> usual{
+      "t",      "x",       "y",       "r",       "m",          "M",        "N",    "l",     "L",
+      "\\hbar", "\\omega", "\\Omega", "\\theta", "\\vartheta", "\\lambda", "\\nu", "\\tau", "\\rho"};
+  return is_one_of(letter, usual);
+}
+
 bool may_be_complex(const Evidence& evidence, const std::string& letter) {
   if (evidence.real.contains(letter)) return false;
   const bool imaginary = evidence.letters.contains("i") || evidence.letters.contains("\\mathrm{i}");
+  if (!evidence.imaginary_units.empty() && !evidence.complex.contains(letter) && is_usual_real(letter))
+    return false;
   if (evidence.complex.contains(letter) || evidence.speaks_of_complex || imaginary) return true;
   static constexpr std::array<std::string_view, 7> usual{"z",        "w",     "\\psi", "\\Psi",
                                                          "\\varphi", "\\phi", "\\Phi"};
@@ -50,6 +61,9 @@ class ComplexValues {
  public:
   ComplexValues(const Question& question, const std::set<SymbolId>& complex)
       : question_(question), tree_(*question.tree), drawn_(complex), complex_(complex) {
+    for (const SymbolId symbol : symbols_of(question)) {
+      if (tree_.symbols[symbol].complex) drawn_.insert(symbol);
+    }
     for (bool grew = true; grew;) {
       grew = false;
       for (const Definition& each : question.definitions) {
@@ -67,7 +81,9 @@ class ComplexValues {
       const ExprId id = pending.back();
       pending.pop_back();
       const ExprNode& node = tree_[id];
-      if ((node.op == Op::absolute || node.op == Op::root) && is_complex(id)) return true;
+      const bool of_reals = node.op == Op::absolute || node.op == Op::root || node.op == Op::conjugate ||
+                            node.op == Op::real_part || node.op == Op::imaginary_part;
+      if (of_reals && is_complex(id)) return true;
       const std::span<const ExprId> children = tree_.children(id);
       pending.insert(pending.end(), children.begin(), children.end());
       if (node.op != Op::symbol || !seen.insert(node.symbol).second) continue;
@@ -114,6 +130,14 @@ class ComplexValues {
         return mapped(children[0], [](Complex a) { return std::sqrt(a); });
       case Op::absolute:
         return mapped(children[0], [](Complex a) { return Complex(std::abs(a)); });
+      case Op::imaginary_unit:
+        return Complex(0, 1);
+      case Op::conjugate:
+        return mapped(children[0], [](Complex a) { return std::conj(a); });
+      case Op::real_part:
+        return mapped(children[0], [](Complex a) { return Complex(a.real()); });
+      case Op::imaginary_part:
+        return mapped(children[0], [](Complex a) { return Complex(a.imag()); });
       case Op::divide: {
         const auto above = value(children[0]);
         const auto below = value(children[1]);
@@ -190,8 +214,8 @@ class ComplexValues {
 
   const Question& question_;
   const ExprTree& tree_;
-  const std::set<SymbolId>& drawn_;  // complex by themselves
-  std::set<SymbolId> complex_;       // and what is defined by them
+  std::set<SymbolId> drawn_;    // complex by themselves, or perhaps
+  std::set<SymbolId> complex_;  // that may be complex and were taken for real, and what is defined by them
   std::map<SymbolId, Complex> values_;
   std::map<SymbolId, std::optional<Complex>> defined_;
   SplitMix random_{0};
@@ -218,7 +242,8 @@ std::set<SymbolId> complex_symbols(const Question& question, const Names& names)
   std::set<SymbolId> found;
   for (const SymbolId symbol : symbols_of(question)) {
     const NameKey* key = open_key(*question.tree, names, symbol);
-    if (key != nullptr && may_be_complex(*names.symbols.evidence, letter_before_label(*key)))
+    if (key != nullptr && !question.tree->symbols[symbol].complex &&
+        may_be_complex(*names.symbols.evidence, letter_before_label(*key)))
       found.insert(symbol);
   }
   return found;

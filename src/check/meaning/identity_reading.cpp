@@ -159,6 +159,9 @@ std::vector<SymbolId> without_bounds(const Question& question, std::vector<Symbo
 
 namespace {
 
+std::vector<SymbolId> with_integrals_open(const Question& question, std::vector<SymbolId> symbols,
+                                          const std::set<SymbolId>& kept);
+
 /// `kept`: what is not unfolded, nor its derivatives.
 std::vector<SymbolId> symbols_below(const Question& question, ExprId root, const std::set<SymbolId>& kept) {
   std::vector<SymbolId> reached = symbols_reached(*question.tree, {root}, [&](SymbolId symbol) {
@@ -167,7 +170,29 @@ std::vector<SymbolId> symbols_below(const Question& question, ExprId root, const
     return unfolds ? std::optional(definition->body) : std::nullopt;
   });
   std::erase_if(reached, [&](SymbolId symbol) { return definition_in(question, symbol) != nullptr; });
-  return reached;
+  return with_integrals_open(question, std::move(reached), kept);
+}
+
+/// An integral whose value is not known is about what is integrated, and about its limits.
+std::vector<SymbolId> with_integrals_open(const Question& question, std::vector<SymbolId> symbols,
+                                          const std::set<SymbolId>& kept) {
+  std::set<SymbolId> all;
+  for (const SymbolId symbol : symbols) {
+    const std::optional<Integral>& integral = question.tree->symbols[symbol].integral;
+    if (!integral) {
+      all.insert(symbol);
+      continue;
+    }
+    std::vector<SymbolId> inside = symbols_below(question, integral->integrand, kept);
+    std::erase(inside, integral->variable);
+    for (const auto& limit : {integral->lower, integral->upper}) {
+      if (!limit || !limit->at) continue;
+      const std::vector<SymbolId> end = symbols_below(question, *limit->at, kept);
+      inside.insert(inside.end(), end.begin(), end.end());
+    }
+    all.insert(inside.begin(), inside.end());
+  }
+  return {all.begin(), all.end()};
 }
 
 /// What is on one side only.

@@ -10,16 +10,6 @@
 namespace rigor {
 namespace {
 
-/// Does the claim have a root, a length or an absolute value, itself or by a definition?
-[[nodiscard]] bool has_root(const ExprTree& tree, const Question& question) {
-  std::vector<ExprId> roots{question.claim.left, question.claim.right};
-  for (const Definition& definition : question.definitions) roots.push_back(definition.body);
-  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
-    const Op op = tree[id].op;
-    return op == Op::root || op == Op::length || op == Op::absolute;
-  });
-}
-
 /// The first number of a sample, not meant for all values, whose value is of some kind.
 template <class Kind>
 [[nodiscard]] const Symbol* not_for_all(const ExprTree& tree, const NameScope& scope, const Sample& sample,
@@ -44,9 +34,18 @@ template <class Kind>
 
 }  // namespace
 
+bool asks_for_real_numbers(const ExprTree& tree, const Question& question) {
+  std::vector<ExprId> roots{question.claim.left, question.claim.right};
+  for (const Definition& definition : question.definitions) roots.push_back(definition.body);
+  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
+    const Op op = tree[id].op;
+    return op == Op::root || op == Op::length || op == Op::absolute;
+  });
+}
+
 std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question, const NameScope& scope,
                                         const Sample& sample, DecisionCache* cache) {
-  if (!has_root(tree, question)) return std::nullopt;
+  if (!asks_for_real_numbers(tree, question)) return std::nullopt;
   // samples prefer positive scalars, so that a negative one was needed
   const Symbol* negative =
       not_for_all(tree, scope, sample, [](const std::string& value) { return value.starts_with('-'); });

@@ -12,6 +12,9 @@
 
 namespace rigor {
 
+/// Does the claim have a root, a length or an absolute value, itself or by a definition?
+[[nodiscard]] bool asks_for_real_numbers(const ExprTree& tree, const Question& question);
+
 struct SignDoubt {
   std::string name;    // of what is not meant for all values
   std::string reason;  // why its values do not refute

@@ -103,9 +103,10 @@ bool restricts_as_adjective(const Sentence& words, std::size_t at) {
                  "proportional", "congruent", "sinusoidal", "rectangular"}))
     return true;
   if (word == "equal") return next != "to" && !is_one_of(words.before(at), {"are", "is", "be", "not"});
-  if (word == "unit") return !is_one_of(words.before(at), {"per"}) && next != "of";
+  if (word == "unit") return !is_one_of(words.before(at), {"per", "imaginary"}) && next != "of";
   if (is_one_of(word, {"positive", "negative"})) return !is_one_of(next, {"sign", "root", "of"});
-  if (is_one_of(word, {"real", "imaginary"})) return !is_one_of(next, {"part", "parts", "axis"});
+  if (is_one_of(word, {"real", "imaginary"}))
+    return !is_one_of(next, {"part", "parts", "axis"}) && !(word == "imaginary" && next == "unit");
   if (is_one_of(word, {"integer", "integers", "nonzero", "odd", "normalized", "normalised"})) return true;
   if (word == "same")  // "of the same mass", and not "the same vector"
     return is_one_of(

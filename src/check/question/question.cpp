@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/question/question.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -12,6 +14,9 @@
 
 #include "base/among.h"
 #include "check/question/at_all_times.h"
+#include "check/question/integral_value.h"
+#include "check/question/running_letters.h"
+#include "elaborate/name/function_value.h"
 #include "expr/calculus/differentiate.h"
 
 namespace rigor {
@@ -40,7 +45,12 @@ struct Orders {
 class Preparation {
  public:
   Preparation(ExprTree& tree, const Names& names, int slack, Precision precision, int order)
-      : tree_(tree), names_(names), slack_(slack), precision_(precision), order_(order) {}
+      : tree_(tree),
+        names_(names),
+        slack_(slack),
+        precision_(precision),
+        order_(order),
+        integrals_(tree, names, [this](SymbolId symbol) { return may_run(symbol); }) {}
 
   Prepared prepare(Equation claim, std::span<const ExprId> also) {
     for (int k = 0; k < order_; ++k) claim = derived(claim, By::small);
@@ -61,6 +71,7 @@ class Preparation {
       if (beyond == 0) prepared_.without_slack = prepared_.question.assumptions.size();
     }
     add_lengths();
+    add_conditions();
     prepared_.too_large = budget_.exceeded;
     prepared_.has_rates_or_times = has_rate() || has_rule() || speaks_of_time_or_place();
     if (slack_ > 0) prepared_.unmatched = unmatched_assumption(tree_, names_, prepared_);
@@ -80,6 +91,9 @@ class Preparation {
 
   void reach(SymbolId symbol, std::vector<ExprId>& pending) {
     if (!reached_.insert(symbol).second) return;
+    if (const auto& integral = tree_.symbols[symbol].integral) {
+      for (const ExprId part : parts_of(*integral)) pending.push_back(part);
+    }
     const auto found = definition_of(symbol, 0);
     if (found) {
       prepared_.question.definitions.push_back(found->definition);
@@ -193,8 +207,15 @@ class Preparation {
       result = at_value(symbol, value->second, depth);
       return derived_[symbol] = result;
     }
+    if (tree_.symbols[symbol].integral) {
+      derived_[symbol] = std::nullopt;
+      result = of_integral(symbol);
+      return derived_[symbol] = result;
+    }
     const auto& derivation = tree_.symbols[symbol].derivation;
     if (!derivation || derivation->by.size() > largest_order) return std::nullopt;
+    if (derivation->by.size() == 1 && is_unknown_primitive(derivation->base))
+      return derived_[symbol] = of_unknown_primitive(symbol, *derivation);
     for (auto by = derivation->by.rbegin(); by != derivation->by.rend() && !result; ++by) {
       const auto of = definition_of(parent_of(*derivation, *by), depth + 1);
       if (of && of->at_instant && *by == By::time) {
@@ -222,7 +243,7 @@ class Preparation {
     const auto body = opened(of->definition.body);
     if (!body) return std::nullopt;
     for (const SymbolId each : symbols_in(tree_, *body)) {
-      if (!at.contains(each) && may_run(each)) return std::nullopt;
+      if (!at.contains(each) && (may_run(each) || tree_.symbols[each].integral)) return std::nullopt;
     }
     FoundDefinition result = *of;
     result.definition.symbol = symbol;
@@ -234,13 +255,84 @@ class Preparation {
     return circular ? std::nullopt : std::optional(std::move(result));
   }
 
-  /// With its definitions put in; nothing where they go too deep, or are of components.
-  std::optional<ExprId> opened(ExprId body) {
+  // --- integrals
+
+  [[nodiscard]] bool is_unknown_primitive(SymbolId symbol) const {
+    const auto& integral = tree_.symbols[symbol].integral;
+    return integral && !integral->lower && integral->upper;
+  }
+
+  std::optional<FoundDefinition> of_integral(SymbolId symbol) {
+    static const Origin by_primitives{"antiderivatives, which were differentiated", ""};
+    Integral integral = *tree_.symbols[symbol].integral;
+    if (!integral.lower) return std::nullopt;
+    const auto inside = opened(integral.integrand, integral.variable);
+    const bool is_defined = definition_of(integral.variable, 0).has_value();
+    const bool nests = std::ranges::any_of(letters_in(tree_, integral.integrand), [&](SymbolId each) {
+      return tree_.symbols[each].integral.has_value();
+    });
+    bool plain =
+        inside.has_value() && !(is_defined && nests) && !hides_variable(names_, tree_, integral, *inside);
+    for (Limit* limit : {&*integral.lower, &*integral.upper}) {
+      if (!limit->at) continue;
+      const auto end = opened(*limit->at);
+      plain = plain && end.has_value();
+      if (end) limit->at = *end;
+    }
+    if (plain) integral.integrand = *inside;
+    auto value = plain ? integrals_.value(integral, tree_.symbols[symbol].first_seen) : std::nullopt;
+    if (!value || is_one_of(symbol, symbols_in(tree_, value->value))) {
+      prepared_.open_integral = "its value is not known, or there may be none";
+      return std::nullopt;
+    }
+    for (const SymbolId constant : value->taken_constant) {
+      note_unknown(constant);
+      prepared_.conventions.push_back(fmt::format("`{}` does not change with `{}`",
+                                                  tree_.symbols[constant].name,
+                                                  tree_.symbols[integral.variable].name));
+    }
+    for (Equation& condition : value->conditions) {
+      conditions_.push_back(std::move(condition));
+      prepared_.conventions.push_back(fmt::format("`{}` exists", tree_.symbols[symbol].name));
+    }
+    if (value->open) prepared_.open_integral = std::move(value->open);
+    return FoundDefinition{{symbol, {}, no_particle, value->value}, &by_primitives, false};
+  }
+
+  /// Leibniz's rule, with which nothing else need be known of it.
+  std::optional<FoundDefinition> of_unknown_primitive(SymbolId symbol, const Derivation& derivation) {
+    static const Origin by_leibniz{"the derivative of an integral by its limit", ""};
+    const Variable by = *derivation.by.begin();
+    Definition definition{.symbol = symbol};
+    Slot axis;
+    if (by == By::space) {
+      definition.indices.push_back(tree_.add_index("s"));
+      axis = {0, definition.indices.back()};
+    }
+    Differentiator differentiate = differentiator(by, axis);
+    const auto body =
+        integrals_.derivative(derivation.base, [&](ExprId id) { return differentiate.derivative(id); });
+    if (!body) return std::nullopt;
+    definition.body = *body;
+    return FoundDefinition{definition, &by_leibniz, false};
+  }
+
+  /// Where an integral has no value, the claim says nothing.
+  void add_conditions() {
+    prepared_.exists_under = prepared_.question.assumptions.size();
+    for (const Equation& condition : conditions_) push(condition, nullptr);
+    if (conditions_.empty()) prepared_.exists_under.reset();
+  }
+
+  /// With its definitions put in; nothing where they go too deep, or are of components. What an integral runs
+  /// over is `bound`, whatever else its letter means.
+  std::optional<ExprId> opened(ExprId body, std::optional<SymbolId> bound = {}) {
     constexpr int deepest = 8;                // definitions of definitions; a circle is none
     constexpr std::uint32_t largest = 4'000;  // nodes
     for (int k = 0; k < deepest && tree_[body].weight < largest; ++k) {
       bool plain = true;
       const ExprId next = replaced(tree_, body, [&](ExprId id) -> std::optional<ExprId> {
+        if (bound == tree_[id].symbol) return std::nullopt;
         const auto of = definition_of(tree_[id].symbol, 1);
         if (!of) return std::nullopt;
         const bool whole = of->definition.indices.empty() && of->definition.particle == no_particle &&
@@ -292,6 +384,7 @@ class Preparation {
 
   Differentiator differentiator(const Variable& by, Slot axis = {}) {
     const auto dependence_of = [this, by](SymbolId symbol) {
+      if (integrals_.is_bound(symbol)) return Dependence{Dependence::Kind::constant};
       const Dependence dependence = this->dependence(symbol, by);
       const bool guessed =
           dependence.kind == Dependence::Kind::varies && !knows_change(names_, tree_, symbol, by);
@@ -579,6 +672,8 @@ class Preparation {
   int highest_law_ = 0;    // of a derivative in an assumption as it stands
   int beyond_ = 0;         // how far above it derivatives of assumptions are taken: 0, then `slack_`
   std::map<SymbolId, std::optional<FoundDefinition>> derived_;
+  IntegralValues integrals_;
+  std::vector<Equation> conditions_;  // without which they do not exist
   std::map<ExprId, Equation> vanishing_;
   std::set<std::tuple<ExprId, ExprId, int, int, int>> taken_;
   std::set<std::tuple<ExprId, ExprId, int, int, int>> at_zero_;

@@ -20,6 +20,10 @@ struct Prepared {
   std::optional<std::string> too_large = {};        // why derivatives are missing: then nothing is decided
   std::vector<SymbolId> unknown_changes;            // differentiated, though nothing says whether they change
   Directives used = {};                             // that say how something changes, or that it is small
+  std::vector<std::string> conventions = {};        // that the values of its integrals rest on
+  std::optional<std::size_t> exists_under =
+      {};  // from here on, assumptions without which an integral has none
+  std::optional<std::string> open_integral = {};  // an integral whose value is not known, and why
   bool has_rates_or_times = false;  // something in the assumptions has a rate, or speaks of the time or place
   /// Taken, speaks of the time or place itself, and leaves no quantity free to follow it: what it says at all
   /// times would have to be compared coefficient by coefficient.

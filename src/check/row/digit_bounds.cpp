@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
@@ -13,6 +14,14 @@
 
 namespace rigor {
 namespace {
+
+/// A slip in a digit, and no equation for the letters.
+bool is_near(const ExprTree& tree, const Names& names, const Equation& numbers) {
+  constexpr double nearness = 0.2;
+  const auto left = approximate_value(tree, names, numbers.left);
+  const auto right = approximate_value(tree, names, numbers.right);
+  return left && right && std::abs(*left - *right) < nearness * std::abs(*right);
+}
 
 /// Where the number lies instead; nothing where the step is not refuted so.
 std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const Claim& claim,
@@ -24,25 +33,30 @@ std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const
     return std::ranges::all_of(symbols_in(tree, side),
                                [&](SymbolId symbol) { return is_circle_number(tree, names, symbol); });
   };
-  if (!is_own(claim.equation.left) || !is_own(claim.equation.right)) return std::nullopt;
+  const bool own = is_own(claim.equation.left) && is_own(claim.equation.right);
   const auto compared = agreement_of_digits(tree, names, claim, cache);
   if (!compared || compared->agreement != Agreement::differs || compared->bound.empty() ||
       may_be_rounded_on_the_way(tree, names, claim, *compared))
     return std::nullopt;
+  if (!own && !(compared->before_letters && is_near(tree, names, *compared->before_letters)))
+    return std::nullopt;
+  const Equation shown = compared->before_letters.value_or(claim.equation);
   const auto digits = [&](ExprId side) -> std::optional<std::string> {
     if (tree[side].op != Op::number) return std::nullopt;
     return tree.digits(side);
   };
+  if (digits(shown.left) && digits(shown.right)) return std::nullopt;  // nothing is computed
   Counterexample example;
-  example.left = digits(claim.equation.left).value_or(compared->bound);
-  example.right = digits(claim.equation.right).value_or(compared->bound);
+  example.left = digits(shown.left).value_or(compared->bound);
+  example.right = digits(shown.right).value_or(compared->bound);
   return example;
 }
 
 }  // namespace
 
 void refute_by_digits(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {
-  const bool open = judgement.verdict == Verdict::undecided || judgement.verdict == Verdict::not_understood;
+  const bool open = judgement.verdict == Verdict::undecided || judgement.verdict == Verdict::not_understood ||
+                    judgement.verdict == Verdict::law;
   if (!open || is_conditional(place) || is_alternative(place, parsed)) return;
   auto example = bound_of(place.tree, place.names, claim, place.options.cache);
   if (!example) return;

@@ -50,6 +50,20 @@ bool share_a_letter(const SyntaxTree& syntax, const ParsedChain& one, const Pars
                              [&](const std::string& letter) { return others.contains(letter); });
 }
 
+/// `\frac{(6.7)^2(9.8)}{4\pi^2} \approx 11\,\mathrm m`
+bool lacks_units(const ExprTree& tree, const Equation& equation) {
+  const auto is_pure = [&](ExprId side) {
+    return std::ranges::all_of(symbols_in(tree, side),
+                               [&](SymbolId each) { return tree.symbols[each].circle_number; });
+  };
+  const auto has_unit = [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(tree, side),
+                               [&](SymbolId each) { return tree.symbols[each].unit_of_measure.has_value(); });
+  };
+  return (has_unit(equation.left) && is_pure(equation.right)) ||
+         (is_pure(equation.left) && has_unit(equation.right));
+}
+
 /// `\approx` and rounded decimals: numbers agree to the digits shown, and nothing else fails where nothing is
 /// small.
 void heed_digits(ExprTree& tree, const Names& names, const Claim& claim, Judgement& judgement,
@@ -77,6 +91,8 @@ void heed_digits(ExprTree& tree, const Names& names, const Claim& claim, Judgeme
              may_be_rounded_on_the_way(tree, names, claim, *compared)) {
     withdraw("it holds if the decimals that it is computed from are rounded themselves",
              "more digits of them show whether it holds");
+  } else if (claim.nearly && judgement.verdict == Verdict::refuted && lacks_units(tree, claim.equation)) {
+    withdraw("one side has a unit, and the other is a number without one", "write the units on both sides");
   } else if (!agreement && judgement.verdict == Verdict::refuted &&
              compares_decimals(tree, names, claim.equation)) {
     withdraw("decimals are rounded, and nothing shows to how many digits the other side is meant",

@@ -203,7 +203,11 @@ bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& cl
       !number_shown(place.tree, claim))
     return false;
   if (approximate_value(place.tree, place.names, number_shown(place.tree, claim)->side) == 0.0) return false;
-  const auto is_number = [&](ExprId side) { return is_measured(place.tree, side); };
+  const auto is_number = [&](ExprId side) {
+    const std::vector<SymbolId> letters = symbols_in(place.tree, side);
+    return is_measured(place.tree, side) ||
+           std::ranges::all_of(letters, [&](SymbolId each) { return place.tree.symbols[each].is_fixed(); });
+  };
   if (is_number(claim.equation.left) && is_number(claim.equation.right)) return false;
   const std::vector<GivenValue> values = values_above(place);
   for (const bool again : {false, true}) {

@@ -55,6 +55,10 @@ class Counting {
       case Op::tuple:
       case Op::table:
       case Op::determinant:
+      case Op::imaginary_unit:
+      case Op::conjugate:
+      case Op::real_part:
+      case Op::imaginary_part:
         return std::nullopt;
     }
     return std::nullopt;

@@ -2,7 +2,9 @@
 #include "check/scope/definition.h"
 
 #include <algorithm>
+#include <set>
 #include <span>
+#include <utility>
 
 #include "base/among.h"
 
@@ -60,7 +62,18 @@ std::optional<Definition> as_definition(ExprTree& tree, const NameScope& scope, 
 bool is_circular(const ExprTree& tree, const NameScope& scope, const Typed& left, const Typed& right) {
   if (tree[left.id].op != Op::symbol) return false;
   const auto body_of = [&](SymbolId symbol) { return body_of_definition(scope, symbol); };
-  return is_one_of(tree[left.id].symbol, symbols_reached(tree, {right.id}, body_of));
+  const SymbolId own = tree[left.id].symbol;
+  std::set<SymbolId> seen;
+  std::vector<ExprId> pending{right.id};
+  while (!pending.empty()) {
+    for (const SymbolId symbol : symbols_reached(tree, std::exchange(pending, {}), body_of)) {
+      if (symbol == own) return true;
+      const auto& integral = tree.symbols[base_of(tree.symbols, symbol)].integral;
+      if (!integral || !seen.insert(symbol).second) continue;
+      for (const ExprId part : parts_of(*integral)) pending.push_back(part);
+    }
+  }
+  return false;
 }
 
 bool stands_in_brackets(const SyntaxTree& syntax, SyntaxId power) {

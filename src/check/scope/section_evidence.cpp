@@ -40,6 +40,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
     see_letters(notes.syntax, chain.sides, chain.written, evidence);
     see_functions(notes.syntax, chain.sides, evidence);
     see_raised(notes.syntax, chain.sides, evidence);
+    see_complex(notes.syntax, chain.sides, evidence);
   }
 }
 
@@ -55,6 +56,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   see_said_changes(text, evidence);
   see_inline_functions(text, evidence);
   see_said_raised(text, evidence);
+  see_said_complex(text, evidence);
 }
 
 }  // namespace
@@ -78,12 +80,18 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_spaces(title->title, evidence);
         see_said_changes(title->title, evidence);
         see_said_raised(title->title, evidence);
+        see_said_complex(title->title, evidence);
       }
       last = place;
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))
         see_chains(notes, display->chains, evidence);
       if (const auto* placed = std::get_if<PlacedDirective>(&notes.events[k])) {
-        for (const SyntaxId symbol : placed->directive.symbols) see_kinds(notes.syntax, symbol, evidence);
+        for (const SyntaxId symbol : placed->directive.symbols) {
+          see_kinds(notes.syntax, symbol, evidence);
+          const DirectiveKind kind = placed->directive.kind;
+          if (kind == DirectiveKind::complex || kind == DirectiveKind::scalar)
+            see_declared_complex(notes.syntax.symbol(symbol), kind == DirectiveKind::complex, evidence);
+        }
         see_chains(notes, placed->directive.chains, evidence);
       }
     }
@@ -93,6 +101,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_components(notes.syntax, chain.sides, evidence);
         see_matrices(notes.syntax, chain.sides, chain.written, evidence);
         see_ties(notes.syntax, chain.sides, evidence);
+        see_complex(notes.syntax, chain.sides, evidence);
         for (const SyntaxId side : chain.sides) see_changing(notes.syntax, side, evidence);
       }
     }
@@ -103,6 +112,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
   }
   settle_order(evidence);
   settle_changes(evidence);
+  settle_complex(evidence);
   return evidence;
 }
 

@@ -187,8 +187,9 @@ std::vector<ReadLetter> letters_of_row(const ExprTree& tree, const Names& names,
   for (const std::size_t side : {which, which + 1}) {
     const auto& typed = statement.sides[side];
     if (!typed) continue;
-    for (const SymbolId symbol : symbols_in(tree, typed->id)) {
+    for (const SymbolId symbol : letters_in(tree, typed->id)) {
       const SymbolId base = base_of(tree.symbols, symbol);
+      if (tree.symbols[base].integral) continue;
       if (tree.symbols[symbol].order(By::time) > 0) rated.insert(base);
       if (!is_one_of(base, shown)) shown.push_back(base);
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "check/verdict/antiderivatives.h"
 #include "elaborate/notation/elaborate.h"
 #include "elaborate/reading/equation.h"
 #include "expr/calculus/differentiate.h"
@@ -125,6 +126,17 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
                             "with digits a component is meant, as in `A_1 \\ne 0`"}});
     return std::nullopt;
   }
+  std::string derived_by;
+  if (has_antiderivative(tree_, equation->left) || has_antiderivative(tree_, equation->right)) {
+    std::vector<ExprId> all{left.id, right.id};
+    for (const Side& side : sides) {
+      if (side.typed) all.push_back(side.typed->id);
+    }
+    auto derivatives = differentiated(reading_, *equation, all, relation.span, diagnostics);
+    if (!derivatives) return std::nullopt;
+    *equation = std::move(derivatives->equation);
+    derived_by = std::move(derivatives->by);
+  }
   const bool as_a_whole = unequal && tree_[equation->left].rank > 0;
   if (as_a_whole) *equation = as_squared_distance(tree_, *equation);
   const bool nearly = relation.kind == RelationKind::nearly || (first_order && !is_order(relation.kind));
@@ -133,6 +145,7 @@ std::optional<Claim> ChainReading::claim(const ParsedChain& parsed, std::size_t 
                .swapped = swapped,
                .for_all = for_all,
                .as_a_whole = as_a_whole,
+               .derived_by = derived_by,
                .relation = relation.span,
                .left = parsed.written.sides[which].span,
                .right = parsed.written.sides[which + 1].span,

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "algebra/decide/decide.h"
@@ -214,6 +216,12 @@ class Judging {
     }
     for (const std::string& convention : claim_.reading->found.conventions)
       add_use("convention: " + convention);
+    for (const std::string& convention : prepared_.conventions) add_use("convention: " + convention);
+    if (!claim_.derived_by.empty())
+      add_use(
+          fmt::format("convention: an integral without limits is one up to a constant, so that both sides "
+                      "are differentiated by `{}`",
+                      claim_.derived_by));
   }
 
   bool assumes_the_impossible() const {
@@ -239,6 +247,7 @@ class Judging {
                                 "contradictory assumptions prove anything"))
       return;
     if (takes_another_order()) return;
+    if (exists_nowhere()) return;
     judgement_.verdict = Verdict::proved;
     if (first_order_) note_neglected();
     const bool zero_written =
@@ -247,6 +256,51 @@ class Judging {
     judgement_.route += ", 0 = 0";
     add(DiagnosticKind::zero_equals_zero,
         "both sides are zero for all values, so the step says less than it seems to");
+  }
+
+  /// A proof about integrals says something only if some numbers let all of them exist.
+  bool exists_nowhere() {
+    if (!prepared_.exists_under) return false;
+    prepared_.question.tree = &tree_;
+    if (satisfying_sample(cache_, prepared_.question, {}, {})) return false;
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided,
+        "no sample was found for which its integrals exist: a divisor may vanish between their limits");
+    return true;
+  }
+
+  /// What is not known of an integral may be anything to a sample, so that only a proof counts.
+  bool speaks_of_open_integral() {
+    if (!prepared_.open_integral) return false;
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided,
+        fmt::format("it was found to fail only where an integral is taken as any number: {}",
+                    *prepared_.open_integral));
+    return true;
+  }
+
+  /// `\int_0^1 x^2\,dx = 0.333`: decimals of an integral are not compared digit by digit.
+  bool may_be_rounded(const Sample& sample) {
+    bool integral = false;
+    bool decimal = false;
+    for (const ExprId id : nodes_below(tree_, {claim_.equation.left, claim_.equation.right})) {
+      const ExprNode& node = tree_[id];
+      integral = integral || (node.op == Op::symbol && tree_.symbols[node.symbol].integral);
+      decimal = decimal || (node.op == Op::number && tree_.digits(id).find('.') != std::string::npos);
+    }
+    const auto value = [](const std::string& exact) {
+      const std::size_t slash = exact.find('/');
+      const double below = slash == std::string::npos ? 1 : std::strtod(exact.c_str() + slash + 1, nullptr);
+      return std::strtod(exact.c_str(), nullptr) / below;
+    };
+    constexpr double roughly = 0.1;
+    const double left = value(sample.left);
+    const double right = value(sample.right);
+    if (!integral || !decimal || std::abs(left - right) > roughly * std::max(std::abs(left), std::abs(right)))
+      return false;
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided, "the decimals can be rounded");
+    return true;
   }
 
   /// Those that carry the axes of frames.
@@ -390,10 +444,17 @@ class Judging {
     return is_constant(claim_.equation.left, sample.left) && is_constant(claim_.equation.right, sample.right);
   }
 
-  /// The left side is a defined symbol alone, so that the step says again what it is.
+  /// The left side is a defined symbol alone, so that the step says again what it is; or it says what an
+  /// integral is.
   bool restates_definition() const {
+    const auto is_integral = [&](SymbolId symbol) {
+      return tree_.symbols[base_of(tree_.symbols, symbol)].integral.has_value();
+    };
     const ExprNode& left = tree_[claim_.equation.left];
-    return left.op == Op::symbol && definition_of(names_.scope, left.symbol) != nullptr;
+    if (left.op == Op::symbol && definition_of(names_.scope, left.symbol) != nullptr) return true;
+    return !claim_.derived_by.empty() ||
+           std::ranges::any_of(symbols_in(tree_, claim_.equation.left), is_integral) ||
+           std::ranges::any_of(symbols_in(tree_, claim_.equation.right), is_integral);
   }
 
   /// `scalar I_1` together with `I_{ij} = I_i\delta_{ij}`: two symbols to us, and perhaps one to the author.
@@ -477,6 +538,14 @@ class Judging {
       return;
     }
     if (claim_.doubt != nullptr) return doubted();
+    if (speaks_of_open_integral() || may_be_rounded(*decision.sample)) return;
+    if (claim_.reading->found.differentiates_logarithm &&
+        (order || asks_for_real_numbers(tree_, prepared_.question))) {
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided,
+          "it was found to fail only where the logarithm that is differentiated may have no value");
+      return;
+    }
     if (speaks_of_values()) {
       judgement_.verdict = Verdict::undecided;
       add(DiagnosticKind::undecided,
@@ -549,6 +618,7 @@ class Judging {
   std::string difference() const {
     if (claim_.as_a_whole) return "the sides are equal, component by component";
     if (claim_.equation.relation != Relation::equal) return "the order does not hold";
+    if (!claim_.derived_by.empty()) return fmt::format("the derivatives by `{}` differ", claim_.derived_by);
     if (!claim_.nearly) return "the sides differ";
     return first_order_ ? "the first-order parts differ" : "the sides differ where everything small is 0";
   }
@@ -567,7 +637,12 @@ class Judging {
 
 Judgement judge(ExprTree& tree, const Names& names, const Claim& claim, const Limits& limits,
                 DecisionCache* cache) {
-  return Judging(tree, names, claim, limits, cache).judge();
+  if (claim.derived_by.empty()) return Judging(tree, names, claim, limits, cache).judge();
+  // The derivatives are meant for every value of the variable, whatever it is elsewhere: `t = 5`.
+  Names free = names;
+  if (const auto variable = find_symbol(names.symbols, {claim.derived_by, 0, false}))
+    forget_definition(free.scope, *variable);
+  return Judging(tree, free, claim, limits, cache).judge();
 }
 
 std::optional<Sample> sample_of_assumptions(ExprTree& tree, const Names& names, const Sample& known,

@@ -44,10 +44,11 @@ struct Judgement {
 /// What is judged, and where it is written.
 struct Claim {
   Equation equation;
-  bool nearly = false;      // equal to first order in what is small
-  bool swapped = false;     // `a > b` is asked as b < a
-  bool for_all = false;     // its author says that it is meant for all values
-  bool as_a_whole = false;  // ≠ of vectors or tensors, asked as |left − right|² ≠ 0
+  bool nearly = false;          // equal to first order in what is small
+  bool swapped = false;         // `a > b` is asked as b < a
+  bool for_all = false;         // its author says that it is meant for all values
+  bool as_a_whole = false;      // ≠ of vectors or tensors, asked as |left − right|² ≠ 0
+  std::string derived_by = {};  // it is about the derivatives by this of what is written
   Span relation = {};
   Span left = {};
   Span right = {};

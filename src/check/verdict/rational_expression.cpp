@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/verdict/rational_expression.h"
 
+#include <array>
+
+#include "algebra/parts/complex_sample.h"
+
 namespace rigor {
+namespace {
+
+/// `1 + 2i`
+std::optional<ExprId> add_complex(ExprTree& tree, Span span, const std::string& value) {
+  const auto [re, im] = parts_of_text(value);
+  const auto real = add_rational(tree, span, re);
+  const auto imaginary = add_rational(tree, span, im);
+  if (!real || !imaginary) return std::nullopt;
+  const std::array factors{*imaginary, tree.add({.op = Op::imaginary_unit, .span = span})};
+  const std::array terms{*real, tree.add({.op = Op::multiply, .span = span}, factors)};
+  return tree.add({.op = Op::add, .span = span}, terms);
+}
+
+}  // namespace
 
 std::optional<ExprId> add_rational(ExprTree& tree, Span span, const std::string& value) {
   if (value.find('.') != std::string::npos) return std::nullopt;
+  if (value.ends_with('i')) return add_complex(tree, span, value);
   const bool negative = value.starts_with('-');
   const std::string digits = negative ? value.substr(1) : value;
   const auto slash = digits.find('/');

@@ -10,6 +10,7 @@
 #include "check/doubt/row_doubts.h"
 #include "check/row/row.h"
 #include "check/scope/local_kinds.h"
+#include "elaborate/name/function_value.h"
 
 namespace rigor {
 namespace {
@@ -96,7 +97,7 @@ bool reads_expression(Walk& walk, const ParsedChain& parsed) {
 void mark_seen(Walk& walk, const std::vector<Side>& sides) {
   for (const Side& side : sides) {
     if (!side.typed) continue;
-    for (const SymbolId symbol : symbols_in(walk.tree, side.typed->id)) {
+    for (const SymbolId symbol : letters_in(walk.tree, side.typed->id)) {
       mark_seen(walk.names.scope, symbol);
       const SymbolId base = base_of(walk.tree.symbols, symbol);
       mark_seen(walk.names.scope, base);

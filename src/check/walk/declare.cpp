@@ -218,7 +218,9 @@ void declare_symbol(Walk& walk, const Directive& directive, SyntaxId id) {
   add_used(walk, name.used);
   const bool digits =
       std::ranges::all_of(name.axes, [](const WrittenIndex& axis) { return axis.form == IndexForm::digit; });
-  const bool labels = digits || directive.kind == DirectiveKind::scalar;  // `scalar \omega_n`
+  const bool complex = directive.kind == DirectiveKind::complex;
+  const bool bold = complex && symbol.face == Face::vector;
+  const bool labels = digits || directive.kind == DirectiveKind::scalar || complex;  // `scalar \omega_n`
   NameKey key{labels ? with_labels(name.base, name.axes) : name.base, 0, name.per_particle()};
   const int axes = labels ? 0 : static_cast<int>(name.axes.size());
   switch (directive.kind) {
@@ -232,8 +234,9 @@ void declare_symbol(Walk& walk, const Directive& directive, SyntaxId id) {
       key.rank = 2;
       break;
     default:
-      break;
+      key.rank = bold ? 1 : 0;
   }
+  key.complex = complex;
   Symbol declared;
   declared.name = name.axes.empty() && name.particles.empty()
                       ? written_at(walk.sources, walk.notes.syntax[id].span)

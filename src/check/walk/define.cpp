@@ -12,6 +12,7 @@
 #include "check/scope/contradiction.h"
 #include "check/scope/decomposition.h"
 #include "check/scope/definition.h"
+#include "check/verdict/antiderivatives.h"
 #include "check/word/prose_words.h"
 #include "elaborate/name/function_value.h"
 
@@ -180,7 +181,9 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
                                             written_at(walk.sources, walk.tree[left.typed->id].span))});
     return true;
   }
-  if (!definition || is_function_value(walk.names, walk.tree, definition->symbol)) return false;
+  if (!definition || is_function_value(walk.names, walk.tree, definition->symbol) ||
+      has_antiderivative(walk.tree, right.typed->id))
+    return false;
   if (context.role == Role::display && is_surface(walk, definition->symbol, parsed)) return false;
   // `x = 1 \Rightarrow x^2 = 1`: a case, from which something follows on its line.
   const bool beside_an_arrow = parsed.written.premise || parsed.written.inference != Inference::none;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "check/question/unread.h"
+#include "check/row/row.h"
 #include "check/scope/frame.h"
 #include "check/scope/section_evidence.h"
 #include "check/walk/state.h"

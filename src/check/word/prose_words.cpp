@@ -210,6 +210,7 @@ bool restricts_behind_for(const Words& words, std::size_t at) {
   std::string_view next = word_at(words, at + 1);
   if (next.empty() || means_all(next) || is_pointing(next) || next == "$") return false;
   if (next == "a" || next == "an" || next == "two" || next == "three") next = word_at(words, at + 2);
+  if (next == "complex") return false;  // which letters are is read
   return !is_general_noun(next) && !means_all(next) && next != "$";
 }
 

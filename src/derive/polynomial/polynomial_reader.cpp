@@ -56,6 +56,7 @@ class PolynomialReader {
       case Op::number:
         return constant(number(tree_.digits(id)));
       case Op::symbol:
+        if (tree_.symbols[node.symbol].complex) throw TooManyMonomials{};  // v·v is not |v|²
         return symbol(id, std::move(slots));
       case Op::basis:
         return single({.kind = IndexFactor::Kind::delta, .slots = {bound(tree_.slots(id)[0]), slots[0]}});
@@ -77,9 +78,16 @@ class PolynomialReader {
         throw TooManyMonomials{};
       case Op::root:
         return single({.kind = IndexFactor::Kind::root, .argument = shared(read(child(id), {}))});
+      case Op::imaginary_unit:
+      case Op::conjugate:
+      case Op::real_part:
+      case Op::imaginary_part:
+        throw TooManyMonomials{};  // complex numbers are not multiplied out
       case Op::length:
+        if (has_complex_numbers(tree_, id)) throw TooManyMonomials{};
         return single({.kind = IndexFactor::Kind::root, .argument = shared(square_of_length(child(id)))});
       case Op::absolute:
+        if (has_complex_numbers(tree_, id)) throw TooManyMonomials{};
         return single({.kind = IndexFactor::Kind::root, .argument = shared(power(child(id), 2))});
       case Op::dot:
         return dot(id, slots);

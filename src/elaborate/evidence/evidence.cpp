@@ -158,4 +158,17 @@ std::string letter_with_marks(const WrittenSymbol& symbol) {
   return base + std::string(symbol.primes, '\'');
 }
 
+std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels) {
+  if (labels.empty()) return base;
+  if (labels.front().text.starts_with('^'))
+    return with_labels(base + labels.front().text, {labels.begin() + 1, labels.end()});
+  std::string text = base + "_{";
+  for (const WrittenIndex& label : labels) {
+    text += label.form == IndexForm::word && !label.text.starts_with('\\') ? "\\text{" + label.text + "}"
+                                                                           : label.text;
+    text += std::string(label.primes, '\'');
+  }
+  return text + "}";
+}
+
 }  // namespace rigor

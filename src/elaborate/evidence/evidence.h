@@ -54,15 +54,25 @@ struct Evidence {
   bool speaks_of_order = false;      // the words speak of matrices or operators: then capitals may be some
   bool order_in_heading = false;   // a heading does, or words of a group: then small letters may be some, too
   bool speaks_of_numbers = false;  // they say "numbers" and name none
-  bool speaks_of_complex = false;  // the words do
-  bool complex_vectors = false;    // and so that fields and amplitudes may be complex as well
-  std::string other_space;         // words of another number of dimensions, or another metric
-  std::string other_metric;        // of another metric
-  std::string other_axes;          // words of components that are not Cartesian
-  bool hatted_axes = false;        // `\hat x`: beside such words as well, the unit vectors are Cartesian
-  std::string other_arithmetic;    // words of sums and products that are not those of real numbers
-  std::set<std::string> raised;    // x of `x^\mu`, `x^1 = x`: its upper indices are no powers
-  bool speaks_of_raised = false;   // the words do, and name no letter
+  std::set<std::string> imaginary_units;  // `i`, `j`, `\mathrm{i}`: where they are shown to be the number i
+  std::set<std::string> complex_numbers;  // shown to be complex, with labels: z of `z = x + iy`, `\mathbf{E}`
+  std::set<std::string> starred;          // may be conjugated: `m^*`
+  std::set<std::string> overlined;        // the same with a bar, or under `\Re`
+  std::set<std::string> real_parts;       // x and y of `x + iy`: real, though `x = (z + z^*)/2`
+  std::set<std::string> no_units;         // i of `i = 5`
+  std::set<std::string> declared_real;    // "scalar z"
+  std::map<std::string, std::set<std::string>> made_of;  // z of `z = x + iy`, with x, y and i
+  bool says_imaginary = false;                           // "the imaginary unit", "complex numbers"
+  bool says_conjugate = false;                           // "the complex conjugate"
+  bool speaks_of_complex = false;                        // the words do
+  bool complex_vectors = false;     // and so that fields and amplitudes may be complex as well
+  std::string other_space;          // words of another number of dimensions, or another metric
+  std::string other_metric;         // of another metric
+  std::string other_axes;           // words of components that are not Cartesian
+  bool hatted_axes = false;         // `\hat x`: beside such words as well, the unit vectors are Cartesian
+  std::string other_arithmetic;     // words of sums and products that are not those of real numbers
+  std::set<std::string> raised;     // x of `x^\mu`, `x^1 = x`: its upper indices are no powers
+  bool speaks_of_raised = false;    // the words do, and name no letter
   std::set<std::string> exponents;  // that are numbers where they stand above: they stand on the line as well
   std::set<std::string> counters;   // n of `x_{n+1}`: in a subscript it counts the members of a sequence
   std::map<std::string, MatrixLetter> matrices;  // A of `A = \begin{pmatrix}…`, as `matrix_name` spells it
@@ -89,6 +99,26 @@ void see_subscripts(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence)
 
 /// `\hat n` for `\hat n_i`: letter, accent, change and primes.
 [[nodiscard]] std::string letter_with_marks(const WrittenSymbol& symbol);
+/// `m_{1}`, `v_{x}`: a name where the subscripts are labels.
+[[nodiscard]] std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels);
+
+// --- complex_letters.cpp: Evidence that a letter is the number i, and that letters are complex: `e^{i\omega
+// t}`, `z = x + iy`, a number times its conjugate, and words. All that is not shown to be complex is real.
+
+/// What one chain shows; `sides` are its sides as they were parsed.
+void see_complex(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+/// "The imaginary unit $j$", "a complex amplitude $A$", "where $z$ is complex".
+void see_said_complex(std::string_view text, Evidence& evidence);
+/// A directive says that it is complex, or a scalar, which is real.
+void see_declared_complex(const WrittenSymbol& symbol, bool complex, Evidence& evidence);
+/// When all is seen: what is made of complex numbers is one.
+void settle_complex(Evidence& evidence);
+
+/// `i`, `j`, `\mathrm{i}`, `\imath`, without anything on it.
+[[nodiscard]] bool may_be_imaginary_unit(const WrittenSymbol& symbol);
+/// How `complex_numbers` names a symbol: `\psi_{0}`, `\mathbf{E}`.
+[[nodiscard]] std::string complex_name(const WrittenSymbol& symbol);
+[[nodiscard]] std::string complex_name(const std::string& base, int rank);
 
 // --- ordered_letters.cpp: Evidence that letters are matrices or operators, whose products keep their
 // order: a displayed matrix, a commutator, a dagger, a transpose, a trace, a ket, hats where operators are

@@ -166,7 +166,8 @@ SyntaxId without_derivatives(const SyntaxTree& syntax, SyntaxId id) {
     const SyntaxKind kind = syntax[id].kind;
     const bool applied = kind == SyntaxKind::term && syntax[id].count == 2 &&
                          !letters_in_bracket(syntax, syntax.child(id, 1)).empty();
-    if (kind != SyntaxKind::group && kind != SyntaxKind::derivative && !applied) return id;
+    const bool starred = kind == SyntaxKind::function && syntax.text(id) == "conjugate";  // `\psi^*(x)`
+    if (kind != SyntaxKind::group && kind != SyntaxKind::derivative && !applied && !starred) return id;
     id = syntax.child(id, 0);
   }
 }
@@ -209,7 +210,8 @@ void see_changing(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence) {
 }
 
 bool is_never_applied(const WrittenSymbol& symbol) {
-  static constexpr std::string_view letters[] = {"\\pi", "i", "d", "O", "o", "\\delta", "\\Delta", "\\nabla"};
+  static constexpr std::string_view letters[] = {"\\pi", "i",       "\\mathrm{i}", "d",      "O",
+                                                 "o",    "\\delta", "\\Delta",     "\\nabla"};
   return is_one_of(symbol.letter, letters) || !symbol.change.empty();
 }
 
@@ -244,7 +246,7 @@ bool is_function_of(const Evidence& evidence, std::string_view name, std::string
 
 bool is_own_variable(const Evidence& evidence, std::string_view letter) {
   static constexpr std::string_view coordinates[] = {"x", "y", "z"};
-  if (!is_one_of(letter, coordinates)) return true;
+  if (!is_one_of(letter, coordinates) || evidence.complex_numbers.contains(std::string(letter))) return true;
   return std::ranges::any_of(coordinates, [&](std::string_view other) {
     return other != letter && is_function_of(evidence, other, letter);
   });
@@ -283,14 +285,16 @@ SyntaxId letter_of_side(const SyntaxTree& syntax, SyntaxId side) {
 }
 
 /// `Cd = \epsilon A` says of none of its letters alone what it is, so that any of them may follow the others.
-/// An identity, with the same letters on both sides, and a law of rates do not.
+/// An identity, with the same letters on both sides, a law of rates and an integral do not.
 void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   std::vector<std::set<std::string>> letters;
   for (const SyntaxId side : sides) {
     std::set<std::string>& own = letters.emplace_back();
     for (const SyntaxId id : nodes_below(syntax, {side})) {
-      if (syntax[id].kind == SyntaxKind::derivative) return;
-      if (syntax[id].kind != SyntaxKind::symbol) continue;
+      const SyntaxKind kind = syntax[id].kind;
+      if (kind == SyntaxKind::derivative || kind == SyntaxKind::line_integral || kind == SyntaxKind::between)
+        return;
+      if (kind != SyntaxKind::symbol) continue;
       if (syntax.symbol(id).dots > 0 || syntax.symbol(id).primes > 0) return;
       own.insert(changing_name(syntax.symbol(id)));
     }
@@ -299,6 +303,22 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
   letters[0].merge(letters[1]);
   for (const std::string& letter : letters[0])
     evidence.tied[letter].insert(letters[0].begin(), letters[0].end());
+}
+
+/// The letters of a side, but for what an integral between limits runs over.
+std::set<std::string> free_letters(const SyntaxTree& syntax, SyntaxId side) {
+  std::set<std::string> letters;
+  if (syntax[side].kind == SyntaxKind::symbol) letters.insert(changing_name(syntax.symbol(side)));
+  const auto children = syntax.children(side);
+  const bool bound = syntax[side].kind == SyntaxKind::line_integral && children.size() > 2;
+  for (std::size_t k = 0; k < children.size(); ++k) {
+    if (bound && k == 1) {
+      letters.erase(changing_name(syntax.symbol(children[k].id)));
+    } else {
+      letters.merge(free_letters(syntax, children[k].id));
+    }
+  }
+  return letters;
 }
 
 /// `x(0)`, `\dot x(0)`: it does not change with x.
@@ -321,9 +341,7 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
     std::set<std::string>& tied = evidence.tied[changing_name(syntax.symbol(letter))];
     for (const SyntaxId other : sides) {
       if (other == side || is_value_at_a_number(syntax, other)) continue;
-      for (const SyntaxId id : nodes_below(syntax, {other})) {
-        if (syntax[id].kind == SyntaxKind::symbol) tied.insert(changing_name(syntax.symbol(id)));
-      }
+      tied.merge(free_letters(syntax, other));
     }
   }
   if (!says_what_a_letter_is) see_mutual_ties(syntax, sides, evidence);

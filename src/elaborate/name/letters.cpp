@@ -125,6 +125,7 @@ void read_labels(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, L
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (symbol.lower.empty() && symbol.face == Face::plain) bare.insert(symbol.letter);
     const std::vector<std::string> own = latin_letters(symbol.lower);
+    letters.below.insert(own.begin(), own.end());
     if (own.size() == 1) on_base[letter_with_marks(symbol)].insert(own[0]);
   });
   letters.bare = bare;
@@ -394,19 +395,6 @@ WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, cons
   name.base = with_labels(letter_with_marks(symbol), labels);
   if (!labels_behind.empty()) name.base += with_labels("{}", labels_behind);
   return name;
-}
-
-std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels) {
-  if (labels.empty()) return base;
-  if (labels.front().text.starts_with('^'))
-    return with_labels(base + labels.front().text, {labels.begin() + 1, labels.end()});
-  std::string text = base + "_{";
-  for (const WrittenIndex& label : labels) {
-    text += label.form == IndexForm::word && !label.text.starts_with('\\') ? "\\text{" + label.text + "}"
-                                                                           : label.text;
-    text += std::string(label.primes, '\'');
-  }
-  return text + "}";
 }
 
 bool is_kronecker(const WrittenSymbol& symbol) {

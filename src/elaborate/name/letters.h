@@ -21,6 +21,7 @@ struct Letters {
   std::set<std::string> changes;          // \delta of `\delta x`
   std::set<std::string> bold_vectors;     // bases that occur in bold or under an arrow in this statement
   std::set<std::string> bare;             // plain letters that stand without a subscript
+  std::set<std::string> below;            // small Latin letters that are subscripts
   std::set<std::string> by;  // r of `\frac{dV}{dr}`: letters that this statement differentiates by
   bool has_nabla = false;
   bool evidence =
@@ -56,8 +57,6 @@ struct WrittenName {
   [[nodiscard]] bool per_particle() const { return !particles.empty(); }
 };
 [[nodiscard]] WrittenName take_apart(const WrittenSymbol& symbol, const Letters& letters, const Names& names);
-/// The base when the axes are labels after all: `m_1`, `v_{x}`.
-[[nodiscard]] std::string with_labels(const std::string& base, const std::vector<WrittenIndex>& labels);
 
 /// Is it a letter without face, accent, primes, dots and a change before it? Subscripts may be on it.
 [[nodiscard]] bool is_undecorated(const WrittenSymbol& symbol);

@@ -20,6 +20,7 @@ struct NameKey {
   bool per_particle = false;
   std::uint8_t space = 0;  // of its axes, as `Space::id`; `Symbols` fills in the one in force
   MatrixShape shape = {};  // of a letter that is set equal to a written matrix
+  bool complex = false;    // `Symbols` fills in what the section shows
   friend auto operator<=>(const NameKey&, const NameKey&) = default;
 };
 

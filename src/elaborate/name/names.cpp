@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
@@ -23,14 +25,13 @@ std::optional<KnownChange> declared_change(const Names& names, const SymbolTable
   return std::nullopt;
 }
 
-/// Known from its letter: π, the time t, the position.
-Dependence usual_change(const NameKey& key, bool declared, const Variable& by) {
+/// Known from its letter: the time t, the position.
+Dependence usual_change(const NameKey& key, const Variable& by) {
   using Kind = Dependence::Kind;
-  if (key == NameKey{"\\pi", 0, false} && !declared) return {Kind::constant};
   if (key == NameKey{"t", 0, false}) return {by == By::time ? Kind::variable : Kind::constant};
   if (by != By::space) return {};
   if (key.rank == 1 && key.space == 0 && (key.base == "r" || key.base == "x")) return {Kind::variable};
-  if (key.rank != 0) return {};
+  if (key.rank != 0 || key.complex) return {};
   if (key.base == "x" || key.base == "y" || key.base == "z")
     return {Kind::variable, static_cast<std::uint8_t>(key.base[0] - 'x' + 1)};
   return {};
@@ -62,17 +63,18 @@ KnownChange change_but_for_squares(const Names& names, const ExprTree& tree, Sym
   const SymbolId base = base_of(tree.symbols, symbol);
   if (by.by == By::letter && symbol == by.letter) return {{Dependence::Kind::variable}};
   if (by.held && (*by.held == symbol || *by.held == base)) return {{Dependence::Kind::constant}};
-  if (tree.symbols[base].unit_of_measure) return {{Dependence::Kind::constant}};
+  if (tree.symbols[base].is_fixed() && definition_of(names.scope, base) == nullptr)
+    return {{Dependence::Kind::constant}};
   if (auto declared = declared_change(names, tree.symbols, base, by)) return *std::move(declared);
   const NameKey* key = key_of(names.symbols, symbol);
   if (definition_of(names.scope, symbol) != nullptr) return {};
   if (by.by == By::letter) {
-    const bool pi = key != nullptr && *key == NameKey{"\\pi", 0, false} && !is_declared(names.symbols, *key);
-    if (pi || is_held(names, tree, symbol, by)) return {{Dependence::Kind::constant}};
-    return {};
+    const auto body = body_of_definition(names.scope, by.letter);  // x = 2t: t changes with x
+    if (body && is_one_of(base, symbols_reached(tree, names.scope, {*body}))) return {};
+    return is_held(names, tree, symbol, by) ? KnownChange{{Dependence::Kind::constant}} : KnownChange{};
   }
   if (key == nullptr || key->per_particle) return {};
-  return {usual_change(*key, is_declared(names.symbols, *key), by)};
+  return {usual_change(*key, by)};
 }
 
 /// The symbol that was declared with these properties before, in any section.
@@ -103,6 +105,7 @@ SymbolId declare(Names& names, ExprTree& tree, const NameKey& named, Symbol symb
   symbol.rank = key.rank;
   symbol.axes = AxisSpaces::of(key.rank > 0 ? space_of(names.symbols) : common_space, key.rank);
   symbol.per_particle = key.per_particle;
+  symbol.complex = key.complex;
   symbol.declared = true;
   auto known = declared_alike(names.symbols, tree.symbols, key, symbol);
   if (!known) known = spoken_of(names, key, symbol);

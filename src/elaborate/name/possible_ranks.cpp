@@ -9,6 +9,7 @@
 #include <functional>
 #include <span>
 
+#include "base/among.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -115,6 +116,8 @@ class RankReader {
         return component(id);
       case SyntaxKind::group:
       case SyntaxKind::big_sum:
+      case SyntaxKind::line_integral:
+      case SyntaxKind::between:
         return read(syntax_.child(id, 0));
       case SyntaxKind::bars:
       case SyntaxKind::norm:
@@ -268,7 +271,7 @@ class RankReader {
     const std::string& name = syntax_.text(id);
     if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what is next to it");
     const RankSet inside = read(syntax_.child(id, 0));
-    if (name == "D/Dt") return inside;
+    if (is_one_of(name, {"D/Dt", "conjugate", "bar", "Re", "Im"})) return inside;
     if (name == "transpose" || name == "diag") return any_rank;
     if (name == "det" || name == "tr") return scalar;
     if (const auto of_field = field_operator(name)) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/among.h"
+
 namespace rigor {
 namespace {
 
@@ -44,9 +46,20 @@ std::optional<ExprId> body_of_definition(const NameScope& scope, SymbolId symbol
 
 std::vector<SymbolId> symbols_reached(const ExprTree& tree, const NameScope& scope,
                                       std::vector<ExprId> roots) {
-  return symbols_reached(tree, std::move(roots), [&](SymbolId symbol) {
-    return body_of_definition(scope, base_of(tree.symbols, symbol));
-  });
+  const auto below = [&](std::vector<ExprId> from) {
+    return symbols_reached(tree, std::move(from), [&](SymbolId symbol) {
+      return body_of_definition(scope, base_of(tree.symbols, symbol));
+    });
+  };
+  std::vector<SymbolId> reached = below(std::move(roots));
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    const auto& integral = tree.symbols[base_of(tree.symbols, reached[k])].integral;
+    if (!integral) continue;
+    for (const SymbolId inside : below(parts_of(*integral))) {
+      if (!is_one_of(inside, reached)) reached.push_back(inside);
+    }
+  }
+  return reached;
 }
 
 void forget_definition(NameScope& scope, SymbolId symbol) {

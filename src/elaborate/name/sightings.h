@@ -27,9 +27,11 @@ struct Sightings {
   bool hatted_ij = false;  // \hat\imath or \hat\jmath: then \hat k is an axis as well
 };
 
-/// Is a time derivative of it written? Sightings are of the whole file, and know no spaces.
+/// Is a time derivative of it written? Sightings are of the whole file, and know no spaces
+/// and no complex numbers.
 [[nodiscard]] inline bool has_rate(const Sightings& sightings, NameKey key) {
   key.space = 0;
+  key.complex = false;
   return sightings.rates.contains(key);
 }
 

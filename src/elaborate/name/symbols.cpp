@@ -35,6 +35,7 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   symbol.axes = key.shape.any() ? axes_of(symbols, key.shape)
                                 : AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
   symbol.per_particle = key.per_particle;
+  symbol.complex = key.complex;
   symbol.first_seen = span;
   // After its section, a declared letter is the same symbol, undeclared; if the declaration gave it
   // properties (symmetric, unit, rotation), it is another symbol.
@@ -66,6 +67,8 @@ std::optional<std::size_t> space_declared_by(const Symbols& symbols) {
 
 NameKey placed(const Symbols& symbols, NameKey key) {
   if (key.rank > 0 && key.space == 0 && !key.shape.any()) key.space = space_of(symbols).id;
+  const std::set<std::string>& complex = symbols.evidence->complex_numbers;
+  if (!complex.empty()) key.complex = key.complex || complex.contains(complex_name(key.base, key.rank));
   return key;
 }
 

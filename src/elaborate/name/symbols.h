@@ -27,9 +27,6 @@
 
 namespace rigor {
 
-inline constexpr int most_named_spaces = most_spaces - 1;
-inline constexpr std::uint8_t space_of_columns = most_spaces;  // its `Space::id`
-
 /// What declares a key, or a letter that labels particles.
 struct Declaration {
   std::size_t directive = 0;

@@ -96,6 +96,24 @@ std::optional<SpelledPart> repeated_greek(const Reading& reading, std::span<cons
   return std::nullopt;
 }
 
+/// `\pi(10)`: the number of primes or a permutation, or ten times π.
+std::optional<SpelledPart> circle_before_number(const SyntaxTree& syntax,
+                                                std::span<const SyntaxChild> factors) {
+  for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+    if (syntax[factors[k].id].kind != SyntaxKind::symbol || factors[k + 1].joint != Joint::juxtaposed)
+      continue;
+    const WrittenSymbol& symbol = syntax.symbol(factors[k].id);
+    const SyntaxId bracket = factors[k + 1].id;
+    if (symbol.letter != "\\pi" || !symbol.lower.empty() || syntax[bracket].kind != SyntaxKind::group ||
+        syntax[syntax.child(bracket, 0)].kind != SyntaxKind::number)
+      continue;
+    return SpelledPart{cover(syntax[factors[k].id].span, syntax[bracket].span),
+                       "this can be a multiple of π, or the value of a function `\\pi`",
+                       {"write the number before `\\pi`"}};
+  }
+  return std::nullopt;
+}
+
 bool is_greek_d(const WrittenSymbol& symbol) {
   return (symbol.letter == "\\delta" || symbol.letter == "\\Delta") && symbol.lower.empty() &&
          symbol.face == Face::plain && symbol.accent == Accent::none && symbol.primes == 0 &&
@@ -136,6 +154,10 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
       return SpelledPart{both, "this can be a change of second order, or a power and a factor", {}};
     if (power_of_symbol && may_be_inverse(reading, id, next))
       return SpelledPart{both, "this can be the value of the inverse function, or a reciprocal", {}};
+    const bool starred = syntax[id].kind == SyntaxKind::function && syntax.text(id) == "conjugate";
+    if (starred && syntax[next].kind == SyntaxKind::group &&
+        part_of_bracket(reading, without_derivatives(syntax, id), next) != BracketPart::factor)
+      return SpelledPart{both, "this can be a product, or the conjugate of a function's value", {}};
     if (syntax[id].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, id)) continue;
@@ -332,6 +354,7 @@ std::optional<SpelledPart> doubt_of_product(Reading& reading, std::span<const Sy
   if (auto spelled = spelled_part(reading.syntax, factors, reading.names)) return spelled;
   if (auto doubt = application(reading, factors)) return doubt;
   if (auto doubt = repeated_greek(reading, factors)) return doubt;
+  if (auto doubt = circle_before_number(reading.syntax, factors)) return doubt;
   return number_run(reading, factors);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "elaborate/evidence/evidence.h"
+#include "elaborate/name/function_value.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/change.h"
 #include "elaborate/reading/summation.h"
@@ -14,6 +15,12 @@
 #include "elaborate/symbol/symbol.h"
 
 namespace rigor {
+
+bool is_place(const Reading& reading, const WrittenSymbol& variable) {
+  if (!names_a_place(variable)) return false;
+  return !variable.lower.empty() || !is_own_variable(*reading.names.symbols.evidence, variable.letter);
+}
+
 namespace {
 
 /// `x` in `\partial x/\partial y`: nobody differentiates one coordinate by another, so x is a function of y.
@@ -37,12 +44,6 @@ bool depends_on_other_coordinate(Reading& reading, const Typed& operand, const W
     return true;
   }
   return false;
-}
-
-/// x, y, z, `x_i`, `r_i`: a place, unless the section shows that it is a variable of its own.
-bool is_place(const Reading& reading, const WrittenSymbol& variable) {
-  if (!names_a_place(variable)) return false;
-  return !variable.lower.empty() || !is_own_variable(*reading.names.symbols.evidence, variable.letter);
 }
 
 /// The derivative by what `variable` reads as; nothing, and a diagnostic, where it is no plain number.
@@ -119,6 +120,12 @@ bool leads_to_vector_of(const Reading& reading, ExprId operand, SymbolId letter)
                              [&](SymbolId each) { return base_of(reading.tree.symbols, each) == *vector; });
 }
 
+bool has_integral(const ExprTree& tree, ExprId id) {
+  return std::ranges::any_of(letters_in(tree, id), [&](SymbolId symbol) {
+    return tree.symbols[base_of(tree.symbols, symbol)].integral.has_value();
+  });
+}
+
 /// What a derivative is by, and what it holds.
 struct Differentiation {
   std::span<const WrittenVariable> by;
@@ -162,6 +169,9 @@ MaybeTyped differentiated(Reading& reading, const Differentiation& how, MaybeTyp
         return std::nullopt;
       if (how.partial) operand = with_places_open(reading, *std::move(operand), how.span);
       if (!operand) return operand;
+      if (how.partial && has_integral(reading.tree, operand->id))
+        return unsupported(reading, how.span,
+                           "a partial derivative of an integral by the time is not decided");
       operand = rate_of(reading, std::move(*operand), variable.times, how.partial);
       continue;
     }

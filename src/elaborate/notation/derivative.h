@@ -9,6 +9,8 @@ namespace rigor {
 /// By `x`, `y`, `z`, `x_i` or `r_i`, as a place.
 [[nodiscard]] MaybeTyped by_coordinate(Reading& reading, const Typed& operand, const WrittenSymbol& variable,
                                        Span span, const Around& around);
+/// x, y, z, `x_i`, `r_i`: a place, unless the section shows that it is a variable of its own.
+[[nodiscard]] bool is_place(const Reading& reading, const WrittenSymbol& variable);
 /// May a letter below the bracket around this say what is held? It is no index there.
 [[nodiscard]] bool may_hold_by_name(const Reading& reading, SyntaxId id);
 /// `\left(\frac{\partial S}{\partial T}\right)_V`.

@@ -80,6 +80,10 @@ MaybeTyped elaborate_kind(Reading& reading, SyntaxId id, const Around& around) {
       return elaborate_function(reading, id, around);
     case SyntaxKind::integral:
       return elaborate_integral(reading, id, around);
+    case SyntaxKind::line_integral:
+      return elaborate_line_integral(reading, id, around);
+    case SyntaxKind::between:
+      return elaborate_between(reading, id, around);
     case SyntaxKind::unit:
       return elaborate_unit(reading, id, around);
     case SyntaxKind::text:

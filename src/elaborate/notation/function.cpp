@@ -89,6 +89,10 @@ MaybeTyped elementary_function(Reading& reading, const std::string& name, const 
   const auto over = [&](const Typed& above, const Typed& below) {
     return apply_op(tree, Op::divide, span, 0, {above, below});
   };
+  if (name == "log" && !reading.found.guess)
+    reading.found.guess = Obstacle{DiagnosticKind::ambiguous_reading,
+                                   "`\\log` was read as the natural logarithm, and can be the decimal one",
+                                   {"write `\\ln` or `\\log_{10}`"}};
   if (const auto function = function_of_tree(name)) return apply(*function, argument);
   const auto number = [&](const char* digits) { return Typed{.id = tree.add_number(span, digits)}; };
   const auto opposite = [&](const Typed& of) { return apply_op(tree, Op::negate, span, 0, {of}); };
@@ -126,6 +130,7 @@ MaybeTyped elaborate_function(Reading& reading, SyntaxId id, const Around& aroun
   const std::string& name = reading.syntax.text(id);
   const SyntaxId argument = reading.syntax.child(id, 0);
   const Span span = reading.syntax[id].span;
+  if (is_part_of_complex(name)) return elaborate_part(reading, id, around);
   if (name == "D/Dt") return material_rate(reading, argument, span, around);
   if (name == "O")
     return unsupported(reading, span,

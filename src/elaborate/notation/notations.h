@@ -10,8 +10,10 @@ using ReadPart = MaybeTyped(Reading& reading, SyntaxId id, const Around& around)
 
 ReadPart elaborate_bars, elaborate_component;                       // bracket.cpp
 ReadPart elaborate_cases;                                           // cases.cpp
+ReadPart elaborate_part;                                            // complex.cpp
 ReadPart elaborate_derivative;                                      // derivative.cpp
 ReadPart elaborate_function, elaborate_integral;                    // function.cpp
+ReadPart elaborate_line_integral, elaborate_between;                // integral.cpp
 ReadPart elaborate_tuple, elaborate_matrix, elaborate_determinant;  // matrix.cpp
 ReadPart elaborate_transpose, elaborate_diagonal;                   // matrix.cpp
 ReadPart elaborate_power, elaborate_root;                           // power.cpp
@@ -19,6 +21,8 @@ ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
 ReadPart elaborate_term;                                            // term.cpp
 ReadPart elaborate_unit;                                            // unit.cpp
 
+/// A star, a bar over an expression, `\Re` or `\Im`.
+[[nodiscard]] bool is_part_of_complex(std::string_view function);
 /// The number that is written, also with a minus before it.
 [[nodiscard]] std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id);
 /// `sin`, `tanh`, `exp`…, as quotients of sines, cosines and exponentials.

@@ -90,6 +90,12 @@ std::optional<std::vector<std::string>> letters_of_number(const SyntaxTree& synt
   return letters;
 }
 
+/// n of `u^{n+1}`, which may count the steps of a scheme.
+bool may_count(const std::string& letter) {
+  static constexpr std::array<std::string_view, 8> counters{"i", "j", "k", "l", "m", "n", "s", "t"};
+  return is_one_of(letter, counters);
+}
+
 bool is_said_for_all(const Reading& reading, const std::string& letter) {
   const auto symbol = find_symbol(reading.names.symbols, {letter, 0, false});
   return symbol && is_for_all(reading.names.scope, *symbol);
@@ -115,7 +121,7 @@ bool is_number_above(const Reading& reading, SyntaxId base, SyntaxId exponent) {
       return true;
     const bool alone = syntax[exponent].kind == SyntaxKind::symbol;
     if (alone && is_one_of(letter, marks)) return false;
-    return is_reckoned(syntax, exponent) || evidence.exponents.contains(letter);
+    return evidence.exponents.contains(letter) || (is_reckoned(syntax, exponent) && !may_count(letter));
   });
 }
 
@@ -197,6 +203,10 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   }
   if (base->rank > 1) return unsupported(reading, span, "a power of a tensor is not decided");
   if (number_above) return real_power(reading, *base, exponent, span, around);
+  if (base->rank == 1 && has_complex_numbers(reading.tree, base->id))
+    return ambiguous(reading, span,
+                     "a power of a complex vector can be one of its length, or of its product with itself",
+                     {"write `|…|^2`, or the product with a dot"});
   if (base->rank == 1) {
     if (*halves == 4) return apply_op(reading.tree, Op::dot, span, 0, {*base, *base});
     if (*halves % 4 != 0)

@@ -47,20 +47,31 @@ ExprId at_axis(ExprTree& tree, ExprId id, std::uint8_t axis) {
   return component_of(tree, id, std::span(&slot, 1));
 }
 
+void note_logarithm(Reading& reading, ExprId of) {
+  reading.found.differentiates_logarithm =
+      reading.found.differentiates_logarithm ||
+      std::ranges::any_of(nodes_below(reading.tree, {of}), [&](ExprId id) {
+        return reading.tree[id].op == Op::function && reading.tree[id].function == Function::log;
+      });
+}
+
 }  // namespace
 
 Typed rate_of(Reading& reading, Typed typed, int times, bool partial) {
+  note_logarithm(reading, typed.id);
   Differentiator& by_time = differentiator(reading, By::time, {}, partial);
   for (int k = 0; k < times; ++k) typed.id = by_time.derivative_or_zero(typed.id);
   return typed;
 }
 
 Typed derivative_by(Reading& reading, Typed typed, const Variable& by) {
+  note_logarithm(reading, typed.id);
   typed.id = differentiator(reading, by, {}, false).derivative_or_zero(typed.id);
   return typed;
 }
 
 ExprId derivative_along(Reading& reading, ExprId id, Slot axis) {
+  note_logarithm(reading, id);
   return differentiator(reading, By::space, axis, false).derivative_or_zero(id);
 }
 

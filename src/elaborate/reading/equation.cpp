@@ -30,12 +30,20 @@ ExprId zero_like(Reading& reading, const Typed& written, const Typed& other) {
                                         reading.tree[other.id].axes);
 }
 
+/// Does a letter stand there as a number, m of `\cos mx`?
+bool has_number(const ExprTree& tree, ExprId id, const std::string& letter) {
+  return std::ranges::any_of(symbols_in(tree, id), [&](SymbolId symbol) {
+    const Symbol& known = tree.symbols[symbol];
+    if (known.name == letter) return true;
+    return known.integral && has_number(tree, known.integral->integrand, letter);
+  });
+}
+
 }  // namespace
 
 bool same_type(const Reading& reading, const Typed& first, const Typed& other, const char* what,
                Mismatch mismatch) {
   const Span first_span = reading.tree[first.id].span;
-  const Span other_span = reading.tree[other.id].span;
   if (first.rank != other.rank && reading.found.dyad) {
     const Obstacle& guess = *reading.found.guess;
     report(mismatch.diagnostics, DiagnosticKind::ambiguous_reading, *reading.found.dyad, guess.message,
@@ -65,8 +73,10 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
       return std::ranges::none_of(in, [&](const auto& old) { return old.letter == entry.letter; });
     });
   };
-  const auto tell = [&](const auto& entry, Span without) {
-    const bool shown = reading.letters.is_sure(entry.letter);
+  const auto tell = [&](const auto& entry, const Typed& other_side) {
+    const Span without = reading.tree[other_side.id].span;
+    const bool shown =
+        reading.letters.is_sure(entry.letter) && !has_number(reading.tree, other_side.id, entry.letter);
     const DiagnosticKind kind =
         shown ? DiagnosticKind::free_index_mismatch : DiagnosticKind::ambiguous_reading;
     mismatch.diagnostics.push_back(
@@ -79,9 +89,9 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
     return false;
   };
   if (const auto extra = missing(other.free, first.free); extra != other.free.end())
-    return tell(*extra, first_span);
+    return tell(*extra, first);
   if (const auto extra = missing(first.free, other.free); extra != first.free.end())
-    return tell(*extra, other_span);
+    return tell(*extra, other);
   return true;
 }
 

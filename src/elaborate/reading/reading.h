@@ -87,6 +87,7 @@ struct Reading {
     std::optional<Span> dotted_length;     // \dot r, squared, where r is the length of a particle's vector
     std::optional<std::string> region;     // of its integrals
     bool values = false;                   // it has values of functions: `V(r_0)`, a symbol of its own
+    std::optional<SymbolId> integrated;    // the variable of its last integral
     std::optional<Span> dyad;              // bold letters side by side, which may be matrices
     std::optional<Obstacle> guess;         // see guess_of()
     std::optional<Obstacle> belongs;  // a letter was taken for a part of a vector: see ReadingRules::apart
@@ -97,6 +98,7 @@ struct Reading {
     Directives used;                        // what was looked up is said by these
     bool differentiates_position = false;
     bool matrices = false;  // what does not fit may be another matrix than was read: no mistake for sure
+    bool differentiates_logarithm = false;  // whose derivative has values where it has none itself
   } found = {};
 
   struct Derivatives {

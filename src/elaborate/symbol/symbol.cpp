@@ -141,6 +141,28 @@ bool is_bare_and_undeclared(const Names& names, const WrittenSymbol& written) {
          written.change.empty() && !is_declared(names.symbols, {written.letter, 0, false});
 }
 
+/// Does the section show that the letter is the number i? Not where it also is a subscript.
+bool is_imaginary_unit(const Reading& reading, const WrittenSymbol& written) {
+  const Evidence& evidence = *reading.names.symbols.evidence;
+  const bool upright = written.letter == "\\mathrm{i}" && !evidence.no_units.contains(written.letter);
+  return may_be_imaginary_unit(written) && is_bare_and_undeclared(reading.names, written) &&
+         (upright || evidence.imaginary_units.contains(written.letter)) &&
+         !reading.letters.below.contains(written.letter) &&
+         !reading.indices.summed.contains(written.letter) &&
+         !reading.particles.summed.contains(written.letter);
+}
+
+/// `\bar z` of a complex z; nothing where the bar is part of a name.
+std::optional<MaybeTyped> overlined(Reading& reading, WrittenSymbol written, Span span,
+                                    const Around& around) {
+  if (std::exchange(written.accent, Accent::none) != Accent::bar) return std::nullopt;
+  const std::set<std::string>& complex = reading.names.symbols.evidence->complex_numbers;
+  if (!complex.contains(complex_name(written))) return std::nullopt;
+  const auto inside = elaborate_symbol(reading, written, span, around);
+  if (!inside) return MaybeTyped();
+  return MaybeTyped(apply_op(reading.tree, Op::conjugate, span, inside->rank, {*inside}));
+}
+
 /// Why a letter is no quantity that is read: it stands for a change, an average or i.
 std::optional<Obstacle> no_quantity(const Reading& reading, const WrittenSymbol& written) {
   const Names& names = reading.names;
@@ -156,9 +178,16 @@ std::optional<Obstacle> no_quantity(const Reading& reading, const WrittenSymbol&
   if (((letter == "\\delta" || letter == "\\Delta") && beside_changes) || letter == "\\mathrm{d}")
     return unread(
         fmt::format("`{}` without indices reads as a small change, which is not decided yet", letter));
-  if ((letter == "i" || letter == "j") && written.primes == 0)
-    return unread(
-        fmt::format("`{}` without a subscript can be the imaginary unit, which is not decided with", letter));
+  // Where the section writes i for it, j is a current.
+  const std::set<std::string>& units = names.symbols.evidence->imaginary_units;
+  if (may_be_imaginary_unit(written) && (units.empty() || units.contains(letter)))
+    return Obstacle{
+        DiagnosticKind::ambiguous_reading,
+        fmt::format("`{}` can be the imaginary unit or a quantity of this name, and nothing here says which",
+                    letter),
+        {fmt::format("`rigor: scalar {0}` makes it a quantity; `e^{{{0}\\dots}}` or \"the imaginary unit "
+                     "${0}$\" show that it is none",
+                     letter)}};
   return std::nullopt;
 }
 
@@ -231,6 +260,11 @@ MaybeTyped length_or_scalar(Reading& reading, const Occurrence& at) {
     return symbol_apart(reading, at, name.base);
   const auto vector = named_symbol(reading, at, name.base, 1);
   if (!vector) return vector;
+  if (has_complex_numbers(reading.tree, vector->id))
+    return ambiguous(reading, at.span,
+                     fmt::format("`{}` can be the length of the complex `{}`, or a number of its own",
+                                 name.base, bold(name.base)),
+                     {fmt::format("write `|{}|` for the length", bold(name.base))});
   note(reading, fmt::format("`{}` is the length of `{}`", name.base, bold(name.base)));
   return apply_op(reading.tree, Op::length, at.span, 0, {*vector});
 }
@@ -320,6 +354,9 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   if (written.letter == "\\nabla") return unsupported(reading, span, "`\\nabla` has nothing to act on here");
   if (auto letter = matrix_letter(reading, written, span)) return *std::move(letter);
   if (auto fixed = unit_or_basis(reading, written, span, around)) return *std::move(fixed);
+  if (is_imaginary_unit(reading, written))
+    return Typed{.id = reading.tree.add({.op = Op::imaginary_unit, .span = span})};
+  if (auto conjugate = overlined(reading, written, span, around)) return *std::move(conjugate);
   if (const auto obstacle = no_quantity(reading, written)) return fail(reading, span, *obstacle);
   if (may_be_derivative_of_order(reading.names, written)) {
     const std::string labelled = with_labels(written.letter, {written.lower.front()});

@@ -34,6 +34,7 @@ std::optional<ExprId> Differentiator::compute(ExprId id) {
     case Op::basis:
     case Op::delta:
     case Op::epsilon:
+    case Op::imaginary_unit:
       return std::nullopt;
     case Op::symbol:
       return of_symbol(id);
@@ -59,6 +60,10 @@ std::optional<ExprId> Differentiator::compute(ExprId id) {
     case Op::length:
     case Op::absolute:
       return of_length(id);
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
+      return of_part(id);
     case Op::function:
       return of_function(id);
     case Op::tuple:
@@ -209,13 +214,31 @@ std::optional<ExprId> Differentiator::of_root(ExprId id) {
   return make(Op::divide, 0, {*inner, make(Op::multiply, 0, {number("2"), id})});
 }
 
-/// |v|' = v·v'/|v|, for numbers as for vectors.
+/// |v|' = v·v'/|v|, for numbers as for vectors; of complex ones Re(v*·v')/|v|.
 std::optional<ExprId> Differentiator::of_length(ExprId id) {
   const ExprId inside = child(id);
   const Maybe inner = derivative(inside);
-  if (!inner) return std::nullopt;
+  if (!inner || refuses_complex_variable()) return std::nullopt;
   const Op product = tree_[id].op == Op::length ? Op::dot : Op::multiply;
-  return make(Op::divide, 0, {make(product, 0, {inside, *inner}), id});
+  const bool complex = has_complex_numbers(tree_, inside);
+  const ExprId first = complex ? make(Op::conjugate, tree_[inside].rank, {inside}) : inside;
+  ExprId above = make(product, 0, {first, *inner});
+  if (complex) above = make(Op::real_part, 0, {above});
+  return make(Op::divide, 0, {above, id});
+}
+
+/// (z*)' = (z')*, Re(z)' = Re(z'), for a real variable.
+std::optional<ExprId> Differentiator::of_part(ExprId id) {
+  const Maybe inner = derivative(child(id));
+  if (!inner || refuses_complex_variable()) return std::nullopt;
+  return copy(id, {*inner});
+}
+
+/// z* has no derivative by z.
+bool Differentiator::refuses_complex_variable() {
+  const bool complex = by_.by == By::letter && tree_.symbols[by_.letter].complex;
+  if (complex) give_up("a conjugate or a modulus has no derivative by a complex variable");
+  return complex;
 }
 
 std::optional<ExprId> Differentiator::of_function(ExprId id) {

@@ -71,10 +71,12 @@ class Differentiator {
   Maybe of_entries(ExprId id);      // tuple, table
   Maybe of_determinant(ExprId id);  // row by row
   Maybe of_linear(ExprId id);       // one child, linear
+  Maybe of_part(ExprId id);         // conjugate, real_part, imaginary_part
 
   [[nodiscard]] ExprId child(ExprId id, std::size_t which = 0) const { return tree_.children(id)[which]; }
   void spend(std::size_t children);
   void give_up(std::string why) { budget_.exceeded = std::move(why); }
+  bool refuses_complex_variable();
   [[nodiscard]] bool gave_up() const { return budget_.exceeded.has_value(); }
   ExprId copy(ExprId like, std::vector<ExprId> children);
   ExprId make(Op op, std::uint8_t rank, std::vector<ExprId> children, std::int32_t exponent = 0);

@@ -96,6 +96,15 @@ LatexPrinter::Piece LatexPrinter::piece(ExprId id) {
       return entries(id);
     case Op::determinant:
       return determinant(id);
+    case Op::imaginary_unit:
+      return {notation_.imaginary_unit};
+    case Op::conjugate:
+      return conjugate(id);
+    case Op::real_part:
+    case Op::imaginary_part: {
+      const std::string name = node.op == Op::real_part ? "Re" : "Im";
+      return {"\\operatorname{" + name + "}" + in_brackets(piece(child(id))).text, Level::factor};
+    }
     case Op::index_sum:
       return index_sum(id);
     case Op::particle_sum:
@@ -165,6 +174,13 @@ LatexPrinter::Piece LatexPrinter::real_power(ExprId id) {
   const Piece base = at_least(Level::base, child(id, 0));
   const bool raised = base.text.find('^') != std::string::npos;
   return {(raised ? in_brackets(base).text : base.text) + "^{" + text(child(id, 1)) + "}", Level::factor};
+}
+
+/// `\psi^*`, `(a + b)^*`
+LatexPrinter::Piece LatexPrinter::conjugate(ExprId id) {
+  const Piece inside = at_least(Level::base, child(id));
+  const bool raised = inside.text.find('^') != std::string::npos && !inside.bracketed;
+  return {(raised ? in_brackets(inside).text : inside.text) + "^*", Level::factor};
 }
 
 bool LatexPrinter::has_letter_e() const {

@@ -118,6 +118,9 @@ bool LatexPrinter::reads_once(ExprId id, IndexId index) {
     case Op::add:
       return holding == tree_.children(id).size();
     case Op::negate:
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
     case Op::index_sum:
     case Op::particle_sum:
     case Op::length:

@@ -207,6 +207,7 @@ bool LatexPrinter::length_is_plain(ExprId id) const {
   const ExprNode& node = tree_[id];
   if (node.op != Op::symbol || node.rank != 1 || tree_.symbols[node.symbol].derivation) return false;
   const Symbol& vector = tree_.symbols[node.symbol];
+  if (vector.complex) return false;  // of a complex vector it can be a number of its own
   const LatexName name = name_of(node.symbol);
   const auto particle = particle_letters_.find(static_cast<std::uint32_t>(node.particle));
   const bool in_body =

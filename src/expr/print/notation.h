@@ -24,6 +24,7 @@ struct Notation {
   std::string basis = "\\mathbf{e}";           // e_i; `\hat{\mathbf{e}}`
   std::array<std::string, 3> axes = {};        // `\hat{x}`…; empty: e_1, e_2, e_3
   std::string number_fraction = "\\frac";      // of two numbers; `\tfrac`
+  std::string imaginary_unit = "i";            // or `j`
   bool lettered_axes = false;                  // x, y, z rather than 1, 2, 3 where no symbol decides
   std::map<SymbolId, std::string> base = {};   // the name without a face, where the notes have a macro for it
   std::map<SymbolId, std::string> whole = {};  // as one letter with its face: `\mathsf{I}`, `\vec{r}`

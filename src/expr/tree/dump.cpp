@@ -12,9 +12,10 @@ namespace {
 
 [[nodiscard]] std::string_view name_of(Op op) {
   static constexpr auto names = std::to_array<std::string_view>(
-      {"number",    "symbol", "e",           "delta",     "epsilon",      "add",      "negate", "multiply",
-       "divide",    "power",  "real-power",  "root",      "length",       "absolute", "dot",    "cross",
-       "component", "tuple",  "determinant", "index-sum", "particle-sum", "function", "table"});
+      {"number",   "symbol", "e",         "delta",        "epsilon",     "add",    "negate",
+       "multiply", "divide", "power",     "real-power",   "root",        "length", "absolute",
+       "dot",      "cross",  "component", "tuple",        "determinant", "i",      "conjugate",
+       "re",       "im",     "index-sum", "particle-sum", "function",    "table"});
   static_assert(names.size() == static_cast<std::size_t>(Op::table) + 1);
   return names[static_cast<std::size_t>(op)];
 }
@@ -74,6 +75,13 @@ bool names_an_axis(const ExprTree& tree, ExprId root) {
   return std::ranges::any_of(nodes_below(tree, {root}), [&](ExprId id) {
     return tree[id].op == Op::basis ||
            std::ranges::any_of(tree.slots(id), [](const Slot& slot) { return slot.axis != 0; });
+  });
+}
+
+bool has_complex_numbers(const ExprTree& tree, ExprId root) {
+  return std::ranges::any_of(nodes_below(tree, {root}), [&](ExprId id) {
+    const ExprNode& node = tree[id];
+    return node.op == Op::imaginary_unit || (node.op == Op::symbol && tree.symbols[node.symbol].complex);
   });
 }
 

@@ -57,6 +57,9 @@ SymbolId SymbolTable::derivative(const Derivation& derivation) {
   symbol.axes = base.axes;
   symbol.per_particle = base.per_particle;
   symbol.symmetric = base.symmetric;
+  symbol.complex = base.complex || std::ranges::any_of(derivation.by, [this](const Variable& each) {
+                     return each.by == By::letter && (*this)[each.letter].complex;
+                   });
   symbol.declared = base.declared;
   symbol.first_seen = base.first_seen;
   const SymbolId id = add(std::move(symbol));

@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/span.h"
 #include "expr/tree/dimension.h"
@@ -20,6 +21,7 @@
 namespace rigor {
 
 enum class SymbolId : std::uint32_t {};
+enum class ExprId : std::uint32_t;
 
 /// What is differentiated by.
 enum class By : std::uint8_t {
@@ -52,6 +54,33 @@ struct Derivation {
   friend auto operator<=>(const Derivation&, const Derivation&) = default;
 };
 
+/// An end of an interval: an expression, or an infinity with its sign.
+struct Limit {
+  std::optional<ExprId> at = {};
+  int infinity = 0;
+};
+
+/// `\int_a^b f\,dx`, or without limits a function whose derivative is f. It is a symbol of its own, and its
+/// integrand stands in the same tree: what it is follows from these, so that a row about it defines nothing.
+struct Integral {
+  ExprId integrand{};
+  SymbolId variable{};
+  Variable by = {};       // how the notes differentiate by the variable
+  std::uint8_t axis = 0;  // by space: along which
+  std::optional<Limit> lower = {};
+  std::optional<Limit> upper = {};
+  bool primitive = false;  // `[F]_a^b`: the integrand is F itself
+};
+
+/// What is integrated, and the limits.
+[[nodiscard]] inline std::vector<ExprId> parts_of(const Integral& integral) {
+  std::vector<ExprId> parts{integral.integrand};
+  for (const auto& limit : {integral.lower, integral.upper}) {
+    if (limit && limit->at) parts.push_back(*limit->at);
+  }
+  return parts;
+}
+
 /// No order of a derivative goes beyond this; what notes may ask for is bounded in `Differentiator`.
 inline constexpr int largest_derivation = 1000;
 
@@ -62,12 +91,14 @@ struct Symbol {
   bool symmetric = false;      // rank 2: equal to its transpose
   bool unit = false;           // rank 1: length 1
   bool rotation = false;       // rank 2: orthogonal with determinant 1; the first axis is the rotated one
+  bool complex = false;        // each component is a complex number; all others are real
   bool declared = false;       // a directive says what it is
   bool circle_number = false;  // π, unless it is defined
   std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes
   Span first_seen = {};
   std::optional<Derivation> derivation = {};  // of a derivative; the last axes, by space, can be exchanged
   AxisSpaces axes = {};                       // orthonormal
+  std::optional<Integral> integral = {};
 
   /// A unit of measure or π: it has the one value that it has.
   [[nodiscard]] bool is_fixed() const { return unit_of_measure.has_value() || circle_number; }

@@ -57,6 +57,11 @@ struct Shape {
       return {any_count, 0};  // as many as its first axis has dimensions, see check_axes
     case Op::determinant:
       return {9, 0};
+    case Op::imaginary_unit:
+      return {};
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
     case Op::index_sum:
       return {1, 0};
     case Op::particle_sum:
@@ -95,6 +100,7 @@ constexpr int no_rank = -1;
     case Op::number:
     case Op::delta:
     case Op::epsilon:
+    case Op::imaginary_unit:
       return 0;
     case Op::basis:
       return 1;
@@ -102,6 +108,9 @@ constexpr int no_rank = -1;
     case Op::table:
       return !ranks.empty() && all_of_rank(ranks, ranks[0]) ? ranks[0] : no_rank;
     case Op::negate:
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
     case Op::index_sum:
     case Op::particle_sum:
       return ranks[0];
@@ -194,6 +203,9 @@ AxisSpaces ExprTree::axes_of(const ExprNode& node, std::span<const ExprId> child
     case Op::table:
     case Op::divide:
     case Op::negate:
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
     case Op::index_sum:
     case Op::particle_sum:
       if (node.op == Op::add || node.op == Op::table) {

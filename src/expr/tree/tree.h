@@ -38,17 +38,21 @@ enum class Op : std::uint8_t {
   power,       // child of rank 0, integer `exponent`
   real_power,  // base and exponent of rank 0: a real number where the base is positive; rank 0
   root,        // the non-negative square root; rank 0
-  length,      // rank 1 -> rank 0: √(a·a), never negative
-  absolute,    // rank 0: √(a²)
+  length,      // rank 1 -> rank 0: √(a·a), of complex components √(a*·a); never negative
+  absolute,    // rank 0: √(a²), of a complex number √(a*a)
   dot,        // contraction of the last axis of the first with the first axis of the second; rank a + b − 2
   cross,      // ranks 1, 1 -> 1: (a×b)_i = ε_ijk a_j b_k
   component,  // one child of rank = number of slots -> rank 0
   tuple,      // children of equal rank r -> rank r + 1: the components; `axes` says of which space the
               // first axis is, and its dimension how many children there are
-  determinant,   // nine children row by row; all of rank 0, or one row of rank 1: ε_ijk a_1i a_2j a_3k
-  index_sum,     // Σ over `index`, along the axes of its space
-  particle_sum,  // Σ over all particles
-  function,      // `function` of one child of rank 0; rank 0
+  determinant,     // nine children row by row; all of rank 0, or one row of rank 1: ε_ijk a_1i a_2j a_3k
+  imaginary_unit,  // i; rank 0
+  conjugate,       // one child of any rank, component by component
+  real_part,       // the same
+  imaginary_part,  // the same; a real number
+  index_sum,       // Σ over `index`, along the axes of its space
+  particle_sum,    // Σ over all particles
+  function,        // `function` of one child of rank 0; rank 0
   table,  // values by index tuple: children are the values; `entry` says for each tuple which child (see
           // Table)
 };
@@ -157,6 +161,8 @@ class ExprTree {
 
 /// Does it name an axis: by a basis vector, or by a component with a number?
 [[nodiscard]] bool names_an_axis(const ExprTree& tree, ExprId root);
+/// Does i or a complex symbol occur in it? What has neither is real. Definitions are not unfolded.
+[[nodiscard]] bool has_complex_numbers(const ExprTree& tree, ExprId root);
 /// The symbols below a node, in order of first occurrence, each once. Definitions are not unfolded.
 [[nodiscard]] std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root);
 

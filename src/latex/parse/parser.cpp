@@ -122,8 +122,11 @@ SyntaxId Parser::expression(TokenView tokens, Span place) {
                        joint, joint_span});
       break;
     }
-    const SyntaxId node = term(cursor);
+    SyntaxId node = term(cursor);
     span = cover(span, tree_[node].span);
+    if (!terms.empty() && ends_at_bar(node))
+      node = opaque(tree_[node].span, "the bar can be about this term or about all terms before it",
+                    DiagnosticKind::ambiguous_reading, {"`\\left[…\\right]_a^b` shows where it begins"});
     terms.push_back({node, joint, joint_span});
     cursor.skip_spacing();
   }
@@ -136,6 +139,7 @@ SyntaxId Parser::term(Cursor& cursor) {
   Joint joint = Joint::none;
   Span joint_span = cursor.token().span;
   bool measured = false;
+  bool behind_product = false;  // of the integrand, and behind its differential
   while (true) {
     const std::size_t before = cursor.at;
     cursor.skip_spacing();
@@ -148,9 +152,18 @@ SyntaxId Parser::term(Cursor& cursor) {
         continue;
       }
     }
+    if (!cursor.done() && starts_outer_measure(cursor)) break;
     if (!cursor.done() && read_measure(cursor)) {
       measured = true;
+      behind_product = !factors.empty();
       cursor.skip_spacing();
+      if (!cursor.done() && factor_joint(cursor.token()) == Joint::slash && measure_->name.empty()) {
+        measure_->divides = !factors.empty();
+        if (factors.empty())  // \int dx/x
+          factors.push_back({tree_.add_text(SyntaxKind::number, joint_span, "1"), joint, joint_span});
+        joint = Joint::juxtaposed;
+        continue;
+      }
       // `\int\mathbf r\,dm\times\mathbf g`: before a product sign the integral ends.
       if (!cursor.done() && factor_joint(cursor.token()) != Joint::none) break;
       continue;
@@ -174,6 +187,7 @@ SyntaxId Parser::term(Cursor& cursor) {
     const std::size_t begin = cursor.at;
     SyntaxId node = factor(cursor);
     if (is_box_operator(cursor.tokens, begin, cursor.at)) node = box_operator(tree_[node].span);
+    if (behind_product) measure_->behind.push_back(node);
     factors.push_back({node, joint, joint_span});
     joint = Joint::juxtaposed;
     if (!cursor.done()) joint_span = cursor.token().span;
@@ -183,6 +197,7 @@ SyntaxId Parser::term(Cursor& cursor) {
     factors.push_back({missing_operand(joint, joint_span, factors), joint, joint_span});
   }
   divide_by_all_behind(cursor.tokens, factors);
+  put_product_before_bar(factors);
   if (factors.size() == 1) return factors[0].id;
   Span span = tree_[factors.front().id].span;
   for (const SyntaxChild& child : factors) span = cover(span, tree_[child.id].span);
@@ -318,8 +333,13 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
     }
     const Argument argument = script_argument_at(cursor.tokens, cursor.at);
     if (const auto end = second_limit(cursor.tokens, before, ahead.at, argument.next)) {
+      const std::size_t other = skip_blank(cursor.tokens, argument.next);
+      const TokenView second = script_argument_at(cursor.tokens, other + 1).content;
+      const bool lower_first = script.kind == TokenKind::subscript;
+      read(cursor.tokens.subspan(other, 1));
       cursor.at = *end;
-      base = opaque(tree_[base].span, "a bracket between two limits is not read");
+      base = between(base, lower_first ? argument.content : second, lower_first ? second : argument.content,
+                     tree_[base].span);
       continue;
     }
     const Span place = cover(script.span, cursor.tokens.subspan(cursor.at, argument.next - cursor.at));
@@ -351,9 +371,17 @@ SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {
   return tree_.add_symbol(span, std::move(symbol));
 }
 
+/// `z^*`
+bool Parser::is_conjugate(SyntaxId node) const {
+  return tree_[node].kind == SyntaxKind::function && tree_.text(node) == "conjugate";
+}
+
 SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind == SyntaxKind::opaque) return base;
+  if (is_conjugate(base) && tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol)  // \psi^*_n
+    return tree_.add_named(SyntaxKind::function, span, "conjugate",
+                           add_indices(tree_.child(base, 0), content, place));
   if (tree_[base].kind == SyntaxKind::power &&
       tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol) {  // v^2_x
     const SyntaxChild children[] = {{add_indices(tree_.child(base, 0), content, place)},
@@ -406,13 +434,15 @@ SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind == SyntaxKind::opaque) return base;
   if (content.size() == 1) {
-    for (const char* mark : {"*", "+"}) {
-      if (is_sign(content[0], mark)) return opaque(place, "a conjugate or adjoint is not read yet");
+    if (is_sign(content[0], "*") || is_control_of(content[0], {"ast", "star"})) {
+      read(content);
+      return tree_.add_named(SyntaxKind::function, span, "conjugate", base);
     }
+    if (is_sign(content[0], "+")) return opaque(place, "an adjoint is not read yet");
     if (is_sign(content[0], "-") || is_control(content[0], "pm") || is_control(content[0], "mp"))
       return opaque(place, "a sign above a letter is a label, which is not read yet");
-    for (const char* mark : {"dagger", "dag", "ast", "star"}) {
-      if (content[0].text == mark) return opaque(place, "a transpose or adjoint is not read yet");
+    for (const char* mark : {"dagger", "dag"}) {
+      if (content[0].text == mark) return opaque(place, "an adjoint is not read yet");
     }
   }
   if (is_transpose(content)) {

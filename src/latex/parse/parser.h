@@ -103,6 +103,7 @@ class Parser {
     std::vector<WrittenIndex> indices;  // empty: it does not name a frame
     Span span;
     std::string text;  // of its subscript; empty: it has two limits
+    std::optional<std::pair<TokenView, TokenView>> limits = {};
   };
   SyntaxId physics_derivative(Cursor& cursor, bool partial);
   SyntaxId partial(Cursor& cursor);
@@ -155,8 +156,10 @@ class Parser {
   SyntaxId plain_argument(Cursor& cursor, std::string_view name, std::size_t begin);
   bool argument_ends(const Cursor& cursor, const Application& application);
   bool bracket_belongs(const Cursor& cursor, const Application& application);
+  bool power_belongs(const Cursor& cursor, const Application& application);
   SyntaxId unclear_argument(Span span, std::string_view name);
   [[nodiscard]] bool is_rate_or_change(SyntaxId node) const;
+  [[nodiscard]] bool is_conjugate(SyntaxId node) const;
   SyntaxId field_function(Cursor& cursor, std::string_view name);
 
   // parser_integrals.cpp
@@ -164,11 +167,32 @@ class Parser {
   struct Measure {
     std::string name;  // `m` or `V`; empty: another one
     std::string text;
-    std::optional<Span> span;  // of the last one
+    std::optional<Span> span;               // of the last one
+    std::optional<SyntaxId> variable = {};  // a plain number
+    Measure* outer = nullptr;               // of the integral around this one
     int count = 0;
+    std::vector<SyntaxId> behind = {};  // factors behind it, where others stand before it
+    bool divides = false;               // `\int y\,dx/x`: what is divided is not clear
+  };
+  /// What is written at the sign of an integral.
+  struct Bounds {
+    std::optional<TokenView> lower = {};
+    std::optional<TokenView> upper = {};
+    std::string region = {};
+    bool whole_body = true;
+    bool again = false;  // two on one side
   };
   SyntaxId integral(Cursor& cursor);
+  Bounds bounds(Cursor& cursor);
   bool read_measure(Cursor& cursor);
+  [[nodiscard]] std::optional<SyntaxId> variable_of_measure(SyntaxId node, int order) const;
+  bool starts_outer_measure(const Cursor& cursor) const;
+  [[nodiscard]] bool has_letter(const std::vector<SyntaxId>& nodes, const WrittenSymbol& symbol) const;
+  SyntaxId limit(TokenView tokens, Span place);
+  SyntaxId between(SyntaxId value, TokenView lower, TokenView upper, Span span);
+  [[nodiscard]] bool ends_at_bar(SyntaxId node) const;
+  void put_product_before_bar(std::vector<SyntaxChild>& factors);
+  SyntaxId with_measure(TokenView tokens, Span place);
   [[nodiscard]] std::string measure_name(SyntaxId node, int order) const;
 
   SyntaxId opaque(Span span, std::string message, DiagnosticKind kind = DiagnosticKind::unsupported,

@@ -154,7 +154,8 @@ SyntaxId Parser::fraction(Cursor& cursor) {
     return material(cursor, numerator.content, denominator.content, span);
   if (is_derivative(numerator.content, denominator.content))
     return derivative_fraction(cursor, numerator.content, denominator.content, span);
-  const SyntaxChild children[] = {{inner(numerator.content, span)}, {inner(denominator.content, span)}};
+  const SyntaxChild children[] = {{with_measure(numerator.content, span)},
+                                  {inner(denominator.content, span)}};
   return tree_.add(SyntaxKind::fraction, span, children);
 }
 

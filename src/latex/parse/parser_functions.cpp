@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
+#include "base/among.h"
 #include "latex/parse/parser.h"
 #include "latex/split/differential.h"
 
@@ -110,7 +113,9 @@ SyntaxId Parser::function(Cursor& cursor, std::string_view name, std::size_t beh
   }
   const bool other = script < cursor.tokens.size() && (cursor.tokens[script].kind == TokenKind::subscript ||
                                                        is_sign(cursor.tokens[script], "'"));
-  const SyntaxId argument = function_argument(cursor, token.span, name, begin);
+  const std::size_t inside = cursor.at;
+  SyntaxId argument = function_argument(cursor, token.span, name, begin);
+  if (power_belongs(cursor, {name, begin, inside})) argument = scripts(cursor, argument);
   const Span span = cover(token.span, tree_[argument].span);
   if (other) return opaque(span, fmt::format("a subscript or superscript on `{}` is not read", name));
   if (exponent && text_of(exponent->content) == "-1")
@@ -133,6 +138,13 @@ SyntaxId Parser::function_argument(Cursor& cursor, Span place, std::string_view 
     const SyntaxId argument = factor(cursor);
     const std::size_t next = skip_narrow(cursor.tokens, cursor.at);
     if (matrix_function && is_bold(cursor.tokens, next)) return unclear_argument(place, name);
+    // `\Re\mathbf E_0 e^{i\omega t}`
+    const bool part = name == "Re" || name == "Im";
+    const bool more =
+        next < cursor.tokens.size() &&
+        (is_bold(cursor.tokens, next) || is_plain_factor(cursor.tokens, next) ||
+         opens_argument(cursor.tokens[next]) || factor_joint(cursor.tokens[next]) != Joint::none);
+    if (part && more) return unclear_argument(place, name);
     return argument;
   }
   return plain_argument(cursor, name, begin);
@@ -232,6 +244,25 @@ bool Parser::bracket_belongs(const Cursor& cursor, const Application& applicatio
   return takes_second({cover(tokens[application.begin].span, tokens[end - 1].span),
                        fmt::format("{}({}) {}", function, letters, bracket),
                        fmt::format("{}({} {})", function, letters, bracket)});
+}
+
+/// `\ln(1 + x)^2`, `\ln\left(\frac{T}{T_0}\right)^{3/2}`: is the power one of the argument? Of a sine it
+/// never is.
+bool Parser::power_belongs(const Cursor& cursor, const Application& application) {
+  static constexpr std::array<std::string_view, 4> logarithms{"ln", "log", "lg", "lb"};
+  const TokenView tokens = cursor.tokens;
+  const std::size_t script = skip_blank(tokens, cursor.at);
+  if (!is_one_of(application.name, logarithms) || !is_kind_at(tokens, script, TokenKind::superscript))
+    return false;
+  const std::size_t end = script_argument_at(tokens, script + 1).next;
+  const auto written = [&](std::size_t from, std::size_t to) {
+    return text_of(tokens.subspan(from, to - from));
+  };
+  const std::string whole = written(application.begin, cursor.at);
+  const std::string power = written(script, end);
+  return takes_second(
+      {cover(tokens[application.begin].span, tokens[end - 1].span), fmt::format("({}){}", whole, power),
+       fmt::format("\\{}({}{})", application.name, written(application.argument, cursor.at), power)});
 }
 
 bool Parser::is_rate_or_change(SyntaxId node) const {

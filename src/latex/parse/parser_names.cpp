@@ -197,6 +197,11 @@ SyntaxId Parser::restyle(SyntaxId inside, Style style, Span span) {
       return tree_.add_text(SyntaxKind::number, span, tree_.text(inside));
     return opaque(span, "a number in bold (a unit tensor, say) is not read yet");
   }
+  const bool expression = kind == SyntaxKind::term || kind == SyntaxKind::sum || kind == SyntaxKind::power ||
+                          kind == SyntaxKind::group || kind == SyntaxKind::fraction ||
+                          kind == SyntaxKind::function;
+  if (expression && style.accent == Accent::bar && style.face == Face::plain)
+    return tree_.add_named(SyntaxKind::function, span, "bar", inside);
   if (kind != SyntaxKind::symbol)
     return opaque(span, "a style or accent over a whole expression is not read");
   WrittenSymbol symbol = tree_.symbol(inside);

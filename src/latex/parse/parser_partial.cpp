@@ -175,28 +175,35 @@ std::optional<Parser::EvaluationBar> Parser::evaluation_bar(Cursor& cursor) {
   const Argument argument = script_argument_at(tokens, script + 1);
   const std::size_t above = skip_blank(tokens, argument.next);
   const bool limits = is_kind_at(tokens, above, TokenKind::superscript);
-  cursor.at = limits ? script_argument_at(tokens, above + 1).next : argument.next;
+  if (limits) {
+    const Argument upper = script_argument_at(tokens, above + 1);
+    cursor.at = upper.next;
+    for (const std::size_t sign : {bar, script, above}) read(tokens.subspan(sign, 1));
+    return EvaluationBar{.indices = {},
+                         .span = span_of(tokens.subspan(bar, cursor.at - bar)),
+                         .text = {},
+                         .limits = std::pair(argument.content, upper.content)};
+  }
+  cursor.at = argument.next;
   read(tokens.subspan(bar, cursor.at - bar));
   IndexReading reading = read_indices(argument.content);
-  const bool named = !limits && !reading.obstacle && !reading.indices.empty() &&
+  const bool named = !reading.obstacle && !reading.indices.empty() &&
                      std::ranges::none_of(reading.indices, [](const WrittenIndex& index) {
                        return index.form == IndexForm::digit;
                      });
   return EvaluationBar{named ? std::move(reading.indices) : std::vector<WrittenIndex>{},
-                       span_of(tokens.subspan(bar, cursor.at - bar)),
-                       limits ? std::string() : text_of(argument.content)};
+                       span_of(tokens.subspan(bar, cursor.at - bar)), text_of(argument.content)};
 }
 
 SyntaxId Parser::in_frame(SyntaxId node, bool partial, EvaluationBar bar) {
   const Span span = cover(tree_[node].span, bar.span);
   if (tree_[node].kind == SyntaxKind::opaque) return node;
+  if (bar.limits) return between(node, bar.limits->first, bar.limits->second, span);
   if (tree_[node].kind != SyntaxKind::derivative || partial || bar.indices.empty())
     return opaque(
-        span, bar.text.empty()
-                  ? "the difference between two limits is not read"
-                  : fmt::format("the value at `{}` is not read: a bar is read where it names the frame of a "
-                                "derivative",
-                                bar.text));
+        span,
+        fmt::format("the value at `{}` is not read: a bar is read where it names the frame of a derivative",
+                    bar.text));
   const SyntaxChild child{node};
   const SyntaxId group = tree_.add(SyntaxKind::group, tree_[node].span, {&child, 1});
   return tree_.add_component(span, group, std::move(bar.indices));

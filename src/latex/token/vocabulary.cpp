@@ -214,7 +214,7 @@ std::string_view function_name(std::string_view word) {
       cosh cosh  tanh tanh  coth coth  sech sech  csch csch  exp exp  ln ln  log log  lg lg
       arcsin arcsin  arccos arccos  arctan arctan  arsinh arsinh  arcosh arcosh  artanh artanh
       arcsinh arsinh  arccosh arcosh  arctanh artanh  det det  determinant det
-      tr tr  Tr tr  trace tr  Trace tr  diag diag)");
+      tr tr  Tr tr  trace tr  Trace tr  diag diag  Re Re  Im Im)");
   return functions.find(word);
 }
 
@@ -245,7 +245,7 @@ std::string_view unread_reason(std::string_view control) {
       {"dots ldots cdots dotsb dotsc vdots ddots", "an ellipsis does not say what is left out"},
       {"wedge otimes oplus circ star ast", "this product is not read; write `\\times` or `\\cdot`"},
       {"rangle", "brackets of states or averages are not read"},
-      {"Re Im real imaginary", "real and imaginary parts are not decided yet"},
+      {"real imaginary", "real and imaginary parts are written `\\Re` and `\\Im`"},
       {"rank erf erfc Res Pr", "functions such as this one are not decided yet"},
       {"pv PV principalvalue", "a principal value is not read"},
       {"qtyrange qtylist SIrange SIlist numrange numlist", "a range or list of numbers is not read"},

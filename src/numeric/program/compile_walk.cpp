@@ -109,6 +109,12 @@ Operand ExpressionCompiler::scalar_of(ExprId id) {
     }
     case Op::table:
       return table_entry(id);
+    case Op::imaginary_unit:
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
+      fail("complex numbers are not evaluated in floating point yet");
+      return ValueTable::zero;
     default: {
       const std::size_t begin = array(id);
       const Operand value = stack_.size() > begin ? stack_[begin] : ValueTable::zero;
@@ -132,6 +138,10 @@ void ExpressionCompiler::array_of(ExprId id) {
   const std::size_t begin = stack_.size();
   if (component_count(here.rank) > largest_array) return fail("a tensor has too many components");
   switch (here.op) {
+    case Op::conjugate:
+    case Op::real_part:
+    case Op::imaginary_part:
+      return fail("complex numbers are not evaluated in floating point yet");
     case Op::symbol:
       if (here.slot_count > 0) break;
       for (std::size_t i = 0; i < component_count(tree_->symbols[here.symbol].rank); ++i)

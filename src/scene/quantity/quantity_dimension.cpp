@@ -37,6 +37,7 @@ class Inference {
       case Op::basis:
       case Op::delta:
       case Op::epsilon:
+      case Op::imaginary_unit:
       case Op::function:
         return Dimension();
       case Op::symbol:
@@ -70,6 +71,9 @@ class Inference {
       case Op::length:
       case Op::absolute:
       case Op::component:
+      case Op::conjugate:
+      case Op::real_part:
+      case Op::imaginary_part:
       case Op::index_sum:
       case Op::particle_sum:
         return of(children[0]);

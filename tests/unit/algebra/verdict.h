@@ -37,9 +37,12 @@ namespace rigor::build {
   const Decision again = decide(question);
   if (decision.outcome != Outcome::refuted || !decision.sample || !again.sample) return false;
   const std::optional<SideValues> sides = replay(question, *decision.sample);
-  return sides && sides->left == decision.sample->left && sides->right == decision.sample->right &&
-         !is_related(*from_text(sides->left), question.claim.relation, *from_text(sides->right)) &&
-         is_same(*decision.sample, *again.sample);
+  if (!sides || sides->left != decision.sample->left || sides->right != decision.sample->right) return false;
+  const auto left = from_text(sides->left);  // none of what is enclosed
+  const auto right = from_text(sides->right);
+  const bool differ =
+      left && right ? !is_related(*left, question.claim.relation, *right) : sides->left != sides->right;
+  return differ && is_same(*decision.sample, *again.sample);
 }
 
 /// The reason why a question is left open; empty if it is not.

@@ -53,7 +53,7 @@ TEST_CASE("a letter that only the letter it stands on makes an index can be a la
 
 TEST_CASE("every part that is not understood is reported") {
   CHECK(meaning("\\mathbf{A}\\otimes\\mathbf{B} + \\foo") == "11 unsupported, 31 unsupported: ?");
-  CHECK(meaning("\\foo\\arctan y") == "1 unsupported, 5 unsupported: ?");
+  CHECK(meaning("\\foo\\max y") == "1 unsupported, 5 unsupported: ?");
 }
 
 TEST_CASE("a sum over a letter runs over the axes") {

@@ -209,3 +209,33 @@ TEST_CASE("derivatives of a product are given up before they fill the memory", "
   CHECK(order < most_rates);
   CHECK(page.tree.size() - before < DerivativeBudget{}.nodes);
 }
+
+TEST_CASE("conjugates and parts of complex numbers change as these do", "[expr]") {
+  Varying page;
+  const Named z = page.add({.name = "z", .complex = true});
+  const Term conjugate = node(Op::conjugate, {z}, 0);
+  CHECK(page.derived(conjugate) == "(conjugate \\dot{z})");
+  CHECK(page.derived(node(Op::real_part, {z}, 0)) == "(re \\dot{z})");
+  CHECK(page.derived(absolute(z)) == "(divide (re (multiply (conjugate z) \\dot{z})) (absolute z))");
+  CHECK(page.derived(absolute(page.a)) == "(divide (multiply a \\dot{a}) (absolute a))");
+  CHECK(page.tree.symbols[page.derivative(z, By::time).symbol].complex);
+}
+
+TEST_CASE("a conjugate has no derivative by a complex variable", "[expr]") {
+  Varying page;
+  const Named z = page.add({.name = "z", .complex = true});
+  page.vary_by(z);
+  const auto derived_by_z = [&](const Term& of) {
+    DerivativeBudget budget;
+    const auto dependence = [&](SymbolId symbol) {
+      return Dependence{symbol == z.symbol ? Dependence::Kind::variable : Dependence::Kind::constant};
+    };
+    Differentiator differentiator(page.tree, {By::letter, z.symbol}, dependence, budget);
+    const auto result = differentiator.derivative(of.id);
+    return budget.exceeded ? *budget.exceeded : result ? dump(page.tree, *result) : "nothing";
+  };
+  const std::string refused = "a conjugate or a modulus has no derivative by a complex variable";
+  CHECK(derived_by_z(pow(z, 2)) == "(multiply 2 (power z 1) 1)");
+  CHECK(derived_by_z(node(Op::conjugate, {z}, 0)) == refused);
+  CHECK(derived_by_z(absolute(z)) == refused);
+}

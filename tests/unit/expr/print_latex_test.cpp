@@ -112,4 +112,17 @@ TEST_CASE("expressions are the same but for the names of bound letters") {
   CHECK(!same("a^2", "a^3"));
 }
 
+TEST_CASE("complex numbers: i, stars and parts") {
+  Statements page;
+  page.names.symbols.evidence.write().imaginary_units = {"i"};
+  page.names.symbols.evidence.write().complex_numbers = {"z", "w"};
+  CHECK(printed(page, "e^{i\\theta}") == "e^{i\\theta}");
+  CHECK(printed(page, "\\bar z w") == "z^* w");
+  CHECK(printed(page, "(z + w)^*") == "(z + w)^*");
+  CHECK(printed(page, "(z^*)^2") == "(z^*)^2");
+  CHECK(printed(page, "(z^2)^*") == "(z^2)^*");
+  CHECK(printed(page, "\\Re z") == "\\operatorname{Re}(z)");
+  CHECK(printed(page, "(x + iy)^2") == "(x + i y)^2");
+}
+
 }  // namespace rigor

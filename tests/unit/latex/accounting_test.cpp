@@ -40,7 +40,7 @@ TEST_CASE("each token of a display is something to its chains") {
 TEST_CASE("words are a remark, a condition or part of a side") {
   CHECK(uses("a = b \\quad\\text{or}") == "srs-mmmmm");
   CHECK(uses("a = b \\quad\\text{if}") == "srs-ccccc");
-  CHECK(uses("\\text{Re} = b") == "sssssrs");
+  CHECK(uses("\\text{Ma} = b") == "sssssrs");
 }
 
 TEST_CASE("signs that set only the space need no use") {

@@ -106,9 +106,9 @@ struct Stretch {
 /// What stands for a node that is no leaf, before its children.
 [[nodiscard]] inline std::string head_of(const SyntaxTree& tree, SyntaxId id) {
   static constexpr const char* heads[] = {
-      "number",    "symbol", "sum",        "term",     "fraction", "root",   "power",
-      "component", "group",  "bars",       "norm",     "tuple",    "matrix", "determinant",
-      "sum",       "cases",  "derivative", "function", "integral", "text",   "opaque"};
+      "number",     "symbol",   "sum",      "term",     "fraction", "root",        "power", "component",
+      "group",      "bars",     "norm",     "tuple",    "matrix",   "determinant", "sum",   "cases",
+      "derivative", "function", "integral", "integral", "between",  "text",        "opaque"};
   std::string head = heads[static_cast<int>(tree[id].kind)];
   if (tree[id].kind == SyntaxKind::component) head += dump_indices(tree.indices(id));
   if (tree[id].kind == SyntaxKind::derivative) return dump_derivative(tree.derivative(id));

@@ -95,7 +95,7 @@ TEST_CASE("a superscript is a power of all that it stands on") {
 }
 
 TEST_CASE("a transpose or an adjoint is no power") {
-  for (const char* mark : {"*", "\\dagger", "\\star"}) {
+  for (const char* mark : {"+", "\\dagger", "\\dag"}) {
     INFO(mark);
     CHECK(parsed(std::string("A^") + mark) == "<unsupported>");
   }
@@ -103,6 +103,17 @@ TEST_CASE("a transpose or an adjoint is no power") {
     INFO(mark);
     CHECK(parsed(std::string("A^") + mark) == "(transpose A)");
   }
+}
+
+TEST_CASE("a star above is a conjugate, on the letter with its indices") {
+  for (const char* mark : {"*", "{*}", "\\ast", "{\\star}"}) {
+    INFO(mark);
+    CHECK(parsed(std::string("A^") + mark) == "(conjugate A)");
+  }
+  CHECK(parsed("A_n^*") == parsed("A^*_n"));
+  CHECK(parsed("(a + b)^*") == "(conjugate (group (sum +a +b)))");
+  CHECK(parsed("\\overline{a + b}") == "(bar (sum +a +b))");
+  CHECK(parsed("\\bar a") == "bar:a");
 }
 
 TEST_CASE("fractions and square roots take their arguments") {
@@ -129,7 +140,7 @@ TEST_CASE("a sum without a summand or an index is not read") {
 }
 
 TEST_CASE("what is not read leaves the rest readable") {
-  CHECK(parsed("\\arcsin x") == "(term <unsupported> x)");
+  CHECK(parsed("\\max x") == "(term <unsupported> x)");
   CHECK(parsed("a \\pm b") == "(term a <unsupported> b)");
   CHECK(parsed("\\foo a") == "(term <unsupported> a)");
 }

@@ -30,6 +30,17 @@ std::string repeated(const std::string& text, int count) {
 
 }  // namespace
 
+TEST_CASE("a real or imaginary part takes a bracket, or the plain factors behind it") {
+  for (const char* text : {"\\Re z", "\\operatorname{Re} z", "\\mathrm{Re}(z)"}) {
+    INFO(text);
+    CHECK(parsed(text) == "(Re z)");
+  }
+  CHECK(parsed("\\Im(z w)") == "(Im (term z w))");
+  CHECK(parsed("\\Re\\mathbf{E}") == "(Re vector:E)");
+  CHECK(parsed("\\Re\\{z + w\\}") == "(Re (sum +z +w))");
+  CHECK(parsed("\\Re\\mathbf{E} z") == "(term <ambiguous-reading> z)");
+}
+
 TEST_CASE("a bracket behind a function is its argument") {
   for (const char* text :
        {"\\cos(x)", "\\cos[x]", "\\cos\\left(x\\right)", "\\cos{x}", "\\cos\\bigl(x\\bigr)", "\\cos x",
@@ -84,8 +95,9 @@ TEST_CASE("an exponent on a function is a power of its value, but for the invers
         "(sum +(power (cos \\theta) 2) +(power (sin \\theta) 2))");
   CHECK(parsed("\\cos^2(x)") == "(power (cos x) 2)");
   CHECK(parsed("\\sin^{-1}x") == "<unsupported>");
-  CHECK(obstacle("\\arcsin") == "`\\arcsin`: functions such as this one are not decided yet");
-  CHECK(parsed("\\log_2 x") == "<unsupported>");
+  CHECK(obstacle("\\max") == "`\\max`: functions such as this one are not decided yet");
+  CHECK(parsed("\\log_2 x") == "(lb x)");
+  CHECK(parsed("\\log_a x") == "<unsupported>");
 }
 
 TEST_CASE("determinant and trace take a bracket or one tensor") {
@@ -135,6 +147,27 @@ TEST_CASE("an integral over the body has its measure and its integrand") {
   CHECK(parsed("\\int\\frac{d\\mathbf r}{dt}dm") == "(integral dm (d/dt vector:r))");
 }
 
+TEST_CASE("an integral over a variable has its integrand, the variable and the limits") {
+  CHECK(parsed("\\int x^2\\,dx") == "(integral (power x 2) x)");
+  CHECK(parsed("\\int_0^L x^2\\,\\mathrm dx + c") == "(sum +(integral (power x 2) x 0 L) +c)");
+  CHECK(parsed("\\int_{-\\infty}^\\infty dx\\,f") == "(integral f x (sum -\\infty) \\infty)");
+  CHECK(parsed("\\int_0^t v\\,dt'") == "(integral v t' 0 t)");
+  CHECK(parsed("\\int\\frac{dx}{x+a}") == "(integral (fraction 1 (sum +x +a)) x)");
+  CHECK(parsed("\\int_1^2 dx/x") == "(integral (term 1 /x) x 1 2)");
+  CHECK(parsed("\\int_0^1\\int_0^2 f\\,dx\\,dy") == "(integral (integral f x 0 2) y 0 1)");
+  CHECK(parsed("\\int_0^1 dx\\int_0^2 dy\\,f") == "(integral (integral f y 0 2) x 0 1)");
+  CHECK(parsed("\\int y\\,dx/x") == "<ambiguous-reading>");
+  CHECK(parsed("\\int x\\,dx\\,x") == "<ambiguous-reading>");
+  CHECK(parsed("\\int_0^1 x\\,dx\\,a") == "(integral (term x a) x 0 1)");
+}
+
+TEST_CASE("a bracket or a bar with two limits is a difference") {
+  CHECK(parsed("\\left[x^2\\right]_a^b") == "(between (group (power x 2)) a b)");
+  CHECK(parsed("[x^2]^b_a") == "(between (group (power x 2)) a b)");
+  CHECK(parsed("\\frac12x^2\\Big|_{x=0}^{x=1}") == "(between (term (fraction 1 2) (power x 2)) 0 1 x)");
+  CHECK(parsed("x + x^2\\Big|_0^1") == "(sum +x +<ambiguous-reading>)");
+}
+
 TEST_CASE("the integrals of a rigid body are read as they are written") {
   CHECK(parsed("\\int_V \\rho\\left(r^2\\delta_{ij} - r_i r_j\\right) d V") ==
         "(integral dV (term \\rho (group (sum +(term (power r 2) \\delta[i,j]) -(term r[i] r[j])))) \"V\")");
@@ -151,11 +184,10 @@ TEST_CASE("an integral ends before a product sign behind its differential") {
 }
 
 TEST_CASE("other integrals are not read, and it is said which") {
-  CHECK(obstacle("\\int f\\,dt") == "an integral over `dt` is not read");
   CHECK(obstacle("\\int\\mathbf F\\cdot d\\boldsymbol\\ell") ==
         "an integral over `d\\boldsymbol\\ell` is not read");
   CHECK(parsed("\\int d\\mathbf S\\cdot\\mathbf F") == "(term <unsupported> ·vector:F)");
-  CHECK(obstacle("\\int_0^a f\\,dm") == "an integral between limits is not read");
+  CHECK(obstacle("\\int_0^a f\\,dm") == "an integral over masses between limits is not read");
   CHECK(obstacle("\\int_{V_1} f\\,dm") == "an integral over a part, a surface or a curve is not read");
   CHECK(parsed("\\int f\\,dm\\,dV") == "<unsupported>");
   CHECK(parsed("\\int f\\,dm_\\alpha") == "<unsupported>");

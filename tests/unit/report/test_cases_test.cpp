@@ -40,7 +40,7 @@ TEST_CASE("no two cases have the same name, whatever the tags are") {
 
 TEST_CASE("proved and expected refutations pass, others fail, what is not understood is open") {
   const std::vector<TestCase> cases = cases_of(
-      "$$1 = 1$$\n$$1 = 2$$\n<!-- rigor: expect refuted -->\n$$1 = 3$$\n\n$$\\int_a^b f(s)\\,ds = 0$$\n");
+      "$$1 = 1$$\n$$1 = 2$$\n<!-- rigor: expect refuted -->\n$$1 = 3$$\n\n$$\\oint f(s)\\,ds = 0$$\n");
   REQUIRE(cases.size() == 5);
   CHECK(cases[0].outcome == CaseOutcome::passed);
   CHECK(cases[0].text == "n.md:1:3: proved: 1 = 1\n");

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "check/question/running_letters.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/among.h"
+#include "elaborate/name/function_value.h"
+
+namespace rigor {
+namespace {
+
+/// t of `t'` and `t_1`.
+std::string without_marks(const std::string& letter) { return letter.substr(0, letter.find_first_of("_^'")); }
+
+}  // namespace
+
+bool is_independent(const Names& names, const ExprTree& tree, SymbolId symbol, const Integral& integral) {
+  const NameKey* key = key_of(names.symbols, symbol);
+  const NameKey* of = key_of(names.symbols, integral.variable);
+  if (key == nullptr || of == nullptr || !is_one_of(integral.variable, symbols_in(tree, integral.integrand)))
+    return false;
+  const auto is_place = [](const NameKey& each) { return is_one_of(each.base, {"x", "y", "z"}); };
+  const Evidence& evidence = *names.symbols.evidence;
+  const bool usual = is_one_of(key->base, {"t", "x", "y", "z", "r"});
+  const bool known = usual ? is_place(*of) && (is_place(*key) || key->base == "t")
+                           : evidence.by.contains(key->base);  // \alpha of `d/d\alpha`
+  if (!known) return false;
+  const auto tied = evidence.tied.find(key->base);
+  return !is_changing(evidence, key->base) && (tied == evidence.tied.end() || tied->second.empty()) &&
+         std::ranges::none_of(evidence.by,
+                              [&](const auto& entry) { return entry.second.contains(key->base); });
+}
+
+bool shows_change(const Names& names, SymbolId symbol, SymbolId variable) {
+  const NameKey* own = key_of(names.symbols, symbol);
+  const NameKey* of = key_of(names.symbols, variable);
+  if (own == nullptr || of == nullptr) return own != nullptr && changes_in_section(names, symbol);
+  const Evidence& evidence = *names.symbols.evidence;
+  const std::set<std::string> usual{"t", "x", "y", "z", "r"};
+  if (usual.contains(own->base) || is_changing(evidence, own->base)) return true;
+  if (evidence.functions.contains(own->base)) return true;
+  const std::string letter = without_marks(of->base);
+  const auto stands_for = [&](const std::string& other) {
+    return other == letter || (!usual.contains(letter) && usual.contains(other));
+  };
+  for (const std::string& name : {own->base, without_labels(own->base)}) {
+    const auto others = evidence.tied.find(name);
+    if (others != evidence.tied.end() && std::ranges::any_of(others->second, stands_for)) return true;
+  }
+  return false;
+}
+
+bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable) {
+  const NameKey* own = key_of(names.symbols, symbol);
+  const NameKey* of = key_of(names.symbols, variable);
+  if (own == nullptr || of == nullptr) return false;
+  const auto& tied = names.symbols.evidence->tied;
+  const std::string variable_letter = without_marks(of->base);
+  std::vector<std::string> reached{without_labels(own->base), own->base};
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    if (reached[k] == variable_letter) return true;
+    const auto others = tied.find(reached[k]);
+    if (others == tied.end()) continue;
+    for (const std::string& other : others->second) {
+      if (!is_one_of(other, reached)) reached.push_back(other);
+    }
+  }
+  return false;
+}
+
+bool is_function_of_only(const Names& names, const ExprTree& tree, SymbolId symbol, SymbolId variable) {
+  const NameKey* own = key_of(names.symbols, base_of(tree.symbols, symbol));
+  const NameKey* of = key_of(names.symbols, variable);
+  if (own == nullptr || of == nullptr) return false;
+  const Evidence& evidence = *names.symbols.evidence;
+  const bool has_a_rate = has_rate(*names.symbols.sightings, *own);
+  if (of->base != "t" && has_a_rate) return false;
+  if (const auto variables = variables_of({.letter = own->base}, evidence))
+    return *variables == std::vector{of->base};
+  const auto applied = evidence.applied.find(own->base);
+  const bool of_it = applied == evidence.applied.end() ||
+                     std::ranges::all_of(applied->second, [&](const std::vector<std::string>& letters) {
+                       return letters.size() == 1 && without_marks(letters[0]) == of->base;
+                     });
+  if (!of_it) return false;
+  for (const auto& [by, functions] : evidence.by) {
+    if (by != of->base && functions.contains(own->base)) return false;
+  }
+  return has_a_rate || is_function_of(evidence, own->base, of->base);
+}
+
+bool hides_variable(const Names& names, const ExprTree& tree, const Integral& integral, ExprId opened) {
+  const NameKey* key = key_of(names.symbols, integral.variable);
+  const std::vector<SymbolId> written = letters_in(tree, integral.integrand);
+  return std::ranges::any_of(symbols_in(tree, opened), [&](SymbolId each) {
+    const NameKey* other = key_of(names.symbols, each);
+    if (key == nullptr || other == nullptr || each == integral.variable || is_one_of(each, written))
+      return false;
+    return without_marks(key->base) == without_marks(other->base) ||
+           is_one_of(other->base, {"t", "x", "y", "z", "r", "s"});
+  });
+}
+
+}  // namespace rigor

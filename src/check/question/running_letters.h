@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which letters of an integrand change with the variable of the integral, as far as the section shows.
+#pragma once
+
+#include "elaborate/name/names.h"
+
+namespace rigor {
+
+/// Another usual variable, of which the section shows nothing else: y of `\int xy\,dx`. In `\int y\,dx` it is
+/// a function, where something is to be integrated.
+[[nodiscard]] bool is_independent(const Names& names, const ExprTree& tree, SymbolId symbol,
+                                  const Integral& integral);
+
+/// Beside the variable, which is written, a letter is a constant unless the section writes a rate or an
+/// argument of it, or a relation between it and the variable, or a usual variable for which that stands.
+[[nodiscard]] bool shows_change(const Names& names, SymbolId symbol, SymbolId variable);
+
+/// Does a relation of the section say what the letter is, with the variable in it, or with what it is tied
+/// to?
+[[nodiscard]] bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable);
+
+/// Is it written as a function of this letter, and of no other?
+[[nodiscard]] bool is_function_of_only(const Names& names, const ExprTree& tree, SymbolId symbol,
+                                       SymbolId variable);
+
+/// `\int_0^t v\,dt'` of `v = at`, `\int_0^d F\,ds` of `F = -kx`: is v meant at t or at t'?
+[[nodiscard]] bool hides_variable(const Names& names, const ExprTree& tree, const Integral& integral,
+                                  ExprId opened);
+
+}  // namespace rigor
