@@ -441,8 +441,9 @@ SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
     if (is_sign(content[0], "+")) return opaque(place, "an adjoint is not read yet");
     if (is_sign(content[0], "-") || is_control(content[0], "pm") || is_control(content[0], "mp"))
       return opaque(place, "a sign above a letter is a label, which is not read yet");
-    for (const char* mark : {"dagger", "dag"}) {
-      if (content[0].text == mark) return opaque(place, "an adjoint is not read yet");
+    if (is_control_of(content[0], {"dagger", "dag"}) || content[0].text == "†") {
+      read(content);
+      return tree_.add_named(SyntaxKind::function, span, "adjoint", base);
     }
   }
   if (is_transpose(content)) {
