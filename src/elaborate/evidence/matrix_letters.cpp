@@ -22,8 +22,9 @@ class Shapes {
     const SyntaxNode& node = syntax_[id];
     switch (node.kind) {
       case SyntaxKind::matrix:
-      case SyntaxKind::tuple:
         return written_shape(syntax_, id);
+      case SyntaxKind::tuple:
+        return of_tuple(id);
       case SyntaxKind::symbol: {
         const auto known = evidence_.matrices.find(matrix_name(syntax_.symbol(id)));
         const bool one = known != evidence_.matrices.end() && known->second.shapes.size() == 1;
@@ -46,10 +47,21 @@ class Shapes {
   }
 
  private:
+  /// A column or row, or a commutator.
+  [[nodiscard]] MatrixShape of_tuple(SyntaxId id) const {
+    const bool pair = syntax_[id].count == 2 && syntax_[id].payload == 0;
+    const MatrixShape first = pair ? of(syntax_.child(id, 0)) : MatrixShape{};
+    const bool commutes =
+        pair && syntax_.children(id)[0].joint != Joint::comma && first.rows == first.columns;
+    return commutes ? first : written_shape(syntax_, id);
+  }
+
   [[nodiscard]] MatrixShape of_function(SyntaxId id) const {
     const SyntaxId argument = syntax_.child(id, 0);
     const MatrixShape inside = of(argument);
-    if (syntax_.text(id) == "transpose") return {inside.columns, inside.rows};
+    if (syntax_.text(id) == "conjugate") return inside;
+    if (syntax_.text(id) == "transpose" || syntax_.text(id) == "adjoint")
+      return {inside.columns, inside.rows};
     const std::uint32_t count = syntax_[argument].count;
     if (syntax_.text(id) != "diag" || syntax_[argument].kind != SyntaxKind::tuple || count > most_rows)
       return {};
@@ -103,22 +115,39 @@ void see_entries(const SyntaxTree& syntax, SyntaxId side, Evidence& evidence) {
   }
 }
 
+/// `v^Tv`, `v^\dagger v`, `v\cdot v`: a number, but v is none.
+bool is_row_times_column(const SyntaxTree& syntax, SyntaxId term) {
+  const std::span<const SyntaxChild> factors = syntax.children(term);
+  const auto is_symbol = [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; };
+  const bool squared = factors.size() == 2 && factors[1].joint == Joint::dot && is_symbol(factors[0].id) &&
+                       is_symbol(factors[1].id) &&
+                       matrix_name(syntax.symbol(factors[0].id)) == matrix_name(syntax.symbol(factors[1].id));
+  return squared || std::ranges::any_of(factors, [&](const SyntaxChild& child) {
+           return syntax[child.id].kind == SyntaxKind::function &&
+                  (syntax.text(child.id) == "transpose" || syntax.text(child.id) == "adjoint");
+         });
+}
+
 /// A letter, or those of a product.
 void take_names(const SyntaxTree& syntax, SyntaxId id, std::set<std::string>& letters) {
   if (syntax[id].kind == SyntaxKind::symbol) letters.insert(matrix_name(syntax.symbol(id)));
-  if (syntax[id].kind != SyntaxKind::term) return;
+  if (syntax[id].kind != SyntaxKind::term || is_row_times_column(syntax, id)) return;
   for (const SyntaxChild& child : syntax.children(id)) take_names(syntax, child.id, letters);
 }
 
-/// `\lambda I`
+/// `\lambda I`, and `\omega^2M` of a matrix M that is written above.
 void see_multiple(const SyntaxTree& syntax, std::span<const SyntaxChild> factors, Evidence& evidence) {
-  if (factors.size() != 2 || syntax[factors[0].id].kind != SyntaxKind::symbol ||
-      syntax[factors[1].id].kind != SyntaxKind::symbol)
-    return;
-  const std::string number = matrix_name(syntax.symbol(factors[0].id));
+  if (factors.size() != 2 || syntax[factors[1].id].kind != SyntaxKind::symbol) return;
+  const bool power = syntax[factors[0].id].kind == SyntaxKind::power;
+  const SyntaxId first = power ? syntax.child(factors[0].id, 0) : factors[0].id;
+  if (syntax[first].kind != SyntaxKind::symbol) return;
+  const std::string number = matrix_name(syntax.symbol(first));
   const bool capital = is_capital_letter(number[0]) || (number[0] == '\\' && is_capital_letter(number[1]));
-  if (!capital && matrix_name(syntax.symbol(factors[1].id)) == "I")
-    evidence.multiples.insert(letter_with_marks(syntax.symbol(factors[0].id)));
+  const std::string matrix = matrix_name(syntax.symbol(factors[1].id));
+  const bool usual = number == "\\omega" || number == "\\lambda" || number == "\\mu";
+  const bool known = usual && evidence.matrices.contains(matrix) && !evidence.matrices.contains(number);
+  if (!capital && ((matrix == "I" && !power) || known))
+    evidence.multiples.insert(letter_with_marks(syntax.symbol(first)));
 }
 
 /// What is divided by, what a sine is taken of, and what is equal to a number: `A = 5`.
@@ -220,7 +249,9 @@ void see_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, 
     // A bold column of three is a vector like any other.
     const bool vector = symbol.face == Face::vector && found == std::set{MatrixShape{3, 1}};
     const bool row = symbol.face == Face::vector && found == std::set{MatrixShape{1, 3}};
-    if (vector || row || symbol.face == Face::tensor) continue;
+    // `ABC = i` says that a product is a multiple of the unit matrix.
+    const bool number = may_be_imaginary_unit(symbol) || symbol.letter == "\\hbar" || symbol.letter == "\\pi";
+    if (vector || row || symbol.face == Face::tensor || (number && !itself)) continue;
     MatrixLetter& letter = evidence.matrices[matrix_name(symbol)];
     letter.written = letter.written || itself;
     for (const SyntaxId other : sides) {

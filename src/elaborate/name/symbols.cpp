@@ -68,7 +68,8 @@ std::optional<std::size_t> space_declared_by(const Symbols& symbols) {
 NameKey placed(const Symbols& symbols, NameKey key) {
   if (key.rank > 0 && key.space == 0 && !key.shape.any()) key.space = space_of(symbols).id;
   const std::set<std::string>& complex = symbols.evidence->complex_numbers;
-  if (!complex.empty()) key.complex = key.complex || complex.contains(complex_name(key.base, key.rank));
+  if (!complex.empty() && !key.shape.any())
+    key.complex = key.complex || complex.contains(complex_name(key.base, key.rank));
   return key;
 }
 

@@ -72,7 +72,7 @@ bool has_only(const SyntaxTree& syntax, SyntaxId id, const List& letters) {
 
 /// In the first row 1, 2, …, and each of them once in the second.
 bool is_permutation(const SyntaxTree& syntax, SyntaxId id, MatrixShape shape) {
-  if (shape.rows != 2) return false;
+  if (shape.rows != 2 || shape.columns < 2) return false;
   std::set<int> below;
   for (int column = 0; column < shape.columns; ++column) {
     const auto above = whole_number(syntax, syntax.child(id, static_cast<std::size_t>(column)));
@@ -90,6 +90,11 @@ std::optional<std::string> other_meaning(const Reading& reading, SyntaxId id, Ma
   static constexpr std::array<std::string_view, 12> momenta{"j", "J", "l", "L", "m",    "M",
                                                             "k", "s", "S", "n", "\\mu", "\\ell"};
   const SyntaxTree& syntax = reading.syntax;
+  const bool imaginary = std::ranges::any_of(nodes_below(syntax, {id}), [&](SyntaxId each) {
+    return syntax[each].kind == SyntaxKind::symbol && may_be_imaginary_unit(syntax.symbol(each)) &&
+           reading.names.symbols.evidence->imaginary_units.contains(syntax.symbol(each).letter);
+  });
+  if (imaginary) return std::nullopt;
   if (shape == MatrixShape{2, 1} && has_only(syntax, id, whole))
     return "two whole numbers in brackets can be a column or a binomial coefficient";
   if (shape == MatrixShape{2, 3} && has_only(syntax, id, momenta))
@@ -102,6 +107,7 @@ std::optional<std::string> other_meaning(const Reading& reading, SyntaxId id, Ma
 }  // namespace
 
 MaybeTyped elaborate_tuple(Reading& reading, SyntaxId id, const Around& around) {
+  if (auto matrix = commutator(reading, id, around)) return *std::move(matrix);
   const Span span = reading.syntax[id].span;
   const MatrixShape shape = written_shape(reading.syntax, id);
   const std::size_t count = reading.syntax[id].count;
@@ -268,15 +274,6 @@ MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const
   typed.layout = Layout::none;
   typed.id = sum_of(reading.tree, diagonal, 0, span);
   return typed;
-}
-
-MaybeTyped elaborate_transpose(Reading& reading, SyntaxId id, const Around& around) {
-  const Span span = reading.syntax[id].span;
-  const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
-  if (!inside) return inside;
-  if (inside->layout == Layout::none)
-    return unsupported(reading, span, "a transpose is read of a matrix or column with known entries only");
-  return transposed(reading.tree, *inside, span);
 }
 
 /// `\operatorname{diag}(a, b)`

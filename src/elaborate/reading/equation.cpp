@@ -30,6 +30,12 @@ ExprId zero_like(Reading& reading, const Typed& written, const Typed& other) {
                                         reading.tree[other.id].axes);
 }
 
+/// `A^2 = 1`: a multiple of the unit matrix. But `A = 1` can say of another A what number it is.
+Typed opposite_side(ExprTree& tree, const Typed& typed, const Typed& other) {
+  const bool letter = tree[other.id].op == Op::symbol;
+  return letter && !typed.with_unit ? typed : beside_matrix(tree, typed, other);
+}
+
 /// Does a letter stand there as a number, m of `\cos mx`?
 bool has_number(const ExprTree& tree, ExprId id, const std::string& letter) {
   return std::ranges::any_of(symbols_in(tree, id), [&](SymbolId symbol) {
@@ -96,8 +102,8 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
 }
 
 std::optional<Equation> equate(Reading& reading, const Typed& one, const Typed& other, Mismatch mismatch) {
-  const Typed left = beside_matrix(reading.tree, one, other);
-  const Typed right = beside_matrix(reading.tree, other, one);
+  const Typed left = opposite_side(reading.tree, one, other);
+  const Typed right = opposite_side(reading.tree, other, one);
   const bool left_zero = is_literal_zero(reading.tree, left);
   const bool right_zero = is_literal_zero(reading.tree, right);
   if (!left_zero && !right_zero && !same_type(reading, left, right, "side", mismatch)) return std::nullopt;

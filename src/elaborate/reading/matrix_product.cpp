@@ -15,7 +15,7 @@ namespace rigor {
 namespace {
 
 constexpr int largest_power = 16;
-constexpr std::size_t largest_inverse = 3;            // rows
+constexpr std::size_t largest_inverse = 4;            // rows
 constexpr std::uint32_t heaviest_determinant = 4000;  // six rows of letters
 constexpr std::uint32_t heaviest_factor = 20'000;     // each power multiplies what is below it
 
@@ -150,6 +150,15 @@ class Minors {
   std::map<unsigned, ExprId> minors_;
 };
 
+/// `1`, `-\frac{3}{4}\hbar^2`, `2i`: beside a square matrix it can only be that multiple of the unit matrix.
+bool is_plain_number(const ExprTree& tree, const Typed& typed) {
+  if (typed.rank != 0 || !typed.free.empty() || tree.is_zero_literal(typed.id)) return false;
+  return std::ranges::all_of(symbols_in(tree, typed.id), [&](SymbolId symbol) {
+    const std::string& name = tree.symbols[symbol].name;
+    return name == "\\hbar" || name == "\\pi";
+  });
+}
+
 std::size_t root_of(std::size_t square) {
   std::size_t size = 0;
   while (size * size < square) ++size;
@@ -177,7 +186,7 @@ MaybeTyped inverse(Reading& reading, const Typed& matrix, Span span) {
   const std::vector<ExprId> entries = square_entries(tree, matrix);
   const std::size_t size = root_of(entries.size());
   if (size > largest_inverse)
-    return unsupported(reading, span, "inverses are read of matrices of up to three rows");
+    return unsupported(reading, span, "inverses are read of matrices of up to four rows");
   std::vector<ExprId> adjugate;
   for (std::size_t row = 0; row < size; ++row) {
     for (std::size_t column = 0; column < size; ++column) {
@@ -245,7 +254,7 @@ MaybeTyped determinant_of_entries(Reading& reading, const std::vector<ExprId>& e
 }
 
 MaybeTyped matrix_power(Reading& reading, const Typed& base, int exponent, Span span) {
-  if (base.layout == Layout::column && exponent == 2)
+  if (base.layout == Layout::column && exponent == 2 && !has_complex_numbers(reading.tree, base.id))
     return apply_op(reading.tree, Op::dot, span, 0, {base, base});
   if (base.rank == 1)
     return ambiguous(reading, span, "a power of a column can be one of its length, or is not defined",
@@ -286,11 +295,13 @@ Typed diagonal_matrix(ExprTree& tree, const std::vector<ExprId>& diagonal, Space
 }
 
 Typed beside_matrix(ExprTree& tree, const Typed& typed, const Typed& matrix) {
-  if (matrix.layout != Layout::matrix || typed.rank != 0 || !typed.with_unit) return typed;
+  const bool number = is_plain_number(tree, typed);
+  if (matrix.layout != Layout::matrix || typed.rank != 0 || (!typed.with_unit && !number)) return typed;
   const AxisSpaces axes = tree[matrix.id].axes;
   if (axes[0] != axes[1]) return typed;
-  Typed multiple = diagonal_matrix(tree, std::vector<ExprId>(axes[0].dimension, *typed.with_unit), axes[0],
-                                   tree[typed.id].span);
+  Typed multiple = diagonal_matrix(
+      tree, std::vector<ExprId>(axes[0].dimension, typed.with_unit ? *typed.with_unit : typed.id), axes[0],
+      tree[typed.id].span);
   merge_letters(multiple, typed);
   return multiple;
 }
