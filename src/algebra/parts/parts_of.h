@@ -12,9 +12,6 @@
 
 namespace rigor {
 
-/// The space of the axis that says which part.
-inline constexpr Space space_of_parts{2, 15};
-
 /// re + i·im; one of them may be missing, and then is 0. Never both, so that what has no value somewhere
 /// keeps having none there.
 struct ComplexParts {

@@ -5,7 +5,23 @@
 #include <array>
 #include <utility>
 
+#include "elaborate/name/symbols.h"
+
 namespace rigor {
+namespace {
+
+/// A matrix or column that is no vector of a space, or an entry of one: place and momentum may stand in one
+/// column.
+bool stands_in_columns(const ExprTree& tree, const ExprNode& node) {
+  const AxisSpaces axes = node.op == Op::symbol ? tree.symbols[node.symbol].axes : node.axes;
+  const int rank = node.op == Op::symbol ? tree.symbols[node.symbol].rank : node.rank;
+  for (int axis = 0; axis < rank; ++axis) {
+    if (axes[axis].id == space_of_columns) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 bool DimensionForm::is_valid() const {
   return fixed.is_valid() &&
@@ -42,6 +58,11 @@ DimensionForm DimensionReader::read(ExprId id) {
 DimensionForm DimensionReader::compute(ExprId id) {
   const ExprNode& node = tree_[id];
   DimensionForm form;
+  if (stands_in_columns(tree_, node)) {
+    for (const ExprId child : tree_.children(id)) static_cast<void>(read(child));
+    form.any = true;
+    return form;
+  }
   switch (node.op) {
     case Op::number:
       form.any = tree_.is_zero_literal(id);

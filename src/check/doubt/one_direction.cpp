@@ -108,7 +108,14 @@ bool may_be_in_the_plane(const ExprTree& tree, const Evidence& evidence, const E
   if (evidence.third_axis) return false;
   std::array<bool, 4> along{};
   for (const ExprId id : nodes_below(tree, {equation.left, equation.right})) {
-    for (const Slot& slot : tree.slots(id)) along.at(slot.axis) = true;
+    const ExprNode& node = tree[id];
+    const AxisSpaces axes = node.op == Op::component ? tree[tree.children(id)[0]].axes
+                            : node.op == Op::symbol  ? tree.symbols[node.symbol].axes
+                                                     : node.axes;
+    const std::span<const Slot> slots = tree.slots(id);
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      if (axes[static_cast<int>(k)] == common_space) along.at(slots[k].axis) = true;
+    }
   }
   return along[1] && along[2] && !along[3];
 }

@@ -75,6 +75,10 @@ std::optional<OpenPart> open_letter(const SyntaxTree& syntax, const Names& names
     if (syntax[alone].kind == SyntaxKind::power) alone = syntax.child(alone, 0);
     const SyntaxKind kind = syntax[parsed.sides[other]].kind;
     const bool table = kind == SyntaxKind::tuple || kind == SyntaxKind::matrix;
+    const bool matrix = written_shape(syntax, parsed.sides[other]).any() &&
+                        syntax[alone].kind == SyntaxKind::symbol &&
+                        is_matrix_letter(syntax.symbol(alone), *names.symbols.evidence);
+    if (matrix) continue;  // it was read as one
     if (!table || syntax[alone].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(alone);
     const bool declared = is_declared(names.symbols, {symbol.letter, 0, false});

@@ -235,7 +235,9 @@ void FormCollector::add(const Statement& statement, const Names& scope) {
     WrittenForm form{
         .expr = {}, .source = folded(sources_.text(written.sides[k].span)), .span = written.sides[k].span};
     form.expanded = text_of(written.sides[k].tokens);
-    if (const auto& typed = statement.sides[k]; typed && is_common(tree_, names.scope, typed->id)) {
+    const auto& typed = statement.sides[k];
+    form.other_space = typed && !is_common(tree_, names.scope, typed->id);
+    if (typed && !form.other_space) {
       form.expr = typed->id;
       expressions.push_back(typed->id);
       merge_free(free, typed->free);

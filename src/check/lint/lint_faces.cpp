@@ -40,6 +40,8 @@ Findings lint_faces(const LintInput& input) {
     const auto reading = readings.find(extent_of(span));
     const bool vector = reading != readings.end() && reading->second.meaning == ReadAs::vector;
     if (!vector || !is_plain(syntax.symbol(id))) continue;
+    const Symbol& symbol = input.tree.symbols[reading->second.symbol];
+    if (symbol.rank > 0 && symbol.axes[0].id == space_of_columns) continue;  // a column of numbers
     if (!said.insert(base_of(input.tree.symbols, reading->second.symbol)).second) continue;
     findings.push_back({{DiagnosticKind::plain_vector,
                          span,

@@ -193,7 +193,8 @@ class Products {
   bool may_have_order(const Factor& first, const Factor& second) const {
     const NameKey* one = key_of(names_.symbols, first.symbol);
     const NameKey* other = key_of(names_.symbols, second.symbol);
-    if (one == nullptr || other == nullptr) return false;  // a derivative, say
+    if (one == nullptr || other == nullptr) return false;      // a derivative, say
+    if (one->shape.any() || other->shape.any()) return false;  // the entries of a matrix are numbers
     for (const SymbolId symbol : {first.symbol, second.symbol}) {
       const Symbol& each = tree_.symbols[symbol];
       if (each.declared || each.derivation || each.unit_of_measure || each.per_particle) return false;

@@ -364,14 +364,20 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
       const auto& derivation = tree.symbols[symbol].derivation;
       const SymbolId base = derivation ? derivation->base : symbol;
       const NameKey* key = key_of(names.symbols, base);
-      if (key == nullptr || key->rank > 1 || tree.symbols[base].declared) continue;
+      const bool read = key != nullptr && key->shape.any();  // a column of numbers
+      if (key == nullptr || key->rank > 1 || read || tree.symbols[base].declared) continue;
       const std::string letter = without_labels(key->base);
       // Of a vector of matrices, `\boldsymbol\sigma`, only what was shown counts, not that it is a capital.
       const bool labelled = letter.starts_with("\\") && key->base != letter;  // `\sigma_x`
       const bool spoken =
           names.symbols.evidence->order_in_heading || (labelled && names.symbols.evidence->speaks_of_order);
-      const bool weak = spoken && !names.symbols.evidence->numbers.contains(letter);
-      const bool plain = lengths.contains(symbol) && names.symbols.evidence->ordered.contains(letter);
+      // A small letter inside a written matrix is a number; a capital there can be a block.
+      const Evidence& here = *names.symbols.evidence;
+      const bool small = here.entries.contains(key->base) && !is_capital_letter(letter);
+      const bool of_column = small && key->base != letter && here.matrices.contains(letter);  // x_1 of x
+      if (of_column || (here.entries.contains(key->base) && here.plain_numbers.contains(key->base))) continue;
+      const bool weak = spoken && !small && !here.numbers.contains(letter);
+      const bool plain = lengths.contains(symbol) && here.ordered.contains(letter);
       const bool shown = key->rank == 0 ? weak || names.symbols.evidence->is_ordered(letter)
                                         : plain || names.symbols.evidence->labelled.contains(letter);
       if (shown) found.insert(symbol);

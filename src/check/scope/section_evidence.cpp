@@ -34,6 +34,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
       see_subscripts(notes.syntax, side, evidence);
     }
     see_components(notes.syntax, chain.sides, evidence);
+    see_matrices(notes.syntax, chain.sides, chain.written, evidence);
     see_ties(notes.syntax, chain.sides, evidence);
     see_order(notes.syntax, chain.sides, chain.written, evidence);
     see_letters(notes.syntax, chain.sides, chain.written, evidence);
@@ -98,6 +99,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
       if (said.before < begin || said.before > k) continue;
       for (const ParsedChain& chain : said.chains) {
         see_components(notes.syntax, chain.sides, evidence);
+        see_matrices(notes.syntax, chain.sides, chain.written, evidence);
         see_ties(notes.syntax, chain.sides, evidence);
         see_complex(notes.syntax, chain.sides, evidence);
         for (const SyntaxId side : chain.sides) see_changing(notes.syntax, side, evidence);

@@ -77,14 +77,18 @@ std::optional<OtherReading> in_complex_vectors(const Question& question, const N
   };
   if (!evidence.complex_vectors && !is_imaginary("i") && !is_imaginary("\\mathrm{i}")) return std::nullopt;
   bool asked = question.claim.relation != Relation::equal;
+  bool measured = false;
   for_each_node(question, [&](const ExprNode& node) {
+    measured = measured || node.op == Op::length;
     asked = asked || node.op == Op::length || node.op == Op::conjugate || node.op == Op::real_part ||
             node.op == Op::imaginary_part;
   });
   std::set<SymbolId> open = vectors_of(question).open;
   std::erase_if(open, [&](SymbolId symbol) {
     const NameKey* key = key_of(names.symbols, symbol);
-    return question.tree->symbols[symbol].complex || (key != nullptr && evidence.real.contains(key->base));
+    const bool of_entries = key != nullptr && key->shape.any();  // which are known, and looked at one by one
+    return question.tree->symbols[symbol].complex || (of_entries && !measured) ||
+           (key != nullptr && evidence.real.contains(key->base));
   });
   if (!asked || open.empty()) return std::nullopt;
   return OtherReading{
@@ -92,11 +96,14 @@ std::optional<OtherReading> in_complex_vectors(const Question& question, const N
       {fmt::format("`rigor: vector {}` says that it is real", question.tree->symbols[*open.begin()].name)}};
 }
 
+/// A matrix or column that is no vector of a space.
+bool is_of_columns(const ExprNode& node) { return node.rank > 0 && node.axes[0].id == space_of_columns; }
+
 /// Does the claim name single components or axes? `axes`: unit vectors along axes count.
 bool has_components(const Question& question, bool axes) {
   bool found = false;
   for_each_node(question, [&](const ExprNode& node) {
-    if (node.op == Op::basis && !axes) return;
+    if ((node.op == Op::basis && !axes) || is_of_columns(node)) return;
     found = found || node.op == Op::basis || node.op == Op::tuple || node.op == Op::index_sum ||
             node.op == Op::component || node.slot_count > 0;
   });

@@ -267,7 +267,7 @@ void take_space(Walk& walk, const Directive& directive) {
   if (!walk.names.scope.frames->empty())
     return refuse("a frame is in force here, and frames turn in three dimensions");
   if (!enter_space(walk.names, directive.space, directive.dimension, directive.number))
-    refuse(fmt::format("these notes have more than {} spaces", most_spaces));
+    refuse(fmt::format("these notes have more than {} spaces", most_named_spaces));
 }
 
 void declare_use(Walk& walk, const Directive& directive) {

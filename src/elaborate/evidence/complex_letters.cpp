@@ -12,6 +12,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "elaborate/evidence/complex_entries.h"
 #include "elaborate/evidence/evidence.h"
 
 namespace rigor {
@@ -311,6 +312,7 @@ std::string complex_name(const WrittenSymbol& symbol) {
 void see_complex(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   for (const SyntaxId id : nodes_below(syntax, sides)) {
     see_units(syntax, id, evidence);
+    see_complex_entries(syntax, id, evidence);
     see_conjugates(syntax, id, evidence);
     see_real_parts(syntax, id, evidence);
   }
@@ -359,7 +361,8 @@ void settle_complex(Evidence& evidence) {
   for (bool grew = true; grew;) {
     grew = false;
     for (const auto& [letter, parts] : evidence.made_of) {
-      if (evidence.real_parts.contains(letter) || units.contains(letter)) continue;
+      const bool real = evidence.real_parts.contains(letter) && !evidence.matrices.contains(letter);
+      if (real || units.contains(letter)) continue;
       const bool made = std::ranges::any_of(
           parts, [&](const std::string& part) { return units.contains(part) || complex.contains(part); });
       grew = (made && complex.insert(letter).second) || grew;

@@ -7,12 +7,22 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "elaborate/evidence/matrix_shape.h"
 #include "latex/split/split.h"
 #include "latex/token/syntax.h"
 
 namespace rigor {
+
+/// A letter that stands alone on one side of an equation, with a matrix on another.
+struct MatrixLetter {
+  std::set<MatrixShape> shapes;                          // more than one: nothing says which it is
+  std::set<std::pair<FileId, std::uint32_t>> set_there;  // where it stands alone
+  bool of_itself = false;                                // x of `x = (x, y)`: two letters
+  bool written = false;  // equal to a matrix itself, and not only to a product
+};
 
 struct Evidence {
   std::set<std::string> vectors;   // bold or under an arrow somewhere
@@ -65,8 +75,12 @@ struct Evidence {
   bool speaks_of_raised = false;    // the words do, and name no letter
   std::set<std::string> exponents;  // that are numbers where they stand above: they stand on the line as well
   std::set<std::string> counters;   // n of `x_{n+1}`: in a subscript it counts the members of a sequence
-  bool speaks_of_segments = false;  // of triangles and segments: `AB` can be the name of one
-  bool sentence_is_open = false;    // while reading: such a sentence goes on with the next display
+  std::map<std::string, MatrixLetter> matrices;  // A of `A = \begin{pmatrix}…`, as `matrix_name` spells it
+  std::set<std::string> entries;                 // letters inside written matrices, spelled so
+  std::set<std::string> multiples;  // \lambda of `\lambda I`: numbers, though a determinant is taken of them
+  std::set<std::string> plain_numbers;  // letters that are numbers by their use, spelled so
+  bool speaks_of_segments = false;      // of triangles and segments: `AB` can be the name of one
+  bool sentence_is_open = false;        // while reading: such a sentence goes on with the next display
 
   /// May the letter be a matrix or an operator?
   [[nodiscard]] bool is_ordered(const std::string& letter) const;
@@ -123,6 +137,23 @@ void see_heading(std::string_view title, Evidence& evidence);
 
 /// When all is seen: hatted letters are operators where operators are about, else unit vectors.
 void settle_order(Evidence& evidence);
+
+// --- matrix_letters.cpp: Letters that are set equal to a written matrix or column, or to what is made of
+// such letters: their shape is known.
+
+/// Adds the letters of one chain, and the shapes that its other sides have.
+void see_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const WrittenChain& written,
+                  Evidence& evidence);
+/// Is the letter one, and neither perhaps the length of a bold one nor an entry of its own matrix?
+[[nodiscard]] bool is_matrix_letter(const WrittenSymbol& symbol, const Evidence& evidence);
+/// Does such a letter, or a written matrix, stand in it?
+[[nodiscard]] bool holds_matrix_letter(const SyntaxTree& syntax, SyntaxId id, const Evidence& evidence);
+/// The shape of what is written in rows and columns; none for anything else.
+[[nodiscard]] MatrixShape written_shape(const SyntaxTree& syntax, SyntaxId id);
+/// Can a letter that nothing explains be a matrix, a column or a map, where it stands beside a matrix?
+[[nodiscard]] bool may_be_a_matrix(const std::string& letter, const Evidence& evidence);
+/// The letter with face, marks and subscripts: \mathbf{A} is another matrix than A.
+[[nodiscard]] std::string matrix_name(const WrittenSymbol& symbol);
 
 // --- raised_indices.cpp: Upper indices: where `x^\mu` or `x^1` stands, `x^2` need not be a square.
 

@@ -373,6 +373,7 @@ void see_heading(std::string_view title, Evidence& evidence) {
 }
 
 void settle_order(Evidence& evidence) {
+  for (const std::string& number : evidence.multiples) evidence.ordered.erase(number);
   if (evidence.operators) evidence.ordered.insert(evidence.hatted.begin(), evidence.hatted.end());
 }
 

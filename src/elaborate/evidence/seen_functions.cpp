@@ -30,11 +30,16 @@ std::string applied_name_of(const WrittenSymbol& symbol) {
   return (symbol.face == Face::plain ? "" : "\\mathbf ") + name_of(bare);
 }
 
+/// `(x, t)`, but no column: nobody writes arguments so.
+bool may_hold_arguments(const SyntaxTree& syntax, SyntaxId bracket) {
+  const SyntaxKind kind = syntax[bracket].kind;
+  return kind == SyntaxKind::group || (kind == SyntaxKind::tuple && !written_shape(syntax, bracket).any());
+}
+
 /// The letters of `(\mathbf r, t)` as they stand; none if anything else is in the brackets.
 std::vector<std::string> letters_in_bracket(const SyntaxTree& syntax, SyntaxId bracket) {
   std::vector<std::string> letters;
-  const SyntaxKind kind = syntax[bracket].kind;
-  if (kind != SyntaxKind::group && kind != SyntaxKind::tuple) return letters;
+  if (!may_hold_arguments(syntax, bracket)) return letters;
   for (const SyntaxChild& child : syntax.children(bracket)) {
     if (syntax[child.id].kind != SyntaxKind::symbol || syntax.symbol(child.id).dots > 0) return {};
     const WrittenSymbol& symbol = syntax.symbol(child.id);
@@ -64,7 +69,7 @@ SyntaxId bare(const SyntaxTree& syntax, SyntaxId id) {
 /// The letters of `k` or `x, t`, if the brackets hold nothing else.
 std::set<std::string> arguments_in(const SyntaxTree& syntax, SyntaxId bracket) {
   std::set<std::string> found;
-  if (syntax[bracket].kind != SyntaxKind::group && syntax[bracket].kind != SyntaxKind::tuple) return found;
+  if (!may_hold_arguments(syntax, bracket)) return found;
   for (const SyntaxChild& child : syntax.children(bracket)) {
     if (syntax[child.id].kind != SyntaxKind::symbol) return {};
     found.insert(syntax.symbol(child.id).letter);
@@ -275,9 +280,7 @@ SyntaxId letter_of_side(const SyntaxTree& syntax, SyntaxId side) {
   if (syntax[side].kind == SyntaxKind::power) return syntax.child(side, 0);
   if (syntax[side].kind != SyntaxKind::term || syntax.children(side).size() != 2) return side;
   const SyntaxChild bracket = syntax.children(side)[1];
-  const SyntaxKind kind = syntax[bracket.id].kind;
-  const bool applied =
-      bracket.joint == Joint::juxtaposed && (kind == SyntaxKind::group || kind == SyntaxKind::tuple);
+  const bool applied = bracket.joint == Joint::juxtaposed && may_hold_arguments(syntax, bracket.id);
   return applied ? syntax.children(side)[0].id : side;
 }
 
@@ -423,6 +426,7 @@ std::optional<std::vector<std::string>> variables_of(const WrittenSymbol& symbol
 bool is_argument(const SyntaxTree& syntax, SyntaxId applied, SyntaxId bracket, const Evidence& evidence) {
   const SyntaxId id = without_derivatives(syntax, applied);
   if (syntax[id].kind != SyntaxKind::symbol) return false;
+  if (holds_matrix_letter(syntax, bracket, evidence)) return false;
   const std::vector<std::string> letters = letters_in_bracket(syntax, bracket);
   return !letters.empty() && variables_of(syntax.symbol(id), evidence) == letters;
 }

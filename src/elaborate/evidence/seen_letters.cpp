@@ -187,8 +187,11 @@ void see_sentence(std::string_view sentence, Evidence& evidence) {
     const std::size_t close = sentence.find('$', open + 1);
     if (close == std::string_view::npos) return;
     const ListedLetters listed = listed_letters(sentence.substr(open + 1, close - open - 1));
+    const bool of_it =
+        sentence.substr(0, open).ends_with(" of ");  // "a number $\lambda$ is an eigenvalue of $A$"
     for (const std::string& letter : listed.letters) {
       if (listed.ordered || number) evidence.numbers.insert(letter);
+      if (listed.ordered || (number && !of_it)) evidence.plain_numbers.insert(letter);
       if (listed.ordered || real) evidence.real.insert(letter);
     }
     open = sentence.find('$', close + 1);

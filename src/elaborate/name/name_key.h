@@ -9,6 +9,8 @@
 #include <set>
 #include <string>
 
+#include "elaborate/evidence/matrix_shape.h"
+
 namespace rigor {
 
 /// A symbol's name apart from indices: `r`, `T_{\text{rot}}`, `\hat{n}`.
@@ -17,6 +19,7 @@ struct NameKey {
   int rank = 0;
   bool per_particle = false;
   std::uint8_t space = 0;  // of its axes, as `Space::id`; `Symbols` fills in the one in force
+  MatrixShape shape = {};  // of a letter that is set equal to a written matrix
   bool complex = false;    // `Symbols` fills in what the section shows
   friend auto operator<=>(const NameKey&, const NameKey&) = default;
 };

@@ -125,7 +125,7 @@ bool enter_space(Names& names, const std::string& name, int dimension, std::size
   Space space{static_cast<std::uint8_t>(dimension), next};
   if (known != symbols.spaces_by_name->end()) {
     space = known->second;
-  } else if (symbols.spaces_by_name->size() == most_spaces) {
+  } else if (symbols.spaces_by_name->size() == most_named_spaces) {
     return false;
   } else {
     symbols.spaces_by_name.write()[key] = space;

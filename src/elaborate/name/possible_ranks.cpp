@@ -130,7 +130,7 @@ class RankReader {
       case SyntaxKind::tuple:
         return tuple(id);
       case SyntaxKind::matrix:
-        return node.payload == 3 ? tensor : any_rank;
+        return any_rank;
       case SyntaxKind::determinant:
         return static_cast<RankSet>(scalar | vector);
       case SyntaxKind::integral:
@@ -272,6 +272,7 @@ class RankReader {
     if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what is next to it");
     const RankSet inside = read(syntax_.child(id, 0));
     if (is_one_of(name, {"D/Dt", "conjugate", "bar", "Re", "Im"})) return inside;
+    if (name == "transpose" || name == "adjoint" || name == "diag") return any_rank;
     if (name == "det" || name == "tr") return scalar;
     if (const auto of_field = field_operator(name)) {
       if (*of_field == FieldOperator::gradient) return static_cast<RankSet>(inside << 1 & any_rank);

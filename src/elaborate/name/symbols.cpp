@@ -5,6 +5,22 @@
 
 namespace rigor {
 
+Space column_space(const Symbols& symbols, int dimension) {
+  const Space here = space_of(symbols);
+  if (here.dimension == dimension) return here;
+  if (common_space.dimension == dimension) return common_space;
+  return {static_cast<std::uint8_t>(dimension), space_of_columns};
+}
+
+AxisSpaces axes_of(const Symbols& symbols, MatrixShape shape) {
+  AxisSpaces axes;
+  if (shape.columns != 1) axes.set(0, column_space(symbols, shape.columns));
+  if (shape.rows == 1) return axes;
+  AxisSpaces all;
+  all.set(0, column_space(symbols, shape.rows));
+  return all.then(1, axes);
+}
+
 std::optional<SymbolId> find_symbol(const Symbols& symbols, const NameKey& key) {
   const auto found = symbols.entries->find(placed(symbols, key));
   return found == symbols.entries->end() ? std::nullopt : std::optional(found->second.symbol);
@@ -16,7 +32,8 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   Symbol symbol;
   symbol.name = name;
   symbol.rank = key.rank;
-  symbol.axes = AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
+  symbol.axes = key.shape.any() ? axes_of(symbols, key.shape)
+                                : AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
   symbol.per_particle = key.per_particle;
   symbol.complex = key.complex;
   symbol.first_seen = span;
@@ -49,9 +66,10 @@ std::optional<std::size_t> space_declared_by(const Symbols& symbols) {
 }
 
 NameKey placed(const Symbols& symbols, NameKey key) {
-  if (key.rank > 0 && key.space == 0) key.space = space_of(symbols).id;
+  if (key.rank > 0 && key.space == 0 && !key.shape.any()) key.space = space_of(symbols).id;
   const std::set<std::string>& complex = symbols.evidence->complex_numbers;
-  if (!complex.empty()) key.complex = key.complex || complex.contains(complex_name(key.base, key.rank));
+  if (!complex.empty() && !key.shape.any())
+    key.complex = key.complex || complex.contains(complex_name(key.base, key.rank));
   return key;
 }
 

@@ -69,6 +69,10 @@ struct Symbols {
 [[nodiscard]] inline Space space_of(const Symbols& symbols) {
   return symbols.spaces->empty() ? common_space : symbols.spaces->back().space;
 }
+/// The space of columns with so many entries: the one in force or the common one where that has as many axes,
+/// so that a column can be a vector; else one that is shared by all columns of that length.
+[[nodiscard]] Space column_space(const Symbols& symbols, int dimension);
+[[nodiscard]] AxisSpaces axes_of(const Symbols& symbols, MatrixShape shape);
 /// The directive that says so, if one does.
 [[nodiscard]] std::optional<std::size_t> space_declared_by(const Symbols& symbols);
 /// The key of this name where the space in force is.

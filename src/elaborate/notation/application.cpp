@@ -250,6 +250,20 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
       is_never_applied(symbol) || (kind != SyntaxKind::group && kind != SyntaxKind::tuple) ||
       holds_letter(syntax, bracket, symbol.letter))
     return BracketPart::factor;
+  // Nobody writes an argument as a column, and a number stands before a sum of matrices. But `R(\alpha)` is
+  // hardly a multiple of R, and `\lambda(AB)` can be an eigenvalue.
+  const Evidence& here = *reading.names.symbols.evidence;
+  const bool matrix = is_matrix_letter(symbol, here);
+  const bool of_matrices = holds_matrix_letter(syntax, bracket, here);
+  const bool sum = syntax[syntax.child(bracket, 0)].kind == SyntaxKind::sum;
+  if (of_matrices && (matrix || sum || written_shape(syntax, bracket).any())) return BracketPart::factor;
+  if (matrix || of_matrices) {
+    reading.found.applied =
+        Obstacle{DiagnosticKind::ambiguous_reading,
+                 "this can be a multiple of a matrix, or the value of a function",
+                 {"a number is written before its matrix, and without brackets around a product"}};
+    return BracketPart::open;
+  }
   const SyntaxId argument = syntax.child(bracket, 0);
   const bool one_symbol = syntax[argument].kind == SyntaxKind::symbol && kind == SyntaxKind::group;
   if (one_symbol && is_declared(reading.names.symbols, {syntax.symbol(argument).letter, 0, false}))

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "elaborate/evidence/evidence.h"
+#include "elaborate/notation/matrix.h"
 #include "elaborate/notation/notations.h"
 #include "expr/print/print_latex.h"
 
@@ -33,6 +34,7 @@ MaybeTyped elaborate_part(Reading& reading, SyntaxId id, const Around& around) {
   const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
   if (!inside) return std::nullopt;
   const bool mark = name == "conjugate" || name == "bar";
+  if (mark && inside->layout != Layout::none) return conjugate_of_matrix(reading, *inside, span);
   if (!has_complex_numbers(reading.tree, inside->id)) {
     if (mark) return refuse_mark(reading, name == "conjugate", *inside, span);
     return ambiguous(

@@ -136,6 +136,9 @@ MaybeTyped elaborate_function(Reading& reading, SyntaxId id, const Around& aroun
     return unsupported(reading, span,
                        "`O(…)` is read at the end of a side, where it says up to which power of a letter "
                        "the sides agree");
+  if (name == "transpose") return elaborate_transpose(reading, id, around);
+  if (name == "adjoint") return elaborate_adjoint(reading, id, around);
+  if (name == "diag") return elaborate_diagonal(reading, id, around);
   if (name == "det" || name == "tr") return trace_or_determinant(reading, argument, name != "det", around);
   if (reading.syntax[argument].kind == SyntaxKind::tuple) {
     if (name == "cos" && reading.syntax[argument].count == 2)

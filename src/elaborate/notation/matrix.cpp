@@ -5,8 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string_view>
 
+#include "base/among.h"
+#include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/notations.h"
+#include "elaborate/reading/matrix_product.h"
 #include "elaborate/symbol/named_symbol.h"
 
 namespace rigor {
@@ -16,7 +21,9 @@ namespace {
 MaybeTyped whole_tensor(Reading& reading, SyntaxId id, const Around& around) {
   if (reading.syntax[id].kind != SyntaxKind::symbol) return std::nullopt;
   const WrittenSymbol& written = reading.syntax.symbol(id);
-  if (!is_undecorated(written) || !written.lower.empty()) return std::nullopt;
+  if (!is_undecorated(written) || !written.lower.empty() ||
+      is_matrix_letter(written, *reading.names.symbols.evidence))
+    return std::nullopt;
   const bool tensor = is_known(reading.names, written.letter, 2, false) &&
                       !is_declared(reading.names.symbols, {written.letter, 0, false});
   if (!tensor) return std::nullopt;
@@ -26,72 +33,133 @@ MaybeTyped whole_tensor(Reading& reading, SyntaxId id, const Around& around) {
 
 }  // namespace
 
+namespace {
+
+/// The entries at some places, which are plain numbers.
+std::optional<std::vector<Typed>> entries_of(Reading& reading, std::span<const SyntaxChild> children,
+                                             const Around& around) {
+  std::vector<Typed> entries;
+  for (const SyntaxChild& child : children) {
+    auto entry = elaborate(reading, child.id, around);
+    if (!entry) return std::nullopt;
+    const Span span = reading.syntax[child.id].span;
+    if (entry->rank != 0)
+      return unsupported(reading, span,
+                         "a matrix, a column or a vector inside brackets is not read; write its entries out");
+    if (!entry->free.empty())
+      return unsupported(reading, span, "a free index inside a matrix or tuple is not decided");
+    entry->with_unit.reset();
+    entries.push_back(*std::move(entry));
+  }
+  return entries;
+}
+
+}  // namespace
+
+namespace {
+
+/// Are all letters below of this list, and is there one?
+template <class List>
+bool has_only(const SyntaxTree& syntax, SyntaxId id, const List& letters) {
+  bool any = false;
+  for (const SyntaxId each : nodes_below(syntax, {id})) {
+    if (syntax[each].kind != SyntaxKind::symbol) continue;
+    if (!is_one_of(syntax.symbol(each).letter, letters)) return false;
+    any = true;
+  }
+  return any;
+}
+
+/// In the first row 1, 2, …, and each of them once in the second.
+bool is_permutation(const SyntaxTree& syntax, SyntaxId id, MatrixShape shape) {
+  if (shape.rows != 2 || shape.columns < 2) return false;
+  std::set<int> below;
+  for (int column = 0; column < shape.columns; ++column) {
+    const auto above = whole_number(syntax, syntax.child(id, static_cast<std::size_t>(column)));
+    const auto image =
+        whole_number(syntax, syntax.child(id, static_cast<std::size_t>(shape.columns + column)));
+    if (above != column + 1 || !image || *image < 1 || *image > shape.columns) return false;
+    below.insert(*image);
+  }
+  return below.size() == shape.columns;
+}
+
+/// What else the brackets can mean: `\begin{pmatrix} n \\ k\end{pmatrix}` is mostly no column.
+std::optional<std::string> other_meaning(const Reading& reading, SyntaxId id, MatrixShape shape) {
+  static constexpr std::array<std::string_view, 10> whole{"i", "j", "k", "l", "m", "n", "r", "N", "K", "M"};
+  static constexpr std::array<std::string_view, 12> momenta{"j", "J", "l", "L", "m",    "M",
+                                                            "k", "s", "S", "n", "\\mu", "\\ell"};
+  const SyntaxTree& syntax = reading.syntax;
+  const bool imaginary = std::ranges::any_of(nodes_below(syntax, {id}), [&](SyntaxId each) {
+    return syntax[each].kind == SyntaxKind::symbol && may_be_imaginary_unit(syntax.symbol(each)) &&
+           reading.names.symbols.evidence->imaginary_units.contains(syntax.symbol(each).letter);
+  });
+  if (imaginary) return std::nullopt;
+  if (shape == MatrixShape{2, 1} && has_only(syntax, id, whole))
+    return "two whole numbers in brackets can be a column or a binomial coefficient";
+  if (shape == MatrixShape{2, 3} && has_only(syntax, id, momenta))
+    return "these brackets can be a matrix or a symbol of coupled angular momenta";
+  const bool group = shape.columns > 2 || reading.names.symbols.evidence->order_in_heading;
+  if (group && is_permutation(syntax, id, shape)) return "these brackets can be a matrix or a permutation";
+  return std::nullopt;
+}
+
+}  // namespace
+
 MaybeTyped elaborate_tuple(Reading& reading, SyntaxId id, const Around& around) {
+  if (auto matrix = commutator(reading, id, around)) return *std::move(matrix);
   const Span span = reading.syntax[id].span;
-  const Space space = use_space(reading);
-  if (reading.syntax[id].count != space.dimension)
+  const MatrixShape shape = written_shape(reading.syntax, id);
+  const std::size_t count = reading.syntax[id].count;
+  if (const auto other = other_meaning(reading, id, shape)) return ambiguous(reading, span, *other);
+  const bool table = shape.any();
+  if (!table && reading.syntax[id].payload != 0)
+    return unsupported(reading, span, fmt::format("a column or row of two to {} entries is read", most_rows));
+  const Space space =
+      table ? column_space(reading.names.symbols, static_cast<int>(count)) : use_space(reading);
+  if (table && space == space_of(reading.names.symbols)) use_space(reading);
+  if (count != space.dimension)
     return unsupported(reading, span,
                        space == common_space
                            ? "only tuples of three components are read"
                            : fmt::format("a vector of this space has {} components", space.dimension));
-  std::vector<Typed> entries;
-  for (const SyntaxChild& child : reading.syntax.children(id)) {
-    auto entry = elaborate(reading, child.id, around);
-    if (!entry) return std::nullopt;
-    entries.push_back(std::move(*entry));
-    if (entries.back().rank != 0)
-      return unsupported(reading, reading.syntax[child.id].span,
-                         "a bracket of vectors is not read; write a triple product out");
-    if (!entries.back().free.empty())
-      return unsupported(reading, reading.syntax[child.id].span,
-                         "a free index inside a tuple is not decided");
-  }
-  return tuple_of(reading.tree, space, span, entries);
+  const auto entries = entries_of(reading, reading.syntax.children(id), around);
+  if (!entries) return std::nullopt;
+  Typed tuple = tuple_of(reading.tree, space, span, *entries);
+  if (table) tuple.layout = shape.columns == 1 ? Layout::column : Layout::row;
+  reading.found.matrices = reading.found.matrices || (table && space != common_space);
+  return tuple;
 }
 
 MaybeTyped elaborate_matrix(Reading& reading, SyntaxId id, const Around& around) {
   const Span span = reading.syntax[id].span;
-  const Space space = use_space(reading);
-  const std::size_t size = space.dimension;
-  if (reading.syntax[id].count != size * size || reading.syntax[id].payload != size)
+  const MatrixShape shape = written_shape(reading.syntax, id);
+  if (!shape.any())
     return unsupported(reading, span,
-                       space == common_space
-                           ? "only matrices of three rows and three columns are read"
-                           : fmt::format("a matrix of this space has {0} rows and {0} columns", size));
+                       fmt::format("a matrix of more than {} rows or columns is not read", most_rows));
+  if (const auto other = other_meaning(reading, id, shape)) return ambiguous(reading, span, *other);
+  reading.found.matrices = true;
+  const Symbols& symbols = reading.names.symbols;
+  const Space columns = column_space(symbols, shape.columns);
+  const Space lines = column_space(symbols, shape.rows);
+  if (columns == space_of(symbols) || lines == space_of(symbols)) use_space(reading);
   std::vector<Typed> rows;
-  for (std::size_t row = 0; row < size; ++row) {
-    std::vector<Typed> entries;
-    for (std::size_t column = 0; column < size; ++column) {
-      auto entry = elaborate(reading, reading.syntax.child(id, size * row + column), around);
-      if (!entry) return std::nullopt;
-      if (entry->rank != 0 || !entry->free.empty())
-        return unsupported(reading, span, "an entry of this matrix is not a plain scalar");
-      entries.push_back(std::move(*entry));
-    }
-    rows.push_back(tuple_of(reading.tree, space, span, entries));
+  for (std::size_t row = 0; row < shape.rows; ++row) {
+    const auto children = reading.syntax.children(id).subspan(row * shape.columns, shape.columns);
+    const auto entries = entries_of(reading, children, around);
+    if (!entries) return std::nullopt;
+    rows.push_back(tuple_of(reading.tree, columns, span, *entries));
   }
-  return tuple_of(reading.tree, space, span, rows);
+  Typed matrix = tuple_of(reading.tree, lines, span, rows);
+  matrix.layout = Layout::matrix;
+  return matrix;
 }
 
-MaybeTyped elaborate_determinant(Reading& reading, SyntaxId id, const Around& around) {
-  const Span span = reading.syntax[id].span;
-  if (space_of(reading.names.symbols) != common_space)
-    return unsupported(reading, span, "a determinant is read in three dimensions only");
-  if (reading.syntax[id].count != 9 || reading.syntax[id].payload != 3)
-    return unsupported(reading, span, "only determinants of three rows are read");
-  std::vector<Typed> entries;
-  for (std::size_t k = 0; k < 9; ++k) {
-    auto entry = elaborate(reading, reading.syntax.child(id, k), around);
-    if (!entry) return std::nullopt;
-    if (entry->rank > 1) return unsupported(reading, span, "an entry of this determinant is a tensor");
-    if (entry->rank == 1 && k >= 3)
-      return unsupported(reading, span, "vectors are read in the first row of a determinant only");
-    entries.push_back(*std::move(entry));
-    if (k < 3 && entries[k].rank != entries[0].rank)
-      return wrong_rank(reading, span, "the first row mixes scalars and vectors");
-  }
-  // Each entry occurs in several products, so a letter's place in them is not that of the summation
-  // convention.
+namespace {
+
+/// Each entry occurs in several products, so a letter's place in them is not that of the summation
+/// convention.
+MaybeTyped letters_of(Reading& reading, const std::vector<Typed>& entries, Span span) {
   Typed letters;
   for (const Typed& entry : entries) merge_letters(letters, entry);
   for (const FreeIndex& bound : letters.bound) {
@@ -103,11 +171,63 @@ MaybeTyped elaborate_determinant(Reading& reading, SyntaxId id, const Around& ar
           fmt::format("`{}` is summed in one entry of the determinant and free in another", bound.letter));
     }
   }
+  return letters;
+}
+
+MaybeTyped determinant_of_numbers(Reading& reading, const std::vector<Typed>& entries, Span span) {
+  auto letters = letters_of(reading, entries, span);
+  std::vector<ExprId> numbers;
+  for (const Typed& entry : entries) numbers.push_back(entry.id);
+  const auto value = letters ? determinant_of_entries(reading, numbers, span) : std::nullopt;
+  if (!value) return std::nullopt;
+  letters->id = value->id;
+  return letters;
+}
+
+}  // namespace
+
+MaybeTyped elaborate_determinant(Reading& reading, SyntaxId id, const Around& around) {
+  const Span span = reading.syntax[id].span;
+  const std::size_t columns = reading.syntax[id].payload;
+  if (reading.syntax[id].count != columns * columns || columns > most_rows)
+    return unsupported(reading, span,
+                       fmt::format("a determinant has as many rows as columns, up to {}", most_rows));
+  if (columns != 3) {
+    const auto numbers = entries_of(reading, reading.syntax.children(id), around);
+    return numbers ? determinant_of_numbers(reading, *numbers, span) : std::nullopt;
+  }
+  if (space_of(reading.names.symbols) != common_space)
+    return unsupported(reading, span, "a determinant of three rows is read in three dimensions only");
+  std::vector<Typed> entries;
+  for (std::size_t k = 0; k < 9; ++k) {
+    auto entry = elaborate(reading, reading.syntax.child(id, k), around);
+    if (!entry) return std::nullopt;
+    if (entry->rank > 1) return unsupported(reading, span, "an entry of this determinant is a tensor");
+    if (entry->rank == 1 && k >= 3)
+      return unsupported(reading, span, "vectors are read in the first row of a determinant only");
+    entries.push_back(*std::move(entry));
+    if (k < 3 && entries[k].rank != entries[0].rank)
+      return wrong_rank(reading, span, "the first row mixes scalars and vectors");
+  }
+  if (!letters_of(reading, entries, span)) return std::nullopt;
   return apply_op(reading.tree, Op::determinant, span, entries[0].rank, entries);
 }
 
+namespace {
+
+MaybeTyped determinant_of_matrix(Reading& reading, const Typed& matrix, Span span) {
+  const std::vector<ExprId> entries = square_entries(reading.tree, matrix);
+  if (entries.empty()) return unsupported(reading, span, "only square matrices have a determinant");
+  auto value = determinant_of_entries(reading, entries, span);
+  if (value) merge_letters(*value, matrix);
+  return value;
+}
+
+}  // namespace
+
 MaybeTyped determinant_of(Reading& reading, SyntaxId id, const Typed& inside, Span span,
                           const Around& around) {
+  if (inside.layout == Layout::matrix) return determinant_of_matrix(reading, inside, span);
   if (inside.rank != 2 && !(inside.rank == 0 && inside.free.size() == 2))
     return unsupported(reading, span, "a determinant is read of a second-rank tensor only");
   if (space_of(reading.names.symbols) != common_space)
@@ -144,15 +264,38 @@ MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const
   if (inside->rank != 2) return unsupported(reading, span, "a trace is read of a second-rank tensor only");
   std::vector<ExprId> diagonal;
   const AxisSpaces axes = reading.tree[inside->id].axes;
-  if (axes[0] != axes[1]) return unsupported(reading, span, "a trace is read of a square tensor only");
+  if (axes[0] != axes[1]) return unsupported(reading, span, "a trace is read of what is square only");
   for (std::uint8_t k = 1; k <= axes[0].dimension; ++k) {
     const std::array slots{Slot{k, {}}, Slot{k, {}}};
     diagonal.push_back(component_of(reading.tree, inside->id, slots));
   }
   Typed typed = *inside;
   typed.rank = 0;
+  typed.layout = Layout::none;
   typed.id = sum_of(reading.tree, diagonal, 0, span);
   return typed;
+}
+
+/// `\operatorname{diag}(a, b)`
+MaybeTyped elaborate_diagonal(Reading& reading, SyntaxId id, const Around& around) {
+  const Span span = reading.syntax[id].span;
+  const SyntaxId list = reading.syntax.child(id, 0);
+  const std::size_t count = reading.syntax[list].count;
+  if (reading.syntax[list].kind != SyntaxKind::tuple || count > most_rows)
+    return unsupported(reading, span, "`diag` is read of a list of numbers only");
+  const auto entries = entries_of(reading, reading.syntax.children(list), around);
+  if (!entries) return std::nullopt;
+  reading.found.matrices = true;
+  Typed letters;
+  std::vector<ExprId> diagonal;
+  for (const Typed& entry : *entries) {
+    merge_letters(letters, entry);
+    diagonal.push_back(entry.id);
+  }
+  const Space space = column_space(reading.names.symbols, static_cast<int>(count));
+  Typed matrix = diagonal_matrix(reading.tree, diagonal, space, span);
+  merge_letters(matrix, letters);
+  return matrix;
 }
 
 }  // namespace rigor

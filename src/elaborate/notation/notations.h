@@ -8,6 +8,7 @@ namespace rigor {
 
 using ReadPart = MaybeTyped(Reading& reading, SyntaxId id, const Around& around);
 
+ReadPart elaborate_transpose, elaborate_adjoint;                    // adjoint.cpp
 ReadPart elaborate_bars, elaborate_component;                       // bracket.cpp
 ReadPart elaborate_cases;                                           // cases.cpp
 ReadPart elaborate_part;                                            // complex.cpp
@@ -15,6 +16,7 @@ ReadPart elaborate_derivative;                                      // derivativ
 ReadPart elaborate_function, elaborate_integral;                    // function.cpp
 ReadPart elaborate_line_integral, elaborate_between;                // integral.cpp
 ReadPart elaborate_tuple, elaborate_matrix, elaborate_determinant;  // matrix.cpp
+ReadPart elaborate_diagonal;                                        // matrix.cpp
 ReadPart elaborate_power, elaborate_root;                           // power.cpp
 ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
 ReadPart elaborate_term;                                            // term.cpp

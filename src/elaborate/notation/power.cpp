@@ -9,7 +9,9 @@
 
 #include "base/among.h"
 #include "elaborate/evidence/evidence.h"
+#include "elaborate/notation/matrix.h"
 #include "elaborate/notation/notations.h"
+#include "elaborate/reading/matrix_product.h"
 #include "elaborate/symbol/named_symbol.h"
 
 namespace rigor {
@@ -181,6 +183,13 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   inside.squared = of_symbol && whole == 2;
   const auto base = elaborate(reading, raised, inside);
   if (!base) return std::nullopt;
+  if (base->layout != Layout::none) {
+    if (whole) return matrix_power(reading, *base, *whole, span);
+    const bool hermitian = syntax[exponent].kind == SyntaxKind::symbol &&
+                           syntax.symbol(exponent).letter == "H" && syntax.symbol(exponent).lower.empty();
+    if (hermitian) return adjoint_of(reading, *base, span);  // nobody has a number H above a matrix
+    return unsupported(reading, syntax[exponent].span, "powers of matrices are read with whole numbers only");
+  }
   const auto halves = half_number(syntax, exponent);
   const bool number_above = !halves && is_number_above(reading, raised, exponent);
   if (!halves && !number_above) {

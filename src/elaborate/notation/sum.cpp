@@ -6,6 +6,7 @@
 
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/equation.h"
+#include "elaborate/reading/matrix_product.h"
 
 namespace rigor {
 namespace {
@@ -61,6 +62,15 @@ Id unbind(Reading::Variables<Id>& variables, const std::string& letter) {
   return id;
 }
 
+/// Of a multiple of the unit matrix, too.
+Typed opposite(ExprTree& tree, const Typed& typed) {
+  const Span span = tree[typed.id].span;
+  Typed negative = apply_op(tree, Op::negate, span, typed.rank, {typed});
+  if (typed.with_unit)
+    negative.with_unit = tree.add({.op = Op::negate, .span = span}, std::span(&*typed.with_unit, 1));
+  return negative;
+}
+
 }  // namespace
 
 MaybeTyped elaborate_sum(Reading& reading, SyntaxId id, const Around& around) {
@@ -74,8 +84,7 @@ MaybeTyped elaborate_sum(Reading& reading, SyntaxId id, const Around& around) {
       failed = true;
       continue;
     }
-    if (child.joint == Joint::minus)
-      *addend = apply_op(tree, Op::negate, tree[addend->id].span, addend->rank, {*addend});
+    if (child.joint == Joint::minus) *addend = opposite(tree, *addend);
     addends.push_back(std::move(*addend));
   }
   if (failed || addends.empty()) return std::nullopt;
@@ -83,6 +92,11 @@ MaybeTyped elaborate_sum(Reading& reading, SyntaxId id, const Around& around) {
                 [&](const Typed& addend) { return addends.size() > 1 && is_literal_zero(tree, addend); });
   if (addends.empty()) return Typed{.id = tree.add_number(span, "0")};
   if (addends.size() == 1) return addends[0];
+  const auto matrix = std::ranges::find(addends, Layout::matrix, &Typed::layout);
+  if (matrix != addends.end()) {
+    const Typed like = *matrix;
+    for (Typed& addend : addends) addend = beside_matrix(tree, addend, like);
+  }
   for (const Typed& addend : addends) {
     const Mismatch place{tree[addend.id].span, reading.diagnostics};
     failed = !same_type(reading, addends[0], addend, "term", place) || failed;

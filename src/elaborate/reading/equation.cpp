@@ -5,12 +5,22 @@
 
 #include <algorithm>
 
+#include "elaborate/reading/matrix_product.h"
+
 namespace rigor {
 namespace {
 
-const char* kind_of(int rank) {
-  if (rank == 0) return "a scalar";
-  return rank == 1 ? "a vector" : "a tensor";
+const char* kind_of(const Typed& typed) {
+  if (typed.layout == Layout::matrix) return "a matrix";
+  if (typed.layout != Layout::none) return typed.layout == Layout::row ? "a row" : "a column";
+  if (typed.rank == 0) return "a scalar";
+  return typed.rank == 1 ? "a vector" : "a tensor";
+}
+
+/// A row is no column; a vector of unknown layout can be either.
+bool are_row_and_column(const Typed& first, const Typed& other) {
+  return (first.layout == Layout::row && other.layout == Layout::column) ||
+         (first.layout == Layout::column && other.layout == Layout::row);
 }
 
 /// A written 0 stands for the zero of whatever it is compared with.
@@ -18,6 +28,12 @@ ExprId zero_like(Reading& reading, const Typed& written, const Typed& other) {
   return other.rank == 0 ? written.id
                          : zero_of_rank(reading.tree, reading.tree[written.id].span, other.rank,
                                         reading.tree[other.id].axes);
+}
+
+/// `A^2 = 1`: a multiple of the unit matrix. But `A = 1` can say of another A what number it is.
+Typed opposite_side(ExprTree& tree, const Typed& typed, const Typed& other) {
+  const bool letter = tree[other.id].op == Op::symbol;
+  return letter && !typed.with_unit ? typed : beside_matrix(tree, typed, other);
 }
 
 /// Does a letter stand there as a number, m of `\cos mx`?
@@ -40,19 +56,22 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
            guess.help);
     return false;
   }
-  if (first.rank != other.rank) {
+  if (first.rank != other.rank || are_row_and_column(first, other)) {
     mismatch.diagnostics.push_back(
-        {DiagnosticKind::rank_mismatch,
+        {kind_of_mismatch(reading),
          mismatch.relation,
-         fmt::format("one {} is {}, the other is {}", what, kind_of(other.rank), kind_of(first.rank)),
-         {{first_span, kind_of(first.rank)}}});
+         fmt::format("one {} is {}, the other is {}", what, kind_of(other), kind_of(first)),
+         {{first_span, kind_of(first)}}});
     return false;
   }
   if (reading.tree[first.id].axes != reading.tree[other.id].axes) {
-    mismatch.diagnostics.push_back({DiagnosticKind::rank_mismatch,
-                                    mismatch.relation,
-                                    fmt::format("the {}s belong to different spaces", what),
-                                    {{first_span, "of another space"}}});
+    const bool tables = first.layout != Layout::none && other.layout != Layout::none;
+    mismatch.diagnostics.push_back(
+        {kind_of_mismatch(reading),
+         mismatch.relation,
+         tables ? fmt::format("the {}s have different numbers of rows or columns", what)
+                : fmt::format("the {}s belong to different spaces", what),
+         {{first_span, tables ? "of another size" : "of another space"}}});
     return false;
   }
   const auto missing = [](const auto& from, const auto& in) {
@@ -82,7 +101,9 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
   return true;
 }
 
-std::optional<Equation> equate(Reading& reading, const Typed& left, const Typed& right, Mismatch mismatch) {
+std::optional<Equation> equate(Reading& reading, const Typed& one, const Typed& other, Mismatch mismatch) {
+  const Typed left = opposite_side(reading.tree, one, other);
+  const Typed right = opposite_side(reading.tree, other, one);
   const bool left_zero = is_literal_zero(reading.tree, left);
   const bool right_zero = is_literal_zero(reading.tree, right);
   if (!left_zero && !right_zero && !same_type(reading, left, right, "side", mismatch)) return std::nullopt;

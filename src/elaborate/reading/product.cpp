@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elaborate/reading/matrix_product.h"
 #include "elaborate/reading/summation.h"
 
 namespace rigor {
@@ -98,6 +99,9 @@ std::optional<std::vector<Operand>> multiply(Reading& reading, std::vector<Opera
       return ambiguous(reading, vectors[k].joint_span, "`A · B · C` has two readings",
                        {"put one of the two products in brackets"});
     const Span span = cover(tree[left.id].span, tree[right.id].span);
+    if (left.layout == Layout::column && right.layout == Layout::row)
+      return ambiguous(reading, vectors[k].joint_span,
+                       "a dot between a column and a row can be their number or their matrix");
     const Space space = tree[left.id].axes[left.rank - 1];
     if (space != tree[right.id].axes[0])
       return wrong_rank(reading, vectors[k].joint_span, "a product of vectors of different spaces");
@@ -141,6 +145,12 @@ void guess_dyad(Reading& reading, const std::vector<Operand>& vectors, Span span
 
 MaybeTyped outer_product(Reading& reading, std::vector<Typed> scalars, const std::vector<Operand>& vectors,
                          Span span) {
+  const auto is_table = [](const Operand& vector) { return vector.typed.layout != Layout::none; };
+  if (std::ranges::any_of(vectors, is_table)) {
+    std::vector<Typed> factors;
+    for (const Operand& vector : vectors) factors.push_back(vector.typed);
+    return product_of_matrices(reading, std::move(scalars), factors, span);
+  }
   int rank = 0;
   for (const Operand& vector : vectors) {
     const bool beside = rank > 0 && vector.typed.rank > 0;
@@ -186,7 +196,9 @@ MaybeTyped divide(Reading& reading, const Typed& dividend, const Typed& divisor,
   return apply_op(reading.tree, Op::divide, span, dividend.rank, {dividend, divisor});
 }
 
-MaybeTyped product_of(Reading& reading, std::vector<Operand> operands, Span span) {
+namespace {
+
+MaybeTyped product_of_numbers(Reading& reading, std::vector<Operand> operands, Span span) {
   const ExprTree& tree = reading.tree;
   for (std::size_t k = 1; k < operands.size(); ++k) {
     if (operands[k].joint != Joint::slash) continue;
@@ -210,6 +222,22 @@ MaybeTyped product_of(Reading& reading, std::vector<Operand> operands, Span span
     --k;
   }
   return without_slash(reading, operands, span);
+}
+
+}  // namespace
+
+MaybeTyped product_of(Reading& reading, std::vector<Operand> operands, Span span) {
+  auto product = product_of_numbers(reading, operands, span);
+  bool unit = false;
+  for (Operand& operand : operands) {
+    if (!operand.typed.with_unit) continue;
+    unit = true;
+    operand.typed.id = *operand.typed.with_unit;
+  }
+  if (!product || product->rank != 0 || !unit) return product;
+  if (const auto multiple = product_of_numbers(reading, std::move(operands), span))
+    product->with_unit = multiple->id;
+  return product;
 }
 
 }  // namespace rigor

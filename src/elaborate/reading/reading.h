@@ -97,6 +97,7 @@ struct Reading {
     std::set<std::string> positions;        // the ways in which it writes the position
     Directives used;                        // what was looked up is said by these
     bool differentiates_position = false;
+    bool matrices = false;  // what does not fit may be another matrix than was read: no mistake for sure
     bool differentiates_logarithm = false;  // whose derivative has values where it has none itself
   } found = {};
 
@@ -152,9 +153,13 @@ inline std::nullopt_t ambiguous(Reading& reading, Span span, std::string message
                                 std::vector<std::string> help = {}) {
   return fail(reading, DiagnosticKind::ambiguous_reading, span, std::move(message), std::move(help));
 }
+/// What is no vector or tensor may be a matrix or a column beside others.
+[[nodiscard]] inline DiagnosticKind kind_of_mismatch(const Reading& reading) {
+  return reading.found.matrices ? DiagnosticKind::unsupported : DiagnosticKind::rank_mismatch;
+}
 inline std::nullopt_t wrong_rank(Reading& reading, Span span, std::string message,
                                  std::vector<std::string> help = {}) {
-  return fail(reading, DiagnosticKind::rank_mismatch, span, std::move(message), std::move(help));
+  return fail(reading, kind_of_mismatch(reading), span, std::move(message), std::move(help));
 }
 
 }  // namespace rigor

@@ -9,8 +9,24 @@ void merge_letters(Typed& into, const Typed& part) {
   merge_free(into.bound, part.bound);
 }
 
+namespace {
+
+/// That of the first operand of this rank that has one; else a vector beside a matrix is a column.
+Layout layout_of(const std::vector<Typed>& operands, int rank) {
+  Layout found = Layout::none;
+  if (rank == 0) return found;
+  for (const Typed& operand : operands) {
+    if (operand.layout == Layout::none) continue;
+    if (operand.rank == rank) return operand.layout;
+    found = rank == 1 ? Layout::column : Layout::matrix;
+  }
+  return found;
+}
+
+}  // namespace
+
 Typed apply_op(ExprTree& tree, Op op, Span span, int rank, const std::vector<Typed>& operands, int exponent) {
-  Typed typed{.rank = rank};
+  Typed typed{.rank = rank, .layout = layout_of(operands, rank)};
   std::vector<ExprId> children;
   for (const Typed& operand : operands) {
     children.push_back(operand.id);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct FreeParticle {
   Span span;
 };
 
+/// Is it written in rows and columns? Side by side, such factors are multiplied as matrices are.
+enum class Layout : std::uint8_t { none, matrix, column, row };
+
 /// An expression with what its type says.
 struct Typed {
   ExprId id{};
@@ -32,6 +36,8 @@ struct Typed {
   std::vector<FreeIndex> free = {};          // each letter once
   std::vector<FreeParticle> particles = {};  // each letter once
   std::vector<FreeIndex> bound = {};         // letters summed inside
+  Layout layout = Layout::none;
+  std::optional<ExprId> with_unit = {};  // what it is a multiple of the unit matrix by, if a matrix is meant
 };
 
 /// Nothing where there is a mistake, which a diagnostic reports.

@@ -13,6 +13,7 @@
 #include "elaborate/reading/change.h"
 #include "elaborate/symbol/axes.h"
 #include "elaborate/symbol/hole.h"
+#include "elaborate/symbol/matrix_letter.h"
 #include "elaborate/symbol/named_symbol.h"
 #include "latex/token/vocabulary.h"
 
@@ -351,6 +352,7 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   if (written.letter == hole_letter) return elaborate_hole(reading, written, span, around);
   if (written.dots > 0) return dotted_symbol(reading, written, span, around);
   if (written.letter == "\\nabla") return unsupported(reading, span, "`\\nabla` has nothing to act on here");
+  if (auto letter = matrix_letter(reading, written, span)) return *std::move(letter);
   if (auto fixed = unit_or_basis(reading, written, span, around)) return *std::move(fixed);
   if (is_imaginary_unit(reading, written))
     return Typed{.id = reading.tree.add({.op = Op::imaginary_unit, .span = span})};
@@ -400,7 +402,10 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
     return unsupported(reading, span, "a quantity of two particles is not decided yet");
   if (written.face != Face::plain || written.accent == Accent::hat)
     return vector_symbol(reading, {written, std::move(name), span, around});
-  return plain_symbol(reading, {written, std::move(name), span, around});
+  auto typed = plain_symbol(reading, {written, std::move(name), span, around});
+  if (typed && typed->rank == 0 && may_be_unit_matrix(reading, written))
+    typed->with_unit = reading.tree.add_number(span, "1");
+  return typed;
 }
 
 }  // namespace rigor

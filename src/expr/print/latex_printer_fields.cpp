@@ -49,7 +49,7 @@ bool LatexPrinter::is_whole_at(ExprId id, SymbolId symbol, int missing, std::vec
     all.insert(all.end(), behind.begin(), behind.end());
     return has_axes(id, symbol, all);
   }
-  if (tree_[id].op != Op::tuple) return false;
+  if (tree_[id].op != Op::tuple || tree_[id].count != all_axes.size()) return false;
   for (const std::uint8_t axis : all_axes) {
     axes.push_back(axis);
     const bool same = is_whole_at(child(id, axis - 1u), symbol, missing - 1, axes, behind);
@@ -200,7 +200,8 @@ std::optional<LatexPrinter::Piece> LatexPrinter::primed_component(ExprId id) {
 
 /// e_i' has the components λ_i'1, λ_i'2, λ_i'3.
 std::optional<LatexPrinter::Piece> LatexPrinter::primed_basis(ExprId id) const {
-  if (tree_[id].op != Op::tuple || tree_[id].rank != 1) return std::nullopt;
+  if (tree_[id].op != Op::tuple || tree_[id].rank != 1 || tree_[id].count != all_axes.size())
+    return std::nullopt;
   std::string primed;
   for (const std::uint8_t axis : all_axes) {
     const ExprId each = child(id, axis - 1u);

@@ -62,6 +62,7 @@ std::string LatexPrinter::free_letter(const std::string& wanted, bool particle) 
 }
 
 std::string LatexPrinter::slot_text(const Slot& slot, bool lettered) const {
+  if (slot.axis > 3) return std::to_string(slot.axis);
   if (slot.axis != 0) return std::string(1, lettered ? "xyz"[slot.axis - 1] : "123"[slot.axis - 1]);
   const auto known = letters_.find(static_cast<std::uint32_t>(slot.variable));
   return known == letters_.end() ? tree_.name(slot.variable) : known->second;

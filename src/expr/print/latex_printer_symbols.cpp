@@ -231,7 +231,8 @@ bool LatexPrinter::length_is_plain(ExprId id) const {
 }
 
 LatexPrinter::Piece LatexPrinter::basis(const Slot& slot) const {
-  if (slot.axis != 0 && !notation_.axes[slot.axis - 1u].empty()) return {notation_.axes[slot.axis - 1u]};
+  if (slot.axis != 0 && slot.axis <= notation_.axes.size() && !notation_.axes[slot.axis - 1u].empty())
+    return {notation_.axes[slot.axis - 1u]};
   return {notation_.basis + subscript(slot_text(slot, notation_.lettered_axes))};
 }
 

@@ -20,6 +20,7 @@ struct WrittenForm {
   std::string source;          // LaTeX as written, blanks folded
   std::string expanded = {};   // the same without macros of the notes
   Span span = {};
+  bool other_space = false;  // it was read, but not in the space of three dimensions
 };
 
 /// The relation between a form and the next one, and what the exact side was asked about it and answered.

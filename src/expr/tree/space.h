@@ -9,9 +9,9 @@
 
 namespace rigor {
 
-inline constexpr int most_dimensions = 9;  // literal axes are one digit
-inline constexpr int most_axes_apart = 8;  // axes of a value with one outside the common space
-inline constexpr int most_spaces = 15;     // apart from the common one
+inline constexpr int most_dimensions = 9;     // literal axes are one digit
+inline constexpr int most_axes_apart = 8;     // axes of a value with one outside the common space
+inline constexpr int most_named_spaces = 13;  // their ids are 1, 2, …
 
 /// A value, not a name: two spaces of one dimension differ by their ids.
 struct Space {
@@ -20,6 +20,10 @@ struct Space {
   friend bool operator==(const Space&, const Space&) = default;
 };
 inline constexpr Space common_space{};
+/// All columns of one length that no named space has: entries 1, 2, … of what is written in rows.
+inline constexpr std::uint8_t space_of_columns = 14;  // its id
+/// The axis that says which part of a complex number it is.
+inline constexpr Space space_of_parts{2, 15};
 
 /// The spaces of a value's axes, outermost first; their number is the value's rank. One byte an axis; 0 is
 /// the common space, so that a value in it has no cost and compares as 0.

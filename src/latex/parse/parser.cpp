@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/parse/box_operator.h"
 #include "latex/parse/parse.h"
@@ -21,6 +23,14 @@ std::optional<Joint> sign_joint(const Token& token) {
   if (is_sign(token, "+")) return Joint::plus;
   if (is_sign(token, "-") || (token.kind == TokenKind::letter && token.text == "−")) return Joint::minus;
   return std::nullopt;
+}
+
+/// `^T`, `^{\mathrm T}`, `^\top`.
+bool is_transpose(TokenView content) {
+  static constexpr std::array<std::string_view, 10> marks{
+      "T",           "\\top",      "\\intercal", "\\mathrm{T}", "\\mathrm T",
+      "\\mathsf{T}", "\\mathsf T", "\\text{T}",  "\\textsf{T}", "\\textrm{T}"};
+  return is_one_of(text_of(content), marks);
 }
 
 std::string_view again_name(TokenKind script) {
@@ -431,9 +441,14 @@ SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
     if (is_sign(content[0], "+")) return opaque(place, "an adjoint is not read yet");
     if (is_sign(content[0], "-") || is_control(content[0], "pm") || is_control(content[0], "mp"))
       return opaque(place, "a sign above a letter is a label, which is not read yet");
-    for (const char* mark : {"T", "dagger", "dag", "top", "intercal"}) {
-      if (content[0].text == mark) return opaque(place, "a transpose or adjoint is not read yet");
+    if (is_control_of(content[0], {"dagger", "dag"}) || content[0].text == "†") {
+      read(content);
+      return tree_.add_named(SyntaxKind::function, span, "adjoint", base);
     }
+  }
+  if (is_transpose(content)) {
+    read(content);
+    return tree_.add_named(SyntaxKind::function, span, "transpose", base);
   }
   const SyntaxChild children[] = {{base}, {inner(content, place)}};
   return tree_.add(SyntaxKind::power, span, children);

@@ -194,7 +194,10 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
                   DiagnosticKind::unbalanced);
   }
   const std::size_t begin = static_cast<std::size_t>(content.data() - cursor.tokens.data()) - 1;
-  const SyntaxId group = bracket_contents(content, span);
+  const Joint comma = is_sign(open, "(")   ? Joint::comma
+                      : is_sign(open, "[") ? Joint::comma_in_square
+                                           : Joint::comma_in_braces;
+  const SyntaxId group = bracket_contents(content, span, comma);
   if (is_sign(open, "(") || !holds_one_letter(group) || is_acted_on(cursor.tokens, begin)) return group;
   const bool component = close + 1 < cursor.tokens.size() && is_bold_letter(group) &&
                          cursor.tokens[close + 1].kind == TokenKind::subscript;
@@ -208,14 +211,14 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
 }
 
 /// One expression in brackets, or several with commas between: the components of a vector.
-SyntaxId Parser::bracket_contents(TokenView content, Span span) {
+SyntaxId Parser::bracket_contents(TokenView content, Span span, Joint comma) {
   std::vector<SyntaxChild> entries;
   Nesting nesting(false);
   std::size_t begin = 0;
   for (std::size_t at = 0; at <= content.size(); ++at) {
     const bool end = at == content.size();
     if (!end && (nesting.enter(content[at]) != 0 || !is_sign(content[at], ","))) continue;
-    entries.push_back({inner(content.subspan(begin, at - begin), span), Joint::comma, span});
+    entries.push_back({inner(content.subspan(begin, at - begin), span), comma, span});
     if (!end) read(content.subspan(at, 1));
     begin = at + 1;
   }

@@ -195,6 +195,8 @@ SyntaxId Parser::restyle(SyntaxId inside, Style style, Span span) {
   if (kind == SyntaxKind::number) {
     if (tree_.text(inside) == "0" || style.upright)
       return tree_.add_text(SyntaxKind::number, span, tree_.text(inside));
+    if (tree_.text(inside) == "1" && style.alphabet == "mathbb")
+      return tree_.add_symbol(span, {.letter = "\\mathbb{1}", .letter_span = span});
     return opaque(span, "a number in bold (a unit tensor, say) is not read yet");
   }
   const bool expression = kind == SyntaxKind::term || kind == SyntaxKind::sum || kind == SyntaxKind::power ||

@@ -50,7 +50,7 @@ std::optional<SyntaxId> Parser::state_bracket(Cursor& cursor) {
                 "brackets of states or averages are not read");
 }
 
-/// `\comm{A}{B}` is `[A, B]`; `\acomm` and `\pb` are pairs in braces.
+/// `\comm{A}{B}` is `[A, B]` and `\acomm{A}{B}` is `\{A, B\}`; `\pb` is no commutator, whatever is in it.
 std::optional<SyntaxId> Parser::pair_in_brackets(Cursor& cursor) {
   static const WordSet names("comm commutator acomm anticommutator pb poissonbracket");
   const TokenView tokens = cursor.tokens;
@@ -65,8 +65,12 @@ std::optional<SyntaxId> Parser::pair_in_brackets(Cursor& cursor) {
   cursor.at = second.next;
   read_since(cursor, begin);
   const Span span = cover(tokens[begin].span, tokens.subspan(begin, second.next - begin));
-  const SyntaxChild children[] = {{inner(first.content, span), Joint::comma, span},
-                                  {inner(second.content, span), Joint::comma, span}};
+  const std::string_view name = tokens[begin].text;
+  const Joint joint = name.starts_with("comm") ? Joint::comma_in_square
+                      : name[0] == 'a'         ? Joint::comma_in_braces
+                                               : Joint::comma;
+  const SyntaxChild children[] = {{inner(first.content, span), joint, span},
+                                  {inner(second.content, span), joint, span}};
   return tree_.add(SyntaxKind::tuple, span, children);
 }
 

@@ -35,7 +35,7 @@ enum class SyntaxKind : std::uint8_t {
   cases,       // value, condition, value, condition…
   derivative,  // d/dt, ∂/∂x, ∂_i of one child (see WrittenDerivative); `\dot x` is a symbol with dots
   function,    // \cos, \exp, grad…: `text` is the name, one child is the argument (two of them: a tuple);
-               // `conjugate` for z^*, `bar` for \overline{z + w}
+               // `conjugate` for z^*, `bar` for \overline{z + w}, `transpose` and `adjoint` for A^T and A^†
   integral,    // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the first child what
                // is integrated, the second the name of the region if it has one, as `text`
   line_integral,  // over one variable: what is integrated, the variable, and two limits if they are written
@@ -45,8 +45,20 @@ enum class SyntaxKind : std::uint8_t {
   opaque,         // not read: `message` says why
 };
 
-/// How a child is joined to what comes before it.
-enum class Joint : std::uint8_t { none, plus, minus, juxtaposed, dot, cross, slash, comma };
+/// How a child is joined to what comes before it. The entries of `[a, b]` and `\{a, b\}` have commas of their
+/// own: they can be commutators.
+enum class Joint : std::uint8_t {
+  none,
+  plus,
+  minus,
+  juxtaposed,
+  dot,
+  cross,
+  slash,
+  comma,
+  comma_in_square,
+  comma_in_braces
+};
 
 enum class Face : std::uint8_t { plain, vector, tensor };  // italic; bold or arrow; double arrow
 enum class Accent : std::uint8_t { none, hat, bar, tilde };

@@ -214,7 +214,7 @@ std::string_view function_name(std::string_view word) {
       cosh cosh  tanh tanh  coth coth  sech sech  csch csch  exp exp  ln ln  log log  lg lg
       arcsin arcsin  arccos arccos  arctan arctan  arsinh arsinh  arcosh arcosh  artanh artanh
       arcsinh arsinh  arccosh arcosh  arctanh artanh  det det  determinant det
-      tr tr  Tr tr  trace tr  Trace tr  Re Re  Im Im)");
+      tr tr  Tr tr  trace tr  Trace tr  diag diag  Re Re  Im Im)");
   return functions.find(word);
 }
 

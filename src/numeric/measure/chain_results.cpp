@@ -63,7 +63,10 @@ class ChainMeasurement {
     const bool names_next = side < chain_.steps.size() && chain_.steps[side].defines;
     if (names_next) return;
     if (!expr) {
-      result_.left_out.push_back({side, "it is not understood"});
+      result_.left_out.push_back(
+          {side, chain_.forms[side].other_space
+                     ? "matrices and vectors of another size than three are not evaluated yet"
+                     : "it is not understood"});
       return;
     }
     const ProgramRoot root{*expr, chain_.indices};

@@ -89,7 +89,9 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
   const WrittenForm right = forms.chains[chain].forms[step + 1];
   const WrittenStep written = forms.chains[chain].steps[step];
   if (!left.expr || !right.expr) {
-    lines.add_words("not understood: `rigor check` says why");
+    lines.add_words(left.other_space || right.other_space
+                        ? "matrices and vectors of another size than three are not explained yet"
+                        : "not understood: `rigor check` says why");
     return ExplainedAs::open;
   }
   const std::string relation = written.nearly && written.kind == "=" ? "\\approx" : written.kind;

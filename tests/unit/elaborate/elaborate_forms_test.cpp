@@ -92,7 +92,25 @@ TEST_CASE("three scalars in brackets are a vector") {
 TEST_CASE("three rows of three scalars are a tensor") {
   CHECK(meaning("\\begin{pmatrix}1&0&0\\\\0&a&0\\\\0&0&1\\end{pmatrix}") ==
         "(tuple (tuple 1 0 0) (tuple 0 a 0) (tuple 0 0 1))");
-  CHECK(meaning("2\\begin{pmatrix}1&0\\\\0&1\\end{pmatrix}") == "2 unsupported: ?");
+  CHECK(meaning("2\\begin{pmatrix}1&0\\\\0&1\\end{pmatrix}") ==
+        "(multiply 2 (tuple (tuple 1 0) (tuple 0 1)))");
+}
+
+TEST_CASE("factors in rows and columns are multiplied as matrices") {
+  CHECK(meaning("\\begin{pmatrix}a&b\\\\c&f\\end{pmatrix}\\begin{pmatrix}1\\\\2\\end{pmatrix}") ==
+        "(dot (tuple (tuple a b) (tuple c f)) (tuple 1 2))");
+  CHECK(meaning("\\begin{pmatrix}a&b\\end{pmatrix}\\begin{pmatrix}1\\\\2\\end{pmatrix}") ==
+        "(dot (tuple a b) (tuple 1 2))");
+  CHECK(meaning("\\begin{pmatrix}1\\\\2\\end{pmatrix}\\begin{pmatrix}a&b\\end{pmatrix}") ==
+        "(multiply (tuple 1 2) (tuple a b))");
+  CHECK(meaning("\\begin{pmatrix}a&b\\\\c&f\\end{pmatrix}^T") == "(tuple (tuple a c) (tuple b f))");
+  CHECK(meaning("\\begin{pmatrix}1\\\\2\\end{pmatrix}\\begin{pmatrix}a\\\\b\\end{pmatrix}")
+            .ends_with("unsupported: ?"));
+  CHECK(meaning("\\begin{pmatrix}a&b\\\\c&f\\end{pmatrix}\\begin{pmatrix}1\\\\2\\\\3\\end{pmatrix}")
+            .ends_with("unsupported: ?"));
+  CHECK(meaning("Q\\begin{pmatrix}1\\\\2\\end{pmatrix}").ends_with("ambiguous-reading: ?"));
+  CHECK(meaning("\\begin{pmatrix}n\\\\k\\end{pmatrix}").ends_with("ambiguous-reading: ?"));
+  CHECK(meaning("\\begin{pmatrix}1&2&3\\\\2&3&1\\end{pmatrix}").ends_with("ambiguous-reading: ?"));
 }
 
 TEST_CASE("a determinant has scalars, or vectors in its first row") {
@@ -101,5 +119,7 @@ TEST_CASE("a determinant has scalars, or vectors in its first row") {
   CHECK(meaning("\\begin{vmatrix}1&2&3\\\\4&5&6\\\\7&8&9\\end{vmatrix}") ==
         "(determinant 1 2 3 4 5 6 7 8 9)");
   CHECK(meaning("\\begin{vmatrix}a&\\mathbf{b}&c\\\\1&2&3\\\\4&5&6\\end{vmatrix}") == "1 rank-mismatch: ?");
-  CHECK(meaning("\\begin{vmatrix}a&b\\\\c&d\\end{vmatrix}") == "1 unsupported: ?");
+  CHECK(meaning("\\begin{vmatrix}a&b\\\\c&d\\end{vmatrix}") ==
+        "(add (multiply a d) (negate (multiply b c)))");
+  CHECK(meaning("\\begin{vmatrix}a&b&c\\\\d&e&f\\end{vmatrix}") == "1 unsupported: ?");
 }

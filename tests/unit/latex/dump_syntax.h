@@ -122,7 +122,7 @@ struct Stretch {
 }
 
 [[nodiscard]] inline std::string dump_syntax(const SyntaxTree& tree, SyntaxId id) {
-  static constexpr const char* joints[] = {"", "+", "-", "", "·", "×", "/", ""};
+  static constexpr const char* joints[] = {"", "+", "-", "", "·", "×", "/", "", "[", "{"};
   const SyntaxKind kind = tree[id].kind;
   if (kind == SyntaxKind::number) return tree.text(id);
   if (kind == SyntaxKind::unit) return '<' + tree.text(id) + '>';

@@ -95,9 +95,14 @@ TEST_CASE("a superscript is a power of all that it stands on") {
 }
 
 TEST_CASE("a transpose or an adjoint is no power") {
-  for (const char* mark : {"T", "+", "\\dagger", "\\top"}) {
+  CHECK(parsed("A^+") == "<unsupported>");
+  for (const char* mark : {"\\dagger", "\\dag", "{\\dagger}"}) {
     INFO(mark);
-    CHECK(parsed(std::string("A^") + mark) == "<unsupported>");
+    CHECK(parsed(std::string("A^") + mark) == "(adjoint A)");
+  }
+  for (const char* mark : {"T", "\\top", "{\\mathrm T}", "{\\mathsf{T}}"}) {
+    INFO(mark);
+    CHECK(parsed(std::string("A^") + mark) == "(transpose A)");
   }
 }
 

@@ -60,9 +60,9 @@ TEST_CASE("a bracket of states is one obstacle") {
   }
 }
 
-TEST_CASE("commutators and Poisson brackets are the pairs that they abbreviate") {
+TEST_CASE("a commutator is the pair that it abbreviates, and a Poisson bracket a pair of numbers") {
   CHECK(parsed("\\comm{A}{B}") == parsed("[A, B]"));
   CHECK(parsed("\\commutator*{A}{B + C}") == parsed("[A, B + C]"));
   CHECK(parsed("\\acomm{A}{B}") == parsed("\\{A, B\\}"));
-  CHECK(parsed("\\pb{q}{p}") == parsed("\\{q, p\\}"));
+  CHECK(parsed("\\pb{q}{p}") == parsed("(q, p)"));
 }

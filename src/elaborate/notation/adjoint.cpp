@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Transposes, conjugates and adjoints of matrices with known entries, and their commutators.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "base/among.h"
+#include "elaborate/evidence/evidence.h"
+#include "elaborate/notation/matrix.h"
+#include "elaborate/notation/notations.h"
+#include "elaborate/reading/matrix_product.h"
+
+namespace rigor {
+namespace {
+
+/// Angles, energies, times: nobody has to say that they are real.
+bool is_usual_real_entry(std::string_view letter) {
+  static constexpr std::array<std::string_view, 31> usual{"\\theta",
+                                                          "\\vartheta",
+                                                          "\\varphi",
+                                                          "\\phi",
+                                                          "\\omega",
+                                                          "\\Omega",
+                                                          "\\hbar",
+                                                          "\\pi",
+                                                          "\\mu",
+                                                          "\\lambda",
+                                                          "\\tau",
+                                                          "\\epsilon",
+                                                          "\\varepsilon",
+                                                          "\\Delta",
+                                                          "\\nu",
+                                                          "\\rho",
+                                                          "\\kappa",
+                                                          "E",
+                                                          "m",
+                                                          "M",
+                                                          "t",
+                                                          "x",
+                                                          "y",
+                                                          "r",
+                                                          "k",
+                                                          "p",
+                                                          "B",
+                                                          "n",
+                                                          "N",
+                                                          "L",
+                                                          "\\ell"};
+  return is_one_of(letter, usual);
+}
+
+/// A letter in it that can be a complex number, for all that the section says.
+const Symbol* letter_that_may_be_complex(const Reading& reading, ExprId matrix) {
+  const Names& names = reading.names;
+  const Evidence& evidence = *names.symbols.evidence;
+  for (const SymbolId symbol : symbols_reached(reading.tree, names.scope, {matrix})) {
+    const SymbolId base = base_of(reading.tree.symbols, symbol);
+    const Symbol& letter = reading.tree.symbols[base];
+    const NameKey* key = key_of(names.symbols, base);
+    if (key == nullptr || key->shape.any() || letter.complex || letter.is_fixed() || letter.declared ||
+        definition_of(names.scope, base) != nullptr)
+      continue;
+    const std::string bare = without_labels(key->base);
+    if (evidence.real.contains(bare) || evidence.real_parts.contains(key->base)) continue;
+    if (!evidence.complex.contains(bare) && is_usual_real_entry(bare)) continue;
+    return &letter;
+  }
+  return nullptr;
+}
+
+/// Each entry conjugated. What is not shown to be complex is real, but a conjugate says that it may not be.
+MaybeTyped conjugated(Reading& reading, const Typed& matrix, Span span) {
+  if (const Symbol* letter = letter_that_may_be_complex(reading, matrix.id))
+    return ambiguous(
+        reading, span,
+        fmt::format("`{}` is conjugated here, and nothing says whether it is real", letter->name),
+        {fmt::format("`rigor: scalar {0}` makes it real, `rigor: complex {0}` complex", letter->name)});
+  return apply_op(reading.tree, Op::conjugate, span, matrix.rank, {matrix});
+}
+
+/// Mathematicians write a star for the adjoint; who writes a dagger does not.
+bool writes_daggers(const SyntaxTree& syntax) {
+  for (std::size_t k = 0; k < syntax.size(); ++k) {
+    const auto id = static_cast<SyntaxId>(k);
+    if (syntax[id].kind == SyntaxKind::function && syntax.text(id) == "adjoint") return true;
+  }
+  return false;
+}
+
+bool is_square(const ExprTree& tree, const Typed& typed) {
+  return typed.layout == Layout::matrix && tree[typed.id].axes[0] == tree[typed.id].axes[1];
+}
+
+}  // namespace
+
+MaybeTyped elaborate_transpose(Reading& reading, SyntaxId id, const Around& around) {
+  const Span span = reading.syntax[id].span;
+  const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
+  if (!inside) return inside;
+  if (inside->layout == Layout::none)
+    return unsupported(reading, span, "a transpose is read of a matrix or column with known entries only");
+  return transposed(reading.tree, *inside, span);
+}
+
+MaybeTyped elaborate_adjoint(Reading& reading, SyntaxId id, const Around& around) {
+  const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
+  return inside ? adjoint_of(reading, *inside, reading.syntax[id].span) : std::nullopt;
+}
+
+MaybeTyped adjoint_of(Reading& reading, const Typed& matrix, Span span) {
+  if (matrix.layout == Layout::none)
+    return unsupported(reading, span, "an adjoint is read of a matrix or column with known entries only");
+  const auto conjugate = conjugated(reading, matrix, span);
+  return conjugate ? MaybeTyped(transposed(reading.tree, *conjugate, span)) : std::nullopt;
+}
+
+MaybeTyped conjugate_of_matrix(Reading& reading, const Typed& matrix, Span span) {
+  if (!writes_daggers(reading.syntax))
+    return ambiguous(reading, span, "a star on a matrix can be its conjugate or its adjoint",
+                     {"notes that write `^\\dagger` for adjoints leave the star to conjugates"});
+  return conjugated(reading, matrix, span);
+}
+
+std::optional<MaybeTyped> commutator(Reading& reading, SyntaxId id, const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  const std::span<const SyntaxChild> both = syntax.children(id);
+  const bool square = both[0].joint == Joint::comma_in_square;
+  if (both.size() != 2 || (!square && both[0].joint != Joint::comma_in_braces)) return std::nullopt;
+  const Evidence& here = *reading.names.symbols.evidence;
+  const bool matrices = std::ranges::any_of(
+      both, [&](const SyntaxChild& child) { return holds_matrix_letter(syntax, child.id, here); });
+  if (!matrices) return std::nullopt;
+  const auto a = elaborate(reading, both[0].id, around);
+  const auto b = elaborate(reading, both[1].id, around);
+  if (!a || !b) return MaybeTyped{};
+  const Span span = syntax[id].span;
+  ExprTree& tree = reading.tree;
+  if (!is_square(tree, *a) || !is_square(tree, *b) || tree[a->id].axes != tree[b->id].axes)
+    return MaybeTyped(unsupported(reading, span,
+                                  fmt::format("{} is read of two square matrices of one size",
+                                              square ? "a commutator" : "an anticommutator")));
+  const auto forth = product_of_matrices(reading, {}, {*a, *b}, span);
+  const auto back = product_of_matrices(reading, {}, {*b, *a}, span);
+  if (!forth || !back) return MaybeTyped{};
+  const Typed second = square ? apply_op(tree, Op::negate, span, 2, {*back}) : *back;
+  return MaybeTyped(apply_op(tree, Op::add, span, 2, {*forth, second}));
+}
+
+}  // namespace rigor
