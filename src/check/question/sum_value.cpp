@@ -213,6 +213,11 @@ std::optional<IntegralValue> IntegralValues::sum(const Integral& sum, Span span)
   const auto terms = summand_terms(tree_, sum.integrand, running, span);
   if (!terms) return std::nullopt;
   const bool endless = !sum.upper->at;
+  const auto is_between = [&](ExprId limit, const std::optional<int>& whole) {
+    return !whole && symbols_in(tree_, limit).empty();  // `\sum_{k=1}^{5/2}`
+  };
+  if (is_between(*sum.lower->at, first) || (!endless && is_between(*sum.upper->at, last)))
+    return std::nullopt;
   if (!endless && !last)
     result.said.push_back(fmt::format("`{}` is a whole number, and not below `{}`",
                                       print_latex(tree_, *sum.upper->at),

@@ -8,7 +8,7 @@
 namespace rigor {
 
 std::optional<int> whole_number_of(const ExprTree& tree, ExprId id) {
-  constexpr int largest = 100'000;
+  constexpr int largest = 1'000'000'000;
   const auto bounded = [](long long value) {
     return std::llabs(value) <= largest ? std::optional(static_cast<int>(value)) : std::nullopt;
   };
