@@ -38,6 +38,7 @@ std::string value_of(const Json& value) {
 bool is_plain(const Json& step) {
   const Json& example = step["counterexample"];
   if (step["source"].get<std::string>().find("(cyclic image ") != std::string::npos) return false;
+  if (step["source"].get<std::string>().find(" signs)") != std::string::npos) return false;
   if (step["source"].get<std::string>().find("O(") != std::string::npos) return false;  // coefficients
   if (step["source"].get<std::string>().find("\\frac{d}{d") != std::string::npos) return false;
   for (const Json& use : step["uses"]) {

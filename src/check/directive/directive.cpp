@@ -10,6 +10,7 @@
 #include "base/ascii.h"
 #include "check/directive/warning_names.h"
 #include "latex/parse/parse.h"
+#include "latex/reading/both_signs.h"
 #include "latex/reading/cyclic_image.h"
 #include "latex/split/conditions.h"
 #include "latex/unit/units.h"
@@ -400,12 +401,21 @@ std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environ
     return chain;
   };
   std::vector<ParsedChain> chains;
-  for (WrittenChain& written : split_display(tokens, environment, diagnostics)) {
+  const auto add = [&](WrittenChain written, std::string signs) {
     ParsedChain chain = parsed(written);
+    chain.signs = std::move(signs);
     for (WrittenChain& condition : chain.written.assumed) chain.assumed.push_back(parsed(condition));
     const bool cyclic = chain.written.cyclic;
     chains.push_back(std::move(chain));
     if (cyclic) add_images(chains, syntax);
+  };
+  for (WrittenChain& written : split_display(tokens, environment, diagnostics)) {
+    if (!is_two_statements(written)) {
+      add(std::move(written), "");
+      continue;
+    }
+    add(with_signs(written, true), "upper signs");
+    add(with_signs(written, false), "lower signs");
   }
   return chains;
 }

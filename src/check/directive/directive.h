@@ -51,6 +51,7 @@ struct ParsedChain {
   std::vector<std::vector<SyntaxId>> others;  // … and the sides in the other readings (see `Readings`)
   std::vector<std::optional<Remainder>> remainders = {};  // of each side: `+ O(x^n)`
   std::vector<ParsedChain> assumed = {};  // what is said next to it, in its tag and at its braces
+  std::string signs = {};                 // of `\pm` and `\mp`: "upper signs", "lower signs"
   int image = 0;  // of "and cyclic permutations": how often 1 → 2 → 3 → 1 was applied
 };
 

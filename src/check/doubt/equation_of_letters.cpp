@@ -111,10 +111,31 @@ bool has_letter(const ExprTree& tree, ExprId root) {
   });
 }
 
+/// `\sum_{k=1}^nk = n^2`, but for `\sum_{k=1}^nk = 55`: a sum up to a letter or to infinity, and on the other
+/// side all of its letters.
+bool says_what_a_sum_is(const ExprTree& tree, ExprId side, ExprId other) {
+  if (tree[side].op != Op::symbol) return false;
+  const auto& sum = tree.symbols[tree[side].symbol].integral;
+  if (!sum || !sum->sum || (sum->upper->at && symbols_in(tree, *sum->upper->at).empty())) return false;
+  const std::vector<SymbolId> shown = symbols_in(tree, other);
+  bool any = false;
+  for (const ExprId part : parts_of(*sum)) {
+    for (const SymbolId letter : symbols_in(tree, part)) {
+      if (letter == sum->variable) continue;
+      any = true;
+      if (!is_one_of(letter, shown)) return false;
+    }
+  }
+  return any;
+}
+
 }  // namespace
 
 bool may_be_an_equation_of_letters(const ExprTree& tree, const Equation& equation) {
   const auto is_index_sum = [](const ExprNode& node) { return node.op == Op::index_sum; };
+  if (says_what_a_sum_is(tree, equation.left, equation.right) ||
+      says_what_a_sum_is(tree, equation.right, equation.left))
+    return false;
   return (has_letter(tree, equation.left) || has_letter(tree, equation.right)) &&
          equation.relation == Relation::equal && equation.indices.empty() &&
          is_of_scalars(tree, equation.left) && is_of_scalars(tree, equation.right) &&

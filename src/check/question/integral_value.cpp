@@ -210,6 +210,14 @@ std::optional<ExprId> IntegralValues::symbol_at(ExprId id, const Running& runnin
     }
     const std::string& written = tree_.symbols[node.symbol].name;
     name = fmt::format("{}({})", written.substr(0, written.find('(')), arguments);
+    if (known->second.indexed) {
+      std::erase(arguments, ' ');
+      name = fmt::format("{}_{{{}}}", tree_.symbols[known->second.of].name, arguments);
+      const auto page = find_symbol(names_.symbols, {name, 0, false});  // `x_1` beside `\sum_{i=1}^nx_i`
+      return tree_.add({.op = Op::symbol,
+                        .span = node.span,
+                        .symbol = page ? *page : value_named(name, id, running, only, value)});
+    }
     const bool bare = known->second.at.size() == 1 && tree_[known->second.at[0]].op == Op::symbol;
     if (!bare) name += fmt::format(" at {}", print_latex(tree_, value));
     return tree_.add(
@@ -317,6 +325,7 @@ std::optional<ExprId> IntegralValues::unknown_at(ExprId integrand, const Running
   if (!inside) return std::nullopt;
   const auto is_it = [&](SymbolId each) {
     const Integral& known = *tree_.symbols[each].integral;
+    if (known.sum) return false;
     if (known.upper->infinity != limit.infinity || known.upper->at.has_value() != limit.at.has_value())
       return false;
     return are_equal(known.integrand, *inside) && (!limit.at || are_equal(*known.upper->at, *limit.at));
@@ -469,6 +478,11 @@ std::optional<IntegralValue> IntegralValues::value(const Integral& asked, Span s
     if (const auto known = known_term(term, running, integral, span)) {
       primitives.push_back(product_of(tree_, {constant, known->first}, span));
       values.push_back(product_of(tree_, {constant, known->second}, span));
+      continue;
+    }
+    if (const auto known = endless ? gaussian(term, running, integral, span, result) : std::nullopt) {
+      unknown_parts.push_back(product_of(tree_, {constant, product}, span));
+      values.push_back(product_of(tree_, {constant, *known}, span));
       continue;
     }
     const auto parts = endless || terms->size() > most_terms_by_parts

@@ -7,6 +7,7 @@
 // between the limits, that it does not is a condition.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -24,6 +25,7 @@ namespace rigor {
 struct IntegralValue {
   ExprId value{};
   std::vector<Equation> conditions = {};      // without which it does not exist
+  std::vector<std::string> said = {};         // that it rests on
   std::vector<SymbolId> taken_constant = {};  // though nothing says so, and no variable stands beside them
   std::optional<std::string> open = {};       // why not all of its value is known: then nothing is refuted
 };
@@ -38,6 +40,9 @@ class IntegralValues {
 
   /// The integrand and the limits have their definitions put in. Nothing where it cannot be read so.
   [[nodiscard]] std::optional<IntegralValue> value(const Integral& integral, Span span);
+
+  /// The same of a sum over whole numbers.
+  [[nodiscard]] std::optional<IntegralValue> sum(const Integral& sum, Span span);
 
   /// The derivative of an unknown primitive at its upper limit: f(b)·b' + ∫ f'.
   using Derivative = std::function<std::optional<ExprId>(ExprId)>;
@@ -82,6 +87,29 @@ class IntegralValues {
   [[nodiscard]] bool are_equal(ExprId a, ExprId b) const;
   ExprId difference(ExprId upper, ExprId lower, Span span);
   ExprId negative(ExprId id, Span span);
+
+  // of Gaussians
+  std::optional<ExprId> gaussian(const IntegrandTerm& term, const Running& running, const Integral& integral,
+                                 Span span, IntegralValue& result);
+  std::optional<std::array<ExprId, 3>> quadratic(ExprId argument, const Running& running, Span span);
+  [[nodiscard]] std::optional<int> power_of_variable(const std::vector<ExprId>& factors,
+                                                     const Running& running) const;
+  ExprId circle_number(Span span);
+  bool is_positive(ExprId id, Span span, IntegralValue& result);
+
+  // of sums
+  [[nodiscard]] Running counting_over(const Integral& sum) const;
+  ExprId plus(ExprId id, int number, Span span);
+  ExprId total(const std::vector<ExprId>& parts, Span span);
+  std::optional<ExprId> written_out(ExprId summand, const Running& running, ExprId first, int count,
+                                    Span span);
+  std::optional<int> shift_between(ExprId a, ExprId b, Span span);
+  std::optional<ExprId> unknown_sum_before(ExprId summand, const Running& running, const Limit& limit,
+                                           Span span);
+  bool is_antidifference(const Integral& sum, const Running& running, ExprId found, ExprId rest, Span span);
+  void require(const Equation& condition, IntegralValue& result);
+  bool differs_from_one(ExprId ratio, Span span, IntegralValue& result);
+  bool falls(ExprId ratio, Span span, IntegralValue& result);
 
   ExprTree& tree_;
   const Names& names_;

@@ -259,11 +259,12 @@ class Preparation {
 
   [[nodiscard]] bool is_unknown_primitive(SymbolId symbol) const {
     const auto& integral = tree_.symbols[symbol].integral;
-    return integral && !integral->lower && integral->upper;
+    return integral && !integral->lower && integral->upper && !integral->sum;
   }
 
   std::optional<FoundDefinition> of_integral(SymbolId symbol) {
     static const Origin by_primitives{"antiderivatives, which were differentiated", ""};
+    static const Origin by_differences{"sums, written out or checked by their differences", ""};
     Integral integral = *tree_.symbols[symbol].integral;
     if (!integral.lower) return std::nullopt;
     const auto inside = opened(integral.integrand, integral.variable);
@@ -280,7 +281,11 @@ class Preparation {
       if (end) limit->at = *end;
     }
     if (plain) integral.integrand = *inside;
-    auto value = plain ? integrals_.value(integral, tree_.symbols[symbol].first_seen) : std::nullopt;
+    const Span span = tree_.symbols[symbol].first_seen;
+    auto value = !plain         ? std::nullopt
+                 : integral.sum ? integrals_.sum(integral, span)
+                                : integrals_.value(integral, span);
+    prepared_.open_sum = prepared_.open_sum || integral.sum;
     if (!value || is_one_of(symbol, symbols_in(tree_, value->value))) {
       prepared_.open_integral = "its value is not known, or there may be none";
       return std::nullopt;
@@ -293,10 +298,12 @@ class Preparation {
     }
     for (Equation& condition : value->conditions) {
       conditions_.push_back(std::move(condition));
-      prepared_.conventions.push_back(fmt::format("`{}` exists", tree_.symbols[symbol].name));
+      if (!integral.sum) value->said.push_back(fmt::format("`{}` exists", tree_.symbols[symbol].name));
     }
+    std::ranges::move(value->said, std::back_inserter(prepared_.conventions));
     if (value->open) prepared_.open_integral = std::move(value->open);
-    return FoundDefinition{{symbol, {}, no_particle, value->value}, &by_primitives, false};
+    return FoundDefinition{
+        {symbol, {}, no_particle, value->value}, integral.sum ? &by_differences : &by_primitives, false};
   }
 
   /// Leibniz's rule, with which nothing else need be known of it.

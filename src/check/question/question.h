@@ -24,6 +24,7 @@ struct Prepared {
   std::optional<std::size_t> exists_under =
       {};  // from here on, assumptions without which an integral has none
   std::optional<std::string> open_integral = {};  // an integral whose value is not known, and why
+  bool open_sum = false;                          // there are sums, of which this may be one
   bool has_rates_or_times = false;  // something in the assumptions has a rate, or speaks of the time or place
   /// Taken, speaks of the time or place itself, and leaves no quantity free to follow it: what it says at all
   /// times would have to be compared coefficient by coefficient.

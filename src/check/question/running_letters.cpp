@@ -71,6 +71,13 @@ bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable) {
   return false;
 }
 
+bool counts_along(const Names& names, SymbolId symbol, SymbolId counter) {
+  const NameKey* own = key_of(names.symbols, symbol);
+  const NameKey* of = key_of(names.symbols, counter);
+  return own == nullptr || of == nullptr || is_tied_to(names, symbol, counter) ||
+         is_function_of(*names.symbols.evidence, own->base, of->base);
+}
+
 bool is_function_of_only(const Names& names, const ExprTree& tree, SymbolId symbol, SymbolId variable) {
   const NameKey* own = key_of(names.symbols, base_of(tree.symbols, symbol));
   const NameKey* of = key_of(names.symbols, variable);

@@ -19,6 +19,9 @@ namespace rigor {
 /// to?
 [[nodiscard]] bool is_tied_to(const Names& names, SymbolId symbol, SymbolId variable);
 
+/// The same beside the letter that a sum counts with: nothing is usual there.
+[[nodiscard]] bool counts_along(const Names& names, SymbolId symbol, SymbolId counter);
+
 /// Is it written as a function of this letter, and of no other?
 [[nodiscard]] bool is_function_of_only(const Names& names, const ExprTree& tree, SymbolId symbol,
                                        SymbolId variable);

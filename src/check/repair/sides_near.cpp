@@ -13,7 +13,9 @@ std::vector<TokenView> sides_near(const Notes& notes, const ParsedChain& parsed)
   std::size_t own = 0;
   const auto take = [&](const std::vector<ParsedChain>& more) {
     for (const ParsedChain& chain : more) {
-      if (chain.written.span == parsed.written.span && chain.image == parsed.image) own = chains.size();
+      if (chain.written.span == parsed.written.span && chain.image == parsed.image &&
+          chain.signs == parsed.signs)
+        own = chains.size();
       chains.push_back(&chain);
     }
   };

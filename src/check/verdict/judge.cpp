@@ -18,6 +18,7 @@
 #include "check/question/question.h"
 #include "check/question/question_names.h"
 #include "check/question/unread.h"
+#include "check/verdict/counted_letter.h"
 #include "check/verdict/counterexample.h"
 #include "check/verdict/decide_by_record.h"
 #include "check/verdict/law_diagnostic.h"
@@ -274,8 +275,8 @@ class Judging {
     if (!prepared_.open_integral) return false;
     judgement_.verdict = Verdict::undecided;
     add(DiagnosticKind::undecided,
-        fmt::format("it was found to fail only where an integral is taken as any number: {}",
-                    *prepared_.open_integral));
+        fmt::format("it was found to fail only where {} is taken as any number: {}",
+                    prepared_.open_sum ? "a sum" : "an integral", *prepared_.open_integral));
     return true;
   }
 
@@ -637,6 +638,13 @@ class Judging {
 
 Judgement judge(ExprTree& tree, const Names& names, const Claim& claim, const Limits& limits,
                 DecisionCache* cache) {
+  if (claim.derived_by.empty() && counts_to_letters(tree, names, claim.equation))
+    return judge_counted(tree, names, claim, limits, cache);
+  return judge_at_once(tree, names, claim, limits, cache);
+}
+
+Judgement judge_at_once(ExprTree& tree, const Names& names, const Claim& claim, const Limits& limits,
+                        DecisionCache* cache) {
   if (claim.derived_by.empty()) return Judging(tree, names, claim, limits, cache).judge();
   // The derivatives are meant for every value of the variable, whatever it is elsewhere: `t = 5`.
   Names free = names;

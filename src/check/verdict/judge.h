@@ -65,6 +65,13 @@ struct Claim {
 [[nodiscard]] Judgement judge(ExprTree& tree, const Names& names, const Claim& claim,
                               const Limits& limits = {}, DecisionCache* cache = nullptr);
 
+/// The same as if each letter were any real number.
+[[nodiscard]] Judgement judge_at_once(ExprTree& tree, const Names& names, const Claim& claim,
+                                      const Limits& limits = {}, DecisionCache* cache = nullptr);
+/// The same where sums count to letters, which are whole numbers then.
+[[nodiscard]] Judgement judge_counted(ExprTree& tree, const Names& names, const Claim& claim,
+                                      const Limits& limits = {}, DecisionCache* cache = nullptr);
+
 /// A sample that meets the last assumption together with those in scope that bear on it, if one is found;
 /// `known` met earlier ones.
 [[nodiscard]] std::optional<Sample> sample_of_assumptions(ExprTree& tree, const Names& names,

@@ -151,6 +151,7 @@ Step new_step(const Walk& walk, const ParsedChain& parsed, std::size_t which, co
   step.right = written_at(walk.sources, chain.sides[which + 1].span);
   step.source = fmt::format("{} {} {}", step.left, step.relation, step.right);
   if (context.place) step.span = *context.place;
+  if (!parsed.signs.empty()) step.source += fmt::format(" ({})", parsed.signs);
   if (parsed.image > 0) step.source += fmt::format(" (cyclic image {})", parsed.image);
   return step;
 }

@@ -285,14 +285,15 @@ SyntaxId letter_of_side(const SyntaxTree& syntax, SyntaxId side) {
 }
 
 /// `Cd = \epsilon A` says of none of its letters alone what it is, so that any of them may follow the others.
-/// An identity, with the same letters on both sides, a law of rates and an integral do not.
+/// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not.
 void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   std::vector<std::set<std::string>> letters;
   for (const SyntaxId side : sides) {
     std::set<std::string>& own = letters.emplace_back();
     for (const SyntaxId id : nodes_below(syntax, {side})) {
       const SyntaxKind kind = syntax[id].kind;
-      if (kind == SyntaxKind::derivative || kind == SyntaxKind::line_integral || kind == SyntaxKind::between)
+      if (kind == SyntaxKind::derivative || kind == SyntaxKind::line_integral ||
+          kind == SyntaxKind::between || kind == SyntaxKind::big_sum)
         return;
       if (kind != SyntaxKind::symbol) continue;
       if (syntax.symbol(id).dots > 0 || syntax.symbol(id).primes > 0) return;
@@ -305,7 +306,7 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
     evidence.tied[letter].insert(letters[0].begin(), letters[0].end());
 }
 
-/// The letters of a side, but for what an integral between limits runs over.
+/// The letters of a side, but for what an integral between limits or a sum runs over.
 std::set<std::string> free_letters(const SyntaxTree& syntax, SyntaxId side) {
   std::set<std::string> letters;
   if (syntax[side].kind == SyntaxKind::symbol) letters.insert(changing_name(syntax.symbol(side)));
@@ -317,6 +318,9 @@ std::set<std::string> free_letters(const SyntaxTree& syntax, SyntaxId side) {
     } else {
       letters.merge(free_letters(syntax, children[k].id));
     }
+  }
+  if (syntax[side].kind == SyntaxKind::big_sum && !syntax.big_sum(side).from.empty()) {
+    for (const WrittenIndex& index : syntax.big_sum(side).indices) letters.erase(index.text);
   }
   return letters;
 }

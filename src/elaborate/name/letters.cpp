@@ -6,6 +6,9 @@
 #include <iterator>
 #include <map>
 
+#include "base/among.h"
+#include "elaborate/evidence/evidence.h"
+
 namespace rigor {
 namespace {
 
@@ -48,7 +51,7 @@ bool holds_by_name(const SyntaxTree& syntax, SyntaxId component) {
 }
 
 /// Letters that an index notation of this statement settles: on δ and ε, on brackets, under explicit sums.
-void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
+void read_definite(const SyntaxTree& syntax, SyntaxId id, const Names& names, Letters& letters) {
   const SyntaxKind kind = syntax[id].kind;
   std::vector<std::string> found;
   if (kind == SyntaxKind::symbol) {
@@ -57,6 +60,15 @@ void read_definite(const SyntaxTree& syntax, SyntaxId id, Letters& letters) {
       found = latin_letters(symbol.lower);
   } else if (kind == SyntaxKind::component) {
     if (!holds_by_name(syntax, id)) found = latin_letters(syntax.indices(id));
+  } else if (kind == SyntaxKind::big_sum && runs_over_numbers(syntax, id, names)) {
+    letters.counted.insert(syntax.big_sum(id).indices[0].text);
+    letters.labels.insert(syntax.big_sum(id).indices[0].text);
+    if (syntax.big_sum(id).to == "N") letters.counted.insert("N");
+    for (const SyntaxChild& limit : syntax.children(id).subspan(1)) {
+      for (const SyntaxId each : nodes_below(syntax, {limit.id})) {
+        if (syntax[each].kind == SyntaxKind::symbol) letters.counted.insert(syntax.symbol(each).letter);
+      }
+    }
   } else if (kind == SyntaxKind::big_sum) {
     found = latin_letters(syntax.big_sum(id).indices);
   } else if (kind == SyntaxKind::derivative) {
@@ -280,9 +292,43 @@ bool Letters::is_sure(std::string_view letter) const {
   return sure.contains(own) && !labels.contains(own);
 }
 
+bool is_member_of_sequence(const WrittenSymbol& symbol, const std::string& counter) {
+  return symbol.face == Face::plain && symbol.accent != Accent::hat && symbol.dots == 0 &&
+         symbol.primes == 0 && symbol.change.empty() && symbol.lower.size() == 1 &&
+         symbol.lower[0].text == counter && symbol.lower[0].primes == 0 && !is_kronecker(symbol) &&
+         !is_levi_civita(symbol) && !is_basis_family(symbol);
+}
+
+bool runs_over_numbers(const SyntaxTree& syntax, SyntaxId big_sum, const Names& names) {
+  const WrittenSum& sum = syntax.big_sum(big_sum);
+  if (sum.indices.size() != 1 || sum.from.empty() || sum.to.empty()) return false;
+  const WrittenIndex& index = sum.indices[0];
+  const bool letter = index.form == IndexForm::letter || index.form == IndexForm::greek;
+  if (index.primes > 0 || !letter || labels_particles(names.symbols, index.text)) return false;
+  const std::string axes = std::to_string(space_of(names.symbols).dimension);
+  const bool may_be_axes = sum.from == "1" && sum.to == axes;
+  bool alone = false;
+  std::vector<SyntaxId> above;  // j of `x^j`, which may be an upper index
+  for (const SyntaxId id : nodes_below(syntax, {syntax.child(big_sum, 0)})) {
+    if (syntax[id].kind == SyntaxKind::power) above.push_back(syntax.child(id, 1));
+    const bool component = syntax[id].kind == SyntaxKind::component;
+    if (!component && syntax[id].kind != SyntaxKind::symbol) continue;
+    if (!component && !may_be_axes && is_member_of_sequence(syntax.symbol(id), index.text)) continue;
+    for (const WrittenIndex& below : component ? syntax.indices(id) : syntax.symbol(id).lower) {
+      const std::vector<std::string> counters = counters_in(below);
+      const bool counts = below.text.starts_with("^{(") && below.text.find(index.text) != std::string::npos;
+      if (below.text == index.text || counts || is_one_of(index.text, counters)) return false;
+    }
+    if (!component && !is_one_of(id, above))
+      alone = alone || (syntax.symbol(id).letter == index.text && syntax.symbol(id).lower.empty() &&
+                        is_undecorated(syntax.symbol(id)));
+  }
+  return alone || !may_be_axes;
+}
+
 Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const Names& names) {
   Letters letters;
-  for_each_node(syntax, sides, [&](SyntaxId id) { read_definite(syntax, id, letters); });
+  for_each_node(syntax, sides, [&](SyntaxId id) { read_definite(syntax, id, names, letters); });
   read_permutations(syntax, sides, letters);
   read_labels(syntax, sides, letters);
   read_counters(syntax, sides, names, letters);

@@ -22,6 +22,7 @@ struct Letters {
   std::set<std::string> bold_vectors;     // bases that occur in bold or under an arrow in this statement
   std::set<std::string> bare;             // plain letters that stand without a subscript
   std::set<std::string> below;            // small Latin letters that are subscripts
+  std::set<std::string> counted;          // k and n of `\sum_{k=1}^n`: whole numbers
   std::set<std::string> by;  // r of `\frac{dV}{dr}`: letters that this statement differentiates by
   bool has_nabla = false;
   bool evidence =
@@ -37,6 +38,12 @@ struct Letters {
 /// Looks at all sides of one statement.
 [[nodiscard]] Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
                                    const Names& names);
+
+/// `x_i` beside a sum that runs i through whole numbers.
+[[nodiscard]] bool is_member_of_sequence(const WrittenSymbol& symbol, const std::string& counter);
+/// `\sum_{k=0}^n`: does it run over whole numbers, and not over axes or particles? One from 1 to the number
+/// of axes does where its letter stands for a number in what is added.
+[[nodiscard]] bool runs_over_numbers(const SyntaxTree& syntax, SyntaxId big_sum, const Names& names);
 
 /// Notes how every symbol of a statement is written. Passes in this order over the whole file: sums, then
 /// faces, then indices.

@@ -39,11 +39,12 @@ struct SpaceInForce {
   Declaration declared;
 };
 
-/// `x(0)`, `V''(r_0)`: a function where its variables have these values.
+/// `x(0)`, `V''(r_0)`: a function where its variables have these values; or a member of a sequence.
 struct FunctionValue {
   SymbolId of{};                            // x; V''
   std::vector<std::string> variables = {};  // t; r; none: nothing says which they are
   std::vector<ExprId> at = {};
+  bool indexed = false;  // `x_i` in a sum over i from 1 to n: `at` stands below
 };
 
 struct Symbols {

@@ -11,4 +11,7 @@ namespace rigor {
 /// budget.
 [[nodiscard]] MaybeTyped elaborate(Reading& reading, SyntaxId id, const Around& around = {});
 
+/// The symbol of an integral or a sum, always the same one.
+SymbolId symbol_of_integral(ExprTree& tree, const Integral& integral, Span span);
+
 }  // namespace rigor

@@ -132,6 +132,10 @@ std::string name_of(const ExprTree& tree, const Integral& integral) {
     limits = fmt::format("_{{{}}}^{{{}}}", name_of_limit(tree, *integral.lower),
                          name_of_limit(tree, *integral.upper));
   const std::string inside = print_latex(tree, integral.integrand);
+  if (integral.sum)
+    return fmt::format("\\sum_{{{}={}}}^{{{}}} {}", tree.symbols[integral.variable].name,
+                       name_of_limit(tree, *integral.lower), name_of_limit(tree, *integral.upper),
+                       tree[integral.integrand].op == Op::add ? "(" + inside + ")" : inside);
   if (integral.primitive) return fmt::format("[{}]{}", inside, limits);
   const bool sum = tree[integral.integrand].op == Op::add || tree[integral.integrand].op == Op::negate;
   return fmt::format("\\int{} {}\\,d{}", limits, sum ? "(" + inside + ")" : inside,
@@ -153,7 +157,7 @@ bool same_limit(const ExprTree& tree, const std::optional<Limit>& a, const std::
 }
 
 bool is_same(const ExprTree& tree, const Integral& a, const Integral& b) {
-  return a.variable == b.variable && a.by == b.by && a.primitive == b.primitive &&
+  return a.variable == b.variable && a.by == b.by && a.primitive == b.primitive && a.sum == b.sum &&
          same_limit(tree, a.lower, b.lower) && same_limit(tree, a.upper, b.upper) &&
          same_expression(tree, a.integrand, tree, b.integrand);
 }
@@ -212,6 +216,49 @@ MaybeTyped elaborate_line_integral(Reading& reading, SyntaxId id, const Around& 
   }
   reading.found.integrated = *variable;
   return as_symbol(reading, integral, span);
+}
+
+/// `\sum_{k=1}^n f`, with whole numbers as limits.
+MaybeTyped elaborate_counted_sum(Reading& reading, SyntaxId id, const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  const Span span = syntax[id].span;
+  const auto parts = syntax.children(id);
+  const WrittenSum& written = syntax.big_sum(id);
+  const WrittenIndex& index = written.indices[0];
+  reading.counting.push_back(index.text);
+  const auto inside = elaborate(reading, parts[0].id, around);
+  reading.counting.pop_back();
+  const auto counter =
+      elaborate_symbol(reading, {.letter = index.text, .letter_span = index.span}, index.span, around);
+  if (!inside || !counter) return std::nullopt;
+  if (!is_closed_number(*inside) || around.body_point)
+    return unsupported(reading, span, "sums of vectors and of components over whole numbers are not decided");
+  const ExprNode& node = reading.tree[counter->id];
+  if (node.op != Op::symbol || !is_closed_number(*counter) || node.particle != no_particle)
+    return unsupported(reading, index.span, fmt::format("a sum over this `{}` is not decided", index.text));
+  const SymbolId variable = node.symbol;
+  if (!may_be_hidden(reading, inside->id))
+    return unsupported(reading, span,
+                       "a sum of what may be matrices, or of vectors in a frame, is not decided");
+  if (is_bound_to(reading, variable, inside->id))
+    return unsupported(
+        reading, span,
+        fmt::format("what `{}` is was said above, and what is added may change with it", index.text));
+  Integral sum{.integrand = inside->id, .variable = variable, .by = {By::letter, variable}, .sum = true};
+  const auto written_limit = [&](const std::string& text) -> std::optional<Limit> {
+    if (text != "N") return Limit{.at = reading.tree.add_number(span, text)};
+    const auto letter = elaborate_symbol(reading, {.letter = text, .letter_span = span}, span, around);
+    return letter && is_closed_number(*letter) ? std::optional(Limit{.at = letter->id}) : std::nullopt;
+  };
+  sum.lower = parts.size() > 1 ? limit_of(reading, parts[1].id, around) : written_limit(written.from);
+  sum.upper = parts.size() > 1 ? limit_of(reading, parts[2].id, around) : written_limit(written.to);
+  if (!sum.lower || !sum.upper) return std::nullopt;
+  for (const Limit& limit : {*sum.lower, *sum.upper}) {
+    if (limit.at && is_one_of(variable, symbols_in(reading.tree, *limit.at)))
+      return ambiguous(reading, span,
+                       fmt::format("`{}` is a limit of the sum over `{}` itself", index.text, index.text));
+  }
+  return as_symbol(reading, sum, span);
 }
 
 MaybeTyped elaborate_between(Reading& reading, SyntaxId id, const Around& around) {

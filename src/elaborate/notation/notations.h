@@ -19,6 +19,7 @@ ReadPart elaborate_tuple, elaborate_matrix, elaborate_determinant;  // matrix.cp
 ReadPart elaborate_diagonal;                                        // matrix.cpp
 ReadPart elaborate_power, elaborate_root;                           // power.cpp
 ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
+ReadPart elaborate_counted_sum;                                     // integral.cpp
 ReadPart elaborate_term;                                            // term.cpp
 ReadPart elaborate_unit;                                            // unit.cpp
 

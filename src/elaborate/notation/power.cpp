@@ -102,6 +102,24 @@ bool is_said_for_all(const Reading& reading, const std::string& letter) {
   return symbol && is_for_all(reading.names.scope, *symbol);
 }
 
+/// k of `\sum_{k=0}^n a_kx^k`; in `\sum_i p_iq^i` and `\sum_k x_kx^k` it can be an index of both.
+bool counts_above(const Reading& reading, SyntaxId base, const std::string& letter) {
+  if (!reading.letters.counted.contains(letter) || letter == "T" || letter == "H") return false;
+  if (!reading.letters.below.contains(letter)) return letter.size() == 1;
+  const SyntaxTree& syntax = reading.syntax;
+  if (letter.size() > 1 || letter == "i" || letter == "j") return false;
+  if (syntax[base].kind != SyntaxKind::symbol) return true;
+  for (std::uint32_t k = 0; k < syntax.size(); ++k) {
+    const SyntaxId id{k};
+    if (syntax[id].kind != SyntaxKind::symbol || syntax.symbol(id).letter != syntax.symbol(base).letter)
+      continue;
+    if (std::ranges::any_of(syntax.symbol(id).lower,
+                            [&](const WrittenIndex& index) { return index.text == letter; }))
+      return false;
+  }
+  return true;
+}
+
 /// `x^n`, `2^n`, `(1 + x)^\alpha`, `T V^{\gamma - 1}`: what stands above is a number for sure. It is where it
 /// is written as no index is, and where all its letters stand on the line as well, or are declared.
 bool is_number_above(const Reading& reading, SyntaxId base, SyntaxId exponent) {
@@ -114,6 +132,7 @@ bool is_number_above(const Reading& reading, SyntaxId base, SyntaxId exponent) {
   if (of_symbol && may_be_raised(syntax.symbol(base), evidence)) return false;
   static constexpr std::array<std::string_view, 4> marks{"T", "H", "i", "j"};  // transposes, the unit i
   return std::ranges::all_of(*letters, [&](const std::string& letter) {
+    if (counts_above(reading, base, letter)) return true;
     if (reading.letters.is_sure(letter) || reading.indices.summed.contains(letter) ||
         evidence.counters.contains(letter))
       return false;

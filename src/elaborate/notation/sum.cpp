@@ -106,6 +106,7 @@ MaybeTyped elaborate_sum(Reading& reading, SyntaxId id, const Around& around) {
 }
 
 MaybeTyped elaborate_big_sum(Reading& reading, SyntaxId id, const Around& around) {
+  if (runs_over_numbers(reading.syntax, id, reading.names)) return elaborate_counted_sum(reading, id, around);
   const WrittenSum& written = reading.syntax.big_sum(id);
   for (const WrittenIndex& index : written.indices) {
     const bool particle = labels_particles(reading.names.symbols, index.text);

@@ -78,6 +78,7 @@ struct Reading {
   };
   Variables<IndexId> indices = {};
   Variables<ParticleId> particles = {};
+  std::vector<std::string> counting = {};  // letters that sums around the part run through whole numbers
 
   /// What the statement says apart from its meaning.
   struct Found {

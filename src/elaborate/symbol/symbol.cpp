@@ -148,6 +148,7 @@ bool is_imaginary_unit(const Reading& reading, const WrittenSymbol& written) {
   return may_be_imaginary_unit(written) && is_bare_and_undeclared(reading.names, written) &&
          (upright || evidence.imaginary_units.contains(written.letter)) &&
          !reading.letters.below.contains(written.letter) &&
+         !reading.letters.counted.contains(written.letter) &&
          !reading.indices.summed.contains(written.letter) &&
          !reading.particles.summed.contains(written.letter);
 }
@@ -180,7 +181,8 @@ std::optional<Obstacle> no_quantity(const Reading& reading, const WrittenSymbol&
         fmt::format("`{}` without indices reads as a small change, which is not decided yet", letter));
   // Where the section writes i for it, j is a current.
   const std::set<std::string>& units = names.symbols.evidence->imaginary_units;
-  if (may_be_imaginary_unit(written) && (units.empty() || units.contains(letter)))
+  if (may_be_imaginary_unit(written) && !reading.letters.counted.contains(letter) &&
+      (units.empty() || units.contains(letter)))
     return Obstacle{
         DiagnosticKind::ambiguous_reading,
         fmt::format("`{}` can be the imaginary unit or a quantity of this name, and nothing here says which",
@@ -346,9 +348,28 @@ bool may_be_derivative_of_order(const Names& names, const WrittenSymbol& written
          std::ranges::any_of(evidence.by, differentiates);
 }
 
+/// `x_i` inside a sum over i: a value of the sequence x, and a symbol of its own.
+std::optional<MaybeTyped> member_of_sequence(Reading& reading, const WrittenSymbol& written, Span span,
+                                             const Around& around) {
+  const auto counter = std::ranges::find_if(
+      reading.counting, [&](const std::string& letter) { return is_member_of_sequence(written, letter); });
+  if (counter == reading.counting.end()) return std::nullopt;
+  const auto at = elaborate_symbol(reading, {.letter = *counter, .letter_span = span}, span, around);
+  if (!at) return MaybeTyped();
+  const std::string base = letter_with_marks(written);
+  const std::string name = fmt::format("{}_{{{}}}", base, *counter);
+  const SymbolId symbol = symbol_named(reading, {base + "[" + *counter + "]", 0, false}, name, span);
+  if (!reading.names.symbols.function_values->contains(symbol)) {
+    const SymbolId of = symbol_named(reading, {base + "[]", 0, false}, base, span);
+    reading.names.symbols.function_values.write()[symbol] = {of, {*counter}, {at->id}, true};
+  }
+  return Typed{.id = reading.tree.add({.op = Op::symbol, .span = span, .symbol = symbol})};
+}
+
 }  // namespace
 
 MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
+  if (auto member = member_of_sequence(reading, written, span, around)) return *std::move(member);
   if (written.letter == hole_letter) return elaborate_hole(reading, written, span, around);
   if (written.dots > 0) return dotted_symbol(reading, written, span, around);
   if (written.letter == "\\nabla") return unsupported(reading, span, "`\\nabla` has nothing to act on here");

@@ -60,8 +60,9 @@ struct Limit {
   int infinity = 0;
 };
 
-/// `\int_a^b f\,dx`, or without limits a function whose derivative is f. It is a symbol of its own, and its
-/// integrand stands in the same tree: what it is follows from these, so that a row about it defines nothing.
+/// `\int_a^b f\,dx`, or without limits a function whose derivative is f; or `\sum_{k=a}^b f` over whole
+/// numbers. It is a symbol of its own, and its integrand stands in the same tree: what it is follows from
+/// these, so that a row about it defines nothing.
 struct Integral {
   ExprId integrand{};
   SymbolId variable{};
@@ -70,6 +71,7 @@ struct Integral {
   std::optional<Limit> lower = {};
   std::optional<Limit> upper = {};
   bool primitive = false;  // `[F]_a^b`: the integrand is F itself
+  bool sum = false;  // over whole numbers, both limits among them; nothing is added where there are none
 };
 
 /// What is integrated, and the limits.

@@ -195,7 +195,17 @@ SyntaxId Parser::big_sum(Cursor& cursor) {
   const SyntaxId body = term(cursor);
   if (again) return opaque(token.span, "the sum has two bounds on one side", DiagnosticKind::bad_syntax);
   if (reading.obstacle) return tree_.add_opaque(token.span, *reading.obstacle);
-  return tree_.add_big_sum(cover(token.span, tree_[body].span), reading.sum, body);
+  const Span span = cover(token.span, tree_[body].span);
+  const auto equals = std::ranges::find_if(lower, [](const Token& each) { return is_sign(each, "="); });
+  const bool limits = equals != lower.end() && !trim(upper).empty();
+  const auto counted = [](const std::string& text) {
+    return std::ranges::all_of(text, [](char each) { return each >= '0' && each <= '9'; });
+  };
+  const bool plain = counted(reading.sum.from) && (counted(reading.sum.to) || reading.sum.to == "N");
+  if (!limits || plain) return tree_.add_big_sum(span, reading.sum, body);
+  const SyntaxChild children[] = {
+      {body}, {limit(TokenView(equals + 1, lower.end()), token.span)}, {limit(upper, token.span)}};
+  return tree_.add_big_sum(span, reading.sum, children);
 }
 
 SyntaxId Parser::braced_bracket(Cursor& cursor) {

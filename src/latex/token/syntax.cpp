@@ -38,6 +38,10 @@ SyntaxId SyntaxTree::add_component(Span span, SyntaxId base, std::vector<Written
   return add(SyntaxKind::component, span, {&child, 1}, append(index_lists_, std::move(indices)));
 }
 
+SyntaxId SyntaxTree::add_big_sum(Span span, WrittenSum sum, std::span<const SyntaxChild> body_and_limits) {
+  return add(SyntaxKind::big_sum, span, body_and_limits, append(sums_, std::move(sum)));
+}
+
 SyntaxId SyntaxTree::add_big_sum(Span span, WrittenSum sum, SyntaxId body) {
   const SyntaxChild child{body};
   return add(SyntaxKind::big_sum, span, {&child, 1}, append(sums_, std::move(sum)));

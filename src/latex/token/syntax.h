@@ -31,7 +31,7 @@ enum class SyntaxKind : std::uint8_t {
   tuple,      // (a, b, c), a column or a row: the entries
   matrix,     // entries row by row, `columns` of them in a row
   determinant,
-  big_sum,     // \sum_{…}^{…} body
+  big_sum,     // \sum_{…}^{…}: what is added, and both limits where one is more than digits
   cases,       // value, condition, value, condition…
   derivative,  // d/dt, ∂/∂x, ∂_i of one child (see WrittenDerivative); `\dot x` is a symbol with dots
   function,    // \cos, \exp, grad…: `text` is the name, one child is the argument (two of them: a tuple);
@@ -129,6 +129,7 @@ class SyntaxTree {
   SyntaxId add_symbol(Span span, WrittenSymbol symbol);
   SyntaxId add_component(Span span, SyntaxId base, std::vector<WrittenIndex> indices);
   SyntaxId add_big_sum(Span span, WrittenSum sum, SyntaxId body);
+  SyntaxId add_big_sum(Span span, WrittenSum sum, std::span<const SyntaxChild> body_and_limits);
   SyntaxId add_derivative(Span span, WrittenDerivative derivative, SyntaxId operand);
   SyntaxId add_named(SyntaxKind kind, Span span, std::string name, SyntaxId child);  // function
   SyntaxId add_integral(Span span, std::string measure, SyntaxId body, const std::string& region);

@@ -37,7 +37,9 @@ Replaced with_printed_forms(const std::string& text, const FormsReading& reading
   for (const WrittenFormChain& chain : reading.forms.chains) {
     const Notation notation = notation_at(reading.forms, chain);
     for (const WrittenForm& form : chain.forms) {
-      if (chain.image > 0 || !form.expr || form.span.file != file) continue;
+      const bool two_signs = form.source.find("\\pm") != std::string::npos ||
+                             form.source.find("\\mp") != std::string::npos;  // written once for two forms
+      if (chain.image > 0 || two_signs || !form.expr || form.span.file != file) continue;
       changes.push_back({form.span, print_latex(reading.forms.tree, *form.expr, notation)});
     }
   }

@@ -74,9 +74,11 @@ TEST_CASE("a sum ends with its term") {
   CHECK(meaning("\\sum_i (A_i + B_i)") == "(index-sum i (add A[i] B[i]))");
 }
 
-TEST_CASE("a sum that does not run from 1 to 3 is not read") {
-  CHECK(meaning("\\sum_{i=1}^N A_i") == "7 unsupported: ?");
-  CHECK(meaning("\\sum_{i=0}^3 A_i") == "7 unsupported: ?");
+TEST_CASE("a sum that does not run from 1 to 3 is over whole numbers, and a symbol of its own") {
+  CHECK(meaning("\\sum_{i=1}^N A_i") == "\\sum_{i=1}^{N} A_i");
+  CHECK(meaning("\\sum_{i=0}^3 A_i") == "\\sum_{i=0}^{3} A_i");
+  CHECK(meaning("\\sum_{k=1}^3 k") == "\\sum_{k=1}^{3} k");
+  CHECK(meaning("\\sum_{i=1}^N A_{ij}") == "7 unsupported: ?");
   CHECK(meaning("\\sum_{i'} A_{i'}") == "7 unsupported: ?");
 }
 
