@@ -51,6 +51,14 @@ struct Evidence {
   std::set<std::string> real_parts;       // x and y of `x + iy`: real, though `x = (z + z^*)/2`
   std::set<std::string> no_units;         // i of `i = 5`
   std::set<std::string> declared_real;    // "scalar z"
+  std::set<std::string> operator_letters;  // alone in a commutator, under a dagger, or called operators
+  std::set<std::string>
+      operator_families;               // the same with a subscript that can be an index: L of `[L_i, L_j]`
+  std::set<std::string> written_out;   // A of `A = \begin{pmatrix}…`
+  std::set<std::string> noncommuting;  // shown to be operators, with labels: `\hat{p}`, `L_{z}`
+  std::set<std::string> noncommuting_triples;            // L of the components L_i
+  bool speaks_of_operators = false;                      // the words do, or of commutators
+  bool speaks_of_poisson = false;                        // of Poisson brackets
   std::map<std::string, std::set<std::string>> made_of;  // z of `z = x + iy`, with x, y and i
   bool says_imaginary = false;                           // "the imaginary unit", "complex numbers"
   bool says_conjugate = false;                           // "the complex conjugate"
@@ -123,6 +131,20 @@ void see_heading(std::string_view title, Evidence& evidence);
 
 /// When all is seen: hatted letters are operators where operators are about, else unit vectors.
 void settle_order(Evidence& evidence);
+
+// --- operator_letters.cpp: Evidence that letters are operators: for these, unlike those that only may be
+// some, products keep their order.
+
+/// What one chain shows; `sides` are its sides as they were parsed.
+void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+/// "The operators $A$ and $B$", "commutator", "Poisson bracket".
+void see_said_operators(std::string_view text, Evidence& evidence);
+/// When all is seen: what is in brackets is an operator where the words or a hat or dagger show that the
+/// brackets are commutators. What is written out as a matrix is none.
+void settle_operators(Evidence& evidence);
+/// Do the letters stand for an operator, or for the components of three? `base` has its labels.
+[[nodiscard]] bool is_operator(const Evidence& evidence, const std::string& base, int rank);
+[[nodiscard]] bool is_operator(const Evidence& evidence, const WrittenSymbol& symbol);
 
 // --- raised_indices.cpp: Upper indices: where `x^\mu` or `x^1` stands, `x^2` need not be a square.
 

@@ -271,7 +271,7 @@ class RankReader {
     const std::string& name = syntax_.text(id);
     if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what is next to it");
     const RankSet inside = read(syntax_.child(id, 0));
-    if (is_one_of(name, {"D/Dt", "conjugate", "bar", "Re", "Im"})) return inside;
+    if (is_one_of(name, {"D/Dt", "conjugate", "adjoint", "bar", "Re", "Im"})) return inside;
     if (name == "det" || name == "tr") return scalar;
     if (const auto of_field = field_operator(name)) {
       if (*of_field == FieldOperator::gradient) return static_cast<RankSet>(inside << 1 & any_rank);
@@ -292,6 +292,8 @@ class RankReader {
   RankSet tuple(SyntaxId id) {
     RankSet common = any_rank;
     for (const SyntaxChild& child : syntax_.children(id)) common &= read(child.id);
+    if (syntax_[id].payload >= in_square_brackets)
+      return unread(syntax_[id].span, "this can be a commutator");
     return has(common, 0) && syntax_[id].count == 3 ? vector : any_rank;
   }
 

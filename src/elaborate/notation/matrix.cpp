@@ -29,6 +29,8 @@ MaybeTyped whole_tensor(Reading& reading, SyntaxId id, const Around& around) {
 MaybeTyped elaborate_tuple(Reading& reading, SyntaxId id, const Around& around) {
   const Span span = reading.syntax[id].span;
   const Space space = use_space(reading);
+  if (reading.syntax[id].payload >= in_square_brackets && space.dimension != 2)
+    return elaborate_pair(reading, id, around);
   if (reading.syntax[id].count != space.dimension)
     return unsupported(reading, span,
                        space == common_space

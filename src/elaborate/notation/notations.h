@@ -15,6 +15,7 @@ ReadPart elaborate_derivative;                                      // derivativ
 ReadPart elaborate_function, elaborate_integral;                    // function.cpp
 ReadPart elaborate_line_integral, elaborate_between;                // integral.cpp
 ReadPart elaborate_tuple, elaborate_matrix, elaborate_determinant;  // matrix.cpp
+ReadPart elaborate_pair, elaborate_adjoint;                         // operators.cpp
 ReadPart elaborate_power, elaborate_root;                           // power.cpp
 ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
 ReadPart elaborate_term;                                            // term.cpp

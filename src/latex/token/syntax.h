@@ -35,7 +35,7 @@ enum class SyntaxKind : std::uint8_t {
   cases,       // value, condition, value, condition…
   derivative,  // d/dt, ∂/∂x, ∂_i of one child (see WrittenDerivative); `\dot x` is a symbol with dots
   function,    // \cos, \exp, grad…: `text` is the name, one child is the argument (two of them: a tuple);
-               // `conjugate` for z^*, `bar` for \overline{z + w}
+               // `conjugate` for z^*, `adjoint` for A^\dagger, `bar` for \overline{z + w}
   integral,    // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the first child what
                // is integrated, the second the name of the region if it has one, as `text`
   line_integral,  // over one variable: what is integrated, the variable, and two limits if they are written
@@ -44,6 +44,11 @@ enum class SyntaxKind : std::uint8_t {
   text,           // \text{…}: words
   opaque,         // not read: `message` says why
 };
+
+/// The payload of a tuple of two in other brackets than round ones.
+inline constexpr std::uint32_t in_square_brackets = 1000;
+inline constexpr std::uint32_t in_braces = 1001;
+inline constexpr std::uint32_t in_poisson_brackets = 1002;  // `\pb{f}{g}`
 
 /// How a child is joined to what comes before it.
 enum class Joint : std::uint8_t { none, plus, minus, juxtaposed, dot, cross, slash, comma };
