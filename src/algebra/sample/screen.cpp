@@ -5,6 +5,7 @@
 
 #include "algebra/parts/real_parts.h"
 #include "algebra/sample/refute.h"
+#include "algebra/words/operator_question.h"
 #include "base/among.h"
 #include "base/check.h"
 
@@ -204,15 +205,34 @@ class SampleScreen::InParts {
   Samples screen_;
 };
 
+namespace {
+
+/// Operators have no samples, so each claim is decided.
+std::vector<bool> proved_of_operators(Question question, std::span<const Equation> claims, Limits limits) {
+  constexpr std::uint64_t most_work = 400'000;
+  Budget own(limits.budget == nullptr ? most_work : std::min(most_work, limits.budget->left()));
+  limits.budget = &own;
+  std::vector<bool> passing;
+  for (const Equation& claim : claims) {
+    question.claim = claim;
+    passing.push_back(!own.exhausted() && holds_in_words(question, limits));
+  }
+  return passing;
+}
+
+}  // namespace
+
 SampleScreen::SampleScreen(const Question& question, std::span<const ExprId> also, const Limits& limits)
     : question_(question), limits_(limits) {
-  if (!is_about_complex(question)) samples_ = std::make_unique<Samples>(question, also, limits);
+  if (!is_about_complex(question) && !is_about_operators(question))
+    samples_ = std::make_unique<Samples>(question, also, limits);
 }
 
 SampleScreen::~SampleScreen() = default;
 
 std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
   if (samples_) return samples_->passing(claims);
+  if (is_about_operators(question_)) return proved_of_operators(question_, claims, limits_);
   try {
     InParts parts(question_, claims, limits_);
     std::vector<bool> passing = parts.screen().passing(parts.claims(parts.claim()));
@@ -226,6 +246,7 @@ std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
 std::vector<std::optional<std::string>> SampleScreen::multiples(const Equation& claim,
                                                                 std::span<const Equation> terms) {
   if (samples_) return samples_->multiples(claim, terms);
+  if (is_about_operators(question_)) return std::vector<std::optional<std::string>>(terms.size());
   try {
     Question question = question_;
     question.claim = claim;

@@ -219,6 +219,25 @@ Decision decide_operators(const Question& question, const Limits& limits, const 
   throw Undecidable(reason);
 }
 
+bool holds_in_words(const Question& question, const Limits& limits) {
+  if (question.claim.relation != Relation::equal) return false;
+  try {
+    OwnQuestion own(question);
+    const SortedAssumptions sorted = sorted_assumptions(own.question);
+    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordRules rules(*limits.budget);
+    add_rules(own, reader, sorted.of_operators, rules);
+    bool holds = true;
+    for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
+      Positions used;
+      holds = holds && rules.reduce(difference, used).empty();
+    });
+    return holds;
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
 bool operators_can_satisfy(const Question& question, const Limits& limits, Question& numbers) {
   OwnQuestion own(question);
   const SortedAssumptions sorted = sorted_assumptions(own.question);
@@ -243,6 +262,10 @@ bool operators_can_satisfy(const Question& question, const Limits& limits, Quest
       numbers.assumptions.clear();
       for (const std::size_t which : sorted.of_numbers)
         numbers.assumptions.push_back(question.assumptions[which]);
+      std::erase_if(numbers.definitions, [&](const Definition& each) {
+        return any_reaches_operators(question, {each.body}) ||
+               question.tree->symbols[each.symbol].noncommuting;
+      });
       if (!numbers.assumptions.empty()) numbers.claim = numbers.assumptions[0];  // which has no operators
       return true;
     } catch (const Undecidable&) {
@@ -250,6 +273,27 @@ bool operators_can_satisfy(const Question& question, const Limits& limits, Quest
     }
   }
   return false;
+}
+
+bool operators_deny(const Question& question, const Limits& limits) {
+  if (question.claim.relation != Relation::equal || !is_about_operators(question)) return false;
+  try {
+    OwnQuestion own(question);
+    const SortedAssumptions sorted = sorted_assumptions(own.question);
+    if (sorted.of_operators.empty()) return false;
+    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordRules rules(*limits.budget);
+    add_rules(own, reader, sorted.of_operators, rules);
+    bool denies = false;
+    for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
+      Positions used;
+      const WordSum left = rules.reduce(difference, used);
+      denies = denies || (!left.empty() && !left.contains(std::prev(difference.end())->first));
+    });
+    return denies;
+  } catch (const Undecidable&) {
+    return false;
+  }
 }
 
 }  // namespace rigor

@@ -26,9 +26,17 @@ using DecideNumbers = std::function<Decision(const Question& question, const Lim
 [[nodiscard]] Decision decide_operators(const Question& question, const Limits& limits,
                                         const DecideNumbers& decide);
 
+/// Are the coefficients of all words equal as they stand, by the rules alone, definitions unfolded?
+[[nodiscard]] bool holds_in_words(const Question& question, const Limits& limits);
+
 /// Can the assumptions about operators hold together? By the diamond lemma they can where all pairs of rules
 /// lead to one end, and what is assumed not to vanish has another normal form than 0. `numbers`: what is
 /// assumed besides.
 [[nodiscard]] bool operators_can_satisfy(const Question& question, const Limits& limits, Question& numbers);
+
+/// Do the assumptions say how the operators of the claim are multiplied, and leave something of the
+/// difference of its sides? Then it is not by them, and no further law beside them: its greatest word is one
+/// that they replace. Only where all pairs of rules lead to one end.
+[[nodiscard]] bool operators_deny(const Question& question, const Limits& limits);
 
 }  // namespace rigor

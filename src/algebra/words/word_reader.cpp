@@ -38,7 +38,7 @@ constexpr int largest_power = 16;
 }  // namespace
 
 std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
-  budget_.count(20);
+  budget_.count(3);
   const ExprNode node = tree()[id];
   if (!reaches_operators(id)) return commuting(id, axes);
   const std::vector<ExprId> children(tree().children(id).begin(), tree().children(id).end());
@@ -225,7 +225,7 @@ std::vector<WordSum> WordReader::product(ExprId id, const AxesOfIndices& axes) {
     for (const WordSum& first : total) {
       for (const WordSum& second : next) product.push_back(times(first, second));
     }
-    budget_.count(100);
+    budget_.count(20);
     total = std::move(product);
   }
   return total;
@@ -296,7 +296,7 @@ WordSum WordReader::power(ExprId id, const AxesOfIndices& axes) {
   }
   WordSum total = scalar(rational({1, 1}));
   for (int k = 0; k < exponent; ++k) {
-    budget_.count(100);
+    budget_.count(20);
     total = times(total, factor);
   }
   return total;

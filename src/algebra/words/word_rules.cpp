@@ -41,7 +41,7 @@ WordSum WordRules::reduce(WordSum sum, Positions& used) const {
   WordSum normal;
   for (std::size_t step = 0; !sum.empty(); ++step) {
     if (step > most_steps) throw Undecidable("bringing products of operators into one order takes too long");
-    budget_.count(20 + 5 * rules_.size());
+    budget_.count(5 + rules_.size());
     auto last = sum.extract(std::prev(sum.end()));
     const Word& word = last.key();
     std::size_t at = 0;
@@ -112,7 +112,7 @@ void WordRules::complete() {
     const std::vector<WordRule> before = rules_;
     for (const WordRule& first : before) {
       for (const WordRule& second : before) {
-        budget_.count(50);
+        budget_.count(5);
         add_ends_of(first, second);
       }
     }

@@ -53,12 +53,13 @@ struct Evidence {
   std::set<std::string> declared_real;    // "scalar z"
   std::set<std::string> operator_letters;  // alone in a commutator, under a dagger, or called operators
   std::set<std::string>
-      operator_families;               // the same with a subscript that can be an index: L of `[L_i, L_j]`
-  std::set<std::string> written_out;   // A of `A = \begin{pmatrix}…`
-  std::set<std::string> noncommuting;  // shown to be operators, with labels: `\hat{p}`, `L_{z}`
-  std::set<std::string> noncommuting_triples;            // L of the components L_i
-  bool speaks_of_operators = false;                      // the words do, or of commutators
-  bool speaks_of_poisson = false;                        // of Poisson brackets
+      operator_families;  // the same with a subscript that can be an index: L of `[L_i, L_j]`
+  std::map<std::string, std::set<std::string>> set_equal;  // a letter, with the names on the other sides
+  std::set<std::string> written_out;                       // A of `A = \begin{pmatrix}…`
+  std::set<std::string> noncommuting;          // shown to be operators, with labels: `\hat{p}`, `L_{z}`
+  std::set<std::string> noncommuting_triples;  // L of the components L_i
+  bool speaks_of_operators = false;            // the words do, or of commutators
+  bool speaks_of_poisson = false;              // of Poisson brackets
   std::map<std::string, std::set<std::string>> made_of;  // z of `z = x + iy`, with x, y and i
   bool says_imaginary = false;                           // "the imaginary unit", "complex numbers"
   bool says_conjugate = false;                           // "the complex conjugate"

@@ -131,6 +131,26 @@ void see_called(std::string_view text, std::string_view word, Evidence& evidence
 
 }  // namespace
 
+namespace {
+
+/// H of `H = p^2/2m + V`, N of `N = a^\dagger a`.
+void add_what_is_made_of_operators(Evidence& evidence) {
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const auto& [letter, names] : evidence.set_equal) {
+      if (is_operator(evidence, letter, 0) || evidence.declared_real.contains(letter) ||
+          evidence.written_out.contains(letter))
+        continue;
+      const bool made =
+          std::ranges::any_of(names, [&](const std::string& name) { return is_operator(evidence, name, 0); });
+      if (made) evidence.noncommuting.insert(letter);
+      grew = grew || made;
+    }
+  }
+}
+
+}  // namespace
+
 void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   for (const SyntaxId id : nodes_below(syntax, sides)) {
     if (is_adjoint(syntax, id)) {
@@ -139,6 +159,17 @@ void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
     }
     if (!is_pair(syntax[id])) continue;
     for (const SyntaxChild& child : syntax.children(id)) add_letters(syntax, child.id, true, evidence);
+  }
+  for (const SyntaxId side : sides) {
+    if (syntax[side].kind != SyntaxKind::symbol || is_usual_number(syntax.symbol(side))) continue;
+    const WrittenSymbol& symbol = syntax.symbol(side);
+    if (symbol.face != Face::plain) continue;
+    std::set<std::string>& names = evidence.set_equal[with_labels(letter_with_marks(symbol), symbol.lower)];
+    for (const SyntaxId id : nodes_below(syntax, sides)) {
+      if (syntax[id].kind != SyntaxKind::symbol || id == side) continue;
+      const WrittenSymbol& other = syntax.symbol(id);
+      names.insert(with_labels(letter_with_marks(other), other.lower));
+    }
   }
   const bool matrix = std::ranges::any_of(nodes_below(syntax, sides),
                                           [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::matrix; });
@@ -170,6 +201,7 @@ void settle_operators(Evidence& evidence) {
   for (const std::string& letter : evidence.operator_families) {
     if (!is_written_out(letter)) evidence.noncommuting_triples.insert(letter);
   }
+  add_what_is_made_of_operators(evidence);
   // Beside operators nobody writes a current or an index on the line.
   const bool any = !evidence.noncommuting.empty() || !evidence.noncommuting_triples.empty();
   if (any && !evidence.no_units.contains("i")) evidence.imaginary_units.insert("i");
