@@ -207,10 +207,11 @@ class SampleScreen::InParts {
 
 namespace {
 
+constexpr std::uint64_t most_work_on_operators = 400'000;
+
 /// Operators have no samples, so each claim is decided.
 std::vector<bool> proved_of_operators(Question question, std::span<const Equation> claims, Limits limits) {
-  constexpr std::uint64_t most_work = 400'000;
-  Budget own(limits.budget == nullptr ? most_work : std::min(most_work, limits.budget->left()));
+  Budget own(most_work_on_operators);
   limits.budget = &own;
   std::vector<bool> passing;
   for (const Equation& claim : claims) {
@@ -218,6 +219,17 @@ std::vector<bool> proved_of_operators(Question question, std::span<const Equatio
     passing.push_back(!own.exhausted() && holds_in_words(question, limits));
   }
   return passing;
+}
+
+std::vector<std::optional<std::string>> multiples_of_operators(const Question& question,
+                                                               std::span<const Equation> terms,
+                                                               Limits limits) {
+  Budget own(most_work_on_operators);
+  limits.budget = &own;
+  std::vector<std::optional<std::string>> found;
+  for (const Equation& term : terms)
+    found.push_back(own.exhausted() ? std::nullopt : multiple_in_words(question, term, limits));
+  return found;
 }
 
 }  // namespace
@@ -246,7 +258,11 @@ std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
 std::vector<std::optional<std::string>> SampleScreen::multiples(const Equation& claim,
                                                                 std::span<const Equation> terms) {
   if (samples_) return samples_->multiples(claim, terms);
-  if (is_about_operators(question_)) return std::vector<std::optional<std::string>>(terms.size());
+  if (is_about_operators(question_)) {
+    Question question = question_;
+    question.claim = claim;
+    return multiples_of_operators(question, terms, limits_);
+  }
   try {
     Question question = question_;
     question.claim = claim;

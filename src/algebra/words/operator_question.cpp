@@ -219,6 +219,58 @@ Decision decide_operators(const Question& question, const Limits& limits, const 
   throw Undecidable(reason);
 }
 
+namespace {
+
+/// Makes `ratio` the number that `sum` is of `term`; false: it is none, or another one.
+[[nodiscard]] bool is_multiple(const WordSum& sum, const WordSum& term, std::optional<Fraction>& ratio) {
+  if (sum.size() != term.size()) return false;
+  if (sum.empty()) return true;
+  if (!ratio) {
+    const auto first = term.begin()->second.begin();
+    const auto own = sum.find(term.begin()->first);
+    const auto same = own == sum.end() ? Coefficient::const_iterator() : own->second.find(first->first);
+    if (own == sum.end() || same == own->second.end()) return false;
+    const bool negative = first->second.above < 0;
+    const Fraction inverted{negative ? -first->second.below : first->second.below,
+                            std::abs(first->second.above)};
+    ratio = same->second * inverted;
+  }
+  WordSum rest = times(scalar(rational({-ratio->above, ratio->below})), term);
+  add_to(rest, sum);
+  return rest.empty();
+}
+
+}  // namespace
+
+std::optional<std::string> multiple_in_words(const Question& question, const Equation& term,
+                                             const Limits& limits) {
+  if (question.claim.relation != Relation::equal) return std::nullopt;
+  try {
+    OwnQuestion own(question);
+    const SortedAssumptions sorted = sorted_assumptions(own.question);
+    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordRules rules(*limits.budget);
+    add_rules(own, reader, sorted.of_operators, rules);
+    Positions used;
+    std::vector<WordSum> differences;
+    std::vector<WordSum> terms;
+    for_each_difference(own, reader, own.question.claim,
+                        [&](WordSum each) { differences.push_back(rules.reduce(std::move(each), used)); });
+    for_each_difference(own, reader, term,
+                        [&](WordSum each) { terms.push_back(rules.reduce(std::move(each), used)); });
+    if (differences.size() != terms.size()) return std::nullopt;
+    std::optional<Fraction> ratio;
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      if (!is_multiple(differences[k], terms[k], ratio)) return std::nullopt;
+    }
+    if (!ratio || ratio->above == 0) return std::nullopt;
+    return ratio->below == 1 ? std::to_string(ratio->above)
+                             : std::to_string(ratio->above) + "/" + std::to_string(ratio->below);
+  } catch (const Undecidable&) {
+    return std::nullopt;
+  }
+}
+
 bool holds_in_words(const Question& question, const Limits& limits) {
   if (question.claim.relation != Relation::equal) return false;
   try {

@@ -29,6 +29,11 @@ using DecideNumbers = std::function<Decision(const Question& question, const Lim
 /// Are the coefficients of all words equal as they stand, by the rules alone, definitions unfolded?
 [[nodiscard]] bool holds_in_words(const Question& question, const Limits& limits);
 
+/// The rational number c ≠ 0 for which the claim's left − right = c · term by the rules alone, for all values
+/// of its free indices. The term, of the claim's rank, is given as `term = 0`.
+[[nodiscard]] std::optional<std::string> multiple_in_words(const Question& question, const Equation& term,
+                                                           const Limits& limits);
+
 /// Can the assumptions about operators hold together? By the diamond lemma they can where all pairs of rules
 /// lead to one end, and what is assumed not to vanish has another normal form than 0. `numbers`: what is
 /// assumed besides.
