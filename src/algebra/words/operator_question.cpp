@@ -327,6 +327,21 @@ bool operators_can_satisfy(const Question& question, const Limits& limits, Quest
   return false;
 }
 
+bool differs_in_several_degrees(const Question& question) {
+  try {
+    Budget budget;
+    OwnQuestion own(question);
+    WordReader reader(own.question, own.parts, true, budget);
+    std::set<std::size_t> lengths;
+    for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
+      for (const auto& [word, coefficient] : difference) lengths.insert(word.size());
+    });
+    return lengths.size() > 1;
+  } catch (const Undecidable&) {
+    return true;
+  }
+}
+
 bool operators_deny(const Question& question, const Limits& limits) {
   if (question.claim.relation != Relation::equal || !is_about_operators(question)) return false;
   try {

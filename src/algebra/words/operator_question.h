@@ -39,6 +39,10 @@ using DecideNumbers = std::function<Decision(const Question& question, const Lim
 /// assumed besides.
 [[nodiscard]] bool operators_can_satisfy(const Question& question, const Limits& limits, Question& numbers);
 
+/// Has the difference of the sides products of several lengths, definitions unfolded? `AB = BA + 1` says
+/// something of A and B; an identity mends no such difference. True where it cannot be read.
+[[nodiscard]] bool differs_in_several_degrees(const Question& question);
+
 /// Do the assumptions say how the operators of the claim are multiplied, and leave something of the
 /// difference of its sides? Then it is not by them, and no further law beside them: its greatest word is one
 /// that they replace. Only where all pairs of rules lead to one end.

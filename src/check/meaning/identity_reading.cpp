@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "algebra/words/operator_question.h"
 #include "check/question/decision_cache.h"
 #include "expr/tree/same_expression.h"
 
@@ -237,61 +238,19 @@ bool are_a_term_of_their_own(const Question& question, ExprId side, const std::s
 
 namespace {
 
-/// The least and the greatest number of operators in a term.
-struct OperatorDegrees {
-  int least = 0;
-  int most = 0;
-};
-
-OperatorDegrees operator_degrees(const Question& question, ExprId id) {
-  const ExprTree& tree = *question.tree;
-  const ExprNode& node = tree[id];
-  OperatorDegrees total;
-  if (node.op == Op::symbol) {
-    const Definition* definition = definition_in(question, node.symbol);
-    if (definition != nullptr) return operator_degrees(question, definition->body);
-    total.least = total.most = tree.symbols[node.symbol].noncommuting ? 1 : 0;
-    return total;
-  }
-  const bool alternatives = node.op == Op::add || node.op == Op::tuple || node.op == Op::table;
-  bool first = true;
-  for (const ExprId child : tree.children(id)) {
-    const OperatorDegrees each = operator_degrees(question, child);
-    if (alternatives) {
-      total.least = first ? each.least : std::min(total.least, each.least);
-      total.most = first ? each.most : std::max(total.most, each.most);
-    } else {
-      total.least += each.least;
-      total.most += each.most;
-    }
-    first = false;
-  }
-  if (node.op == Op::power) {
-    total.least *= node.exponent;
-    total.most *= node.exponent;
-  }
-  return total;
-}
-
 /// `[A, B] = 0`, `AB = BA` and `P^2 = P` say something of their letters; `(A + B)^2 = A^2 + 2AB + B^2` is
-/// meant for all. An identity of operators has the same number of them in each term, and more terms than
-/// those of one commutator.
+/// meant for all. An identity of operators has more terms than those of one commutator, or turns a product.
 bool is_condition_on_operators(const Question& question) {
   const ExprTree& tree = *question.tree;
   const std::vector<ExprId> nodes = nodes_below(tree, {question.claim.left, question.claim.right});
   const bool turns = std::ranges::any_of(nodes, [&](ExprId id) {  // `(AB)^\dagger = B^\dagger A^\dagger`
-    return tree[id].op == Op::conjugate && tree[tree.children(id)[0]].op != Op::symbol;
+    const bool inverts = tree[id].op == Op::conjugate || (tree[id].op == Op::power && tree[id].exponent < 0);
+    return inverts && tree[tree.children(id)[0]].op != Op::symbol;
   });
   std::size_t terms = turns ? 3 : 0;
-  OperatorDegrees all{1 << 20, -(1 << 20)};
-  for (const ExprId side : {question.claim.left, question.claim.right}) {
-    if (tree.is_zero_literal(side)) continue;
-    terms += signed_terms(tree, side).size();
-    const OperatorDegrees each = operator_degrees(question, side);
-    all.least = std::min(all.least, each.least);
-    all.most = std::max(all.most, each.most);
-  }
-  return terms <= 2 || all.least != all.most;
+  for (const ExprId side : {question.claim.left, question.claim.right})
+    terms += tree.is_zero_literal(side) ? 0 : signed_terms(tree, side).size();
+  return terms <= 2 || differs_in_several_degrees(question);
 }
 
 }  // namespace

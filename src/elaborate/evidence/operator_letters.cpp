@@ -39,6 +39,12 @@ bool is_usual_number(const WrittenSymbol& symbol) {
   return symbol.accent != Accent::hat && is_one_of(symbol.letter, numbers);
 }
 
+bool is_constant_of_nature(const WrittenSymbol& symbol) {
+  static constexpr auto constants =
+      std::to_array<std::string_view>({"i", "e", "\\hbar", "\\pi", "\\epsilon", "\\delta", "\\mathrm{i}"});
+  return symbol.accent != Accent::hat && is_one_of(symbol.letter, constants);
+}
+
 void add_letter(const WrittenSymbol& symbol, Evidence& evidence) {
   const std::string letter = letter_with_marks(symbol);
   if (symbol.face == Face::plain) evidence.operator_letters.insert(with_labels(letter, symbol.lower));
@@ -56,8 +62,7 @@ void add_letters(const SyntaxTree& syntax, SyntaxId id, bool alone, Evidence& ev
   switch (node.kind) {
     case SyntaxKind::symbol: {
       const WrittenSymbol& symbol = syntax.symbol(id);
-      const bool counts = alone ? !is_usual_number(symbol) : may_be_of_many(symbol);
-      if (counts && symbol.letter.find("epsilon") == std::string::npos) add_letter(symbol, evidence);
+      if (alone ? !is_constant_of_nature(symbol) : may_be_of_many(symbol)) add_letter(symbol, evidence);
       return;
     }
     case SyntaxKind::power:

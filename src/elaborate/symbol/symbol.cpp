@@ -84,8 +84,8 @@ bool stands_apart(Reading& reading, const WrittenName& name, bool as_length) {
   const NameKey key{name.base, 1, name.per_particle()};
   const Names& names = reading.names;
   const auto symbol = find_symbol(names.symbols, key);
-  const bool settled = name.per_particle() || is_declared(names.symbols, key) ||
-                       is_in_company(reading, name) ||
+  const bool settled = name.per_particle() || is_operator(*names.symbols.evidence, name.base, 1) ||
+                       is_declared(names.symbols, key) || is_in_company(reading, name) ||
                        (symbol && definition_of(names.scope, *symbol) != nullptr) ||
                        (symbol && as_length && seen_in_equation(names.scope, *symbol));
   if (settled) return false;
