@@ -18,6 +18,7 @@ namespace rigor {
 struct Fraction {
   std::int64_t above = 0;
   std::int64_t below = 1;
+  friend bool operator==(const Fraction&, const Fraction&) = default;
 };
 /// Throws Undecidable where numbers grow too large.
 [[nodiscard]] Fraction operator+(const Fraction& a, const Fraction& b);

@@ -83,6 +83,21 @@ void add_rules(OwnQuestion& own, WordReader& reader, const Positions& assumption
       rules.add(std::move(zero), {which});
     });
   }
+}
+
+/// What was added before it did not end follows from the laws all the same.
+void complete_as_far_as_possible(WordRules& rules) {
+  try {
+    rules.complete();
+  } catch (const Contradiction&) {
+    throw;
+  } catch (const Undecidable&) {
+  }
+}
+
+/// So that nothing contradicts: to the end, or with letters of which nothing is said made to commute.
+void complete_to_the_end(WordRules& rules) {
+  static_cast<void>(rules.commute_the_rest());
   rules.complete();
 }
 
@@ -139,7 +154,10 @@ class WordAttempt {
   [[nodiscard]] std::optional<WordProof> run(bool unfolds, bool by_laws) {
     WordReader reader(own_.question, own_.parts, unfolds, *limits_.budget);
     WordRules rules(*limits_.budget);
-    if (by_laws) add_rules(own_, reader, sorted_.of_operators, rules);
+    if (by_laws) {
+      add_rules(own_, reader, sorted_.of_operators, rules);
+      complete_as_far_as_possible(rules);
+    }
     WordProof proof;
     bool holds = true;
     for_each_difference(own_, reader, own_.question.claim, [&](const WordSum& difference) {
@@ -251,6 +269,7 @@ std::optional<std::string> multiple_in_words(const Question& question, const Equ
     WordReader reader(own.question, own.parts, true, *limits.budget);
     WordRules rules(*limits.budget);
     add_rules(own, reader, sorted.of_operators, rules);
+    complete_as_far_as_possible(rules);
     Positions used;
     std::vector<WordSum> differences;
     std::vector<WordSum> terms;
@@ -279,6 +298,7 @@ bool holds_in_words(const Question& question, const Limits& limits) {
     WordReader reader(own.question, own.parts, true, *limits.budget);
     WordRules rules(*limits.budget);
     add_rules(own, reader, sorted.of_operators, rules);
+    complete_as_far_as_possible(rules);
     bool holds = true;
     for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
       Positions used;
@@ -298,6 +318,7 @@ bool operators_can_satisfy(const Question& question, const Limits& limits, Quest
       WordReader reader(own.question, own.parts, unfolds, *limits.budget);
       WordRules rules(*limits.budget);
       add_rules(own, reader, sorted.of_operators, rules);
+      complete_to_the_end(rules);
       bool can = true;
       for (const Equation& each : own.question.assumptions) {
         if (each.relation == Relation::equal || !speaks_of_operators(own.question, each)) continue;
@@ -320,6 +341,8 @@ bool operators_can_satisfy(const Question& question, const Limits& limits, Quest
       });
       if (!numbers.assumptions.empty()) numbers.claim = numbers.assumptions[0];  // which has no operators
       return true;
+    } catch (const Contradiction&) {
+      return false;
     } catch (const Undecidable&) {
       // with definitions unfolded it may be known
     }
@@ -351,6 +374,7 @@ bool operators_deny(const Question& question, const Limits& limits) {
     WordReader reader(own.question, own.parts, true, *limits.budget);
     WordRules rules(*limits.budget);
     add_rules(own, reader, sorted.of_operators, rules);
+    rules.complete();
     bool denies = false;
     for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
       Positions used;

@@ -62,8 +62,7 @@ void WordRules::add(WordSum zero, Positions by) {
   zero = reduce(std::move(zero), by);
   if (zero.empty()) return;
   const auto greatest = std::prev(zero.end());
-  if (greatest->first.empty())
-    throw Undecidable("the laws for its operators contradict each other, or hold for some numbers only");
+  if (greatest->first.empty()) throw Contradiction();  // or they hold for some numbers only
   const Coefficient reciprocal = inverse(greatest->second, true);
   if (reciprocal.empty()) throw Undecidable("a law for its operators has a factor that may be zero");
   const auto has_inverse = [](const auto& each) {
@@ -122,6 +121,31 @@ void WordRules::complete() {
     if (same) return;
   }
   throw Undecidable("the laws for its operators lead to ever more of them");
+}
+
+bool WordRules::commute_the_rest() {
+  std::set<Letter> letters;
+  std::set<Word> known;
+  for (const WordRule& rule : rules_) {
+    const Word exchanged(rule.from.rbegin(), rule.from.rend());
+    const auto fits = [&](const auto& each) {
+      return each.first.empty() || (each.first == exchanged && each.second == rational({1, 1}));
+    };
+    const bool exchanges =
+        rule.from.size() == 2 && rule.from[0] != rule.from[1] && rule.to.contains(exchanged);
+    if (!exchanges || !std::ranges::all_of(rule.to, fits)) return false;
+    letters.insert(rule.from.begin(), rule.from.end());
+    known.insert(rule.from);
+  }
+  for (const Letter& smaller : letters) {
+    for (const Letter& greater : letters) {
+      if (!(smaller < greater) || known.contains({greater, smaller})) continue;
+      WordSum zero{{Word{greater, smaller}, rational({1, 1})}};
+      add_to(zero, {{Word{smaller, greater}, rational({-1, 1})}});
+      add(std::move(zero), {});
+    }
+  }
+  return true;
 }
 
 }  // namespace rigor

@@ -33,6 +33,9 @@ class WordRules {
   void add(WordSum zero, Positions by);
   /// Adds what follows from pairs of rules. Throws Undecidable if that does not end soon, or contradicts.
   void complete();
+  /// If each rule says that a commutator of two letters is a number: lets all other letters of these commute.
+  /// Such a set always has operators that satisfy it (sums of positions and momenta), whatever the numbers.
+  [[nodiscard]] bool commute_the_rest();
   /// The normal form; `used` gets what was needed.
   [[nodiscard]] WordSum reduce(WordSum sum, Positions& used) const;
   [[nodiscard]] const std::vector<WordRule>& rules() const { return rules_; }

@@ -191,6 +191,7 @@ void see_said_operators(std::string_view text, Evidence& evidence) {
                 {"operator", "commutator", "commute", "commutation", "noncommut", "non-commut", "anticommut",
                  "anti-commut", "observable", "hermitian", "heisenberg", "pauli matri", "matrices"}))
     evidence.speaks_of_operators = true;
+  if (speaks_of(lower, {"pauli"})) evidence.operator_families.insert("\\sigma");
   for (const std::string_view word : {"operators", "operator", "observables", "matrices"})
     see_called(text, word, evidence);
 }

@@ -244,7 +244,8 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
   const SyntaxKind kind = syntax[bracket].kind;
   const bool brackets = kind == SyntaxKind::group || kind == SyntaxKind::tuple;
   if (brackets && holds_operator(reading, bracket) &&
-      (is_operator(*reading.names.symbols.evidence, symbol) || is_usual_coefficient(symbol.letter)))
+      (is_operator(*reading.names.symbols.evidence, symbol) || is_usual_coefficient(symbol.letter) ||
+       symbol.letter == "\\hbar" || symbol.letter == "\\omega"))
     return BracketPart::factor;
   if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, function) ||
       is_never_applied(symbol) || (kind != SyntaxKind::group && kind != SyntaxKind::tuple) ||

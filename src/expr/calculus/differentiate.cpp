@@ -145,6 +145,10 @@ std::optional<ExprId> Differentiator::of_linear(ExprId id) {
 }
 
 std::optional<ExprId> Differentiator::of_product(ExprId id) {
+  if (by_.by == By::letter && tree_.symbols[by_.letter].noncommuting) {
+    give_up("a derivative by an operator is not decided");
+    return std::nullopt;
+  }
   const std::vector<ExprId> factors(tree_.children(id).begin(), tree_.children(id).end());
   std::vector<ExprId> terms;
   for (std::size_t k = 0; k < factors.size(); ++k) {
