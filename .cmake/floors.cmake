@@ -34,7 +34,7 @@ rigor_floor(expr ON source
 rigor_floor(elaborate ON latex expr
   ROOMS evidence name reading symbol notation)
 rigor_floor(algebra ON expr PRIVATE rigor::ginac
-  ROOMS engine parts point evaluator ring form generic sample decide)
+  ROOMS engine words parts point evaluator ring form generic sample decide)
 rigor_floor(numeric ON expr PRIVATE Eigen3::Eigen rigor::qd Boost::boost
   ROOMS lane kernels program run body mesh family measure)
 rigor_floor(check ON elaborate algebra

@@ -7,10 +7,12 @@
 
 #include "algebra/decide/prove.h"
 #include "algebra/parts/real_parts.h"
+#include "algebra/words/operator_question.h"
 
 namespace rigor {
 
 bool assumptions_contradict(const Question& question, const Limits& limits) {
+  if (is_about_operators(question)) return false;
   if (is_about_complex(question)) {
     try {
       return assumptions_contradict(in_real_parts(question).question, limits);

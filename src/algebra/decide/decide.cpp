@@ -11,6 +11,7 @@
 #include "algebra/decide/prove.h"
 #include "algebra/parts/complex_sample.h"
 #include "algebra/sample/refute.h"
+#include "algebra/words/operator_question.h"
 
 namespace rigor {
 namespace {
@@ -328,6 +329,11 @@ Decision decide(const Question& question, const Limits& limits) {
   Limits counted = limits;
   if (counted.budget == nullptr) counted.budget = &own;
   try {
+    if (is_about_operators(question)) {
+      return decide_operators(question, counted, [](const Question& numbers, const Limits& most) {
+        return rigor::decide(numbers, most);
+      });
+    }
     if (is_about_complex(question)) return decide_in_parts(question, counted);
     return Decider(question, counted).decide();
   } catch (const Undecidable& reason) {

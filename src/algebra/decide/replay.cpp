@@ -8,6 +8,7 @@
 #include "algebra/parts/complex_sample.h"
 #include "algebra/sample/refute.h"
 #include "algebra/sample/sample_text.h"
+#include "algebra/words/operator_question.h"
 #include "base/among.h"
 
 namespace rigor {
@@ -102,6 +103,7 @@ constexpr std::uint32_t most_particles = 100;  // a sample that we make has 6 at
 }  // namespace
 
 Replay replay_closely(const Question& question, const Sample& sample) {
+  if (is_about_operators(question)) return fault(Replay::Fault::undefined);  // they have no values
   if (is_about_complex(question)) {
     try {
       return replay_in_parts(question, sample);
@@ -150,6 +152,7 @@ std::optional<SideValues> replay(const Question& question, const Sample& sample)
 }
 
 std::vector<SampleValue> following_values(const Question& question, const Sample& sample) {
+  if (is_about_operators(question)) return {};
   if (is_about_complex(question)) {
     try {
       const RealQuestion real = in_real_parts(question);
@@ -190,6 +193,7 @@ std::vector<SampleValue> following_values(const Question& question, const Sample
 }
 
 std::vector<SymbolId> symbols_of_sample(const Question& question) {
+  if (is_about_operators(question)) return {};
   if (is_about_complex(question)) {
     try {
       return symbols_of_sample(in_real_parts(question).question);

@@ -7,6 +7,7 @@
 #include "algebra/parts/complex_sample.h"
 #include "algebra/sample/refute.h"
 #include "algebra/sample/sample_text.h"
+#include "algebra/words/operator_question.h"
 
 namespace rigor {
 namespace {
@@ -92,6 +93,15 @@ class Search {
 
 std::optional<Sample> satisfying_sample(const Question& question, const Sample& known, const Limits& limits) {
   if (question.assumptions.empty()) return Sample{};
+  if (is_about_operators(question)) {
+    // Operators have no values, so the sample is of the numbers beside them.
+    Budget alone;
+    Limits most = limits;
+    if (most.budget == nullptr) most.budget = &alone;
+    Question numbers;
+    if (!operators_can_satisfy(question, most, numbers)) return std::nullopt;
+    return satisfying_sample(numbers, known, most);
+  }
   if (is_about_complex(question)) {
     try {
       const RealQuestion real = in_real_parts(question);

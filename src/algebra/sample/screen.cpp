@@ -5,6 +5,7 @@
 
 #include "algebra/parts/real_parts.h"
 #include "algebra/sample/refute.h"
+#include "algebra/words/operator_question.h"
 #include "base/among.h"
 #include "base/check.h"
 
@@ -204,15 +205,46 @@ class SampleScreen::InParts {
   Samples screen_;
 };
 
+namespace {
+
+constexpr std::uint64_t most_work_on_operators = 400'000;
+
+/// Operators have no samples, so each claim is decided.
+std::vector<bool> proved_of_operators(Question question, std::span<const Equation> claims, Limits limits) {
+  Budget own(most_work_on_operators);
+  limits.budget = &own;
+  std::vector<bool> passing;
+  for (const Equation& claim : claims) {
+    question.claim = claim;
+    passing.push_back(!own.exhausted() && holds_in_words(question, limits));
+  }
+  return passing;
+}
+
+std::vector<std::optional<std::string>> multiples_of_operators(const Question& question,
+                                                               std::span<const Equation> terms,
+                                                               Limits limits) {
+  Budget own(most_work_on_operators);
+  limits.budget = &own;
+  std::vector<std::optional<std::string>> found;
+  for (const Equation& term : terms)
+    found.push_back(own.exhausted() ? std::nullopt : multiple_in_words(question, term, limits));
+  return found;
+}
+
+}  // namespace
+
 SampleScreen::SampleScreen(const Question& question, std::span<const ExprId> also, const Limits& limits)
     : question_(question), limits_(limits) {
-  if (!is_about_complex(question)) samples_ = std::make_unique<Samples>(question, also, limits);
+  if (!is_about_complex(question) && !is_about_operators(question))
+    samples_ = std::make_unique<Samples>(question, also, limits);
 }
 
 SampleScreen::~SampleScreen() = default;
 
 std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
   if (samples_) return samples_->passing(claims);
+  if (is_about_operators(question_)) return proved_of_operators(question_, claims, limits_);
   try {
     InParts parts(question_, claims, limits_);
     std::vector<bool> passing = parts.screen().passing(parts.claims(parts.claim()));
@@ -226,6 +258,11 @@ std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
 std::vector<std::optional<std::string>> SampleScreen::multiples(const Equation& claim,
                                                                 std::span<const Equation> terms) {
   if (samples_) return samples_->multiples(claim, terms);
+  if (is_about_operators(question_)) {
+    Question question = question_;
+    question.claim = claim;
+    return multiples_of_operators(question, terms, limits_);
+  }
   try {
     Question question = question_;
     question.claim = claim;

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <set>
 
+#include "algebra/words/operator_question.h"
 #include "check/law/bearing.h"
 #include "check/law/from_set.h"
 #include "check/law/restated.h"
 #include "check/law/solves.h"
 #include "check/question/decision_cache.h"
+#include "check/question/question.h"
 
 namespace rigor {
 namespace {
@@ -77,6 +79,22 @@ std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, co
   if (cache.budget().exhausted()) return std::nullopt;
   const ShareOfWork share(cache, most_work);
   return follow({tree, names, claim, &cache}, available, inferred);
+}
+
+bool is_denied_by_laws(ExprTree& tree, const Names& names, const Claim& claim, const Laws& available,
+                       DecisionCache& cache) {
+  const bool operators =
+      has_operators(tree, claim.equation.left) || has_operators(tree, claim.equation.right);
+  if (claim.nearly || !operators) return false;
+  const ShareOfWork share(cache, most_work);
+  const Laws bearing = laws_that_bear(tree, names.scope, claim.equation, available);
+  const std::vector<Laws> sets = sets_of(tree, bearing);
+  return std::ranges::any_of(sets, [&](const Laws& set) {
+    const Prepared prepared = prepare(tree, with_laws(tree, names, set), claim.equation);
+    Limits limits;
+    limits.budget = &cache.budget();
+    return !prepared.too_large && operators_deny(prepared.question, limits);
+  });
 }
 
 }  // namespace rigor

@@ -26,4 +26,8 @@ namespace rigor {
                                                         const Claim& claim, const Laws& available,
                                                         bool inferred, DecisionCache& cache);
 
+/// Do laws say how the operators of the row are multiplied, and is it not by them? Then it is no further law.
+[[nodiscard]] bool is_denied_by_laws(ExprTree& tree, const Names& names, const Claim& claim,
+                                     const Laws& available, DecisionCache& cache);
+
 }  // namespace rigor

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "algebra/words/operator_question.h"
 #include "check/question/decision_cache.h"
 #include "expr/tree/same_expression.h"
 
@@ -235,6 +236,25 @@ bool are_a_term_of_their_own(const Question& question, ExprId side, const std::s
 
 }  // namespace
 
+namespace {
+
+/// `[A, B] = 0`, `AB = BA` and `P^2 = P` say something of their letters; `(A + B)^2 = A^2 + 2AB + B^2` is
+/// meant for all. An identity of operators has more terms than those of one commutator, or turns a product.
+bool is_condition_on_operators(const Question& question) {
+  const ExprTree& tree = *question.tree;
+  const std::vector<ExprId> nodes = nodes_below(tree, {question.claim.left, question.claim.right});
+  const bool turns = std::ranges::any_of(nodes, [&](ExprId id) {  // `(AB)^\dagger = B^\dagger A^\dagger`
+    const bool inverts = tree[id].op == Op::conjugate || (tree[id].op == Op::power && tree[id].exponent < 0);
+    return inverts && tree[tree.children(id)[0]].op != Op::symbol;
+  });
+  std::size_t terms = turns ? 3 : 0;
+  for (const ExprId side : {question.claim.left, question.claim.right})
+    terms += tree.is_zero_literal(side) ? 0 : signed_terms(tree, side).size();
+  return terms <= 2 || differs_in_several_degrees(question);
+}
+
+}  // namespace
+
 std::vector<SymbolId> primitive_symbols(const Question& question, ExprId root) {
   return symbols_below(question, root, {});
 }
@@ -249,6 +269,11 @@ std::vector<SymbolId> law_symbols(const Question& question, const NameScope& sco
   const std::vector<SymbolId> open = symbols_not_for_all(tree, scope, all);
   if (open.empty()) return {};
   if (question.claim.relation != Relation::equal) return without_bounds(question, open);
+  const bool operators =
+      std::ranges::any_of(all, [&](SymbolId symbol) { return tree.symbols[symbol].noncommuting; });
+  if (operators && (left.empty() || right.empty() || left == right)) {
+    return is_condition_on_operators(question) ? open : std::vector<SymbolId>{};
+  }
   if (tree.is_zero_literal(question.claim.right))
     return law_against_zero(question, question.claim.left, open, cache);
   if (tree.is_zero_literal(question.claim.left))

@@ -70,8 +70,9 @@ bool proves_alternatives(RowPlace& place, const ParsedChain& parsed, Step& step)
     Diagnostics ignored;
     const auto claim = reading.claim(*chain, 0, false, ignored);
     if (!claim || place.tree[claim->equation.left].rank > 0 || !claim->equation.indices.empty() ||
-        !claim->equation.particles.empty())
-      return false;
+        !claim->equation.particles.empty() || has_operators(place.tree, claim->equation.left) ||
+        has_operators(place.tree, claim->equation.right))
+      return false;  // a product of operators can vanish without its factors
     const ExprId right = claim->equation.right;
     const ExprId terms[] = {claim->equation.left,
                             place.tree.add({.op = Op::negate, .span = span}, std::span(&right, 1))};

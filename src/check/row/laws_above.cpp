@@ -40,8 +40,10 @@ bool means_the_same(const RowPlace& place, const StatedLaw& stated) {
   });
 }
 
-/// `\omega_0 = 5.0\,\mathrm{s^{-1}}`: a letter and a number, of an example.
+/// `\omega_0 = 5.0\,\mathrm{s^{-1}}`: a letter and a number, of an example. A commutator that is a number
+/// holds for good.
 bool is_value(const ExprTree& tree, const Equation& equation) {
+  if (has_operators(tree, equation.left) || has_operators(tree, equation.right)) return false;
   const auto is_number = [&](ExprId side) { return !tree.is_zero_literal(side) && is_measured(tree, side); };
   return is_number(equation.left) || is_number(equation.right);
 }
@@ -255,6 +257,8 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
   const ProseBeside& here = beside(place);
   const bool beside_an_arrow = parsed.written.premise || parsed.written.inference != Inference::none;
   const bool momentary = is_of_a_moment(place);
+  const bool operators =
+      has_operators(place.tree, equation.left) || has_operators(place.tree, equation.right);
   const bool sets = sets_letters_equal(place.tree, equation);
   const bool of_values = is_about_values(place, equation);
   const bool lasts = of_values || (!momentary && says_that_a_field_vanishes(place, equation));
@@ -265,7 +269,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
               .paragraph = here.paragraph,
               .at_instant = (momentary || sets) && !lasts,
               .of_a_case = ((momentary || sets) && !of_values) || is_an_example(place) || beside_an_arrow ||
-                           is_conditional(place) || is_value(place.tree, equation),
+                           is_conditional(place, !operators) || is_value(place.tree, equation),
               .of_its_own = has_own_words(here.lead.substr(here.lead.rfind('\n') + 1)),
               .standing = standing};
   place.found.stated.push_back({.law = std::move(law),

@@ -189,6 +189,12 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
 
 void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (is_suspect(place, row, claim, judgement)) return;
+  if (is_denied_by_laws(place.tree, place.names, claim, available_to(place, row.parsed),
+                        *place.options.cache)) {
+    judgement.verdict = Verdict::undecided;
+    judgement.diagnostics.push_back(without_ground(place.tree, place.names, claim, judgement));
+    return;
+  }
   // Who assumes something about its letters means it to follow from that.
   if (place.is_stated || (!judgement.despite_given && !is_announced(place, row))) {
     judgement.route = "stated; it follows from nothing above it";

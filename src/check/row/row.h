@@ -28,7 +28,8 @@ bool proves_alternatives(RowPlace& place, const ParsedChain& parsed, Step& step)
 // another meaning.
 
 /// Do words of its sentence limit the display at hand to a case?
-bool is_conditional(const RowPlace& place);
+/// `demands`: also "must" and "satisfy", which say of operators what they are.
+bool is_conditional(const RowPlace& place, bool demands = true);
 /// Is its heading about a special case: "Electrostatics", "In vacuum"?
 bool is_of_a_case(const RowPlace& place);
 /// `f = e^{-x} \Rightarrow …` on one of several such lines of a display: each is a case of its own.

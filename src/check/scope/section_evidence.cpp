@@ -41,6 +41,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
     see_functions(notes.syntax, chain.sides, evidence);
     see_raised(notes.syntax, chain.sides, evidence);
     see_complex(notes.syntax, chain.sides, evidence);
+    see_operators(notes.syntax, chain.sides, evidence);
   }
 }
 
@@ -57,6 +58,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   see_inline_functions(text, evidence);
   see_said_raised(text, evidence);
   see_said_complex(text, evidence);
+  see_said_operators(text, evidence);
 }
 
 }  // namespace
@@ -81,6 +83,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_said_changes(title->title, evidence);
         see_said_raised(title->title, evidence);
         see_said_complex(title->title, evidence);
+        see_said_operators(title->title, evidence);
       }
       last = place;
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))
@@ -102,6 +105,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_matrices(notes.syntax, chain.sides, chain.written, evidence);
         see_ties(notes.syntax, chain.sides, evidence);
         see_complex(notes.syntax, chain.sides, evidence);
+        see_operators(notes.syntax, chain.sides, evidence);
         for (const SyntaxId side : chain.sides) see_changing(notes.syntax, side, evidence);
       }
     }
@@ -113,6 +117,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
   settle_order(evidence);
   settle_changes(evidence);
   settle_complex(evidence);
+  settle_operators(evidence);
   return evidence;
 }
 

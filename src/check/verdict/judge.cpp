@@ -62,6 +62,7 @@ class Judging {
               {"a symbol that is defined by its square is the root that is not negative"});
           break;
         }
+        if (is_law_of_operators()) break;
         judgement_.verdict = Verdict::undecided;
         add(DiagnosticKind::undecided,
             decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
@@ -573,6 +574,15 @@ class Judging {
                                       claim_.relation,
                                       difference() + (claim_.as_a_whole ? "" : sides),
                                       {{claim_.left, ""}, {claim_.right, ""}}});
+  }
+
+  /// Operators have no samples, so what is not proved of them is weighed as if it were refuted.
+  bool is_law_of_operators() {
+    const bool operators =
+        has_operators(tree_, claim_.equation.left) || has_operators(tree_, claim_.equation.right);
+    if (!operators || assumes_the_impossible() || claim_.equation.relation != Relation::equal) return false;
+    law_of_unknown_rates();
+    return judgement_.verdict == Verdict::law;
   }
 
   /// What relates quantities is a law, whether or not they change.

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "algebra/words/operator_question.h"
+#include "base/among.h"
 #include "base/ascii.h"
 #include "check/meaning/beyond_reals.h"
 #include "check/meaning/both_orders.h"
@@ -23,6 +27,63 @@ OtherReading says(const ExprTree& tree, const std::set<SymbolId>& symbols, std::
 
 std::string quoted(const ExprTree& tree, const std::set<SymbolId>& symbols) {
   return quoted_names(tree, {symbols.begin(), symbols.end()});
+}
+
+/// Letters that stand for numbers beside operators: masses, frequencies, constants.
+bool is_usual_number_beside_operators(std::string_view letter) {
+  static constexpr auto numbers = std::to_array<std::string_view>(
+      {"m",        "M",       "t",      "e",       "c",       "g",         "k",
+       "n",        "l",       "s",      "N",       "\\hbar",  "\\omega",   "\\Omega",
+       "\\lambda", "\\alpha", "\\beta", "\\gamma", "\\theta", "\\epsilon", "\\delta",
+       "\\mu",     "\\nu",    "\\tau",  "\\kappa", "\\eta",   "\\xi",      "\\zeta"});
+  return is_one_of(letter, numbers);
+}
+
+/// Of these a conjugate is itself.
+bool is_usual_real_beside_operators(std::string_view letter) {
+  static constexpr auto reals = std::to_array<std::string_view>(
+      {"m", "M", "t", "\\hbar", "\\omega", "\\Omega", "\\theta", "k", "n", "N"});
+  return is_one_of(letter, reals);
+}
+
+/// Beside operators any other letter may be one, too: V of `H = p^2/2m + V`. A proof takes it for a number.
+std::optional<OtherReading> beside_operators(const Question& question, const Names& names) {
+  const ExprTree& tree = *question.tree;
+  const Evidence& evidence = *names.symbols.evidence;
+  std::vector<ExprId> roots{question.claim.left, question.claim.right};
+  for (const Equation& each : question.assumptions) roots.insert(roots.end(), {each.left, each.right});
+  const auto body_of = [&](SymbolId symbol) {
+    const Definition* definition = definition_in(question, symbol);
+    return definition == nullptr ? std::nullopt : std::optional(definition->body);
+  };
+  const std::vector<SymbolId> reached = symbols_reached(tree, roots, body_of);
+  const bool conjugates = std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
+    return tree[id].op == Op::conjugate && has_operators(tree, id);
+  });
+  std::set<SymbolId> open;
+  std::set<SymbolId> complex;
+  for (const SymbolId symbol : reached) {
+    const Symbol& known = tree.symbols[symbol];
+    const NameKey* key = key_of(names.symbols, base_of(tree.symbols, symbol));
+    if (known.noncommuting || known.is_fixed() || known.declared || key == nullptr) continue;
+    const std::string letter = without_labels(key->base);
+    const bool defined = definition_in(question, symbol) != nullptr;
+    const bool number = evidence.declared_real.contains(key->base) || evidence.real.contains(letter) ||
+                        known.complex || is_usual_number_beside_operators(letter);
+    if (!number && !defined) open.insert(symbol);
+    const bool real =
+        known.complex || evidence.real.contains(letter) || is_usual_real_beside_operators(letter);
+    if (conjugates && !real && !defined) complex.insert(symbol);
+  }
+  if (!open.empty())
+    return says(tree, open,
+                fmt::format("{} beside operators can be {}; it holds for {}", quoted(tree, open),
+                            open.size() == 1 ? "one as well, or a number" : "some as well, or numbers",
+                            open.size() == 1 ? "a number" : "numbers"));
+  if (complex.empty()) return std::nullopt;
+  return says(tree, complex,
+              fmt::format("{} can be complex, but it is proved for real numbers only", quoted(tree, complex)),
+              "a real number");
 }
 
 /// Matrices and operators were multiplied as numbers are: what is proved counts where it holds in their
@@ -214,6 +275,7 @@ std::optional<OtherReading> in_determinants(const Question& question, const Name
 }  // namespace
 
 std::optional<OtherReading> other_reading(const Question& question, const Names& names, bool proved) {
+  if (is_about_operators(question)) return proved ? beside_operators(question, names) : std::nullopt;
   if (auto order = in_order(question, names, proved)) return order;
   if (auto arithmetic = in_another_arithmetic(question, names, proved)) return arithmetic;
   if (auto complex = in_complex_numbers(question, names, proved)) return complex;

@@ -56,6 +56,7 @@ class PolynomialReader {
       case Op::number:
         return constant(number(tree_.digits(id)));
       case Op::symbol:
+        if (tree_.symbols[node.symbol].noncommuting) throw TooManyMonomials{};  // products keep their order
         if (tree_.symbols[node.symbol].complex) throw TooManyMonomials{};  // v·v is not |v|²
         return symbol(id, std::move(slots));
       case Op::basis:

@@ -61,6 +61,15 @@ struct Evidence {
   std::set<std::string> real_parts;       // x and y of `x + iy`: real, though `x = (z + z^*)/2`
   std::set<std::string> no_units;         // i of `i = 5`
   std::set<std::string> declared_real;    // "scalar z"
+  std::set<std::string> operator_letters;  // alone in a commutator, under a dagger, or called operators
+  std::set<std::string>
+      operator_families;  // the same with a subscript that can be an index: L of `[L_i, L_j]`
+  std::map<std::string, std::set<std::string>> set_equal;  // a letter, with the names on the other sides
+  std::set<std::string> written_out;                       // A of `A = \begin{pmatrix}…`
+  std::set<std::string> noncommuting;          // shown to be operators, with labels: `\hat{p}`, `L_{z}`
+  std::set<std::string> noncommuting_triples;  // L of the components L_i
+  bool speaks_of_operators = false;            // the words do, or of commutators
+  bool speaks_of_poisson = false;              // of Poisson brackets
   std::map<std::string, std::set<std::string>> made_of;  // z of `z = x + iy`, with x, y and i
   bool says_imaginary = false;                           // "the imaginary unit", "complex numbers"
   bool says_conjugate = false;                           // "the complex conjugate"
@@ -154,6 +163,20 @@ void see_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, 
 [[nodiscard]] bool may_be_a_matrix(const std::string& letter, const Evidence& evidence);
 /// The letter with face, marks and subscripts: \mathbf{A} is another matrix than A.
 [[nodiscard]] std::string matrix_name(const WrittenSymbol& symbol);
+
+// --- operator_letters.cpp: Evidence that letters are operators: for these, unlike those that only may be
+// some, products keep their order.
+
+/// What one chain shows; `sides` are its sides as they were parsed.
+void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence);
+/// "The operators $A$ and $B$", "commutator", "Poisson bracket".
+void see_said_operators(std::string_view text, Evidence& evidence);
+/// When all is seen: what is in brackets is an operator where the words or a hat or dagger show that the
+/// brackets are commutators. What is written out as a matrix is none.
+void settle_operators(Evidence& evidence);
+/// Do the letters stand for an operator, or for the components of three? `base` has its labels.
+[[nodiscard]] bool is_operator(const Evidence& evidence, const std::string& base, int rank);
+[[nodiscard]] bool is_operator(const Evidence& evidence, const WrittenSymbol& symbol);
 
 // --- raised_indices.cpp: Upper indices: where `x^\mu` or `x^1` stands, `x^2` need not be a square.
 

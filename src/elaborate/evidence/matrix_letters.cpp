@@ -210,7 +210,8 @@ bool may_be_a_matrix(const std::string& letter, const Evidence& evidence) {
 
 MatrixShape written_shape(const SyntaxTree& syntax, SyntaxId id) {
   const SyntaxNode& node = syntax[id];
-  const bool table = node.kind == SyntaxKind::matrix || (node.kind == SyntaxKind::tuple && node.payload != 0);
+  const bool table = node.kind == SyntaxKind::matrix ||
+                     (node.kind == SyntaxKind::tuple && node.payload != 0 && !is_pair_in_brackets(node));
   if (!table) return {};
   const std::uint32_t rows = node.count / node.payload;
   if (node.count == 1 || rows > most_rows || node.payload > most_rows) return {};

@@ -18,9 +18,10 @@ struct NameKey {
   std::string base;
   int rank = 0;
   bool per_particle = false;
-  std::uint8_t space = 0;  // of its axes, as `Space::id`; `Symbols` fills in the one in force
-  MatrixShape shape = {};  // of a letter that is set equal to a written matrix
-  bool complex = false;    // `Symbols` fills in what the section shows
+  std::uint8_t space = 0;     // of its axes, as `Space::id`; `Symbols` fills in the one in force
+  MatrixShape shape = {};     // of a letter that is set equal to a written matrix
+  bool complex = false;       // `Symbols` fills in what the section shows
+  bool noncommuting = false;  // the same
   friend auto operator<=>(const NameKey&, const NameKey&) = default;
 };
 

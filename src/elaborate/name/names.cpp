@@ -31,7 +31,7 @@ Dependence usual_change(const NameKey& key, const Variable& by) {
   if (key == NameKey{"t", 0, false}) return {by == By::time ? Kind::variable : Kind::constant};
   if (by != By::space) return {};
   if (key.rank == 1 && key.space == 0 && (key.base == "r" || key.base == "x")) return {Kind::variable};
-  if (key.rank != 0 || key.complex) return {};
+  if (key.rank != 0 || key.complex || key.noncommuting) return {};
   if (key.base == "x" || key.base == "y" || key.base == "z")
     return {Kind::variable, static_cast<std::uint8_t>(key.base[0] - 'x' + 1)};
   return {};
@@ -106,6 +106,7 @@ SymbolId declare(Names& names, ExprTree& tree, const NameKey& named, Symbol symb
   symbol.axes = AxisSpaces::of(key.rank > 0 ? space_of(names.symbols) : common_space, key.rank);
   symbol.per_particle = key.per_particle;
   symbol.complex = key.complex;
+  symbol.noncommuting = key.noncommuting;
   symbol.declared = true;
   auto known = declared_alike(names.symbols, tree.symbols, key, symbol);
   if (!known) known = spoken_of(names, key, symbol);

@@ -293,6 +293,7 @@ class RankReader {
   RankSet tuple(SyntaxId id) {
     RankSet common = any_rank;
     for (const SyntaxChild& child : syntax_.children(id)) common &= read(child.id);
+    if (is_pair_in_brackets(syntax_[id])) return unread(syntax_[id].span, "this can be a commutator");
     return has(common, 0) && syntax_[id].count == 3 ? vector : any_rank;
   }
 

@@ -28,10 +28,11 @@ struct Sightings {
 };
 
 /// Is a time derivative of it written? Sightings are of the whole file, and know no spaces
-/// and no complex numbers.
+/// and no complex numbers or operators.
 [[nodiscard]] inline bool has_rate(const Sightings& sightings, NameKey key) {
   key.space = 0;
   key.complex = false;
+  key.noncommuting = false;
   return sightings.rates.contains(key);
 }
 

@@ -36,6 +36,7 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
                                 : AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
   symbol.per_particle = key.per_particle;
   symbol.complex = key.complex;
+  symbol.noncommuting = key.noncommuting;
   symbol.first_seen = span;
   // After its section, a declared letter is the same symbol, undeclared; if the declaration gave it
   // properties (symmetric, unit, rotation), it is another symbol.
@@ -68,8 +69,12 @@ std::optional<std::size_t> space_declared_by(const Symbols& symbols) {
 NameKey placed(const Symbols& symbols, NameKey key) {
   if (key.rank > 0 && key.space == 0 && !key.shape.any()) key.space = space_of(symbols).id;
   const std::set<std::string>& complex = symbols.evidence->complex_numbers;
-  if (!complex.empty() && !key.shape.any())
-    key.complex = key.complex || complex.contains(complex_name(key.base, key.rank));
+  if (key.shape.any()) return key;
+  if (!complex.empty()) key.complex = key.complex || complex.contains(complex_name(key.base, key.rank));
+  const Evidence& shown = *symbols.evidence;
+  const bool any = !shown.noncommuting.empty() || !shown.noncommuting_triples.empty();
+  if (any && !key.per_particle) key.noncommuting = key.noncommuting || is_operator(shown, key.base, key.rank);
+  if (key.noncommuting) key.complex = false;
   return key;
 }
 

@@ -110,8 +110,12 @@ MaybeTyped elaborate_adjoint(Reading& reading, SyntaxId id, const Around& around
 }
 
 MaybeTyped adjoint_of(Reading& reading, const Typed& matrix, Span span) {
+  const bool operators = has_operators(reading.tree, matrix.id);
+  if (operators || (matrix.layout == Layout::none && matrix.rank == 0))
+    return apply_op(reading.tree, Op::conjugate, span, matrix.rank, {matrix});
   if (matrix.layout == Layout::none)
-    return unsupported(reading, span, "an adjoint is read of a matrix or column with known entries only");
+    return unsupported(reading, span,
+                       "an adjoint is read of an operator, and of a matrix or column with known entries");
   const auto conjugate = conjugated(reading, matrix, span);
   return conjugate ? MaybeTyped(transposed(reading.tree, *conjugate, span)) : std::nullopt;
 }
@@ -126,8 +130,9 @@ MaybeTyped conjugate_of_matrix(Reading& reading, const Typed& matrix, Span span)
 std::optional<MaybeTyped> commutator(Reading& reading, SyntaxId id, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   const std::span<const SyntaxChild> both = syntax.children(id);
-  const bool square = both[0].joint == Joint::comma_in_square;
-  if (both.size() != 2 || (!square && both[0].joint != Joint::comma_in_braces)) return std::nullopt;
+  const std::uint32_t brackets = syntax[id].payload;
+  if (!is_pair_in_brackets(syntax[id]) || brackets == in_poisson_brackets) return std::nullopt;
+  const bool square = brackets == in_square_brackets;
   const Evidence& here = *reading.names.symbols.evidence;
   const bool matrices = std::ranges::any_of(
       both, [&](const SyntaxChild& child) { return holds_matrix_letter(syntax, child.id, here); });

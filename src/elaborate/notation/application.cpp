@@ -153,6 +153,15 @@ bool may_be_inverse(const Reading& reading, SyntaxId power, SyntaxId bracket) {
                     letter_with_marks(syntax.symbol(syntax.child(power, 0))));
 }
 
+/// Does an operator stand in it?
+bool holds_operator(const Reading& reading, SyntaxId bracket) {
+  const Evidence& evidence = *reading.names.symbols.evidence;
+  if (evidence.noncommuting.empty() && evidence.noncommuting_triples.empty()) return false;
+  return std::ranges::any_of(nodes_below(reading.syntax, {bracket}), [&](SyntaxId id) {
+    return reading.syntax[id].kind == SyntaxKind::symbol && is_operator(evidence, reading.syntax.symbol(id));
+  });
+}
+
 /// `f(x)` and `\omega(t)` can be a value of a function or a product; `dx` a differential or a product.
 std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxChild> factors) {
   const SyntaxTree& syntax = reading.syntax;
@@ -181,6 +190,12 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
     const WrittenSymbol& symbol = syntax.symbol(id);
     if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, id)) continue;
     const BracketPart part = part_of_bracket(reading, id, next);
+    if (part != BracketPart::factor && holds_operator(reading, next))
+      return SpelledPart{
+          both,
+          fmt::format("this can be a product, or a function `{}` of operators, which is not read yet",
+                      symbol.letter),
+          {fmt::format("`rigor: scalar {}` makes it a product", symbol.letter)}};
     if (part == BracketPart::argument ||
         (part == BracketPart::open && reading.rules.open != OpenBracket::refused))
       continue;
@@ -246,6 +261,11 @@ BracketPart part_of_bracket(Reading& reading, SyntaxId function, SyntaxId bracke
   if (syntax[function].kind != SyntaxKind::symbol) return BracketPart::factor;
   const WrittenSymbol& symbol = syntax.symbol(function);
   const SyntaxKind kind = syntax[bracket].kind;
+  const bool brackets = kind == SyntaxKind::group || kind == SyntaxKind::tuple;
+  if (brackets && holds_operator(reading, bracket) &&
+      (is_operator(*reading.names.symbols.evidence, symbol) || is_usual_coefficient(symbol.letter) ||
+       symbol.letter == "\\hbar" || symbol.letter == "\\omega"))
+    return BracketPart::factor;
   if (is_kronecker(symbol) || is_levi_civita(symbol) || is_nabla(syntax, function) ||
       is_never_applied(symbol) || (kind != SyntaxKind::group && kind != SyntaxKind::tuple) ||
       holds_letter(syntax, bracket, symbol.letter))

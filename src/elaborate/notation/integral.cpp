@@ -27,7 +27,8 @@ bool may_be_hidden(Reading& reading, ExprId integrand) {
     const SymbolId base = base_of(reading.tree.symbols, symbol);
     const NameKey* key = key_of(symbols, base);
     const bool turns = reading.tree.symbols[base].rank > 0 && !reading.names.scope.frames->empty();
-    return turns || (key != nullptr && symbols.evidence->is_ordered(without_labels(key->base)));
+    return turns || reading.tree.symbols[base].noncommuting ||
+           (key != nullptr && symbols.evidence->is_ordered(without_labels(key->base)));
   });
 }
 

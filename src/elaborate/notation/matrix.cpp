@@ -113,7 +113,9 @@ MaybeTyped elaborate_tuple(Reading& reading, SyntaxId id, const Around& around) 
   const std::size_t count = reading.syntax[id].count;
   if (const auto other = other_meaning(reading, id, shape)) return ambiguous(reading, span, *other);
   const bool table = shape.any();
-  if (!table && reading.syntax[id].payload != 0)
+  const bool in_plane = !table && space_of(reading.names.symbols).dimension == 2;
+  if (is_pair_in_brackets(reading.syntax[id]) && !in_plane) return elaborate_pair(reading, id, around);
+  if (!table && reading.syntax[id].payload != 0 && !is_pair_in_brackets(reading.syntax[id]))
     return unsupported(reading, span, fmt::format("a column or row of two to {} entries is read", most_rows));
   const Space space =
       table ? column_space(reading.names.symbols, static_cast<int>(count)) : use_space(reading);

@@ -17,6 +17,7 @@ ReadPart elaborate_function, elaborate_integral;                    // function.
 ReadPart elaborate_line_integral, elaborate_between;                // integral.cpp
 ReadPart elaborate_tuple, elaborate_matrix, elaborate_determinant;  // matrix.cpp
 ReadPart elaborate_diagonal;                                        // matrix.cpp
+ReadPart elaborate_pair;                                            // operators.cpp
 ReadPart elaborate_power, elaborate_root;                           // power.cpp
 ReadPart elaborate_sum, elaborate_big_sum;                          // sum.cpp
 ReadPart elaborate_counted_sum;                                     // integral.cpp

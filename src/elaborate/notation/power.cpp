@@ -155,6 +155,23 @@ MaybeTyped real_power(Reading& reading, const Typed& base, SyntaxId exponent, Sp
   return apply_op(reading.tree, Op::real_power, span, 0, {base, *above});
 }
 
+/// `L^2` of three operators L_i.
+std::optional<MaybeTyped> square_of_triple(Reading& reading, SyntaxId raised, Span span,
+                                           const Around& around) {
+  const WrittenSymbol& symbol = reading.syntax.symbol(raised);
+  const std::string base = letter_with_marks(symbol);
+  const Names& names = reading.names;
+  const bool triple = symbol.face == Face::plain && symbol.lower.empty() && symbol.dots == 0 &&
+                      is_operator(*names.symbols.evidence, base, 1) && is_known(names, base, 1, false) &&
+                      !is_declared(names.symbols, {base, 0, false});
+  if (!triple) return std::nullopt;
+  const WrittenName name{.base = base, .axes = {}, .particles = {}};
+  const auto vector = named_symbol(reading, {symbol, name, span, around}, base, 1);
+  if (!vector) return MaybeTyped();
+  note(reading, fmt::format("`{0}^2` is the sum of the squares of the components of `{0}`", base));
+  return MaybeTyped(apply_op(reading.tree, Op::dot, span, 0, {*vector, *vector}));
+}
+
 }  // namespace
 
 std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id) {
@@ -197,6 +214,9 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
         reading, span,
         fmt::format("`{}` has upper indices elsewhere: this can be one of them or a power", letter),
         {fmt::format("`rigor: scalar {}` makes it a power", letter)});
+  }
+  if (of_symbol && whole == 2) {
+    if (const auto square = square_of_triple(reading, raised, span, around)) return *square;
   }
   Around inside = around;
   inside.squared = of_symbol && whole == 2;

@@ -167,12 +167,25 @@ MaybeTyped outer_product(Reading& reading, std::vector<Typed> scalars, const std
   return apply_op(reading.tree, Op::multiply, span, rank, scalars);
 }
 
+/// `L_z\mathbf{p}`: scalars are put before vectors, which would change the order of operators.
+bool mixes_operators(const Reading& reading, const std::vector<Operand>& operands) {
+  const auto has = [&](bool vectors) {
+    return std::ranges::any_of(operands, [&](const Operand& each) {
+      return (each.typed.rank > 0) == vectors && has_operators(reading.tree, each.typed.id);
+    });
+  };
+  return has(true) && has(false);
+}
+
 MaybeTyped without_slash(Reading& reading, const std::vector<Operand>& operands, Span span) {
   if (operands.size() == 1) return operands[0].typed;
   std::vector<Typed> factors;
   for (const Operand& operand : operands) factors.push_back(operand.typed);
   auto letters = contraction_of(reading, factors);
   if (!letters) return std::nullopt;
+  if (mixes_operators(reading, operands))
+    return unsupported(reading, span, "a product of operators with a vector of operators is not read",
+                       {"write it in components"});
   auto separated = separate_scalars(reading, operands);
   auto vectors = separated ? multiply(reading, std::move(separated->vectors), Joint::cross) : std::nullopt;
   if (vectors) vectors = multiply(reading, *std::move(vectors), Joint::dot);
@@ -193,6 +206,9 @@ MaybeTyped divide(Reading& reading, const Typed& dividend, const Typed& divisor,
     return unsupported(reading, divisor.free[0].span,
                        fmt::format("the index `{}` in a denominator is not decided", divisor.free[0].letter));
   }
+  if (has_operators(reading.tree, divisor.id))
+    return ambiguous(reading, span, "the inverse of an operator can stand on either side",
+                     {"write `A^{-1}` on its side"});
   return apply_op(reading.tree, Op::divide, span, dividend.rank, {dividend, divisor});
 }
 

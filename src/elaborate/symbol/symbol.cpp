@@ -85,8 +85,8 @@ bool stands_apart(Reading& reading, const WrittenName& name, bool as_length) {
   const NameKey key{name.base, 1, name.per_particle()};
   const Names& names = reading.names;
   const auto symbol = find_symbol(names.symbols, key);
-  const bool settled = name.per_particle() || is_declared(names.symbols, key) ||
-                       is_in_company(reading, name) ||
+  const bool settled = name.per_particle() || is_operator(*names.symbols.evidence, name.base, 1) ||
+                       is_declared(names.symbols, key) || is_in_company(reading, name) ||
                        (symbol && definition_of(names.scope, *symbol) != nullptr) ||
                        (symbol && as_length && seen_in_equation(names.scope, *symbol));
   if (settled) return false;
@@ -141,13 +141,17 @@ bool is_bare_and_undeclared(const Names& names, const WrittenSymbol& written) {
          written.change.empty() && !is_declared(names.symbols, {written.letter, 0, false});
 }
 
+bool speaks_of_operators_here(const Evidence& evidence) {
+  return !evidence.noncommuting.empty() || !evidence.noncommuting_triples.empty();
+}
+
 /// Does the section show that the letter is the number i? Not where it also is a subscript.
 bool is_imaginary_unit(const Reading& reading, const WrittenSymbol& written) {
   const Evidence& evidence = *reading.names.symbols.evidence;
   const bool upright = written.letter == "\\mathrm{i}" && !evidence.no_units.contains(written.letter);
   return may_be_imaginary_unit(written) && is_bare_and_undeclared(reading.names, written) &&
          (upright || evidence.imaginary_units.contains(written.letter)) &&
-         !reading.letters.below.contains(written.letter) &&
+         (speaks_of_operators_here(evidence) || !reading.letters.below.contains(written.letter)) &&
          !reading.letters.counted.contains(written.letter) &&
          !reading.indices.summed.contains(written.letter) &&
          !reading.particles.summed.contains(written.letter);
@@ -162,6 +166,22 @@ std::optional<MaybeTyped> overlined(Reading& reading, WrittenSymbol written, Spa
   const auto inside = elaborate_symbol(reading, written, span, around);
   if (!inside) return MaybeTyped();
   return MaybeTyped(apply_op(reading.tree, Op::conjugate, span, inside->rank, {*inside}));
+}
+
+/// Does the section show that it is an operator, or a component of three?
+bool names_an_operator(const Reading& reading, const WrittenSymbol& written, const WrittenName& name) {
+  if (written.face != Face::plain || name.per_particle()) return false;
+  const Evidence& evidence = *reading.names.symbols.evidence;
+  return is_operator(evidence, with_labels(name.base, name.axes), 0) ||
+         (name.axes.size() == 1 && is_operator(evidence, name.base, 1));
+}
+
+/// `\mathbb 1`, and "the unit matrix $I$", beside operators.
+bool is_unit_operator(const Reading& reading, const WrittenSymbol& written) {
+  const Evidence& evidence = *reading.names.symbols.evidence;
+  if (!speaks_of_operators_here(evidence)) return false;
+  if (written.letter == "\\mathbb{1}" || written.letter == "\\mathbb{I}") return true;
+  return is_bare_and_undeclared(reading.names, written) && evidence.units.contains(written.letter);
 }
 
 /// Why a letter is no quantity that is read: it stands for a change, an average or i.
@@ -374,6 +394,14 @@ MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span
   if (written.dots > 0) return dotted_symbol(reading, written, span, around);
   if (written.letter == "\\nabla") return unsupported(reading, span, "`\\nabla` has nothing to act on here");
   if (auto letter = matrix_letter(reading, written, span)) return *std::move(letter);
+  if (speaks_of_operators_here(*reading.names.symbols.evidence)) {
+    if (is_unit_operator(reading, written)) return Typed{.id = reading.tree.add_number(span, "1")};
+    WrittenName name = take_apart(written, reading.letters, reading.names);
+    if (names_an_operator(reading, written, name)) {
+      reading.found.used.insert(name.used.begin(), name.used.end());
+      return plain_symbol(reading, {written, std::move(name), span, around});
+    }
+  }
   if (auto fixed = unit_or_basis(reading, written, span, around)) return *std::move(fixed);
   if (is_imaginary_unit(reading, written))
     return Typed{.id = reading.tree.add({.op = Op::imaginary_unit, .span = span})};

@@ -145,6 +145,10 @@ std::optional<ExprId> Differentiator::of_linear(ExprId id) {
 }
 
 std::optional<ExprId> Differentiator::of_product(ExprId id) {
+  if (by_.by == By::letter && tree_.symbols[by_.letter].noncommuting) {
+    give_up("a derivative by an operator is not decided");
+    return std::nullopt;
+  }
   const std::vector<ExprId> factors(tree_.children(id).begin(), tree_.children(id).end());
   std::vector<ExprId> terms;
   for (std::size_t k = 0; k < factors.size(); ++k) {
@@ -164,6 +168,10 @@ std::optional<ExprId> Differentiator::of_quotient(ExprId id) {
   const std::uint8_t rank = tree_[id].rank;
   const ExprId dividend = child(id, 0);
   const ExprId divisor = child(id, 1);
+  if (has_operators(tree_, divisor)) {
+    give_up("the derivative of a quotient by an operator is not decided");
+    return std::nullopt;
+  }
   const Maybe above = derivative(dividend);
   const Maybe below = derivative(divisor);
   std::vector<ExprId> terms;
@@ -180,6 +188,7 @@ std::optional<ExprId> Differentiator::of_quotient(ExprId id) {
 std::optional<ExprId> Differentiator::of_power(ExprId id) {
   const std::int32_t exponent = tree_[id].exponent;
   const ExprId base = child(id);
+  if (has_operators(tree_, base)) return of_power_of_operator(id);
   if (exponent % 2 == 0 && tree_[base].op == Op::symbol) {
     if (const auto square = dependence_of_(tree_[base].symbol).square)
       return derivative(exponent == 2 ? *square : make(Op::power, 0, {*square}, exponent / 2));
@@ -190,6 +199,18 @@ std::optional<ExprId> Differentiator::of_power(ExprId id) {
   ExprId factor = number(std::to_string(std::abs(exponent)).c_str());
   if (exponent < 0) factor = make(Op::negate, 0, {factor});
   return make(Op::multiply, 0, {factor, make(Op::power, 0, {base}, exponent - 1), *inner});
+}
+
+/// (A²)' = A'A + AA'
+std::optional<ExprId> Differentiator::of_power_of_operator(ExprId id) {
+  const std::int32_t exponent = tree_[id].exponent;
+  constexpr std::int32_t most_factors = 16;
+  if (exponent < 0 || exponent > most_factors) {
+    give_up("the derivative of such a power of an operator is not decided");
+    return std::nullopt;
+  }
+  if (exponent < 2) return exponent == 1 ? derivative(child(id)) : std::nullopt;
+  return of_product(make(Op::multiply, 0, std::vector(static_cast<std::size_t>(exponent), child(id))));
 }
 
 /// (b^y)' = y b^(y−1) b' + b^y ln b y'

@@ -64,6 +64,7 @@ class Differentiator {
   Maybe of_product(ExprId id);
   Maybe of_quotient(ExprId id);
   Maybe of_power(ExprId id);
+  Maybe of_power_of_operator(ExprId id);
   Maybe of_real_power(ExprId id);
   Maybe of_root(ExprId id);
   Maybe of_length(ExprId id);

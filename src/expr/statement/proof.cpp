@@ -108,6 +108,7 @@ std::vector<std::size_t> assumptions_of(const Proof& proof) {
 }
 
 std::string route_of(const Proof& proof) {
+  if (proof.words) return "products of operators in their order";
   std::string route =
       proof.method == Proof::Method::sign ? "sign of the difference" : "component normal form";
   if (proof.moments) route += ", moments of any number of particles";

@@ -128,6 +128,7 @@ struct Proof {
   bool rotations = false;
   bool functions = false;
   bool radicals = false;
+  bool words = false;                   // products of operators, in their order
   std::vector<SymbolId> unfolded = {};  // definitions
   std::vector<ProofLetter> letters = {};
   std::vector<ProofEquation> equations = {};  // those with a cofactor in a step
@@ -210,8 +211,8 @@ void fields(Archive& archive, ProofStep& step) {
 template <class Archive>
 void fields(Archive& archive, Proof& proof) {
   archive.bounded(proof.method, 3);
-  archive(proof.vanishes, proof.moments, proof.unit_vectors, proof.rotations, proof.functions,
-          proof.radicals);
+  archive(proof.vanishes, proof.moments, proof.unit_vectors, proof.rotations, proof.functions, proof.radicals,
+          proof.words);
   archive(proof.unfolded, proof.letters, proof.equations, proof.nonzero, proof.solutions, proof.steps,
           proof.in_force);
 }

@@ -78,6 +78,12 @@ bool names_an_axis(const ExprTree& tree, ExprId root) {
   });
 }
 
+bool has_operators(const ExprTree& tree, ExprId root) {
+  return std::ranges::any_of(nodes_below(tree, {root}), [&](ExprId id) {
+    return tree[id].op == Op::symbol && tree.symbols[tree[id].symbol].noncommuting;
+  });
+}
+
 bool has_complex_numbers(const ExprTree& tree, ExprId root) {
   return std::ranges::any_of(nodes_below(tree, {root}), [&](ExprId id) {
     const ExprNode& node = tree[id];

@@ -60,6 +60,7 @@ SymbolId SymbolTable::derivative(const Derivation& derivation) {
   symbol.complex = base.complex || std::ranges::any_of(derivation.by, [this](const Variable& each) {
                      return each.by == By::letter && (*this)[each.letter].complex;
                    });
+  symbol.noncommuting = base.noncommuting;
   symbol.declared = base.declared;
   symbol.first_seen = base.first_seen;
   const SymbolId id = add(std::move(symbol));

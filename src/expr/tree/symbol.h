@@ -94,6 +94,7 @@ struct Symbol {
   bool unit = false;           // rank 1: length 1
   bool rotation = false;       // rank 2: orthogonal with determinant 1; the first axis is the rotated one
   bool complex = false;        // each component is a complex number; all others are real
+  bool noncommuting = false;   // an operator, or a matrix of any size: products keep their order
   bool declared = false;       // a directive says what it is
   bool circle_number = false;  // π, unless it is defined
   std::optional<Dimension> unit_of_measure = {};  // of a unit such as the metre: positive, never changes

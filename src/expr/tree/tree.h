@@ -47,7 +47,7 @@ enum class Op : std::uint8_t {
               // first axis is, and its dimension how many children there are
   determinant,     // nine children row by row; all of rank 0, or one row of rank 1: ε_ijk a_1i a_2j a_3k
   imaginary_unit,  // i; rank 0
-  conjugate,       // one child of any rank, component by component
+  conjugate,       // one child of any rank, component by component; of an operator its adjoint
   real_part,       // the same
   imaginary_part,  // the same; a real number
   index_sum,       // Σ over `index`, along the axes of its space
@@ -163,6 +163,9 @@ class ExprTree {
 [[nodiscard]] bool names_an_axis(const ExprTree& tree, ExprId root);
 /// Does i or a complex symbol occur in it? What has neither is real. Definitions are not unfolded.
 [[nodiscard]] bool has_complex_numbers(const ExprTree& tree, ExprId root);
+/// Does an operator occur in it? Then its products keep their order, which only `algebra/words` knows.
+/// Definitions are not unfolded.
+[[nodiscard]] bool has_operators(const ExprTree& tree, ExprId root);
 /// The symbols below a node, in order of first occurrence, each once. Definitions are not unfolded.
 [[nodiscard]] std::vector<SymbolId> symbols_in(const ExprTree& tree, ExprId root);
 

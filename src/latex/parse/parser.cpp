@@ -371,16 +371,17 @@ SyntaxId Parser::add_primes(SyntaxId base, std::uint8_t primes, Span place) {
   return tree_.add_symbol(span, std::move(symbol));
 }
 
-/// `z^*`
+/// `z^*`, `A^\dagger`
 bool Parser::is_conjugate(SyntaxId node) const {
-  return tree_[node].kind == SyntaxKind::function && tree_.text(node) == "conjugate";
+  return tree_[node].kind == SyntaxKind::function &&
+         (tree_.text(node) == "conjugate" || tree_.text(node) == "adjoint");
 }
 
 SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind == SyntaxKind::opaque) return base;
   if (is_conjugate(base) && tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol)  // \psi^*_n
-    return tree_.add_named(SyntaxKind::function, span, "conjugate",
+    return tree_.add_named(SyntaxKind::function, span, std::string(tree_.text(base)),
                            add_indices(tree_.child(base, 0), content, place));
   if (tree_[base].kind == SyntaxKind::power &&
       tree_[tree_.child(base, 0)].kind == SyntaxKind::symbol) {  // v^2_x
@@ -441,10 +442,13 @@ SyntaxId Parser::exponent(SyntaxId base, TokenView content, Span place) {
     if (is_sign(content[0], "+")) return opaque(place, "an adjoint is not read yet");
     if (is_sign(content[0], "-") || is_control(content[0], "pm") || is_control(content[0], "mp"))
       return opaque(place, "a sign above a letter is a label, which is not read yet");
-    if (is_control_of(content[0], {"dagger", "dag"}) || content[0].text == "†") {
-      read(content);
-      return tree_.add_named(SyntaxKind::function, span, "adjoint", base);
-    }
+  }
+  const bool adjoint =
+      !content.empty() && (is_control_of(content[0], {"dagger", "dag"}) || content[0].text == "†");
+  if (adjoint) {  // also `a^{\dagger 2}`
+    read(content.first(1));
+    const SyntaxId marked = tree_.add_named(SyntaxKind::function, span, "adjoint", base);
+    return content.size() == 1 ? marked : exponent(marked, content.subspan(1), place);
   }
   if (is_transpose(content)) {
     read(content);

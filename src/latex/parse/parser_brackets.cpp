@@ -194,10 +194,8 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
                   DiagnosticKind::unbalanced);
   }
   const std::size_t begin = static_cast<std::size_t>(content.data() - cursor.tokens.data()) - 1;
-  const Joint comma = is_sign(open, "(")   ? Joint::comma
-                      : is_sign(open, "[") ? Joint::comma_in_square
-                                           : Joint::comma_in_braces;
-  const SyntaxId group = bracket_contents(content, span, comma);
+  const std::uint32_t pair = is_sign(open, "(") ? 0 : is_sign(open, "[") ? in_square_brackets : in_braces;
+  const SyntaxId group = bracket_contents(content, span, pair);
   if (is_sign(open, "(") || !holds_one_letter(group) || is_acted_on(cursor.tokens, begin)) return group;
   const bool component = close + 1 < cursor.tokens.size() && is_bold_letter(group) &&
                          cursor.tokens[close + 1].kind == TokenKind::subscript;
@@ -210,8 +208,9 @@ SyntaxId Parser::bracketed(Cursor& cursor) {
       DiagnosticKind::ambiguous_reading, {"without brackets, or in round ones, it is the letter itself"});
 }
 
-/// One expression in brackets, or several with commas between: the components of a vector.
-SyntaxId Parser::bracket_contents(TokenView content, Span span, Joint comma) {
+/// One expression in brackets, or several with commas between: the components of a vector. `pair`: the
+/// payload if there are two.
+SyntaxId Parser::bracket_contents(TokenView content, Span span, std::uint32_t pair) {
   std::vector<SyntaxChild> entries;
   Nesting nesting(false);
   std::size_t begin = 0;
@@ -223,7 +222,8 @@ SyntaxId Parser::bracket_contents(TokenView content, Span span, Joint comma) {
     begin = at + 1;
   }
   if (entries.size() == 1) entries[0].joint = Joint::none;
-  return tree_.add(entries.size() == 1 ? SyntaxKind::group : SyntaxKind::tuple, span, entries);
+  return tree_.add(entries.size() == 1 ? SyntaxKind::group : SyntaxKind::tuple, span, entries,
+                   entries.size() == 2 ? pair : 0);
 }
 
 /// `\boldsymbol\omega\times` is the matrix that takes the cross product.

@@ -56,6 +56,9 @@ std::optional<SyntaxId> Parser::pair_in_brackets(Cursor& cursor) {
   const TokenView tokens = cursor.tokens;
   const std::size_t begin = cursor.at;
   if (!is_control_of(tokens[begin], names)) return std::nullopt;
+  const std::uint32_t pair = is_control_of(tokens[begin], {"comm", "commutator"})     ? in_square_brackets
+                             : is_control_of(tokens[begin], {"pb", "poissonbracket"}) ? in_poisson_brackets
+                                                                                      : in_braces;
   const std::size_t open = behind_stars(tokens, begin + 1);
   if (!is_kind_at(tokens, open, TokenKind::begin_group)) return std::nullopt;
   const Argument first = argument_at(tokens, open);
@@ -65,13 +68,9 @@ std::optional<SyntaxId> Parser::pair_in_brackets(Cursor& cursor) {
   cursor.at = second.next;
   read_since(cursor, begin);
   const Span span = cover(tokens[begin].span, tokens.subspan(begin, second.next - begin));
-  const std::string_view name = tokens[begin].text;
-  const Joint joint = name.starts_with("comm") ? Joint::comma_in_square
-                      : name[0] == 'a'         ? Joint::comma_in_braces
-                                               : Joint::comma;
-  const SyntaxChild children[] = {{inner(first.content, span), joint, span},
-                                  {inner(second.content, span), joint, span}};
-  return tree_.add(SyntaxKind::tuple, span, children);
+  const SyntaxChild children[] = {{inner(first.content, span), Joint::comma, span},
+                                  {inner(second.content, span), Joint::comma, span}};
+  return tree_.add(SyntaxKind::tuple, span, children, pair);
 }
 
 }  // namespace rigor

@@ -45,20 +45,13 @@ enum class SyntaxKind : std::uint8_t {
   opaque,         // not read: `message` says why
 };
 
-/// How a child is joined to what comes before it. The entries of `[a, b]` and `\{a, b\}` have commas of their
-/// own: they can be commutators.
-enum class Joint : std::uint8_t {
-  none,
-  plus,
-  minus,
-  juxtaposed,
-  dot,
-  cross,
-  slash,
-  comma,
-  comma_in_square,
-  comma_in_braces
-};
+/// The payload of a tuple of two in other brackets than round ones.
+inline constexpr std::uint32_t in_square_brackets = 1000;
+inline constexpr std::uint32_t in_braces = 1001;
+inline constexpr std::uint32_t in_poisson_brackets = 1002;  // `\pb{f}{g}`
+
+/// How a child is joined to what comes before it.
+enum class Joint : std::uint8_t { none, plus, minus, juxtaposed, dot, cross, slash, comma };
 
 enum class Face : std::uint8_t { plain, vector, tensor };  // italic; bold or arrow; double arrow
 enum class Accent : std::uint8_t { none, hat, bar, tilde };
@@ -108,6 +101,11 @@ struct SyntaxNode {
   std::uint32_t count = 0;    // children
   std::uint32_t payload = 0;  // into symbols, sums, index lists or texts; the number of columns of a matrix
 };
+
+/// `[A, B]`, `\{A, B\}`, `\comm{A}{B}`.
+[[nodiscard]] constexpr bool is_pair_in_brackets(const SyntaxNode& node) {
+  return node.kind == SyntaxKind::tuple && node.count == 2 && node.payload >= in_square_brackets;
+}
 
 struct SyntaxChild {
   SyntaxId id;

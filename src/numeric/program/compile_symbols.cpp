@@ -69,6 +69,7 @@ Operand ExpressionCompiler::symbol_component(const ExprNode& symbol, std::size_t
 Operand ExpressionCompiler::free_component(const ExprNode& symbol, std::uint32_t particle,
                                            std::size_t component) {
   const Symbol& what = tree_->symbols[symbol.symbol];
+  if (what.noncommuting) fail("operators are not evaluated in floating point");
   if (what.complex) fail("complex numbers are not evaluated in floating point yet");
   const auto canonical = static_cast<std::uint32_t>(canonical_component(what, component));
   SymbolState& state = symbols_[static_cast<std::size_t>(symbol.symbol)];

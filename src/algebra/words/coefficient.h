@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands before a product of operators: a sum of rational multiples of products of commuting parts.
+// These parts are opaque here; whether a coefficient is 0 in the end is asked of the engine for numbers.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "expr/tree/tree.h"
+
+namespace rigor {
+
+/// In lowest terms, the denominator positive.
+struct Fraction {
+  std::int64_t above = 0;
+  std::int64_t below = 1;
+  friend bool operator==(const Fraction&, const Fraction&) = default;
+};
+/// Throws Undecidable where numbers grow too large.
+[[nodiscard]] Fraction operator+(const Fraction& a, const Fraction& b);
+[[nodiscard]] Fraction operator*(const Fraction& a, const Fraction& b);
+
+/// The commuting parts by number, each once. i is the first.
+class CommutingParts {
+ public:
+  explicit CommutingParts(ExprTree& tree);
+
+  [[nodiscard]] std::uint32_t number_of(ExprId part);
+  [[nodiscard]] ExprId part(std::uint32_t number) const { return parts_[number]; }
+  /// The number of the complex conjugate; of a real part its own.
+  [[nodiscard]] std::uint32_t conjugate_of(std::uint32_t number);
+  [[nodiscard]] ExprTree& tree() { return tree_; }
+
+  static constexpr std::uint32_t imaginary = 0;
+
+ private:
+  ExprTree& tree_;
+  std::vector<ExprId> parts_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;  // by dump
+};
+
+/// Numbers of parts with their exponents, which are not 0, by ascending number.
+using Monomial = std::vector<std::pair<std::uint32_t, int>>;
+/// No term is 0; i has the exponent 1 or none.
+using Coefficient = std::map<Monomial, Fraction>;
+
+[[nodiscard]] Coefficient rational(Fraction value);
+[[nodiscard]] Coefficient power_of_part(std::uint32_t number, int exponent);
+void add_to(Coefficient& into, const Coefficient& more);
+[[nodiscard]] Coefficient times(const Coefficient& a, const Coefficient& b);
+/// 1/a of one term. `always`: only where it is surely not 0, which is so for rational multiples of i and of
+/// what stands in a denominator already. Empty: it is not known.
+[[nodiscard]] Coefficient inverse(const Coefficient& a, bool always);
+[[nodiscard]] Coefficient conjugate(const Coefficient& a, CommutingParts& parts);
+[[nodiscard]] ExprId as_expression(const Coefficient& a, CommutingParts& parts, Span span);
+
+}  // namespace rigor

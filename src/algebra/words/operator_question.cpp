@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/words/operator_question.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "algebra/engine/budget.h"
+#include "algebra/engine/undecidable.h"
+#include "algebra/words/word_reader.h"
+#include "algebra/words/word_rules.h"
+
+namespace rigor {
+namespace {
+
+[[nodiscard]] bool any_reaches_operators(const Question& question, const std::vector<ExprId>& roots) {
+  const auto body_of = [&](SymbolId symbol) {
+    const Definition* definition = definition_in(question, symbol);
+    return definition == nullptr ? std::nullopt : std::optional(definition->body);
+  };
+  return std::ranges::any_of(symbols_reached(*question.tree, roots, body_of),
+                             [&](SymbolId symbol) { return question.tree->symbols[symbol].noncommuting; });
+}
+
+[[nodiscard]] bool speaks_of_operators(const Question& question, const Equation& equation) {
+  return any_reaches_operators(question, {equation.left, equation.right});
+}
+
+/// The same about a copy of its tree, which grows.
+struct OwnQuestion {
+  explicit OwnQuestion(const Question& asked)
+      : tree(std::make_unique<ExprTree>(*asked.tree)), question(asked), parts(*tree) {
+    question.tree = tree.get();
+  }
+  std::unique_ptr<ExprTree> tree;
+  Question question;
+  CommutingParts parts;
+};
+
+/// Calls `visit` with left − right for all values of the free indices, component by component.
+template <typename Visit>
+void for_each_difference(OwnQuestion& own, WordReader& reader, const Equation& equation, const Visit& visit) {
+  if (!equation.particles.empty()) throw Undecidable("operators of several particles are not decided");
+  std::vector<AxesOfIndices> all{{}};
+  for (const IndexId index : equation.indices) {
+    std::vector<AxesOfIndices> more;
+    for (const AxesOfIndices& axes : all) {
+      for (std::uint8_t axis = 1; axis <= own.tree->space(index).dimension; ++axis) {
+        more.push_back(axes);
+        more.back()[index] = axis;
+      }
+    }
+    all = std::move(more);
+    if (all.size() > 81) throw Undecidable("so many free indices beside operators are not decided");
+  }
+  for (const AxesOfIndices& axes : all) {
+    std::vector<WordSum> left = reader.read(equation.left, axes);
+    const std::vector<WordSum> right = reader.read(equation.right, axes);
+    if (left.size() != right.size()) throw Undecidable("its sides have different numbers of components");
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      add_to(left[k], opposite(right[k]));
+      visit(std::move(left[k]));
+    }
+  }
+}
+
+[[nodiscard]] bool has_adjoints(const Question& question) {
+  std::vector<ExprId> roots{question.claim.left, question.claim.right};
+  for (const Equation& each : question.assumptions) roots.insert(roots.end(), {each.left, each.right});
+  for (const Definition& each : question.definitions) roots.push_back(each.body);
+  return std::ranges::any_of(nodes_below(*question.tree, roots),
+                             [&](ExprId id) { return (*question.tree)[id].op == Op::conjugate; });
+}
+
+/// What is equal has equal adjoints, so each law gives two rules.
+void add_rules(OwnQuestion& own, WordReader& reader, const Positions& assumptions, WordRules& rules) {
+  const bool adjoints = has_adjoints(own.question);
+  for (const std::size_t which : assumptions) {
+    for_each_difference(own, reader, own.question.assumptions[which], [&](WordSum zero) {
+      if (adjoints) rules.add(adjoint(zero, own.parts), {which});
+      rules.add(std::move(zero), {which});
+    });
+  }
+}
+
+/// What was added before it did not end follows from the laws all the same.
+void complete_as_far_as_possible(WordRules& rules) {
+  try {
+    rules.complete();
+  } catch (const Contradiction&) {
+    throw;
+  } catch (const Undecidable&) {
+  }
+}
+
+/// So that nothing contradicts: to the end, or with letters of which nothing is said made to commute.
+void complete_to_the_end(WordRules& rules) {
+  static_cast<void>(rules.commute_the_rest());
+  rules.complete();
+}
+
+/// The equations between operators, and all else that is assumed.
+struct SortedAssumptions {
+  Positions of_operators;
+  std::vector<std::size_t> of_numbers;
+  bool others = false;  // orders, and what is not 0, of operators
+};
+
+[[nodiscard]] SortedAssumptions sorted_assumptions(const Question& question) {
+  SortedAssumptions sorted;
+  for (std::size_t k = 0; k < question.assumptions.size(); ++k) {
+    if (!speaks_of_operators(question, question.assumptions[k])) {
+      sorted.of_numbers.push_back(k);
+    } else if (question.assumptions[k].relation == Relation::equal) {
+      sorted.of_operators.insert(k);
+    } else {
+      sorted.others = true;
+    }
+  }
+  return sorted;
+}
+
+/// What is said of numbers only.
+[[nodiscard]] Question about_numbers(const OwnQuestion& own, const SortedAssumptions& sorted) {
+  Question numbers;
+  numbers.tree = own.tree.get();
+  for (const std::size_t which : sorted.of_numbers)
+    numbers.assumptions.push_back(own.question.assumptions[which]);
+  for (const Definition& each : own.question.definitions) {
+    if (!own.tree->symbols[each.symbol].noncommuting && !any_reaches_operators(own.question, {each.body}))
+      numbers.definitions.push_back(each);
+  }
+  for (const SymbolId symbol : own.question.zeroed) {
+    if (!own.tree->symbols[symbol].noncommuting) numbers.zeroed.push_back(symbol);
+  }
+  return numbers;
+}
+
+struct WordProof {
+  std::set<SymbolId> unfolded;
+  Positions assumptions;
+  bool vanishes = true;  // each side by itself
+};
+
+/// One way to look for a proof. Nothing: the sides differ, as far as it knows.
+class WordAttempt {
+ public:
+  WordAttempt(OwnQuestion& own, const SortedAssumptions& sorted, const Limits& limits,
+              const DecideNumbers& decide)
+      : own_(own), sorted_(sorted), limits_(limits), decide_(decide) {}
+
+  [[nodiscard]] std::optional<WordProof> run(bool unfolds, bool by_laws) {
+    WordReader reader(own_.question, own_.parts, unfolds, *limits_.budget);
+    WordRules rules(*limits_.budget);
+    if (by_laws) {
+      add_rules(own_, reader, sorted_.of_operators, rules);
+      complete_as_far_as_possible(rules);
+    }
+    WordProof proof;
+    bool holds = true;
+    for_each_difference(own_, reader, own_.question.claim, [&](const WordSum& difference) {
+      if (!holds) return;
+      for (const auto& [word, coefficient] : rules.reduce(difference, proof.assumptions))
+        holds = holds && vanishes(coefficient, proof);
+    });
+    if (!holds) return std::nullopt;
+    Equation left_only = own_.question.claim;
+    left_only.right = own_.tree->add_number((*own_.tree)[left_only.left].span, "0");
+    proof.vanishes = (*own_.tree)[left_only.left].rank == 0;
+    if (proof.vanishes) {
+      for_each_difference(own_, reader, left_only,
+                          [&](const WordSum& left) { proof.vanishes = proof.vanishes && left.empty(); });
+    }
+    proof.unfolded.insert(reader.unfolded().begin(), reader.unfolded().end());
+    return proof;
+  }
+
+ private:
+  [[nodiscard]] bool vanishes(const Coefficient& coefficient, WordProof& proof) {
+    Question question = about_numbers(own_, sorted_);
+    const Span span = (*own_.tree)[own_.question.claim.left].span;
+    question.claim.left = as_expression(coefficient, own_.parts, span);
+    question.claim.right = own_.tree->add_number(span, "0");
+    const Decision decision = decide_(question, limits_);
+    if (decision.outcome != Outcome::proved) return false;
+    proof.unfolded.insert(decision.unfolded.begin(), decision.unfolded.end());
+    for (const std::size_t which : decision.assumptions) proof.assumptions.insert(sorted_.of_numbers[which]);
+    return true;
+  }
+
+  OwnQuestion& own_;
+  const SortedAssumptions& sorted_;
+  const Limits& limits_;
+  const DecideNumbers& decide_;
+};
+
+[[nodiscard]] Decision proved_in_words(const WordProof& found) {
+  Proof proof;
+  proof.words = true;
+  proof.vanishes = found.vanishes;
+  proof.unfolded = {found.unfolded.begin(), found.unfolded.end()};
+  proof.in_force = {found.assumptions.begin(), found.assumptions.end()};
+  Decision decision = proved_by(std::move(proof));
+  decision.assumptions = {found.assumptions.begin(), found.assumptions.end()};
+  return decision;
+}
+
+}  // namespace
+
+bool is_about_operators(const Question& question) {
+  std::vector<ExprId> roots{question.claim.left, question.claim.right};
+  for (const Equation& each : question.assumptions) roots.insert(roots.end(), {each.left, each.right});
+  return any_reaches_operators(question, roots);
+}
+
+Decision decide_operators(const Question& question, const Limits& limits, const DecideNumbers& decide) {
+  if (question.claim.relation != Relation::equal) throw Undecidable("an order of operators is not decided");
+  OwnQuestion own(question);
+  const SortedAssumptions sorted = sorted_assumptions(own.question);
+  const bool defines = !own.question.definitions.empty();
+  const bool laws = !sorted.of_operators.empty();
+  std::string reason = laws ? "its sides are not equal by the commutators and laws that were assumed"
+                            : "its sides are not equal for all operators";
+  WordAttempt attempt(own, sorted, limits, decide);
+  for (const bool by_laws : {false, true}) {
+    for (const bool unfolds : {false, true}) {
+      if ((by_laws && !laws) || (unfolds && !defines)) continue;
+      try {
+        if (const auto found = attempt.run(unfolds, by_laws)) return proved_in_words(*found);
+      } catch (const Undecidable& gave_up) {
+        reason = gave_up.what();
+      }
+    }
+  }
+  throw Undecidable(reason);
+}
+
+namespace {
+
+/// Makes `ratio` the number that `sum` is of `term`; false: it is none, or another one.
+[[nodiscard]] bool is_multiple(const WordSum& sum, const WordSum& term, std::optional<Fraction>& ratio) {
+  if (sum.size() != term.size()) return false;
+  if (sum.empty()) return true;
+  if (!ratio) {
+    const auto first = term.begin()->second.begin();
+    const auto own = sum.find(term.begin()->first);
+    const auto same = own == sum.end() ? Coefficient::const_iterator() : own->second.find(first->first);
+    if (own == sum.end() || same == own->second.end()) return false;
+    const bool negative = first->second.above < 0;
+    const Fraction inverted{negative ? -first->second.below : first->second.below,
+                            std::abs(first->second.above)};
+    ratio = same->second * inverted;
+  }
+  WordSum rest = times(scalar(rational({-ratio->above, ratio->below})), term);
+  add_to(rest, sum);
+  return rest.empty();
+}
+
+}  // namespace
+
+std::optional<std::string> multiple_in_words(const Question& question, const Equation& term,
+                                             const Limits& limits) {
+  if (question.claim.relation != Relation::equal) return std::nullopt;
+  try {
+    OwnQuestion own(question);
+    const SortedAssumptions sorted = sorted_assumptions(own.question);
+    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordRules rules(*limits.budget);
+    add_rules(own, reader, sorted.of_operators, rules);
+    complete_as_far_as_possible(rules);
+    Positions used;
+    std::vector<WordSum> differences;
+    std::vector<WordSum> terms;
+    for_each_difference(own, reader, own.question.claim,
+                        [&](WordSum each) { differences.push_back(rules.reduce(std::move(each), used)); });
+    for_each_difference(own, reader, term,
+                        [&](WordSum each) { terms.push_back(rules.reduce(std::move(each), used)); });
+    if (differences.size() != terms.size()) return std::nullopt;
+    std::optional<Fraction> ratio;
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      if (!is_multiple(differences[k], terms[k], ratio)) return std::nullopt;
+    }
+    if (!ratio || ratio->above == 0) return std::nullopt;
+    return ratio->below == 1 ? std::to_string(ratio->above)
+                             : std::to_string(ratio->above) + "/" + std::to_string(ratio->below);
+  } catch (const Undecidable&) {
+    return std::nullopt;
+  }
+}
+
+bool holds_in_words(const Question& question, const Limits& limits) {
+  if (question.claim.relation != Relation::equal) return false;
+  try {
+    OwnQuestion own(question);
+    const SortedAssumptions sorted = sorted_assumptions(own.question);
+    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordRules rules(*limits.budget);
+    add_rules(own, reader, sorted.of_operators, rules);
+    complete_as_far_as_possible(rules);
+    bool holds = true;
+    for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
+      Positions used;
+      holds = holds && rules.reduce(difference, used).empty();
+    });
+    return holds;
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+bool operators_can_satisfy(const Question& question, const Limits& limits, Question& numbers) {
+  OwnQuestion own(question);
+  const SortedAssumptions sorted = sorted_assumptions(own.question);
+  for (const bool unfolds : {false, true}) {
+    try {
+      WordReader reader(own.question, own.parts, unfolds, *limits.budget);
+      WordRules rules(*limits.budget);
+      add_rules(own, reader, sorted.of_operators, rules);
+      complete_to_the_end(rules);
+      bool can = true;
+      for (const Equation& each : own.question.assumptions) {
+        if (each.relation == Relation::equal || !speaks_of_operators(own.question, each)) continue;
+        if (each.relation != Relation::unequal) return false;
+        bool differs = false;
+        for_each_difference(own, reader, each, [&](const WordSum& difference) {
+          Positions used;
+          differs = differs || !rules.reduce(difference, used).empty();
+        });
+        can = can && differs;
+      }
+      if (!can) continue;
+      numbers = question;
+      numbers.assumptions.clear();
+      for (const std::size_t which : sorted.of_numbers)
+        numbers.assumptions.push_back(question.assumptions[which]);
+      std::erase_if(numbers.definitions, [&](const Definition& each) {
+        return any_reaches_operators(question, {each.body}) ||
+               question.tree->symbols[each.symbol].noncommuting;
+      });
+      if (!numbers.assumptions.empty()) numbers.claim = numbers.assumptions[0];  // which has no operators
+      return true;
+    } catch (const Contradiction&) {
+      return false;
+    } catch (const Undecidable&) {
+      // with definitions unfolded it may be known
+    }
+  }
+  return false;
+}
+
+bool differs_in_several_degrees(const Question& question) {
+  try {
+    Budget budget;
+    OwnQuestion own(question);
+    WordReader reader(own.question, own.parts, true, budget);
+    std::set<std::size_t> lengths;
+    for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
+      for (const auto& [word, coefficient] : difference) lengths.insert(word.size());
+    });
+    return lengths.size() > 1;
+  } catch (const Undecidable&) {
+    return true;
+  }
+}
+
+bool operators_deny(const Question& question, const Limits& limits) {
+  if (question.claim.relation != Relation::equal || !is_about_operators(question)) return false;
+  try {
+    OwnQuestion own(question);
+    const SortedAssumptions sorted = sorted_assumptions(own.question);
+    if (sorted.of_operators.empty()) return false;
+    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordRules rules(*limits.budget);
+    add_rules(own, reader, sorted.of_operators, rules);
+    rules.complete();
+    bool denies = false;
+    for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
+      Positions used;
+      const WordSum left = rules.reduce(difference, used);
+      denies = denies || (!left.empty() && !left.contains(std::prev(difference.end())->first));
+    });
+    return denies;
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+}  // namespace rigor

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/words/word_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+#include <utility>
+
+#include "algebra/engine/undecidable.h"
+
+namespace rigor {
+namespace {
+
+constexpr int largest_power = 16;
+
+[[nodiscard]] Coefficient number(const std::string& digits) {
+  std::string whole = digits;
+  std::int64_t below = 1;
+  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+    whole.erase(point, 1);
+    if (digits.size() > 9) throw Undecidable("the numbers before products of operators become too large");
+    for (std::size_t k = point + 1; k < digits.size(); ++k) below *= 10;
+  }
+  std::int64_t above = 0;
+  const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), above);
+  if (error != std::errc{} || end != whole.data() + whole.size() || whole.size() > 9)
+    throw Undecidable("the numbers before products of operators become too large");
+  return rational(Fraction{above, 1} * Fraction{1, below});
+}
+
+[[nodiscard]] int sign_of(std::uint8_t i, std::uint8_t j, std::uint8_t k) {
+  return (static_cast<int>(i) - j) * (static_cast<int>(j) - k) * (static_cast<int>(k) - i) / 2;
+}
+
+}  // namespace
+
+std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
+  budget_.count(3);
+  const ExprNode node = tree()[id];
+  if (!reaches_operators(id)) return commuting(id, axes);
+  const std::vector<ExprId> children(tree().children(id).begin(), tree().children(id).end());
+  switch (node.op) {
+    case Op::symbol:
+      return symbol(id, axes);
+    case Op::add: {
+      Components total = read(children[0], axes);
+      for (std::size_t k = 1; k < children.size(); ++k) {
+        const Components next = read(children[k], axes);
+        for (std::size_t c = 0; c < total.size(); ++c) add_to(total[c], next[c]);
+      }
+      return total;
+    }
+    case Op::negate: {
+      Components all = read(children[0], axes);
+      for (WordSum& each : all) each = opposite(each);
+      return all;
+    }
+    case Op::conjugate: {
+      Components all = read(children[0], axes);
+      for (WordSum& each : all) each = adjoint(each, parts_);
+      return all;
+    }
+    case Op::multiply:
+      return product(id, axes);
+    case Op::dot:
+    case Op::cross:
+      return dot_or_cross(id, axes);
+    case Op::divide: {
+      const WordSum reciprocal = quotient(children[1], axes);
+      Components all = read(children[0], axes);
+      for (WordSum& each : all) each = times(each, reciprocal);
+      return all;
+    }
+    case Op::power:
+      return {power(id, axes)};
+    case Op::component: {
+      const Components all = read(children[0], axes);
+      if (tree()[children[0]].rank != 1) break;
+      return {all[axis_of(tree().slots(id)[0], axes) - 1u]};
+    }
+    case Op::tuple: {
+      Components all;
+      for (const ExprId child : children) all.push_back(read_scalar(child, axes));
+      return all;
+    }
+    case Op::index_sum: {
+      Components total(component_count(node));
+      AxesOfIndices inside = axes;
+      for (std::uint8_t axis = 1; axis <= tree().space(node.index).dimension; ++axis) {
+        inside[node.index] = axis;
+        const Components next = read(children[0], inside);
+        for (std::size_t c = 0; c < total.size(); ++c) add_to(total[c], next[c]);
+      }
+      return total;
+    }
+    default:
+      break;
+  }
+  throw Undecidable("operators are read in sums, products, powers, commutators and adjoints only");
+}
+
+/// Is there an operator in it, or in what defines a symbol of it?
+bool WordReader::reaches_operators(ExprId id) {
+  const auto [at, is_new] = reaching_.try_emplace(id, false);
+  if (!is_new) return at->second;
+  const auto body_of = [&](SymbolId symbol) {
+    const Definition* definition = definition_in(question_, symbol);
+    return definition == nullptr ? std::nullopt : std::optional(definition->body);
+  };
+  const std::vector<SymbolId> reached = symbols_reached(tree(), {id}, body_of);
+  const bool reaches =
+      std::ranges::any_of(reached, [&](SymbolId symbol) { return tree().symbols[symbol].noncommuting; });
+  reaching_[id] = reaches;
+  return reaches;
+}
+
+/// Sums, products and what indices make of it are taken apart, so that equal parts are seen.
+std::vector<WordSum> WordReader::commuting(ExprId id, const AxesOfIndices& axes) {
+  const ExprNode node = tree()[id];
+  if (node.rank > 1) throw Undecidable("tensors beside operators are not decided");
+  if (node.rank == 1) {
+    Components all;
+    const ExprId whole = at_axes(id, axes);
+    for (std::uint8_t axis = 1; axis <= node.axes[0].dimension; ++axis) {
+      const Slot slot{axis, {}};
+      const ExprId component = parts_.tree().add({.op = Op::component, .span = node.span},
+                                                 std::span(&whole, 1), std::span(&slot, 1));
+      all.push_back(scalar(power_of_part(parts_.number_of(component), 1)));
+    }
+    return all;
+  }
+  const std::vector<ExprId> children(tree().children(id).begin(), tree().children(id).end());
+  const std::vector<Slot> slots(tree().slots(id).begin(), tree().slots(id).end());
+  WordSum result;
+  switch (node.op) {
+    case Op::number:
+      return {scalar(number(tree().digits(id)))};
+    case Op::imaginary_unit:
+      return {scalar(power_of_part(CommutingParts::imaginary, 1))};
+    case Op::delta:
+      return {scalar(rational({axis_of(slots[0], axes) == axis_of(slots[1], axes) ? 1 : 0, 1}))};
+    case Op::epsilon:
+      return {scalar(
+          rational({sign_of(axis_of(slots[0], axes), axis_of(slots[1], axes), axis_of(slots[2], axes)), 1}))};
+    case Op::add:
+      for (const ExprId child : children) add_to(result, read_scalar(child, axes));
+      return {result};
+    case Op::negate:
+      return {opposite(read_scalar(children[0], axes))};
+    case Op::multiply:
+      result = scalar(rational({1, 1}));
+      for (const ExprId child : children) result = times(result, read_scalar(child, axes));
+      return {result};
+    case Op::divide:
+      return {times(read_scalar(children[0], axes), quotient(children[1], axes))};
+    case Op::power:
+      if (std::abs(node.exponent) <= largest_power) return {power(id, axes)};
+      break;
+    case Op::index_sum: {
+      AxesOfIndices inside = axes;
+      for (std::uint8_t axis = 1; axis <= tree().space(node.index).dimension; ++axis) {
+        inside[node.index] = axis;
+        add_to(result, read_scalar(children[0], inside));
+      }
+      return {result};
+    }
+    default:
+      break;
+  }
+  return {scalar(power_of_part(parts_.number_of(at_axes(id, axes)), 1))};
+}
+
+WordSum WordReader::read_scalar(ExprId id, const AxesOfIndices& axes) { return std::move(read(id, axes)[0]); }
+
+std::vector<WordSum> WordReader::symbol(ExprId id, const AxesOfIndices& axes) {
+  const ExprNode node = tree()[id];
+  const Symbol& symbol = tree().symbols[node.symbol];
+  const Definition* definition = definition_in(question_, node.symbol);
+  if (definition != nullptr && !symbol.noncommuting)
+    throw Undecidable(
+        fmt::format("`{}` is read as a number, but what defines it has operators", symbol.name));
+  if (definition != nullptr && unfolds_) return defined(*definition, id, axes);
+  if (symbol.rank > 1 || node.particle != no_particle)
+    throw Undecidable(
+        fmt::format("`{}` is an operator of many components, which are not decided", symbol.name));
+  const auto letter = [&](std::uint8_t component) {
+    return WordSum{{Word{Letter{.symbol = node.symbol, .component = component}}, rational({1, 1})}};
+  };
+  if (node.slot_count == 1) return {letter(axis_of(tree().slots(id)[0], axes))};
+  if (symbol.rank == 0) return {letter(0)};
+  Components all;
+  for (std::uint8_t axis = 1; axis <= symbol.axes[0].dimension; ++axis) all.push_back(letter(axis));
+  return all;
+}
+
+std::vector<WordSum> WordReader::defined(const Definition& definition, ExprId id, const AxesOfIndices& axes) {
+  const ExprNode node = tree()[id];
+  if (definition.by_square || definition.particle != no_particle || !opened_.insert(definition.symbol).second)
+    throw Undecidable(
+        fmt::format("`{}` is an operator that only its square defines", tree().symbols[node.symbol].name));
+  unfolded_.insert(definition.symbol);
+  const int rank = tree().symbols[definition.symbol].rank;
+  Components all;
+  if (definition.indices.empty()) {
+    all = read(definition.body, axes);
+  } else {
+    for (std::uint8_t axis = 1; axis <= tree().space(definition.indices[0]).dimension; ++axis)
+      all.push_back(read_scalar(definition.body, {{definition.indices[0], axis}}));
+  }
+  opened_.erase(definition.symbol);
+  if (rank == 1 && node.slot_count == 1) return {all[axis_of(tree().slots(id)[0], axes) - 1u]};
+  return all;
+}
+
+/// In the order of the factors; one of them may be a vector.
+std::vector<WordSum> WordReader::product(ExprId id, const AxesOfIndices& axes) {
+  Components total{scalar(rational({1, 1}))};
+  for (const ExprId factor : std::vector<ExprId>(tree().children(id).begin(), tree().children(id).end())) {
+    const Components next = read(factor, axes);
+    if (total.size() > 1 && next.size() > 1) throw Undecidable("tensors of operators are not decided");
+    Components product;
+    for (const WordSum& first : total) {
+      for (const WordSum& second : next) product.push_back(times(first, second));
+    }
+    budget_.count(20);
+    total = std::move(product);
+  }
+  return total;
+}
+
+WordSum WordReader::dot(ExprId left, ExprId right, const AxesOfIndices& axes) {
+  if (tree()[left].rank != 1 || tree()[right].rank != 1)
+    throw Undecidable("tensors of operators are not decided");
+  const Components first = read(left, axes);
+  const Components second = read(right, axes);
+  WordSum total;
+  for (std::size_t axis = 0; axis < first.size(); ++axis) add_to(total, times(first[axis], second[axis]));
+  return total;
+}
+
+std::vector<WordSum> WordReader::dot_or_cross(ExprId id, const AxesOfIndices& axes) {
+  const ExprId left = tree().children(id)[0];
+  const ExprId right = tree().children(id)[1];
+  if (tree()[id].op == Op::dot) return {dot(left, right, axes)};
+  const Components a = read(left, axes);
+  const Components b = read(right, axes);
+  if (a.size() != 3 || b.size() != 3) throw Undecidable("tensors of operators are not decided");
+  Components all;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    WordSum component = times(a[j], b[k]);
+    add_to(component, opposite(times(a[k], b[j])));
+    all.push_back(std::move(component));
+  }
+  return all;
+}
+
+/// What is squared where a length is, or a name that is defined by its square: the square itself.
+std::optional<ExprId> WordReader::squared(ExprId id) {
+  const ExprNode node = tree()[id];
+  if (node.op == Op::root) return tree().children(id)[0];
+  if (node.op != Op::symbol || !unfolds_) return std::nullopt;
+  const Definition* definition = definition_in(question_, node.symbol);
+  if (definition == nullptr || !definition->by_square || !definition->indices.empty() ||
+      tree()[definition->body].op != Op::root)
+    return std::nullopt;
+  unfolded_.insert(node.symbol);
+  return tree().children(definition->body)[0];
+}
+
+WordSum WordReader::power(ExprId id, const AxesOfIndices& axes) {
+  const ExprNode node = tree()[id];
+  const ExprId base = tree().children(id)[0];
+  if (std::abs(node.exponent) > largest_power)
+    throw Undecidable("such a high power of operators is not decided");
+  int exponent = node.exponent;
+  WordSum factor;
+  const bool even = exponent > 0 && exponent % 2 == 0 && reaches_operators(base);
+  const auto square = even ? squared(base) : std::nullopt;
+  if (square) {
+    factor = read_scalar(*square, axes);
+    exponent /= 2;
+  } else if (even && tree()[base].op == Op::length) {
+    const ExprId vector = tree().children(base)[0];
+    factor = dot(vector, vector, axes);
+    exponent /= 2;
+  } else if (exponent < 0) {
+    factor = quotient(base, axes);
+    exponent = -exponent;
+  } else {
+    factor = read_scalar(base, axes);
+  }
+  WordSum total = scalar(rational({1, 1}));
+  for (int k = 0; k < exponent; ++k) {
+    budget_.count(20);
+    total = times(total, factor);
+  }
+  return total;
+}
+
+/// 1/x of a number, or of a product of operators, whose inverses come in the other order.
+WordSum WordReader::quotient(ExprId id, const AxesOfIndices& axes) {
+  const WordSum below = read_scalar(id, axes);
+  if (below.empty()) throw Undecidable("it divides by zero");
+  if (below.size() == 1) {
+    const auto& [word, coefficient] = *below.begin();
+    const Coefficient reciprocal = inverse(coefficient, false);
+    if (!reciprocal.empty()) {
+      Word turned(word.rbegin(), word.rend());
+      for (Letter& letter : turned) letter.inverse = !letter.inverse;
+      return {{std::move(turned), reciprocal}};
+    }
+  }
+  if (reaches_operators(id)) throw Undecidable("the inverse of a sum of operators is not decided");
+  return scalar(power_of_part(parts_.number_of(at_axes(id, axes)), -1));
+}
+
+std::uint8_t WordReader::axis_of(const Slot& slot, const AxesOfIndices& axes) const {
+  if (slot.axis != 0) return slot.axis;
+  const auto found = axes.find(slot.variable);
+  if (found == axes.end()) throw Undecidable("an index beside operators is not decided");
+  return found->second;
+}
+
+/// The same with numbers for the open indices.
+ExprId WordReader::at_axes(ExprId id, const AxesOfIndices& axes) {
+  const ExprNode node = tree()[id];
+  const std::vector<ExprId> before(tree().children(id).begin(), tree().children(id).end());
+  std::vector<ExprId> children;
+  for (const ExprId child : before) children.push_back(at_axes(child, axes));
+  std::vector<Slot> slots(tree().slots(id).begin(), tree().slots(id).end());
+  bool changes = children != before;
+  for (Slot& slot : slots) {
+    const auto found = slot.axis == 0 ? axes.find(slot.variable) : axes.end();
+    if (found == axes.end()) continue;
+    slot = {found->second, {}};
+    changes = true;
+  }
+  if (!changes) return id;
+  if (node.op == Op::table) throw Undecidable("cases beside operators are not decided");
+  return parts_.tree().add(node, children, slots);
+}
+
+}  // namespace rigor

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An expression as sums of words, one for each component.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "algebra/engine/budget.h"
+#include "algebra/words/word_sum.h"
+#include "expr/statement/statement.h"
+
+namespace rigor {
+
+/// Which axes the open indices stand for.
+using AxesOfIndices = std::map<IndexId, std::uint8_t>;
+
+/// Throws Undecidable where operators are under a root or in a function, in a denominator beside others, or
+/// in a definition of what is read as a number. Definitions of operators are unfolded if `unfolds` says so,
+/// those of numbers never. Recursion: as deep as the tree, through definitions.
+class WordReader {
+ public:
+  WordReader(const Question& question, CommutingParts& parts, bool unfolds, Budget& budget)
+      : question_(question), parts_(parts), unfolds_(unfolds), budget_(budget) {}
+
+  /// One sum for a scalar, one for each axis for a vector.
+  [[nodiscard]] std::vector<WordSum> read(ExprId id, const AxesOfIndices& axes);
+  /// The definitions that were needed.
+  [[nodiscard]] const std::set<SymbolId>& unfolded() const { return unfolded_; }
+
+ private:
+  using Components = std::vector<WordSum>;
+
+  [[nodiscard]] const ExprTree& tree() const { return parts_.tree(); }
+  [[nodiscard]] bool reaches_operators(ExprId id);
+  [[nodiscard]] Components commuting(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] WordSum read_scalar(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] Components symbol(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] Components defined(const Definition& definition, ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] Components product(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] Components dot_or_cross(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] WordSum power(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] WordSum quotient(ExprId id, const AxesOfIndices& axes);
+  [[nodiscard]] std::optional<ExprId> squared(ExprId id);
+  [[nodiscard]] WordSum dot(ExprId left, ExprId right, const AxesOfIndices& axes);
+  [[nodiscard]] std::uint8_t axis_of(const Slot& slot, const AxesOfIndices& axes) const;
+  [[nodiscard]] ExprId at_axes(ExprId id, const AxesOfIndices& axes);
+
+  const Question& question_;
+  CommutingParts& parts_;
+  bool unfolds_;
+  Budget& budget_;
+  std::map<ExprId, bool> reaching_;
+  std::set<SymbolId> unfolded_;
+  std::set<SymbolId> opened_;  // definitions that are being read
+};
+
+}  // namespace rigor
