@@ -217,7 +217,7 @@ SyntaxId Parser::bracket_contents(TokenView content, Span span, std::uint32_t pa
   for (std::size_t at = 0; at <= content.size(); ++at) {
     const bool end = at == content.size();
     if (!end && (nesting.enter(content[at]) != 0 || !is_sign(content[at], ","))) continue;
-    entries.push_back({inner(content.subspan(begin, at - begin), span), comma, span});
+    entries.push_back({inner(content.subspan(begin, at - begin), span), Joint::comma, span});
     if (!end) read(content.subspan(at, 1));
     begin = at + 1;
   }
