@@ -93,7 +93,8 @@ bool is_conditional(const RowPlace& place, bool demands) {
   const ProseBeside& beside = place.notes.prose.beside[place.event];
   const std::string behind = beside.tail.substr(0, begin_of_reason(beside.tail));
   const std::string lead(clause_of(beside.lead));
-  return (demands && word_that_demands(lead)) || word_of_a_special_case(without_constant_letters(lead + " " + behind));
+  return (demands && word_that_demands(lead)) ||
+         word_of_a_special_case(without_constant_letters(lead + " " + behind));
 }
 
 bool is_of_a_case(const RowPlace& place) {

@@ -94,11 +94,17 @@ TEST_CASE("a superscript is a power of all that it stands on") {
   CHECK(parsed("A^2_i") == "(power A[i] 2)");
 }
 
-TEST_CASE("a transpose or an adjoint is no power") {
-  for (const char* mark : {"T", "+", "\\dagger", "\\top"}) {
+TEST_CASE("a transpose is no power") {
+  for (const char* mark : {"T", "+", "\\top"}) {
     INFO(mark);
     CHECK(parsed(std::string("A^") + mark) == "<unsupported>");
   }
+}
+
+TEST_CASE("a dagger is an adjoint, on the letter with its indices") {
+  CHECK(parsed("A^\\dagger") == "(adjoint A)");
+  CHECK(parsed("a^{\\dag}_k") == "(adjoint a[k])");
+  CHECK(parsed("a^{\\dagger 2}") == "(power (adjoint a) 2)");
 }
 
 TEST_CASE("a star above is a conjugate, on the letter with its indices") {
