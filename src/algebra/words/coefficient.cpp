@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t largest_part = std::int64_t{1} << 30;  // so that products of two fit
 
-[[nodiscard]] Fraction reduced(std::int64_t above, std::int64_t below) {
+[[nodiscard]] WordFraction reduced(std::int64_t above, std::int64_t below) {
   const std::int64_t common = std::gcd(above, below);
   if (common > 1) {
     above /= common;
@@ -24,7 +24,7 @@ constexpr std::int64_t largest_part = std::int64_t{1} << 30;  // so that product
   return {above, below};
 }
 
-void add_term(Coefficient& into, const Monomial& monomial, const Fraction& value) {
+void add_term(Coefficient& into, const Monomial& monomial, const WordFraction& value) {
   const auto [at, is_new] = into.try_emplace(monomial, value);
   if (!is_new) at->second = at->second + value;
   if (at->second.above == 0) into.erase(at);
@@ -44,20 +44,20 @@ void add_term(Coefficient& into, const Monomial& monomial, const Fraction& value
   return {Monomial(exponents.begin(), exponents.end()), negative};
 }
 
-[[nodiscard]] Fraction opposite(Fraction value, bool negative) {
-  return negative ? Fraction{-value.above, value.below} : value;
+[[nodiscard]] WordFraction opposite(WordFraction value, bool negative) {
+  return negative ? WordFraction{-value.above, value.below} : value;
 }
 
 }  // namespace
 
-Fraction operator+(const Fraction& a, const Fraction& b) {
+WordFraction operator+(const WordFraction& a, const WordFraction& b) {
   const std::int64_t common = std::gcd(a.below, b.below);
   return reduced(a.above * (b.below / common) + b.above * (a.below / common), a.below / common * b.below);
 }
 
-Fraction operator*(const Fraction& a, const Fraction& b) {
-  const Fraction first = reduced(a.above, b.below);
-  const Fraction second = reduced(b.above, a.below);
+WordFraction operator*(const WordFraction& a, const WordFraction& b) {
+  const WordFraction first = reduced(a.above, b.below);
+  const WordFraction second = reduced(b.above, a.below);
   return reduced(first.above * second.above, first.below * second.below);
 }
 
@@ -79,13 +79,13 @@ std::uint32_t CommutingParts::conjugate_of(std::uint32_t number) {
   return number_of(tree_.add({.op = Op::conjugate, .span = tree_[part].span}, std::span(&part, 1)));
 }
 
-Coefficient rational(Fraction value) {
+Coefficient rational(WordFraction value) {
   return value.above == 0 ? Coefficient{} : Coefficient{{Monomial{}, value}};
 }
 
 Coefficient power_of_part(std::uint32_t number, int exponent) {
   const auto [monomial, negative] = product({}, {{number, exponent}});
-  return {{monomial, Fraction{negative ? -1 : 1, 1}}};
+  return {{monomial, WordFraction{negative ? -1 : 1, 1}}};
 }
 
 void add_to(Coefficient& into, const Coefficient& more) {
@@ -115,8 +115,8 @@ Coefficient inverse(const Coefficient& a, bool always) {
     exponent = -exponent;
   }
   const auto [reciprocal, negative] = product({}, turned);
-  const Fraction inverted =
-      value.above < 0 ? Fraction{-value.below, -value.above} : Fraction{value.below, value.above};
+  const WordFraction inverted =
+      value.above < 0 ? WordFraction{-value.below, -value.above} : WordFraction{value.below, value.above};
   return {{reciprocal, opposite(inverted, negative)}};
 }
 

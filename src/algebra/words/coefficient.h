@@ -15,14 +15,14 @@
 namespace rigor {
 
 /// In lowest terms, the denominator positive.
-struct Fraction {
+struct WordFraction {
   std::int64_t above = 0;
   std::int64_t below = 1;
-  friend bool operator==(const Fraction&, const Fraction&) = default;
+  friend bool operator==(const WordFraction&, const WordFraction&) = default;
 };
 /// Throws Undecidable where numbers grow too large.
-[[nodiscard]] Fraction operator+(const Fraction& a, const Fraction& b);
-[[nodiscard]] Fraction operator*(const Fraction& a, const Fraction& b);
+[[nodiscard]] WordFraction operator+(const WordFraction& a, const WordFraction& b);
+[[nodiscard]] WordFraction operator*(const WordFraction& a, const WordFraction& b);
 
 /// The commuting parts by number, each once. i is the first.
 class CommutingParts {
@@ -46,9 +46,9 @@ class CommutingParts {
 /// Numbers of parts with their exponents, which are not 0, by ascending number.
 using Monomial = std::vector<std::pair<std::uint32_t, int>>;
 /// No term is 0; i has the exponent 1 or none.
-using Coefficient = std::map<Monomial, Fraction>;
+using Coefficient = std::map<Monomial, WordFraction>;
 
-[[nodiscard]] Coefficient rational(Fraction value);
+[[nodiscard]] Coefficient rational(WordFraction value);
 [[nodiscard]] Coefficient power_of_part(std::uint32_t number, int exponent);
 void add_to(Coefficient& into, const Coefficient& more);
 [[nodiscard]] Coefficient times(const Coefficient& a, const Coefficient& b);

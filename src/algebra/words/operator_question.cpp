@@ -240,7 +240,7 @@ Decision decide_operators(const Question& question, const Limits& limits, const 
 namespace {
 
 /// Makes `ratio` the number that `sum` is of `term`; false: it is none, or another one.
-[[nodiscard]] bool is_multiple(const WordSum& sum, const WordSum& term, std::optional<Fraction>& ratio) {
+[[nodiscard]] bool is_multiple(const WordSum& sum, const WordSum& term, std::optional<WordFraction>& ratio) {
   if (sum.size() != term.size()) return false;
   if (sum.empty()) return true;
   if (!ratio) {
@@ -249,8 +249,8 @@ namespace {
     const auto same = own == sum.end() ? Coefficient::const_iterator() : own->second.find(first->first);
     if (own == sum.end() || same == own->second.end()) return false;
     const bool negative = first->second.above < 0;
-    const Fraction inverted{negative ? -first->second.below : first->second.below,
-                            std::abs(first->second.above)};
+    const WordFraction inverted{negative ? -first->second.below : first->second.below,
+                                std::abs(first->second.above)};
     ratio = same->second * inverted;
   }
   WordSum rest = times(scalar(rational({-ratio->above, ratio->below})), term);
@@ -278,7 +278,7 @@ std::optional<std::string> multiple_in_words(const Question& question, const Equ
     for_each_difference(own, reader, term,
                         [&](WordSum each) { terms.push_back(rules.reduce(std::move(each), used)); });
     if (differences.size() != terms.size()) return std::nullopt;
-    std::optional<Fraction> ratio;
+    std::optional<WordFraction> ratio;
     for (std::size_t k = 0; k < terms.size(); ++k) {
       if (!is_multiple(differences[k], terms[k], ratio)) return std::nullopt;
     }

@@ -28,7 +28,7 @@ constexpr int largest_power = 16;
   const auto [end, error] = std::from_chars(whole.data(), whole.data() + whole.size(), above);
   if (error != std::errc{} || end != whole.data() + whole.size() || whole.size() > 9)
     throw Undecidable("the numbers before products of operators become too large");
-  return rational(Fraction{above, 1} * Fraction{1, below});
+  return rational(WordFraction{above, 1} * WordFraction{1, below});
 }
 
 [[nodiscard]] int sign_of(std::uint8_t i, std::uint8_t j, std::uint8_t k) {

@@ -57,7 +57,7 @@ class PolynomialReader {
         return constant(number(tree_.digits(id)));
       case Op::symbol:
         if (tree_.symbols[node.symbol].noncommuting) throw TooManyMonomials{};  // products keep their order
-        if (tree_.symbols[node.symbol].complex) throw TooManyMonomials{};  // v·v is not |v|²
+        if (tree_.symbols[node.symbol].complex) throw TooManyMonomials{};       // v·v is not |v|²
         return symbol(id, std::move(slots));
       case Op::basis:
         return single({.kind = IndexFactor::Kind::delta, .slots = {bound(tree_.slots(id)[0]), slots[0]}});

@@ -25,16 +25,7 @@ bool is_of_family(const WrittenSymbol& symbol) {
   return symbol.lower.size() == 1 && is_one_of(symbol.lower[0].text, labels);
 }
 
-/// Letters that stand for numbers, also in brackets: `[\hat p, m\omega\hat x]`.
-bool is_usual_number(const WrittenSymbol& symbol) {
-  static constexpr auto numbers = std::to_array<std::string_view>(
-      {"m",       "t",         "i",       "e",           "c",          "g",      "k",
-       "n",       "\\hbar",    "\\omega", "\\lambda",    "\\alpha",    "\\beta", "\\gamma",
-       "\\theta", "\\epsilon", "\\delta", "\\mu",        "\\nu",       "\\pi",   "\\Omega",
-       "\\tau",   "\\kappa",   "\\eta",   "\\mathrm{i}", "\\mathrm{e}"});
-  return symbol.accent != Accent::hat && is_one_of(symbol.letter, numbers);
-}
-
+/// No operators, wherever they stand.
 bool is_constant_of_nature(const WrittenSymbol& symbol) {
   static constexpr auto constants =
       std::to_array<std::string_view>({"i", "e", "\\hbar", "\\pi", "\\epsilon", "\\delta", "\\mathrm{i}"});
@@ -162,7 +153,7 @@ void see_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
     for (const SyntaxChild& child : syntax.children(id)) add_letters(syntax, child.id, true, evidence);
   }
   for (const SyntaxId side : sides) {
-    if (syntax[side].kind != SyntaxKind::symbol || is_usual_number(syntax.symbol(side))) continue;
+    if (syntax[side].kind != SyntaxKind::symbol || is_constant_of_nature(syntax.symbol(side))) continue;
     const WrittenSymbol& symbol = syntax.symbol(side);
     if (symbol.face != Face::plain) continue;
     std::set<std::string>& names = evidence.set_equal[with_labels(letter_with_marks(symbol), symbol.lower)];

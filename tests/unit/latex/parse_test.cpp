@@ -106,6 +106,12 @@ TEST_CASE("a transpose or an adjoint is no power") {
   }
 }
 
+TEST_CASE("a dagger is an adjoint, on the letter with its indices") {
+  CHECK(parsed("A^\\dagger") == "(adjoint A)");
+  CHECK(parsed("a^{\\dag}_k") == "(adjoint a[k])");
+  CHECK(parsed("a^{\\dagger 2}") == "(power (adjoint a) 2)");
+}
+
 TEST_CASE("a star above is a conjugate, on the letter with its indices") {
   for (const char* mark : {"*", "{*}", "\\ast", "{\\star}"}) {
     INFO(mark);
