@@ -181,6 +181,7 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
     const bool greek_d = is_greek_d(symbol);
     const bool is_letter = is_declared(reading.names.symbols, {symbol.letter, 0, false}) ||
                            is_small_scalar(reading.names, reading.tree, symbol.letter);
+    if (greek_d && of == SyntaxKind::symbol && reading.rules.differentials) continue;
     if (greek_d && of != SyntaxKind::group && !is_letter)
       return SpelledPart{
           syntax[id].span,
@@ -194,7 +195,7 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
                       symbol.letter),
           {fmt::format("`rigor: scalar {}` makes it a factor", symbol.letter)}};
     if (bare_d && (of == SyntaxKind::symbol || of == SyntaxKind::group) &&
-        !is_declared(reading.names.symbols, {"d", 0, false}))
+        !reading.rules.differentials && !is_declared(reading.names.symbols, {"d", 0, false}))
       return SpelledPart{
           syntax[id].span, "`d` can be a differential or a factor", {"`rigor: scalar d` makes it a factor"}};
   }
