@@ -106,15 +106,17 @@ std::set<SymbolId> states_among(const RowUnderLaws& row, const std::vector<State
   return states;
 }
 
-/// A relation between two letters only may be meant along one path: `pV = p_1V_1`, `dU = T\,dS`.
-bool may_be_of_a_path(const RowUnderLaws& row, const Equation& equation, const std::set<SymbolId>& states) {
+/// A relation between two letters only may be meant along one path: `pV = p_1V_1`, `dU = T\,dS`; where it is
+/// said for a case, also `p = K/V`.
+bool may_be_of_a_path(const RowUnderLaws& row, const StateFact& fact, const std::set<SymbolId>& states) {
+  const Equation& equation = fact.equation;
   std::set<SymbolId> differentials;
   std::set<SymbolId> own;
   for (const SymbolId symbol : symbols_of(row.tree, equation)) {
     if (is_differential(row.tree.symbols, symbol)) differentials.insert(symbol);
   }
   if (!differentials.empty()) return differentials.size() < 3;
-  if (letter_alone(row.tree, equation)) return false;
+  if (letter_alone(row.tree, equation) && !fact.of_a_case) return false;
   const std::set<SymbolId> letters = letters_of(row.tree, equation);
   return std::ranges::count_if(letters, [&](SymbolId each) { return states.contains(each); }) < 3;
 }
@@ -170,14 +172,14 @@ std::optional<StateFacts> state_facts(const RowUnderLaws& row, const Laws& set) 
   if (!is_of_states(row, row.claim.equation)) return std::nullopt;
   StateFacts facts;
   for (const PageLaw* law : set) {
-    if (law->at_instant || law->of_a_case || !is_of_states(row, law->equation)) continue;
-    facts.facts.push_back({law->equation, law->name});
+    if (law->at_instant || !is_of_states(row, law->equation)) continue;
+    facts.facts.push_back({law->equation, law->name, law->of_a_case});
   }
   add_definitions(row, facts);
   take_letters(row, facts);
   facts.states = states_among(row, facts.facts, facts.letters);
   std::erase_if(facts.facts, [&](const StateFact& fact) {
-    return may_be_of_a_path(row, fact.equation, facts.states);
+    return may_be_of_a_path(row, fact, facts.states);
   });
   return facts;
 }

@@ -15,6 +15,7 @@ namespace rigor {
 struct StateFact {
   Equation equation;
   std::string name;
+  bool of_a_case = false;  // "an ideal gas obeys"
 };
 
 struct StateFacts {
