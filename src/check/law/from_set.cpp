@@ -337,10 +337,9 @@ std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
 
 bool fails_under(const RowUnderLaws& row, const Laws& set) {
   // On a sample, derivatives that hold other letters are numbers of their own.
-  const bool of_states = speaks_of_states(row.tree, row.claim.equation) ||
-                         std::ranges::any_of(set, [&](const PageLaw* law) {
-                           return speaks_of_states(row.tree, law->equation);
-                         });
+  const bool of_states =
+      speaks_of_states(row.tree, row.claim.equation) ||
+      std::ranges::any_of(set, [&](const PageLaw* law) { return speaks_of_states(row.tree, law->equation); });
   if (of_states) return false;
   if (std::ranges::any_of(set, [](const PageLaw* law) { return law->at_instant; })) return false;
   const Names assumed = with_laws(row.tree, row.names, set);

@@ -7,6 +7,7 @@
 
 #include "base/among.h"
 #include "check/law/bearing.h"
+#include "check/meaning/identity_reading.h"
 #include "expr/tree/path.h"
 
 namespace rigor {
@@ -83,24 +84,59 @@ bool is_differentiated(const RowUnderLaws& row, SymbolId letter) {
   });
 }
 
-/// What is differentiated, held or varied, and what a letter alone is set equal to.
-std::set<SymbolId> states_among(const RowUnderLaws& row, const std::vector<StateFact>& facts,
-                                const std::set<SymbolId>& letters) {
-  std::set<SymbolId> states;
-  for (const SymbolId letter : letters) {
-    const bool constant =
-        row.tree.symbols[letter].is_fixed() || is_declared_constant(row.names.scope, letter);
-    if (!constant && is_differentiated(row, letter)) states.insert(letter);
+/// What the equation itself differentiates, varies or holds.
+std::set<SymbolId> letters_of_derivatives(const ExprTree& tree, const Equation& equation) {
+  std::set<SymbolId> letters;
+  for (const SymbolId symbol : symbols_of(tree, equation)) {
+    const auto& derivation = tree.symbols[symbol].derivation;
+    if (!derivation) continue;
+    letters.insert(derivation->base);
+    if (is_differential(tree.symbols, symbol)) continue;
+    for (const Variable& by : derivation->by) letters.insert({by.letter, *by.held});
   }
-  for (bool grew = true; grew;) {
-    grew = false;
-    for (const StateFact& fact : facts) {
+  return letters;
+}
+
+/// Letters that are terms, U of `H = U + pV`: quantities like their sum, and no coefficients.
+std::set<SymbolId> letters_as_terms(const ExprTree& tree, const Equation& equation) {
+  std::set<SymbolId> letters;
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SignedTerm& term : signed_terms(tree, side)) {
+      const ExprNode& node = tree[term.id];
+      if (node.op == Op::symbol) letters.insert(base_of(tree.symbols, node.symbol));
+    }
+  }
+  return letters;
+}
+
+/// What is differentiated, held or varied; what a letter alone is set equal to, and what could not change if
+/// nothing else of its relation did: r of `V = 4\pi r^3/3`.
+std::set<SymbolId> states_among(const RowUnderLaws& row, const StateFacts& facts) {
+  const auto may_change = [&](SymbolId letter) {
+    return !row.tree.symbols[letter].is_fixed() && !is_declared_constant(row.names.scope, letter);
+  };
+  std::set<SymbolId> states;
+  for (const SymbolId letter : facts.letters) {
+    if (may_change(letter) && is_differentiated(row, letter)) states.insert(letter);
+  }
+  states.merge(letters_of_derivatives(row.tree, row.claim.equation));
+  for (const StateFact& fact : facts.facts) states.merge(letters_of_derivatives(row.tree, fact.equation));
+  const std::set<SymbolId> differentiated = states;  // which C of `C = 3nR/2` need not be
+  for (const StateFact& fact : facts.facts) {
+    const std::set<SymbolId> terms = letters_as_terms(row.tree, fact.equation);
+    std::ranges::copy_if(terms, std::inserter(states, states.end()), may_change);
+  }
+  const auto is_state = [&](SymbolId each) { return states.contains(each); };
+  for (std::size_t before = facts.letters.size() + 1; before != states.size();) {
+    before = states.size();
+    for (const StateFact& fact : facts.facts) {
+      const std::set<SymbolId> letters = letters_of(row.tree, fact.equation);
+      const auto changing = std::ranges::count_if(letters, is_state);
       const auto alone = letter_alone(row.tree, fact.equation);
-      if (!alone) continue;
-      const std::set<SymbolId> own =
-          letters_of(row.tree, {.left = fact.equation.right, .right = fact.equation.right});
-      const bool changes = std::ranges::any_of(own, [&](SymbolId each) { return states.contains(each); });
-      grew = (changes && states.insert(*alone).second) || grew;
+      if (alone && changing > 0) states.insert(*alone);
+      const auto first = std::ranges::find_if(letters, is_state);
+      if (changing == 1 && differentiated.contains(*first))
+        std::ranges::copy_if(letters, std::inserter(states, states.end()), may_change);
     }
   }
   return states;
@@ -111,7 +147,6 @@ std::set<SymbolId> states_among(const RowUnderLaws& row, const std::vector<State
 bool may_be_of_a_path(const RowUnderLaws& row, const StateFact& fact, const std::set<SymbolId>& states) {
   const Equation& equation = fact.equation;
   std::set<SymbolId> differentials;
-  std::set<SymbolId> own;
   for (const SymbolId symbol : symbols_of(row.tree, equation)) {
     if (is_differential(row.tree.symbols, symbol)) differentials.insert(symbol);
   }
@@ -121,9 +156,19 @@ bool may_be_of_a_path(const RowUnderLaws& row, const StateFact& fact, const std:
   return std::ranges::count_if(letters, [&](SymbolId each) { return states.contains(each); }) < 3;
 }
 
+}  // namespace
+
+std::set<SymbolId> letters_of_facts(const RowUnderLaws& row, const StateFacts& facts) {
+  std::set<SymbolId> letters;
+  for (const StateFact& fact : facts.facts) letters.merge(letters_of(row.tree, fact.equation));
+  return letters;
+}
+
+namespace {
+
 void take_letters(const RowUnderLaws& row, StateFacts& facts) {
   facts.letters = letters_of(row.tree, row.claim.equation);
-  for (const StateFact& fact : facts.facts) facts.letters.merge(letters_of(row.tree, fact.equation));
+  facts.letters.merge(letters_of_facts(row, facts));
 }
 
 /// The definitions that the letters lead to.
@@ -177,10 +222,9 @@ std::optional<StateFacts> state_facts(const RowUnderLaws& row, const Laws& set) 
   }
   add_definitions(row, facts);
   take_letters(row, facts);
-  facts.states = states_among(row, facts.facts, facts.letters);
-  std::erase_if(facts.facts, [&](const StateFact& fact) {
-    return may_be_of_a_path(row, fact, facts.states);
-  });
+  facts.states = states_among(row, facts);
+  std::erase_if(facts.facts,
+                [&](const StateFact& fact) { return may_be_of_a_path(row, fact, facts.states); });
   return facts;
 }
 

@@ -32,6 +32,8 @@ struct StateFacts {
 /// anything but plain numbers, differentials and derivatives that hold a letter by name; facts that have are
 /// left out.
 [[nodiscard]] std::optional<StateFacts> state_facts(const RowUnderLaws& row, const Laws& set);
+/// The letters of the facts alone.
+[[nodiscard]] std::set<SymbolId> letters_of_facts(const RowUnderLaws& row, const StateFacts& facts);
 /// Some of the facts.
 [[nodiscard]] StateFacts only(const RowUnderLaws& row, const StateFacts& facts,
                               const std::set<std::size_t>& which);

@@ -30,12 +30,14 @@ struct Asked {
   std::vector<Equation> assumptions;
   std::vector<std::size_t> facts;  // of each assumption, which fact says so
   std::vector<ExprId> divisors;
+  std::vector<SymbolId> not_zero;  // assumed behind all others
 };
 
 int order_of(const ExprTree& tree, const Equation& equation) {
   int order = 0;
   for (const ExprId side : {equation.left, equation.right}) {
-    for (const SymbolId symbol : symbols_in(tree, side)) order = std::max(order, tree.symbols[symbol].order());
+    for (const SymbolId symbol : symbols_in(tree, side))
+      order = std::max(order, tree.symbols[symbol].order());
   }
   return order;
 }
@@ -97,18 +99,39 @@ std::optional<Asked> asked_on(const RowUnderLaws& row, Surface& surface, const S
     push(mixed(tree, surface, *along_u, *along_v), k);
   }
   asked.divisors = surface.divisors();
+  for (const SymbolId letter : letters_of_facts(row, facts)) {
+    if (tree.symbols[letter].is_fixed()) continue;
+    const Span span = row.claim.relation;
+    asked.assumptions.push_back({.left = tree.add({.op = Op::symbol, .span = span, .symbol = letter}),
+                                 .right = tree.add_number(span, "0"),
+                                 .relation = Relation::unequal});
+    asked.not_zero.push_back(letter);
+  }
   if (surface.gave_up()) return std::nullopt;
   return asked;
 }
 
-/// The facts that proofs of all claims use; nothing: one was not found.
-std::optional<std::set<std::size_t>> facts_in_proof(const RowUnderLaws& row, const Asked& asked) {
-  std::set<std::size_t> used;
+/// What proofs of all claims use.
+struct Used {
+  std::set<std::size_t> facts;
+  std::set<SymbolId> not_zero;
+};
+
+/// Nothing: a proof was not found.
+std::optional<Used> used_in_proof(const RowUnderLaws& row, const Asked& asked) {
+  Used used;
+  const std::size_t said = asked.facts.size();
   for (const Equation& claim : asked.claims) {
     Question question{.tree = &row.tree, .claim = claim, .assumptions = asked.assumptions};
     const Decision decision = decide(row.cache, question, limits_of_states);
     if (decision.outcome != Outcome::proved) return std::nullopt;
-    for (const std::size_t which : decision.assumptions) used.insert(asked.facts[which]);
+    for (const std::size_t which : decision.assumptions) {
+      if (which < said) {
+        used.facts.insert(asked.facts[which]);
+      } else {
+        used.not_zero.insert(asked.not_zero[which - said]);
+      }
+    }
   }
   return used;
 }
@@ -125,8 +148,7 @@ std::vector<Equation> nothing_vanishes(const RowUnderLaws& row, const Asked& ask
   const auto take = [&](ExprId expr) {
     if (symbols_in(tree, expr).empty() || has_function(tree, expr)) return;
     const Span span = tree[expr].span;
-    conditions.push_back(
-        {.left = expr, .right = tree.add_number(span, "0"), .relation = Relation::unequal});
+    conditions.push_back({.left = expr, .right = tree.add_number(span, "0"), .relation = Relation::unequal});
   };
   for (const SymbolId letter : facts.letters) {
     if (tree.symbols[letter].is_fixed()) continue;
@@ -149,8 +171,7 @@ std::vector<Equation> nothing_vanishes(const RowUnderLaws& row, const Asked& ask
 }
 
 bool is_met(const RowUnderLaws& row, const Asked& asked, const StateFacts& facts) {
-  Question question{
-      .tree = &row.tree, .claim = asked.claims.front(), .assumptions = asked.assumptions};
+  Question question{.tree = &row.tree, .claim = asked.claims.front(), .assumptions = asked.assumptions};
   for (Equation& condition : nothing_vanishes(row, asked, facts))
     question.assumptions.push_back(std::move(condition));
   question.tree = &row.tree;
@@ -162,9 +183,8 @@ std::string name_of(const RowUnderLaws& row, SymbolId letter) { return row.tree.
 
 std::vector<std::string> conventions_of(const RowUnderLaws& row, const StateFacts& facts,
                                         const Coordinates& on) {
-  std::vector<std::string> conventions{
-      fmt::format("convention: what changes is a function of `{}` and `{}`", name_of(row, on.u),
-                  name_of(row, on.v))};
+  std::vector<std::string> conventions{fmt::format("convention: what changes is a function of `{}` and `{}`",
+                                                   name_of(row, on.u), name_of(row, on.v))};
   for (const SymbolId letter : facts.letters) {
     const bool known = facts.states.contains(letter) || row.tree.symbols[letter].is_fixed() ||
                        is_declared_constant(row.names.scope, letter);
@@ -178,19 +198,18 @@ std::vector<std::string> conventions_of(const RowUnderLaws& row, const StateFact
 std::optional<Judgement> proved_on(const RowUnderLaws& row, const StateFacts& facts, const Coordinates& on) {
   Surface surface(row.tree, on, facts.states);
   const auto asked = asked_on(row, surface, facts);
-  const auto used = asked ? facts_in_proof(row, *asked) : std::nullopt;
+  const auto used = asked ? used_in_proof(row, *asked) : std::nullopt;
   if (!used) return std::nullopt;
-  const StateFacts needed = only(row, facts, *used);
-  Surface small(row.tree, on, needed.states);
-  const auto again = asked_on(row, small, needed);
-  const auto enough = again ? facts_in_proof(row, *again) : std::nullopt;
-  if (!enough || !is_met(row, *again, needed)) return std::nullopt;
+  if (used->facts.size() < facts.facts.size()) return proved_on(row, only(row, facts, used->facts), on);
+  if (!is_met(row, *asked, facts)) return std::nullopt;
   Judgement judgement;
   judgement.verdict = Verdict::proved;
   judgement.route = "derivatives on a surface of states";
   judgement.of_another_question = true;
-  for (const StateFact& fact : needed.facts) judgement.uses.push_back(fact.name);
-  for (std::string& each : conventions_of(row, needed, on)) judgement.uses.push_back(std::move(each));
+  for (const StateFact& fact : facts.facts) judgement.uses.push_back(fact.name);
+  for (const SymbolId letter : used->not_zero)
+    judgement.uses.push_back(fmt::format("convention: `{}` is not 0", name_of(row, letter)));
+  for (std::string& each : conventions_of(row, facts, on)) judgement.uses.push_back(std::move(each));
   return judgement;
 }
 
@@ -198,6 +217,15 @@ std::optional<Judgement> proved_on(const RowUnderLaws& row, const StateFacts& fa
 
 bool speaks_of_states(const ExprTree& tree, const Equation& equation) {
   return has_differentials(tree, equation) || !coordinates_in(tree, equation).empty();
+}
+
+bool holds_letters(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
+  return std::ranges::any_of(
+      symbols_reached(tree, scope, {equation.left, equation.right}), [&](SymbolId symbol) {
+        const auto& derivation = tree.symbols[symbol].derivation;
+        return derivation &&
+               std::ranges::any_of(derivation->by, [](const Variable& by) { return by.held.has_value(); });
+      });
 }
 
 std::optional<Judgement> prove_of_states(const RowUnderLaws& row, const Laws& set) {

@@ -30,8 +30,8 @@ class Surface {
   /// By u (0) or v (1).
   [[nodiscard]] ExprId along(ExprId of, int which) { return by_[which].derivative_or_zero(of); }
   [[nodiscard]] Equation along(const Equation& of, int which);
-  /// Without derivatives that hold another letter, and with `dX` as the derivative along u or v. Nothing where
-  /// the order of repeated derivatives would matter, which a symbol does not keep.
+  /// Without derivatives that hold another letter, and with `dX` as the derivative along u or v. Nothing
+  /// where the order of repeated derivatives would matter, which a symbol does not keep.
   [[nodiscard]] std::optional<Equation> rewritten(const Equation& equation, int which = 0);
   /// The Jacobians by which was divided.
   [[nodiscard]] const std::vector<ExprId>& divisors() const { return divisors_; }

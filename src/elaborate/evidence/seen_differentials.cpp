@@ -95,8 +95,7 @@ bool is_sign_of_differential(const SyntaxTree& syntax, std::span<const SyntaxChi
 
 bool is_sign_of_form(const SyntaxTree& syntax, std::span<const SyntaxChild> factors, std::size_t at) {
   return at + 1 < factors.size() && is_sign(syntax, factors[at].id, "\\delta") &&
-         factors[at + 1].joint == Joint::juxtaposed &&
-         syntax[factors[at + 1].id].kind == SyntaxKind::symbol;
+         factors[at + 1].joint == Joint::juxtaposed && syntax[factors[at + 1].id].kind == SyntaxKind::symbol;
 }
 
 bool relates_differentials(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides) {

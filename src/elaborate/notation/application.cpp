@@ -194,8 +194,8 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
           fmt::format("`{}` before a bracket can be a change of what is in it, a function, or a factor",
                       symbol.letter),
           {fmt::format("`rigor: scalar {}` makes it a factor", symbol.letter)}};
-    if (bare_d && (of == SyntaxKind::symbol || of == SyntaxKind::group) &&
-        !reading.rules.differentials && !is_declared(reading.names.symbols, {"d", 0, false}))
+    if (bare_d && (of == SyntaxKind::symbol || of == SyntaxKind::group) && !reading.rules.differentials &&
+        !is_declared(reading.names.symbols, {"d", 0, false}))
       return SpelledPart{
           syntax[id].span, "`d` can be a differential or a factor", {"`rigor: scalar d` makes it a factor"}};
   }
