@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "base/among.h"
 #include "check/question/base_letters.h"
@@ -55,6 +58,22 @@ std::vector<Laws> sets_of(const ExprTree& tree, const Laws& bearing) {
     const std::size_t taken = std::min(count, together.size());
     if (taken > 1 && sets.back().size() < taken)
       sets.emplace_back(together.begin(), together.begin() + taken);
+  }
+  return sets;
+}
+
+std::vector<Laws> sets_of_states(const Laws& bearing) {
+  constexpr std::array<std::size_t, 5> counts{1, 2, 3, 4, 6};
+  Laws nearest;
+  std::ranges::copy_if(bearing, std::back_inserter(nearest),
+                       [](const PageLaw* law) { return law->standing == Standing::law; });
+  std::ranges::stable_sort(nearest, std::ranges::greater{},
+                           [](const PageLaw* law) { return std::pair(law->span.file, law->span.begin); });
+  std::vector<Laws> sets;
+  for (const std::size_t count : counts) {
+    const std::size_t taken = std::min(count, nearest.size());
+    if (taken > 0 && (sets.empty() || sets.back().size() < taken))
+      sets.emplace_back(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(taken));
   }
   return sets;
 }

@@ -22,4 +22,8 @@ namespace rigor {
 /// `\dot x = bx`". So they are taken together only if no words stand between them.
 [[nodiscard]] std::vector<Laws> sets_of(const ExprTree& tree, const Laws& bearing);
 
+/// For a row with derivatives that hold letters by name: it needs a relation between differentials and an
+/// equation of state, which stand near it. What follows from these only makes the search longer.
+[[nodiscard]] std::vector<Laws> sets_of_states(const Laws& bearing);
+
 }  // namespace rigor

@@ -11,6 +11,7 @@
 #include "check/law/from_set.h"
 #include "check/law/restated.h"
 #include "check/law/solves.h"
+#include "check/law/states.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
 
@@ -18,6 +19,7 @@ namespace rigor {
 namespace {
 
 constexpr std::uint64_t most_work = 250'000;  // on all sets together, of the work that a step may take
+constexpr std::uint64_t most_work_of_states = 1'500'000;  // where derivatives hold letters by name
 
 std::set<SymbolId> written_letters(const ExprTree& tree, const Equation& equation) {
   std::set<SymbolId> letters;
@@ -64,6 +66,11 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available, 
   const Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available);
   if (auto restated = inferred ? std::nullopt : restating(row, bearing)) return restated;
   if (auto solved = solves(row, bearing, available)) return solved;
+  if (holds_letters(row.tree, row.names.scope, row.claim.equation)) {
+    for (const Laws& set : sets_of_states(bearing)) {
+      if (auto found = prove_from(row, set)) return found;
+    }
+  }
   for (const Laws& set : promising_sets(row, bearing)) {
     if (set.empty()) continue;  // tried
     if (auto found = prove_from(row, set)) return found;
@@ -77,7 +84,8 @@ std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, co
                                           const Laws& available, bool inferred, DecisionCache& cache) {
   if (claim.nearly || claim.for_all || claim.recorded != nullptr) return std::nullopt;
   if (cache.budget().exhausted()) return std::nullopt;
-  const ShareOfWork share(cache, most_work);
+  const bool of_states = holds_letters(tree, names.scope, claim.equation);
+  const ShareOfWork share(cache, of_states ? most_work_of_states : most_work);
   return follow({tree, names, claim, &cache}, available, inferred);
 }
 

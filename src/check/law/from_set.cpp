@@ -9,6 +9,7 @@
 
 #include "base/among.h"
 #include "check/law/bearing.h"
+#include "check/law/states.h"
 #include "check/law/witness.h"
 #include "check/meaning/identity_reading.h"
 #include "check/question/base_letters.h"
@@ -295,7 +296,10 @@ Names with_laws_and_constants(const RowUnderLaws& row, const Laws& laws) {
   return with_constants(std::move(assumed), constants);
 }
 
-std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
+namespace {
+
+/// With its letters and derivatives as they stand.
+std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws& set) {
   const Names assumed = with_laws(row.tree, row.names, set);
   const std::vector<SymbolId> constants = constants_under(row, assumed, set);
   if (set.empty() && constants.empty()) return std::nullopt;
@@ -325,7 +329,19 @@ std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
   return judgement;
 }
 
+}  // namespace
+
+std::optional<Judgement> prove_from(const RowUnderLaws& row, const Laws& set) {
+  auto found = prove_as_it_stands(row, set);
+  return found ? found : prove_of_states(row, set);
+}
+
 bool fails_under(const RowUnderLaws& row, const Laws& set) {
+  // On a sample, derivatives that hold other letters are numbers of their own.
+  const bool of_states =
+      speaks_of_states(row.tree, row.claim.equation) ||
+      std::ranges::any_of(set, [&](const PageLaw* law) { return speaks_of_states(row.tree, law->equation); });
+  if (of_states) return false;
   if (std::ranges::any_of(set, [](const PageLaw* law) { return law->at_instant; })) return false;
   const Names assumed = with_laws(row.tree, row.names, set);
   const Names all =

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algebra/sample/screen.h"
+#include "check/law/state_facts.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
 #include "check/repair/trivial_statement.h"
@@ -77,7 +78,10 @@ class RepairSearch {
     if (asked_) ask_instead(rewritten, equations);
     if (rewritten.empty()) return {};
     std::vector<RepairCandidate> holding;
-    if (claim_.nearly) {
+    if (!coordinates_in(tree_, claim_.equation).empty()) {
+      // On a sample, derivatives that hold other letters are numbers of their own: all that is near is asked.
+      holding = candidates_.rewritten_sides(true);
+    } else if (claim_.nearly) {
       holding = holding_to_first_order(rewritten, equations);
     } else {
       const std::vector<ComparedTerm> terms = by_terms ? candidates_.terms() : std::vector<ComparedTerm>{};

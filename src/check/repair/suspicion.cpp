@@ -10,6 +10,7 @@
 #include "check/law/from_set.h"
 #include "check/law/restated.h"
 #include "check/law/solves.h"
+#include "check/law/states.h"
 #include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/repair/missing_condition.h"
@@ -22,6 +23,7 @@ namespace {
 /// Of the work that a step may take. Words that may restrict a row are rare, and take more to be overruled.
 constexpr std::uint64_t most_work = 250'000;
 constexpr std::uint64_t most_work_despite_words = 4'000'000;
+constexpr std::uint64_t most_work_of_states = 1'000'000;  // where derivatives hold letters by name
 
 /// The letter is another one than was written, so that another quantity may be meant.
 bool changes_a_letter(Slip slip) {
@@ -36,13 +38,14 @@ class Suspecting {
       : tree_(tree), names_(names), row_(row), cache_(cache) {}
 
   std::optional<Suspicion> run() {
-    if (may_be_near_an_identity()) {
+    if (may_be_near_an_identity() || holds_letters(tree_, names_.scope, row_.claim.equation)) {
       if (auto identity = nearest({}, {})) return identity;
     }
     const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, row_.available);
     if (auto solution = nearest_solution()) return solution;
     std::vector<Laws> sets = sets_of(tree_, bearing);
     sets.erase(sets.begin());  // of no laws
+    if (holds_letters(tree_, names_.scope, row_.claim.equation)) sets = sets_of_states(bearing);
     // What follows from some laws holds wherever all of them do, so the samples meet as many as can be met.
     while (!sets.empty() && !cache_.budget().exhausted()) {
       const Laws largest = sets.back();
@@ -245,7 +248,10 @@ std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, con
                                    DecisionCache& cache) {
   if (row.claim.nearly || row.claim.equation.relation != Relation::equal) return std::nullopt;
   if (cache.budget().exhausted()) return std::nullopt;
-  const ShareOfWork share(cache, row.restricted ? most_work_despite_words : most_work);
+  const bool of_states = holds_letters(tree, names.scope, row.claim.equation);
+  const ShareOfWork share(cache, of_states        ? most_work_of_states
+                                 : row.restricted ? most_work_despite_words
+                                                  : most_work);
   return Suspecting(tree, names, row, cache).run();
 }
 

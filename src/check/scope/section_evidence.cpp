@@ -31,6 +31,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
     for (const SyntaxId side : chain.sides) {
       see_kinds(notes.syntax, side, evidence);
       see_changing(notes.syntax, side, evidence);
+      see_differentials(notes.syntax, side, evidence);
       see_subscripts(notes.syntax, side, evidence);
     }
     see_components(notes.syntax, chain.sides, evidence);
@@ -106,7 +107,10 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_ties(notes.syntax, chain.sides, evidence);
         see_complex(notes.syntax, chain.sides, evidence);
         see_operators(notes.syntax, chain.sides, evidence);
-        for (const SyntaxId side : chain.sides) see_changing(notes.syntax, side, evidence);
+        for (const SyntaxId side : chain.sides) {
+          see_changing(notes.syntax, side, evidence);
+          see_differentials(notes.syntax, side, evidence);
+        }
       }
     }
     if (k == notes.events.size()) {

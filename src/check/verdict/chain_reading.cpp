@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/verdict/antiderivatives.h"
+#include "elaborate/notation/differential.h"
 #include "elaborate/notation/elaborate.h"
 #include "elaborate/reading/equation.h"
 #include "expr/calculus/differentiate.h"
@@ -83,6 +84,7 @@ std::string written_step(const ParsedChain& parsed, std::size_t which) {
 ChainReading::ChainReading(const SyntaxTree& syntax, ExprTree& tree, Names& names, const ParsedChain& parsed,
                            const ReadingRules& how)
     : tree_(tree), reading_{syntax, tree, names, read_letters(syntax, parsed.sides, names), own_, how} {
+  reading_.rules.differentials = reads_differentials(syntax, parsed.sides, names);
   for (const SyntaxId id : parsed.sides) {
     Side side;
     side.typed = read(id);

@@ -48,6 +48,7 @@ struct Evidence {
   std::set<std::string> changing;  // letters of which a rate is written, or that have an argument
   std::map<std::string, std::set<std::string>> tied;  // m of `m = \mu t`, with what stands on the other sides
   std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument
+  bool d_is_a_letter = false;        // `F = Ed`, "the distance $d$": then `dU` may be a product
   bool speaks_of_change = false;     // "variable mass", "grows": any letter may change
   bool third_axis = false;           // a component along z, or three of them: it is not about the plane alone
   bool operators = false;            // a commutator, a dagger, a bra or ket, `\hat p` or `\hat H`
@@ -198,6 +199,21 @@ void see_said_raised(std::string_view text, Evidence& evidence);
 /// Adds what the words of a section say. Where they say that something does not commute, or speak of a group,
 /// any letter may be an element of it; where they name another arithmetic, nothing counts as proved for it.
 void see_said_order(std::string_view text, Evidence& evidence);
+
+// --- seen_differentials.cpp: Differentials by themselves, `dU = T\,dS - p\,dV`.
+
+/// Notes the letters of differentials, and a `d` that is none.
+void see_differentials(const SyntaxTree& syntax, SyntaxId root, Evidence& evidence);
+/// `\mathrm dU`
+[[nodiscard]] bool is_lone_differential(const SyntaxTree& syntax, SyntaxId id);
+/// `dU`, where nothing says whether that is a product.
+[[nodiscard]] bool is_sign_of_differential(const SyntaxTree& syntax, std::span<const SyntaxChild> factors,
+                                           std::size_t at);
+/// `\delta Q`, the same.
+[[nodiscard]] bool is_sign_of_form(const SyntaxTree& syntax, std::span<const SyntaxChild> factors,
+                                   std::size_t at);
+/// Has each term of each side, but for a written 0, one differential or form as a factor?
+[[nodiscard]] bool relates_differentials(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides);
 
 // --- seen_functions.cpp: Letters that are written with their argument: functions before other brackets as
 // well. Letters that change.

@@ -371,6 +371,8 @@ void see_said_changes(std::string_view text, Evidence& evidence) {
                                                "depend on",      "ejects",
                                                "drifts",         "evolves",
                                                "falls with",     "rises with"};
+  evidence.d_is_a_letter = evidence.d_is_a_letter || text.find("$d$") != std::string_view::npos ||
+                           text.find("\\(d\\)") != std::string_view::npos;
   const std::string small = lowered(text);
   evidence.speaks_of_change =
       evidence.speaks_of_change || std::ranges::any_of(words, [&](std::string_view word) {

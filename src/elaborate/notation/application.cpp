@@ -215,6 +215,7 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
     const bool greek_d = is_greek_d(symbol);
     const bool is_letter = is_declared(reading.names.symbols, {symbol.letter, 0, false}) ||
                            is_small_scalar(reading.names, reading.tree, symbol.letter);
+    if (greek_d && of == SyntaxKind::symbol && reading.rules.differentials) continue;
     if (greek_d && of != SyntaxKind::group && !is_letter)
       return SpelledPart{
           syntax[id].span,
@@ -227,7 +228,7 @@ std::optional<SpelledPart> application(Reading& reading, std::span<const SyntaxC
           fmt::format("`{}` before a bracket can be a change of what is in it, a function, or a factor",
                       symbol.letter),
           {fmt::format("`rigor: scalar {}` makes it a factor", symbol.letter)}};
-    if (bare_d && (of == SyntaxKind::symbol || of == SyntaxKind::group) &&
+    if (bare_d && (of == SyntaxKind::symbol || of == SyntaxKind::group) && !reading.rules.differentials &&
         !is_declared(reading.names.symbols, {"d", 0, false}))
       return SpelledPart{
           syntax[id].span, "`d` can be a differential or a factor", {"`rigor: scalar d` makes it a factor"}};

@@ -8,6 +8,7 @@
 
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/name/function_value.h"
+#include "elaborate/notation/differential.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/change.h"
 #include "elaborate/reading/summation.h"
@@ -220,6 +221,7 @@ MaybeTyped elaborate_derivative(Reading& reading, SyntaxId id, const Around& aro
   const SyntaxTree& syntax = reading.syntax;
   const Span span = syntax[id].span;
   const WrittenDerivative& written = syntax.derivative(id);
+  if (written.by.empty()) return differential_of(reading, syntax.child(id, 0), span, around);
   if (!written.partial && is_declared(reading.names.symbols, {"d", 0, false}))
     return ambiguous(reading, span, "`d` is declared, and can be a differential here");
   auto operand = elaborate(reading, syntax.child(id, 0), around);

@@ -2,8 +2,10 @@
 // The factors of a term: operators act on what follows them, the others are multiplied.
 #include <fmt/format.h>
 
+#include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/application.h"
 #include "elaborate/notation/derivative.h"
+#include "elaborate/notation/differential.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/change.h"
 #include "elaborate/reading/product.h"
@@ -98,6 +100,20 @@ bool is_applied(Reading& reading, SyntaxId function, const SyntaxChild& next) {
          (part == BracketPart::open && reading.rules.open == OpenBracket::argument);
 }
 
+bool is_differential_sign(const SyntaxTree& syntax, std::span<const SyntaxChild> factors, std::size_t at) {
+  return is_sign_of_differential(syntax, factors, at) || is_sign_of_form(syntax, factors, at);
+}
+
+/// `dS` or `\delta Q`, where the row relates differentials.
+MaybeTyped differential_at(Reading& reading, std::span<const SyntaxChild> factors, std::size_t at,
+                           const Around& around) {
+  const SyntaxTree& syntax = reading.syntax;
+  const SyntaxId of = factors[at + 1].id;
+  const Span span = cover(syntax[factors[at].id].span, syntax[of].span);
+  return is_sign_of_form(syntax, factors, at) ? form_named(reading, of, span, around)
+                                              : differential_of(reading, of, span, around);
+}
+
 }  // namespace
 
 MaybeTyped elaborate_term(Reading& reading, SyntaxId id, const Around& around) {
@@ -107,8 +123,10 @@ MaybeTyped elaborate_term(Reading& reading, SyntaxId id, const Around& around) {
   for (std::size_t k = 0; k < factors.size();) {
     const SyntaxChild& child = factors[k];
     std::size_t next = k + 1;
-    const bool applied = next < factors.size() && is_applied(reading, child.id, factors[next]);
-    auto typed = acts_as_operator(reading.syntax, child.id)
+    const bool sign = reading.rules.differentials && is_differential_sign(reading.syntax, factors, k);
+    const bool applied = sign || (next < factors.size() && is_applied(reading, child.id, factors[next]));
+    auto typed = sign ? differential_at(reading, factors, k, around)
+                 : acts_as_operator(reading.syntax, child.id)
                      ? apply_operator(reading, factors, k, next, around)
                  : applied ? value_of_function(reading, child.id, factors[next].id, around)
                            : elaborate(reading, child.id, around);

@@ -6,6 +6,7 @@
 
 #include "base/among.h"
 #include "expr/print/latex_printer.h"
+#include "expr/tree/path.h"
 
 namespace rigor {
 namespace {
@@ -190,6 +191,10 @@ LatexPrinter::Piece LatexPrinter::by_letters(Piece result, const Derivation& der
   for (auto each = derivation.by.begin(); each != derivation.by.end();
        each = derivation.by.upper_bound(*each)) {
     if (each->by != By::letter) continue;
+    if (is_along_path(tree_.symbols, *each)) {
+      result.text.insert(0, "d");
+      continue;
+    }
     const auto count = derivation.by.count(*each);
     const std::string order = count == 1 ? "" : "^" + std::to_string(count);
     const char* sign = each->partial ? "\\partial" : "d";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "expr/tree/path.h"
 
 namespace rigor {
 namespace {
@@ -19,7 +20,11 @@ std::string name_of_derivative(const SymbolTable& symbols, const Derivation& der
     name = "\\" + std::string(dots, 'd') + "ot{" + name.substr(0, tail) + "}" + rest;
   }
   for (const Variable& each : derivation.by) {
-    if (each.by == By::letter) name.insert(0, "\\partial_{" + symbols[each.letter].name + "} ");
+    if (is_along_path(symbols, each)) {
+      name.insert(0, "d");
+    } else if (each.by == By::letter) {
+      name.insert(0, "\\partial_{" + symbols[each.letter].name + "} ");
+    }
     if (each.by == By::space) name.insert(0, "\\partial ");
     if (each.by == By::small) name.insert(0, "\\delta ");
   }

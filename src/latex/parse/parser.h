@@ -136,6 +136,7 @@ class Parser {
 
   // parser_acting.cpp
   std::optional<SyntaxId> acts(Cursor& cursor);
+  SyntaxId lone_differential(Cursor& cursor, std::size_t behind);
   std::optional<SyntaxId> landau(Cursor& cursor, std::size_t end);
   SyntaxId material(Cursor& cursor, TokenView above, TokenView below, Span span);
   std::optional<SyntaxId> slash_material(Cursor& cursor, std::size_t end);

@@ -33,14 +33,33 @@ std::optional<SyntaxId> Parser::acts(Cursor& cursor) {
     if (const auto node = slash_material(cursor, end)) return node;
     return unread_until(end, "this derivative along a motion is not decided");
   }
-  if (is_lone_differential(tokens, begin))
-    return unread_until(differential_at(tokens, begin)->next, "a differential by itself is not read");
+  if (is_lone_differential(tokens, begin)) {
+    const Differential mark = *differential_at(tokens, begin);
+    if (mark.partial || mark.order != 1)
+      return unread_until(mark.next, "a differential by itself is not read");
+    return lone_differential(cursor, mark.next);
+  }
   const auto word = upright_word_at(tokens, begin);
   if (!word) return std::nullopt;
   if (const auto known = function_name(word->word); !known.empty())
     return function(cursor, known, word->next);
   if (field_operator(word->word) || word->word == "rot") return field_word(cursor, word->word, word->next);
   return std::nullopt;
+}
+
+/// `\mathrm dS`, `\mathrm d(pV)`: a derivative by nothing that is written.
+SyntaxId Parser::lone_differential(Cursor& cursor, std::size_t behind) {
+  const std::size_t begin = std::exchange(cursor.at, behind);
+  const Span sign = span_of(cursor.tokens.subspan(begin, behind - begin));
+  read_since(cursor, begin);
+  cursor.at = skip_narrow(cursor.tokens, cursor.at);
+  const SyntaxId operand = factor(cursor);
+  const Span span = cover(sign, tree_[operand].span);
+  const SyntaxKind kind = tree_[operand].kind;
+  if (kind != SyntaxKind::symbol && kind != SyntaxKind::group && kind != SyntaxKind::opaque)
+    return opaque(span, "a differential of this is not read", DiagnosticKind::unsupported,
+                  {"brackets show how far it reaches: `\\mathrm d(x^2)`"});
+  return tree_.add_derivative(span, {}, operand);
 }
 
 /// `O(x)`, `O(x^2)`: a function of that name. Nothing for what names no power of a letter.
