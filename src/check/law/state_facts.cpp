@@ -2,7 +2,9 @@
 #include "check/law/state_facts.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "base/among.h"
@@ -73,12 +75,22 @@ std::optional<SymbolId> letter_alone(const ExprTree& tree, const Equation& equat
   return alone ? std::optional(left.symbol) : std::nullopt;
 }
 
-/// Does the section differentiate it, by anything or something by it?
+/// Letters that nobody uses for a quantity of state: amounts, constants of nature and of a material. That the
+/// section does not differentiate p of `U = 3pV/2` does not say that p is constant.
+bool is_usual_constant(std::string_view letter) {
+  static constexpr auto letters =
+      std::to_array<std::string_view>({"a", "b", "c", "k", "m", "n", "N", "R", "\\gamma"});
+  return is_one_of(letter, letters);
+}
+
+/// Does the section differentiate it, by anything or something by it? Of a letter that is no usual constant
+/// this is not asked.
 bool is_differentiated(const RowUnderLaws& row, SymbolId letter) {
   const Evidence& evidence = *row.names.symbols.evidence;
   const NameKey* key = key_of(row.names.symbols, letter);
   if (key == nullptr || evidence.speaks_of_change || is_changing(evidence, key->base)) return true;
   const std::string plain = without_labels(key->base);
+  if (!is_usual_constant(plain)) return true;
   return std::ranges::any_of(evidence.by, [&](const auto& entry) {
     return entry.first == key->base || entry.first == plain || entry.second.contains(plain);
   });

@@ -122,6 +122,8 @@ void see_differentials(const SyntaxTree& syntax, SyntaxId root, Evidence& eviden
     if (syntax[id].kind == SyntaxKind::term) {
       const std::span<const SyntaxChild> factors = syntax.children(id);
       for (std::size_t k = 0; k + 1 < factors.size(); ++k) {
+        const bool power = syntax[factors[k + 1].id].kind == SyntaxKind::power;  // `ds^2`
+        if (power && factors[k + 1].joint == Joint::juxtaposed) signs.insert(factors[k].id);
         if (!is_sign_of_differential(syntax, factors, k)) continue;
         signs.insert(factors[k].id);
         see_below(factors[k + 1].id);

@@ -94,8 +94,8 @@ TEST_CASE("the derivative along a motion is no quotient") {
 }
 
 TEST_CASE("a differential by itself is no factor") {
-  CHECK(parsed("T\\,\\mathrm dS") == "(term T (d S))");
-  CHECK(parsed("\\mathrm{d}(xy)") == "(d ((term x y)))");
+  CHECK(parsed("T\\,\\mathrm dS") == "(term T (d/ S))");
+  CHECK(parsed("\\mathrm{d}(xy)") == "(d/ (group (term x y)))");
   for (const char* text : {"\\mathrm dx^2", "\\mathrm{d}^2x"}) {
     INFO(text);
     CHECK(parsed(text).find("<unsupported>") != std::string::npos);
