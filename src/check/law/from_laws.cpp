@@ -61,6 +61,60 @@ std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing) {
   return sets;
 }
 
+/// `\sqrt{2gh}`, `2\pi\sqrt{l/g}`: never negative.
+bool is_written_root(const ExprTree& tree, ExprId id) {
+  const ExprNode& node = tree[id];
+  if (node.op == Op::root) return true;
+  if (node.op != Op::multiply && node.op != Op::divide) return false;
+  bool root = false;
+  for (const ExprId child : tree.children(id)) {
+    const bool number = tree[child].op == Op::number ||
+                        (tree[child].op == Op::symbol && tree.symbols[tree[child].symbol].circle_number);
+    const bool one = !number && is_written_root(tree, child);
+    if (!number && !one) return false;
+    root = root || one;
+  }
+  return root;
+}
+
+/// `u = \sqrt{2gh}` of `u^2/2 = gh`: the squares follow, and the root is the one that is not negative.
+std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& bearing) {
+  const Equation& own = row.claim.equation;
+  const ExprNode left = row.tree[own.left];
+  const bool letter = left.op == Op::symbol && left.rank == 0 && left.slot_count == 0 &&
+                      !row.tree.symbols[left.symbol].derivation &&
+                      definition_of(row.names.scope, left.symbol) == nullptr;
+  if (own.relation != Relation::equal || !letter || !is_written_root(row.tree, own.right))
+    return std::nullopt;
+  const auto is_it = [&](ExprId side) {
+    return row.tree[side].op == Op::symbol && row.tree[side].symbol == left.symbol;
+  };
+  const bool is_said = std::ranges::any_of(
+      bearing, [&](const PageLaw* law) { return is_it(law->equation.left) || is_it(law->equation.right); });
+  if (is_said) return std::nullopt;  // it may be the other root
+  const auto square = [&](ExprId side) {
+    return row.tree.add({.op = Op::power, .span = row.tree[side].span, .exponent = 2}, std::span(&side, 1));
+  };
+  Claim squares = row.claim;
+  squares.equation.left = square(own.left);
+  squares.equation.right = square(own.right);
+  const std::string says = fmt::format("convention: `{}` is not negative, since a root is written for it",
+                                       row.tree.symbols[left.symbol].name);
+  const ExprId zero = row.tree.add_number(left.span, "0");
+  for (const Laws& set : sets_of(row.tree, bearing)) {
+    auto found = set.empty() ? std::nullopt : prove_from({row.tree, row.names, squares, row.cache}, set);
+    if (!found) continue;
+    Names positive = with_laws(row.tree, row.names, set);  // none of which may say that it is negative
+    assume(
+        positive.scope,
+        {{.left = zero, .right = own.left, .relation = Relation::less}, Origin{says, {}, std::nullopt}, 0});
+    if (!sample_of_assumptions(row.tree, positive, {}, {}, row.cache)) continue;
+    found->uses.push_back(says);
+    return found;
+  }
+  return std::nullopt;
+}
+
 std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available, bool inferred) {
   if (auto found = prove_from(row, {})) return found;
   const Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available);
@@ -75,7 +129,7 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available, 
     if (set.empty()) continue;  // tried
     if (auto found = prove_from(row, set)) return found;
   }
-  return std::nullopt;
+  return takes_a_root(row, bearing);
 }
 
 }  // namespace
@@ -84,7 +138,8 @@ std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, co
                                           const Laws& available, bool inferred, DecisionCache& cache) {
   if (claim.nearly || claim.for_all || claim.recorded != nullptr) return std::nullopt;
   if (cache.budget().exhausted()) return std::nullopt;
-  const bool of_states = holds_letters(tree, names.scope, claim.equation);
+  const bool of_states =
+      speaks_of_states(tree, claim.equation) || holds_letters(tree, names.scope, claim.equation);
   const ShareOfWork share(cache, of_states ? most_work_of_states : most_work);
   return follow({tree, names, claim, &cache}, available, inferred);
 }

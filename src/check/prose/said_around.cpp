@@ -40,6 +40,14 @@ std::set<std::string> letters_written(std::string_view text) {
   return letters;
 }
 
+bool speaks_of_all_notes(std::string_view sentence) {
+  static constexpr auto ways =
+      std::to_array<std::string_view>({"in these notes", "in this course", "in these lectures",
+                                       "in this lecture", "in this chapter", "throughout"});
+  const std::string text = lowered(sentence);
+  return std::ranges::any_of(ways, [&](std::string_view way) { return text.find(way) != std::string::npos; });
+}
+
 }  // namespace
 
 std::optional<SaidAround> said_around(const Prose& prose, std::size_t event, const SourceMap& sources,
@@ -53,13 +61,17 @@ std::optional<SaidAround> said_around(const Prose& prose, std::size_t event, con
                                  [&](const auto& each) { return letters.contains(each); });
     });
   };
+  std::optional<SaidAround> of_notes;
   bool next = true;  // the first sentence after it
   for (const ProseSentence& sentence : prose.sentences) {
     if (!prose.sections.reaches(sentence.place, beside.place) || sentence.number == beside.sentence) continue;
     const bool has_letters = !sentence.maths.empty();
     if (sentence.number < beside.sentence) {
-      if (auto word = restriction_above(sentence.text, has_letters, has_letters && shares(sentence)))
-        return SaidAround{*std::move(word), "a sentence above it"};
+      if (auto word = restriction_above(sentence.text, has_letters, has_letters && shares(sentence))) {
+        SaidAround said{*std::move(word), "a sentence above it", speaks_of_all_notes(sentence.text)};
+        if (!said.of_notes) return said;
+        of_notes = std::move(said);
+      }
       if (sentence.asks && !sentence.has_display && sentence.displays + 1 == beside.displays &&
           sentence.number + 1 == beside.sentence)
         return SaidAround{"?", "the sentence above it"};
@@ -71,7 +83,7 @@ std::optional<SaidAround> said_around(const Prose& prose, std::size_t event, con
     if (auto word = restriction_behind(sentence.text, has_letters, has_letters && shares(sentence)))
       return SaidAround{*std::move(word), "a sentence behind it"};
   }
-  return std::nullopt;
+  return of_notes;
 }
 
 }  // namespace rigor

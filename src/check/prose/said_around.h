@@ -13,7 +13,8 @@ namespace rigor {
 
 struct SaidAround {
   std::string word;
-  std::string where;  // "a sentence above it", "its tag"
+  std::string where;      // "a sentence above it", "its tag"
+  bool of_notes = false;  // "All systems in these notes are homogeneous": so are those of its laws
 };
 
 /// Of the display at `event`, for a row that is written `row` and has this tag. Cost: linear in the text of

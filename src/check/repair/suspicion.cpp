@@ -23,7 +23,7 @@ namespace {
 /// Of the work that a step may take. Words that may restrict a row are rare, and take more to be overruled.
 constexpr std::uint64_t most_work = 250'000;
 constexpr std::uint64_t most_work_despite_words = 4'000'000;
-constexpr std::uint64_t most_work_of_states = 1'000'000;  // where derivatives hold letters by name
+constexpr std::uint64_t most_work_of_states = 2'000'000;  // of differentials, and where letters are held
 
 /// The letter is another one than was written, so that another quantity may be meant.
 bool changes_a_letter(Slip slip) {
@@ -248,7 +248,8 @@ std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, con
                                    DecisionCache& cache) {
   if (row.claim.nearly || row.claim.equation.relation != Relation::equal) return std::nullopt;
   if (cache.budget().exhausted()) return std::nullopt;
-  const bool of_states = holds_letters(tree, names.scope, row.claim.equation);
+  const bool of_states =
+      speaks_of_states(tree, row.claim.equation) || holds_letters(tree, names.scope, row.claim.equation);
   const ShareOfWork share(cache, of_states        ? most_work_of_states
                                  : row.restricted ? most_work_despite_words
                                                   : most_work);

@@ -71,11 +71,20 @@ std::string_view clause_of(std::string_view lead) {
   return !words.empty() && words[0] == "where" ? clause : lead;
 }
 
-/// "For a constant $k$" says what the letter is, and names no case.
-std::string without_constant_letters(std::string text) {
+/// "For a constant $k$" says what the letter is, and "for a reversible change" what a differential is: both
+/// name no case.
+std::string without_neutral_phrases(std::string text) {
   for (const std::string_view said : {"for a constant $", "for constant $", "constants $", "constant $"}) {
     for (auto at = text.find(said); at != std::string::npos; at = text.find(said))
       text.replace(at, said.size() - 1, "");
+  }
+  for (const std::string_view said :
+       {"for a reversible change", "for a reversible process", "in a reversible change",
+        "in a reversible process", "for an infinitesimal change", "for a small change",
+        "for a quasistatic change", "for a quasistatic process", "for reversible changes",
+        "for reversible processes"}) {
+    for (auto at = text.find(said); at != std::string::npos; at = text.find(said))
+      text.replace(at, said.size(), "");
   }
   return text;
 }
@@ -94,7 +103,7 @@ bool is_conditional(const RowPlace& place, bool demands) {
   const std::string behind = beside.tail.substr(0, begin_of_reason(beside.tail));
   const std::string lead(clause_of(beside.lead));
   return (demands && word_that_demands(lead)) ||
-         word_of_a_special_case(without_constant_letters(lead + " " + behind));
+         word_of_a_special_case(without_neutral_phrases(lead + " " + behind));
 }
 
 bool is_of_a_case(const RowPlace& place) {

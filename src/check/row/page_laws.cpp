@@ -119,9 +119,10 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
 bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
   const ProseBeside& here = beside(place);
   const std::string heading = lowered(place.section);
+  const auto around =
+      said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);
   return is_conditional(place) || is_of_a_moment(place) || is_an_example(place) || is_of_a_case(place) ||
-         begins_with_a_case(here.lead) || restriction_in_heading(heading) ||
-         said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);
+         begins_with_a_case(here.lead) || restriction_in_heading(heading) || (around && !around->of_notes);
 }
 
 bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {

@@ -210,7 +210,8 @@ bool restricts_behind_for(const Words& words, std::size_t at) {
   std::string_view next = word_at(words, at + 1);
   if (next.empty() || means_all(next) || is_pointing(next) || next == "$") return false;
   if (next == "a" || next == "an" || next == "two" || next == "three") next = word_at(words, at + 2);
-  if (next == "complex") return false;  // which letters are is read
+  if (next == "complex") return false;                                         // which letters are is read
+  if (next == "other" && word_at(words, at + 2) == "variables") return false;  // it names no case
   return !is_general_noun(next) && !means_all(next) && next != "$";
 }
 
@@ -278,11 +279,23 @@ std::optional<std::string> word_that_demands(std::string_view lead) {
   return std::nullopt;
 }
 
+namespace {
+
+/// "The constant of a spring", "the free energy": what it is called, and no case.
+bool is_part_of_a_name(const Words& words, std::size_t at) {
+  static constexpr std::array<std::string_view, 9> free{"energy",     "energies",   "enthalpy",
+                                                        "enthalpies", "index",      "indices",
+                                                        "parameter",  "parameters", "variables"};
+  const std::string_view next = word_at(words, at + 1);
+  return (words[at] == "constant" && next == "of") || (words[at] == "free" && is_one_of(next, free));
+}
+
+}  // namespace
+
 std::optional<std::string> word_of_a_special_case(std::string_view sentence) {
   const Words words = words_of(sentence);
   for (std::size_t k = 0; k < words.size(); ++k) {
-    const bool noun = words[k] == "constant" && word_at(words, k + 1) == "of";  // "the constant of a spring"
-    if (is_special(words[k]) && !noun) return std::string(words[k]);
+    if (is_special(words[k]) && !is_part_of_a_name(words, k)) return std::string(words[k]);
     if (words[k] == "for" && restricts_behind_for(words, k))
       return "for " + std::string(word_at(words, k + 1));
     if (words[k] == "at" && word_at(words, k + 1) == "rest") return "at rest";
@@ -322,11 +335,17 @@ constexpr std::array<std::string_view, 34> announcing{
     "then",      "equals", "equal",    "conclude",  "rewritten", "simplifies", "reduces",
     "shows",     "means",  "expanded", "expanding", "ie",        "accordingly"};
 
+/// "The first law becomes", "Newton's second law gives": what is written down is the law.
+bool states_a_law(const Words& words, std::size_t k) {
+  return k > 0 && words[k - 1] == "law" && is_one_of(words[k], {"becomes", "gives", "yields"});
+}
+
 }  // namespace
 
 bool announces_a_conclusion(std::string_view lead) {
   const Words words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
+    if (states_a_law(words, k)) continue;
     if (is_one_of(words[k], announcing)) return true;
     if (words[k] == "that" && word_at(words, k + 1) == "is") return true;
     if (words[k] == "i" && word_at(words, k + 1) == "e") return true;
@@ -343,6 +362,7 @@ std::optional<std::string> word_that_concludes(std::string_view lead) {
   static constexpr std::array<std::string_view, 4> pointing{"which", "this", "that", "it"};
   const Words words = words_of(lead);
   for (std::size_t k = 0; k < words.size(); ++k) {
+    if (states_a_law(words, k)) continue;
     if (is_one_of(words[k], concluding)) return std::string(words[k]);
     if (words[k] == "so" && !is_one_of(word_at(words, k + 1), of_degree)) return "so";
     if (words[k] == "we" && word_at(words, k + 1) == "find") return "we find";

@@ -38,8 +38,6 @@ TEST_CASE("an index on a bracket is a component") {
 TEST_CASE("commas in brackets make a tuple") {
   CHECK(parsed("(a,b+c,d)") == "(tuple a (sum +b +c) d)");
   CHECK(parsed("(a,(b,c))") == "(tuple a (tuple b c))");
-  CHECK(parsed("[a,b]") == "(tuple [a [b)");
-  CHECK(parsed("\\{a,b\\}") == "(tuple {a {b)");
 }
 
 TEST_CASE("every way to write a bar is read") {
