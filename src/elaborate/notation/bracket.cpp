@@ -100,6 +100,15 @@ MaybeTyped elaborate_component(Reading& reading, SyntaxId id, const Around& arou
   if (any_primed(axes)) return along_axes(reading, *base, axes, span, around);
   const auto written = subscript(reading, axes, span, around);
   if (!written) return std::nullopt;
+  for (std::size_t k = 0; k < written->slots.size(); ++k) {
+    const Space of = reading.tree[base->id].axes[static_cast<int>(k)];
+    const Slot& slot = written->slots[k];
+    const bool fits = slot.axis != 0 ? slot.axis <= of.dimension : reading.tree.space(slot.variable) == of;
+    if (!fits)
+      return unsupported(
+          reading, axes[k].span,
+          fmt::format("the index `{}` does not count {} rows or columns", axes[k].text, of.dimension));
+  }
   auto letters = contraction_of(reading, {*base, {.free = written->free}});
   if (!letters) return std::nullopt;
   Typed typed{.particles = base->particles};

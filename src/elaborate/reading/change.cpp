@@ -58,6 +58,14 @@ void note_logarithm(Reading& reading, ExprId of) {
       });
 }
 
+/// A column of two rows has no derivatives along three axes.
+bool is_of_another_space(Reading& reading, const Typed& typed, Span span) {
+  if (typed.rank == 0 || reading.tree[typed.id].axes == AxisSpaces::of(use_space(reading), typed.rank))
+    return false;
+  unsupported(reading, span, "`\\nabla` acts on vectors of space, not on a column or matrix of another size");
+  return true;
+}
+
 }  // namespace
 
 Typed rate_of(Reading& reading, Typed typed, int times, bool partial) {
@@ -137,6 +145,7 @@ bool has_other_places(Reading& reading, Span span) {
 }
 
 MaybeTyped apply_nabla(Reading& reading, FieldOperator what, const Typed& operand, Span span) {
+  if (is_of_another_space(reading, operand, span)) return std::nullopt;
   if (has_other_places(reading, span)) return std::nullopt;
   ExprTree& tree = reading.tree;
   const bool of_vector = what == FieldOperator::divergence || what == FieldOperator::curl;
@@ -179,6 +188,8 @@ MaybeTyped apply_nabla(Reading& reading, FieldOperator what, const Typed& operan
 MaybeTyped directional(Reading& reading, const Typed& along, const Typed& operand, Span span) {
   if (has_other_places(reading, span)) return std::nullopt;
   if (along.rank != 1) return wrong_rank(reading, span, "`(\\mathbf{A}\\cdot\\nabla)` needs a vector");
+  if (is_of_another_space(reading, along, span) || is_of_another_space(reading, operand, span))
+    return std::nullopt;
   const auto rank = static_cast<std::uint8_t>(operand.rank);
   std::vector<ExprId> terms;
   for (std::uint8_t i = 1; i <= 3; ++i) {
