@@ -216,12 +216,17 @@ class Heeding {
     return true;
   }
 
+  /// Numbers, or matrices of numbers, which the page may have given letters.
   bool is_of_numbers() const {
     const std::vector<ExprId> nodes = nodes_below(tree_, {claim_.equation.left, claim_.equation.right});
-    const bool scalars = std::ranges::all_of(
-        nodes, [this](ExprId id) { return tree_[id].rank == 0 && tree_[id].slot_count == 0; });
-    return scalars && std::ranges::all_of(letters_of(claim_.equation), [this](SymbolId letter) {
-             return tree_.symbols[letter].is_fixed() || tree_.symbols[letter].integral;
+    const bool matrices = std::ranges::any_of(nodes, [this](ExprId id) { return tree_[id].op == Op::tuple; });
+    const bool plain = std::ranges::all_of(
+        nodes, [&](ExprId id) { return tree_[id].slot_count == 0 && (matrices || tree_[id].rank == 0); });
+    return plain &&
+           std::ranges::all_of(base_letters(tree_, names_.scope, claim_.equation), [&](SymbolId letter) {
+             const Symbol& symbol = tree_.symbols[letter];
+             return symbol.is_fixed() || symbol.integral ||
+                    (matrices && definition_of(names_.scope, letter) != nullptr);
            });
   }
 

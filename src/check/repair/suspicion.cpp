@@ -215,6 +215,14 @@ class Suspecting {
     return *usual_;
   }
 
+  static std::size_t symbols_of(const ExprTree& tree, const Equation& equation) {
+    std::set<SymbolId> symbols;
+    for (const ExprId side : {equation.left, equation.right}) {
+      for (const SymbolId symbol : symbols_in(tree, side)) symbols.insert(symbol);
+    }
+    return symbols.size();
+  }
+
   bool is_likely(const ExprTree& tree, const Claim& claim, Slip slip) {
     const Equation& own = row_.claim.equation;
     const auto becomes = [&](ExprId now, ExprId before) {
@@ -225,8 +233,13 @@ class Suspecting {
     if (becomes_zero) return false;
     if (slip == Slip::factor_missing || slip == Slip::factor_extra) return false;  // another quantity
     const bool changes_what_is_said = changes_a_letter(slip) || changes_the_terms(slip) ||
+                                      slip == Slip::letters_exchanged ||
                                       (slip == Slip::factor && !scales_a_side(tree, claim.equation));
     if (row_.restricted && changes_what_is_said) return false;
+    if (changes_a_letter(slip) || slip == Slip::letters_exchanged) {
+      // `\frac{dy}{dy}\frac{dp}{dx}` for `\frac{dp}{dy}\frac{dy}{dx}`: what becomes a number was meant.
+      if (symbols_of(tree, claim.equation) < symbols_of(tree_, own)) return false;
+    }
     if (!changes_the_terms(slip)) return true;
     if (written(tree, claim.equation) != written(tree_, own)) return false;  // of another quantity
     const std::set<SymbolId> letters = written(tree_, own);

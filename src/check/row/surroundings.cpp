@@ -340,8 +340,9 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
   const bool left_units = speaks_of_units(place.tree, left.id);
   const bool right_units = speaks_of_units(place.tree, right.id);
   const ExprId bare = left_units ? right.id : left.id;
-  if (judgement.verdict == Verdict::refuted && left_units != right_units &&
-      symbols_in(place.tree, bare).empty())
+  const bool is_number = std::ranges::all_of(
+      symbols_in(place.tree, bare), [&](SymbolId each) { return place.tree.symbols[each].circle_number; });
+  if (judgement.verdict == Verdict::refuted && left_units != right_units && is_number)
     withdraw(DiagnosticKind::restricted, "one side has a unit, and the other is a number without one", {});
   if (judgement.verdict == Verdict::refuted && zeros)
     withdraw(DiagnosticKind::restricted, "it may be about how two zeros are written", {});

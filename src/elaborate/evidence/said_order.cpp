@@ -75,7 +75,10 @@ bool speaks_of_group(std::string_view sentence) {
 }
 
 /// Words for sums and products that are not those of numbers.
-constexpr std::array<std::string_view, 26> other_arithmetics{"\\mathbb{z}_",
+constexpr std::array<std::string_view, 29> other_arithmetics{"\\z/",
+                                                             "\\f_p",
+                                                             "\\f_q",
+                                                             "\\mathbb{z}_",
                                                              "\\mathbb z_",
                                                              "\\mathbb{f}_",
                                                              "\\mathbb f_",

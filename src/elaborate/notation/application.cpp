@@ -122,7 +122,8 @@ std::optional<SpelledPart> circle_before_number(const SyntaxTree& syntax,
     if (syntax[factors[k].id].kind != SyntaxKind::symbol || factors[k + 1].joint != Joint::juxtaposed)
       continue;
     const WrittenSymbol& symbol = syntax.symbol(factors[k].id);
-    const SyntaxId bracket = factors[k + 1].id;
+    SyntaxId bracket = factors[k + 1].id;
+    if (syntax[bracket].kind == SyntaxKind::power) bracket = syntax.child(bracket, 0);
     if (symbol.letter != "\\pi" || !symbol.lower.empty() || syntax[bracket].kind != SyntaxKind::group ||
         syntax[syntax.child(bracket, 0)].kind != SyntaxKind::number)
       continue;
