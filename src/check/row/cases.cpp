@@ -80,9 +80,8 @@ std::string without_neutral_phrases(std::string text) {
   }
   for (const std::string_view said :
        {"for a reversible change", "for a reversible process", "in a reversible change",
-        "in a reversible process", "for an infinitesimal change", "for a small change",
-        "for a quasistatic change", "for a quasistatic process", "for reversible changes",
-        "for reversible processes"}) {
+        "in a reversible process", "for an infinitesimal change", "for a quasistatic change",
+        "for a quasistatic process", "for reversible changes", "for reversible processes"}) {
     for (auto at = text.find(said); at != std::string::npos; at = text.find(said))
       text.replace(at, said.size(), "");
   }
