@@ -52,10 +52,17 @@ ex Constraints::reduced(const ex& value) {
   return rest;
 }
 
+/// A length is not 0 where its square is not, and that is what stands in `r^2E = r^3\rho`.
 void Constraints::note_nonzero(const ex& value, std::optional<std::size_t> assumption) {
-  const bool known =
-      std::ranges::any_of(trace_.nonzero, [&](const auto& each) { return each.value.is_equal(value); });
-  if (!known && !is_number(value)) trace_.nonzero.push_back({value, assumption});
+  const auto note = [&](const ex& each) {
+    const auto is_it = [&](const auto& known) { return known.value.is_equal(each); };
+    if (is_number(each) || std::ranges::any_of(trace_.nonzero, is_it)) return;
+    trace_.nonzero.push_back({each, assumption});
+  };
+  note(value);
+  for (const auto& [root, square] : domain_.radicals().relations()) {
+    if (root.is_equal(value) || root.is_equal(-value)) note(square);
+  }
 }
 
 /// Is the value, or its product with something that is not 0, a combination of the equations?

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <ranges>
 #include <set>
 
 #include "base/among.h"
@@ -17,6 +19,7 @@
 #include "check/question/granted.h"
 #include "check/question/question.h"
 #include "check/verdict/law_diagnostic.h"
+#include "expr/print/print_latex.h"
 
 namespace rigor {
 namespace {
@@ -207,30 +210,50 @@ std::set<SymbolId> letters_that_may_vanish(const RowUnderLaws& row) {
   return base_letters(row.tree, row.names.scope, own);
 }
 
+/// `m`, and `r` where it is the length of `\mathbf r`: what may stand below a line.
+std::vector<ExprId> divisors_of(ExprTree& tree, const NameScope& scope, const Equation& law,
+                                const std::set<SymbolId>& without) {
+  const auto is_free = [&](SymbolId letter, int rank) {
+    const Symbol& symbol = tree.symbols[letter];
+    return symbol.rank == rank && !symbol.per_particle && !symbol.is_fixed() && !without.contains(letter) &&
+           definition_of(scope, letter) == nullptr;
+  };
+  std::vector<ExprId> divisors;
+  for (const ExprId each : nodes_below(tree, {law.left, law.right})) {
+    if (tree[each].op != Op::length) continue;
+    const ExprNode& vector = tree[tree.children(each)[0]];
+    if (vector.op == Op::symbol && vector.slot_count == 0 && is_free(vector.symbol, 1))
+      divisors.push_back(each);
+  }
+  for (const SymbolId letter : base_letters(tree, scope, law)) {
+    if (is_free(letter, 0))
+      divisors.push_back(tree.add({.op = Op::symbol, .span = tree[law.left].span, .symbol = letter}));
+  }
+  return divisors;
+}
+
 /// The row may stay open in a letter that vanishes only where it has not that letter itself.
-std::vector<SymbolId> not_zero(const RowUnderLaws& row, const Laws& set) {
+std::vector<ExprId> not_zero(const RowUnderLaws& row, const Laws& set) {
   std::set<SymbolId> own = letters_that_may_vanish(row);
-  std::vector<SymbolId> letters;
   // `ab = 0` may say that a vanishes, and that b does.
   const auto vanishes = [&](const Equation& equation) {
     return row.tree.is_zero_literal(equation.left) || row.tree.is_zero_literal(equation.right);
   };
-  if (vanishes(row.claim.equation)) return letters;
+  if (vanishes(row.claim.equation)) return {};
   for (const PageLaw* law : set) {
     if (vanishes(law->equation)) own.merge(base_letters(row.tree, row.names.scope, law->equation));
     const ExprNode& left = row.tree[law->equation.left];
     if (left.op == Op::symbol) own.insert(left.symbol);  // the law says what it is
   }
+  std::map<std::string, ExprId> divisors;
   for (const PageLaw* law : set) {
     if (vanishes(law->equation)) continue;
-    for (const SymbolId letter : base_letters(row.tree, row.names.scope, law->equation)) {
-      const Symbol& symbol = row.tree.symbols[letter];
-      const bool plain = symbol.rank == 0 && !symbol.per_particle && !symbol.is_fixed();
-      const bool free = plain && !own.contains(letter) && definition_of(row.names.scope, letter) == nullptr;
-      if (free && !is_one_of(letter, letters) && letters.size() < most_not_zero) letters.push_back(letter);
+    for (const ExprId divisor : divisors_of(row.tree, row.names.scope, law->equation, own)) {
+      if (divisors.size() < most_not_zero) divisors.try_emplace(dump(row.tree, divisor), divisor);
     }
   }
-  return letters;
+  const auto found = std::views::values(divisors);
+  return {found.begin(), found.end()};
 }
 
 Names with_constants(Names names, const std::vector<SymbolId>& constants) {
@@ -238,17 +261,17 @@ Names with_constants(Names names, const std::vector<SymbolId>& constants) {
   return names;
 }
 
-std::string says_not_zero(const ExprTree& tree, SymbolId letter) {
-  return fmt::format("convention: `{}` is not 0", tree.symbols[letter].name);
+std::string says_not_zero(const ExprTree& tree, ExprId divisor) {
+  return fmt::format("convention: `{}` is not 0", print_latex(tree, divisor));
 }
 
-Names with_not_zero(const RowUnderLaws& row, Names names, const std::vector<SymbolId>& letters) {
-  for (const SymbolId letter : letters) {
+Names with_not_zero(const RowUnderLaws& row, Names names, const std::vector<ExprId>& divisors) {
+  for (const ExprId divisor : divisors) {
     Equation nonzero;
-    nonzero.left = row.tree.add({.op = Op::symbol, .span = row.claim.relation, .symbol = letter});
+    nonzero.left = divisor;
     nonzero.right = row.tree.add_number(row.claim.relation, "0");
     nonzero.relation = Relation::unequal;
-    assume(names.scope, {std::move(nonzero), Origin{says_not_zero(row.tree, letter), {}, std::nullopt}, 0});
+    assume(names.scope, {std::move(nonzero), Origin{says_not_zero(row.tree, divisor), {}, std::nullopt}, 0});
   }
   return names;
 }
@@ -303,8 +326,8 @@ std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws&
   const Names assumed = with_laws(row.tree, row.names, set);
   const std::vector<SymbolId> constants = constants_under(row, assumed, set);
   if (set.empty() && constants.empty()) return std::nullopt;
-  const std::vector<SymbolId> letters = not_zero(row, set);
-  const Names all = with_not_zero(row, with_constants(assumed, constants), letters);
+  const std::vector<ExprId> divisors = not_zero(row, set);
+  const Names all = with_not_zero(row, with_constants(assumed, constants), divisors);
   const auto named = named_in_proof(row, all);
   if (!named) return std::nullopt;
   const auto is_named = [&](const std::string& name) { return is_one_of(name, *named); };
@@ -312,9 +335,9 @@ std::optional<Judgement> prove_as_it_stands(const RowUnderLaws& row, const Laws&
   std::copy_if(set.begin(), set.end(), std::back_inserter(used),
                [&](const PageLaw* law) { return is_named(law->name); });
   if (!set.empty() && used.empty() && constants.empty()) return std::nullopt;
-  std::vector<SymbolId> divided;
-  std::copy_if(letters.begin(), letters.end(), std::back_inserter(divided),
-               [&](SymbolId letter) { return is_named(says_not_zero(row.tree, letter)); });
+  std::vector<ExprId> divided;
+  std::ranges::copy_if(divisors, std::back_inserter(divided),
+                       [&](ExprId divisor) { return is_named(says_not_zero(row.tree, divisor)); });
   const Names from_used = with_not_zero(row, with_laws(row.tree, row.names, used), divided);
   const std::vector<SymbolId> needed = constants_under(row, from_used, used);
   const Names from = with_constants(from_used, needed);

@@ -94,12 +94,22 @@ bool reads_expression(Walk& walk, const ParsedChain& parsed) {
   return false;
 }
 
-void mark_seen(Walk& walk, const std::vector<Side>& sides) {
-  for (const Side& side : sides) {
+/// `r^2E = r^3F`, where `\mathbf r` stands in another row: that r is its length is a guess, and no row has
+/// shown the vector.
+bool is_guessed(const Walk& walk, const Reading& reading, SymbolId symbol) {
+  if (!reading.found.belongs || walk.tree.symbols[symbol].rank == 0) return false;
+  const NameKey* key = key_of(walk.names.symbols, symbol);
+  return key != nullptr && !reading.letters.bold_vectors.contains(key->base) &&
+         !reading.letters.indexed_vectors.contains(key->base);
+}
+
+void mark_seen(Walk& walk, const ChainReading& reading) {
+  for (const ChainReading::Side& side : reading.sides) {
     if (!side.typed) continue;
     for (const SymbolId symbol : letters_in(walk.tree, side.typed->id)) {
-      mark_seen(walk.names.scope, symbol);
       const SymbolId base = base_of(walk.tree.symbols, symbol);
+      if (is_guessed(walk, reading.reading(), base)) continue;
+      mark_seen(walk.names.scope, symbol);
       mark_seen(walk.names.scope, base);
       for (const auto& [directive, meant] : walk.for_all) {
         if (meant == base) walk.used.insert(directive);
@@ -168,7 +178,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
     take_over(walk, std::move(place.found));
   }
   const std::vector<Side>& sides = reading->sides;
-  if (parsed.others.empty()) mark_seen(walk, sides);
+  if (parsed.others.empty()) mark_seen(walk, *reading);
   HowRead how;
   if (walk.request.reads) how = how_it_was_read(walk, parsed, *reading, context);
   if (is_claimed(context.role)) meet_expectations(walk, parsed, first_step);
