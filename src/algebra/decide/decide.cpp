@@ -6,9 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "algebra/decide/prove.h"
+#include "algebra/decide/sign_cases.h"
 #include "algebra/parts/complex_sample.h"
 #include "algebra/sample/refute.h"
 #include "algebra/words/operator_question.h"
@@ -95,6 +97,7 @@ class Decider {
   [[nodiscard]] std::vector<std::vector<std::size_t>> choices_of_assumptions();
   [[nodiscard]] std::optional<Found> try_all_proofs(Effort effort);
   [[nodiscard]] std::optional<Found> try_proof(const Attempt& attempt, bool unfolded);
+  [[nodiscard]] std::optional<Found> try_cases_of_signs();
   [[nodiscard]] std::optional<Found> try_cheap_proof(const Attempt& attempt, bool& finished);
   void drop_needless_assumptions(Found& found);
   [[nodiscard]] Decision proved(Found found) const;
@@ -193,6 +196,32 @@ std::optional<Found> Decider::try_all_proofs(Effort effort) {
   return std::nullopt;
 }
 
+/// A case in which a root has no real value says nothing, if not all of them are such cases.
+std::optional<Found> Decider::try_cases_of_signs() {
+  Attempt attempt{.effort = Effort::factored, .assumptions = refuter_.assumptions()};
+  std::optional<Found> found;
+  std::set<std::size_t> used;
+  for (std::vector<KnownSign>& signs : sign_cases(unfolded_, attempt)) {
+    attempt.signs = std::move(signs);
+    try {
+      Trial trial = prove(unfolded_, attempt, limits_, work_);
+      if (!trial.holds) return std::nullopt;
+      used.insert(trial.used.begin(), trial.used.end());
+      found = Found{std::move(trial), {.effort = attempt.effort, .assumptions = attempt.assumptions}, true, {}};
+    } catch (const NoRealValue&) {
+      continue;
+    } catch (const Undecidable&) {
+      return std::nullopt;
+    }
+  }
+  if (!found) return std::nullopt;
+  found->trial.used.assign(used.begin(), used.end());
+  found->trial.proof.equations.clear();
+  found->trial.proof.nonzero.clear();
+  found->trial.proof.steps = {{.kind = ProofStep::Kind::cases, .assumptions = found->trial.used}};
+  return found;
+}
+
 /// First all that the proof has not used, then one after the other, for no more work than the proof took.
 void Decider::drop_needless_assumptions(Found& found) {
   constexpr std::uint64_t least_steps = 2'000;
@@ -286,6 +315,8 @@ Decision Decider::decide() {
   if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
   auto found = try_all_proofs(Effort::plain);
   if (!found && last_trial_.radicals) found = try_all_proofs(Effort::factored);
+  const bool by_cases = !found && last_trial_.radicals;
+  if (by_cases) found = try_cases_of_signs();
   if (found && !found->trial.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
     bool has_value = false;
     static_cast<void>(look([&] {
@@ -295,7 +326,7 @@ Decision Decider::decide() {
     if (!has_value) return undecided("no sample was found at which both sides have a value");
   }
   if (found) {
-    if (limits_.fewest_assumptions) drop_needless_assumptions(*found);
+    if (limits_.fewest_assumptions && !by_cases) drop_needless_assumptions(*found);
     return proved(*std::move(found));
   }
   if (const auto differs = look([this] { return refuter_.search(); })) return refuted(*differs);

@@ -53,6 +53,10 @@ void write_down(Proof& proof, const Scope& scope, GenericDomain& domain, const C
   GenericDomain domain(scope, limits, attempt.effort, work, angle_divisor);
   Evaluator<GenericDomain> evaluator(scope, domain);
   Constraints constraints(scope, domain, evaluator);
+  for (const KnownSign& each : attempt.signs) {
+    const GiNaC::ex letter = domain.indeterminates().coordinate(each.letter, 0, common_frame);
+    domain.signs().add_fact(letter, each.positive ? Sign::positive : Sign::negative);
+  }
   // An equation or ≤ that holds on all of the chart holds at the point that it misses; < and ≠ need not.
   if (claim.relation == Relation::less || claim.relation == Relation::unequal) {
     constraints.take_unit_vectors_as_coordinates(reach(scope, claim).symbols);
