@@ -12,6 +12,7 @@
 #include "check/event/declared_first.h"
 #include "check/event/demand.h"
 #include "check/word/said_kinds.h"
+#include "check/word/sizes.h"
 #include "latex/parse/parse.h"
 #include "latex/split/conditions.h"
 #include "latex/split/rows.h"
@@ -114,6 +115,7 @@ class CheckedNotesReader {
       if (parts && parts->size() > 1) said.chains = parse_each(*parts);
     }
     add_said_kinds();
+    add_said_sizes();
   }
 
   std::optional<Tokens> maths_in_line(Span span) {
@@ -150,33 +152,56 @@ class CheckedNotesReader {
     }
   }
 
-  /// `relation` with the letter for its `$`.
+  /// "of mass $m$": that m is positive, for those who ask.
+  void add_said_sizes() {
+    for (const ProseSentence& sentence : notes_.prose.sentences) {
+      for (const SaidSize& size : said_sizes(sentence.text)) {
+        if (size.maths >= sentence.maths.size()) continue;
+        const auto tokens = maths_in_line(sentence.maths[size.maths]);
+        if (!tokens) continue;
+        for (const Tokens& letter : listed_letters(*tokens)) {
+          for (ParsedChain& chain : parse_each({about(letter, "$ > 0").first}))
+            notes_.prose.sizes.push_back(
+                {std::move(chain), text_of(letter), std::string(size.noun), sentence.place});
+        }
+      }
+    }
+  }
+
   void add_said_kind(const ProseSentence& sentence, Span span, const Tokens& letter,
                      std::string_view relation) {
     SaidInLine said{
         .span = span, .cue = Cue::condition, .sentence = sentence.number, .place = sentence.place};
+    auto [tokens, words] = about(letter, relation);
+    said.words = std::move(words);
+    said.chains = parse_each({std::move(tokens)});
+    notes_.prose.said.push_back(std::move(said));
+  }
+
+  /// `relation` with the letter for its `$`, and how it is written.
+  static std::pair<Tokens, std::string> about(const Tokens& letter, std::string_view relation) {
     Tokens tokens;
+    std::string words;
     const Span place = rigor::span_of(TokenView(letter));
     for (std::size_t at = 0; at < relation.size();) {
       std::size_t length = 1;
       if (relation[at] == '$') {
         tokens.insert(tokens.end(), letter.begin(), letter.end());
-        said.words += text_of(letter);
+        words += text_of(letter);
       } else if (relation[at] == '\\') {
         while (at + length < relation.size() && is_letter(relation[at + length])) ++length;
         tokens.push_back({TokenKind::control, relation.substr(at + 1, length - 1), place});
-        said.words += relation.substr(at, length);
+        words += relation.substr(at, length);
       } else {
         const TokenKind kind = relation[at] == '0'   ? TokenKind::digit
                                : relation[at] == ' ' ? TokenKind::space
                                                      : TokenKind::other;
         tokens.push_back({kind, relation.substr(at, 1), place});
-        said.words += relation[at];
+        words += relation[at];
       }
       at += length;
     }
-    said.chains = parse_each({tokens});
-    notes_.prose.said.push_back(std::move(said));
+    return {std::move(tokens), std::move(words)};
   }
 
   SyntaxId read_asked(FileId text) {

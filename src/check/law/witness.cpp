@@ -22,7 +22,7 @@ class NonZero {
       const ExprId other = side == equation.left ? equation.right : equation.left;
       const bool vanishes = tree_.is_zero_literal(other);
       if (vanishes && tree_[side].op == Op::symbol) zero_.insert(tree_[side].symbol);
-      for (const SymbolId symbol : symbols_in(tree_, side)) letters_.insert(base_of(tree_.symbols, symbol));
+      add_letters(side);
       const bool repeats = !equation.indices.empty() || !equation.particles.empty();
       if (repeats || tree_.is_zero_literal(side)) continue;
       const std::vector<SignedTerm> terms = signed_terms(tree_, side);
@@ -64,6 +64,14 @@ class NonZero {
   }
 
  private:
+  /// Not those of an angle or an exponent: a sample has `\sin Q`, and no Q.
+  void add_letters(ExprId id) {
+    const ExprNode& node = tree_[id];
+    if (node.op == Op::function) return;
+    if (node.op == Op::symbol) letters_.insert(base_of(tree_.symbols, node.symbol));
+    for (const ExprId child : tree_.children(id)) add_letters(child);
+  }
+
   /// `a\cos\omega t`: where it is not 0, exact samples seldom reach; its letters are asked.
   [[nodiscard]] bool has_function(ExprId side) const {
     return std::ranges::any_of(nodes_below(tree_, {side}),

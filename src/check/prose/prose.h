@@ -35,6 +35,14 @@ struct SaidInLine {
   std::string words = {};                // that say it, where it is no relation: "acute angle `\varphi`"
 };
 
+/// "of mass $m$", in a line.
+struct SizeInLine {
+  ParsedChain chain;  // `m > 0`
+  std::string letter;
+  std::string noun;  // "mass"
+  std::size_t place = 0;
+};
+
 /// A whole sentence of the prose.
 struct ProseSentence {
   std::string text;  // as in `ProseBeside`
@@ -62,6 +70,7 @@ struct Prose {
   Sections sections;
   std::vector<ProseBeside> beside;  // one for each event
   std::vector<SaidInLine> said;
+  std::vector<SizeInLine> sizes = {};  // filled by who parses them
   std::vector<ProseSentence> sentences;
 };
 

@@ -92,6 +92,12 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// it follows from nothing.
 void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement);
 
+// --- sizes.cpp: Masses, radii and frequencies are positive.
+
+/// Proved if the letters that the page calls so are; else the judgement stays as it is.
+[[nodiscard]] bool follows_for_sizes(RowPlace& place, const StepReading& row, const Claim& claim,
+                                     Judgement& judgement);
+
 // --- readings.cpp: Chains with places that can be read in two ways. All readings are decided, and only a
 // verdict that all share counts.
 

@@ -320,6 +320,7 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
   at.denied = denial_of(place.notes.prose, place.event);
   if (!at.denied && agrees_with_values(place, row, claim, judgement)) return;
   if (!at.denied && follows_from_page(place, row, claim, judgement)) return;
+  if (!at.denied && follows_for_sizes(place, row, claim, judgement)) return;
   if (judgement.verdict == Verdict::refuted)
     at.around =
         said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);

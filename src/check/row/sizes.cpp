@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `2\pi\sqrt{a^3/GM} = 2\pi a\sqrt{a/GM}` holds for a radius: a quantity that the page calls a mass, a length or
+// a frequency is positive. That is a convention, which the verdict names, so it is asked only where a root
+// leaves a row open.
+#include "check/row/row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "check/place/place.h"
+#include "check/question/base_letters.h"
+#include "check/word/sizes.h"
+
+namespace rigor {
+namespace {
+
+/// Does it matter to some part whether its letters are negative?
+bool asks_for_signs(const RowPlace& place, const std::vector<Equation>& equations) {
+  std::vector<ExprId> roots;
+  for (const Equation& each : equations) roots.insert(roots.end(), {each.left, each.right});
+  for (const SymbolId symbol : symbols_reached(place.tree, place.names.scope, roots)) {
+    if (const auto body = body_of_definition(place.names.scope, symbol)) roots.push_back(*body);
+  }
+  return std::ranges::any_of(nodes_below(place.tree, roots), [&](ExprId id) {
+    const ExprNode& node = place.tree[id];
+    return node.op == Op::root || node.op == Op::absolute || node.op == Op::real_power ||
+           (node.op == Op::function && node.function == Function::log);
+  });
+}
+
+struct Size {
+  Equation positive;
+  std::string says;
+};
+
+Size size(RowPlace& place, Span span, SymbolId letter, std::string_view why) {
+  Equation positive;
+  positive.left = place.tree.add_number(span, "0");
+  positive.right = place.tree.add({.op = Op::symbol, .span = span, .symbol = letter});
+  positive.relation = Relation::less;
+  return {std::move(positive),
+          fmt::format("convention: `{}` is positive, as {}", place.tree.symbols[letter].name, why)};
+}
+
+/// Of the letters of the row and of the laws that it may follow from, those that are called a size here, and
+/// the constants of nature.
+std::vector<Size> sizes_of(RowPlace& place, const Claim& claim, const std::vector<Equation>& equations) {
+  std::set<SymbolId> letters;
+  for (const Equation& each : equations) letters.merge(base_letters(place.tree, place.names.scope, each));
+  std::vector<Size> sizes;
+  for (const SymbolId letter : letters) {
+    const Symbol& symbol = place.tree.symbols[letter];
+    if (symbol.rank == 0 && is_positive_constant(symbol.name))
+      sizes.push_back(size(place, claim.relation, letter, "that constant is"));
+  }
+  const std::size_t here = beside(place).place;
+  for (const SizeInLine& said : place.notes.prose.sizes) {
+    if (!place.notes.prose.sections.reaches(said.place, here)) continue;
+    const auto reading = read_here(place, said.chain);
+    if (!reading->sides[0].typed) continue;
+    const ExprNode& node = place.tree[reading->sides[0].typed->id];
+    const bool letter = node.op == Op::symbol && node.rank == 0 && node.slot_count == 0;
+    if (!letter || !letters.erase(node.symbol)) continue;  // once
+    if (definition_of(place.names.scope, node.symbol) != nullptr) continue;
+    sizes.push_back(size(place, claim.relation, node.symbol, fmt::format("a {} is", said.noun)));
+  }
+  return sizes;
+}
+
+}  // namespace
+
+bool follows_for_sizes(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  const bool open = judgement.verdict == Verdict::undecided || judgement.verdict == Verdict::law;
+  if (!open || row.role != Role::display || row.unsettled || claim.recorded != nullptr ||
+      is_meant_for_all(place.tree, place.names, claim))
+    return false;
+  std::vector<Equation> equations{claim.equation};
+  for (const PageLaw* law : available_to(place, row.parsed)) equations.push_back(law->equation);
+  if (!asks_for_signs(place, equations)) return false;
+  const std::vector<Size> sizes = sizes_of(place, claim, equations);
+  if (sizes.empty()) return false;
+  const Names before = place.names;
+  for (const Size& each : sizes)
+    assume(place.names.scope, {each.positive, Origin{each.says, {}, std::nullopt}, 0});
+  Judgement under = judge_here(place, claim);
+  bool found = under.verdict == Verdict::proved;
+  if (found) heed_proof(place, row.parsed, claim, under);
+  if (!found) found = follows_from_page(place, row, claim, under);
+  place.names = before;
+  if (found) judgement = std::move(under);
+  return found;
+}
+
+}  // namespace rigor
