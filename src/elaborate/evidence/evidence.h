@@ -47,6 +47,7 @@ struct Evidence {
   std::set<std::string> primed;                     // y of `y''` and `y'(x)`: a prime is a derivative
   std::set<std::string> changing;  // letters of which a rate is written, or that have an argument
   std::map<std::string, std::set<std::string>> tied;  // m of `m = \mu t`, with what stands on the other sides
+  std::set<std::string> said_to_change;               // "$U$ depends on"
   std::set<std::string> may_change;  // these, what is tied to them or to the time, and what has an argument
   bool d_is_a_letter = false;        // `F = Ed`, "the distance $d$": then `dU` may be a product
   bool speaks_of_change = false;     // "variable mass", "grows": any letter may change

@@ -351,39 +351,11 @@ void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
   if (!says_what_a_letter_is) see_mutual_ties(syntax, sides, evidence);
 }
 
-void see_said_changes(std::string_view text, Evidence& evidence) {
-  static constexpr std::string_view words[] = {"variable",       "varies",
-                                               "varying",        "grows",
-                                               "growing",        "increases",
-                                               "increasing",     "decreases",
-                                               "decreasing",     "shrinks",
-                                               "modulated",      "inhomogeneous",
-                                               "depends on",     "depending on",
-                                               "leaves",         "leave the",
-                                               "loses",          "accretes",
-                                               "evaporates",     "leaks",
-                                               "time-dependent", "position-dependent",
-                                               "nonuniform",     "non-uniform",
-                                               "not constant",   "not really constant",
-                                               "vary",           "time dependent",
-                                               "changes with",   "change with",
-                                               "dependent on",   "function of time",
-                                               "depend on",      "ejects",
-                                               "drifts",         "evolves",
-                                               "falls with",     "rises with"};
-  evidence.d_is_a_letter = evidence.d_is_a_letter || text.find("$d$") != std::string_view::npos ||
-                           text.find("\\(d\\)") != std::string_view::npos;
-  const std::string small = lowered(text);
-  evidence.speaks_of_change =
-      evidence.speaks_of_change || std::ranges::any_of(words, [&](std::string_view word) {
-        return small.find(word) != std::string::npos;
-      });
-}
-
 void settle_changes(Evidence& evidence) {
   static constexpr std::string_view variables[] = {"t", "x", "y", "z", "r"};
   std::set<std::string>& may_change = evidence.may_change;
   may_change = evidence.changing;
+  may_change.insert(evidence.said_to_change.begin(), evidence.said_to_change.end());
   may_change.insert(std::begin(variables), std::end(variables));
   for (const auto& [variable, functions] : evidence.by) may_change.insert(variable);
   for (const auto& [name, arguments] : evidence.functions) {
