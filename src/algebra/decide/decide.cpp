@@ -207,7 +207,8 @@ std::optional<Found> Decider::try_cases_of_signs() {
       Trial trial = prove(unfolded_, attempt, limits_, work_);
       if (!trial.holds) return std::nullopt;
       used.insert(trial.used.begin(), trial.used.end());
-      found = Found{std::move(trial), {.effort = attempt.effort, .assumptions = attempt.assumptions}, true, {}};
+      found =
+          Found{std::move(trial), {.effort = attempt.effort, .assumptions = attempt.assumptions}, true, {}};
     } catch (const NoRealValue&) {
       continue;
     } catch (const Undecidable&) {

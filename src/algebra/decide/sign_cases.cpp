@@ -14,7 +14,8 @@ constexpr std::size_t most_letters = 4;
 std::vector<ExprId> parts_of(const Scope& scope, const std::vector<Equation>& equations) {
   std::vector<ExprId> roots;
   for (const Equation& each : equations) roots.insert(roots.end(), {each.left, each.right});
-  for (const SymbolId symbol : reach(scope, roots).unfolded) roots.push_back(scope.definition_of(symbol)->body);
+  for (const SymbolId symbol : reach(scope, roots).unfolded)
+    roots.push_back(scope.definition_of(symbol)->body);
   return nodes_below(scope.tree(), std::move(roots));
 }
 

@@ -75,13 +75,29 @@ void for_each_difference(OwnQuestion& own, WordReader& reader, const Equation& e
 }
 
 /// What is equal has equal adjoints, so each law gives two rules.
+void add_rule(OwnQuestion& own, WordReader& reader, std::size_t which, bool adjoints, WordRules& rules) {
+  for_each_difference(own, reader, own.question.assumptions[which], [&](WordSum zero) {
+    if (adjoints) rules.add(adjoint(zero, own.parts), {which});
+    rules.add(std::move(zero), {which});
+  });
+}
+
 void add_rules(OwnQuestion& own, WordReader& reader, const Positions& assumptions, WordRules& rules) {
   const bool adjoints = has_adjoints(own.question);
+  for (const std::size_t which : assumptions) add_rule(own, reader, which, adjoints, rules);
+}
+
+/// Without those that are no rules, such as `e^{i\hat p}\hat x = …`: fewer laws prove less.
+void add_rules_that_can_be_read(OwnQuestion& own, WordReader& reader, const Positions& assumptions,
+                                WordRules& rules) {
+  const bool adjoints = has_adjoints(own.question);
   for (const std::size_t which : assumptions) {
-    for_each_difference(own, reader, own.question.assumptions[which], [&](WordSum zero) {
-      if (adjoints) rules.add(adjoint(zero, own.parts), {which});
-      rules.add(std::move(zero), {which});
-    });
+    try {
+      add_rule(own, reader, which, adjoints, rules);
+    } catch (const Contradiction&) {
+      throw;
+    } catch (const Undecidable&) {
+    }
   }
 }
 
@@ -155,7 +171,7 @@ class WordAttempt {
     WordReader reader(own_.question, own_.parts, unfolds, *limits_.budget);
     WordRules rules(*limits_.budget);
     if (by_laws) {
-      add_rules(own_, reader, sorted_.of_operators, rules);
+      add_rules_that_can_be_read(own_, reader, sorted_.of_operators, rules);
       complete_as_far_as_possible(rules);
     }
     WordProof proof;

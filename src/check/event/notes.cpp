@@ -138,15 +138,20 @@ class CheckedNotesReader {
   /// "For an acute angle $\varphi$": adjectives as relations of the letters that they are at.
   void add_said_kinds() {
     for (const ProseSentence& sentence : notes_.prose.sentences) {
-      if (!sentence.has_display || sentence.asks) continue;
+      if (sentence.asks) continue;
       for (const SaidKind& kind : said_kinds(sentence.text)) {
         if (kind.maths >= sentence.maths.size()) continue;
         const Span span = sentence.maths[kind.maths];
         const auto tokens = maths_in_line(span);
         if (!tokens) continue;
         for (const Tokens& letter : listed_letters(*tokens)) {
-          for (const std::string_view relation : kind.relations)
-            add_said_kind(sentence, span, letter, relation);
+          for (const std::string_view relation : kind.relations) {
+            if (relation == self_adjoint) {
+              add_self_adjoint(sentence, letter);
+            } else if (sentence.has_display) {
+              add_said_kind(sentence, span, letter, relation);
+            }
+          }
         }
       }
     }
@@ -162,10 +167,16 @@ class CheckedNotesReader {
         for (const Tokens& letter : listed_letters(*tokens)) {
           for (ParsedChain& chain : parse_each({about(letter, "$ > 0").first}))
             notes_.prose.sizes.push_back(
-                {std::move(chain), text_of(letter), std::string(size.noun), sentence.place});
+                {std::move(chain), text_of(letter), sentence.place, std::string(size.noun)});
         }
       }
     }
+  }
+
+  /// "the Hermitian operator $\hat A$"
+  void add_self_adjoint(const ProseSentence& sentence, const Tokens& letter) {
+    for (ParsedChain& chain : parse_each({about(letter, self_adjoint).first}))
+      notes_.prose.self_adjoint.push_back({std::move(chain), text_of(letter), sentence.place});
   }
 
   void add_said_kind(const ProseSentence& sentence, Span span, const Tokens& letter,

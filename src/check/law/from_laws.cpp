@@ -115,19 +115,39 @@ std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& beari
   return std::nullopt;
 }
 
-std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available, bool inferred) {
+/// What is beside every set, taken out of the laws.
+Laws taken_conventions(Laws& laws) {
+  const auto taken =
+      std::ranges::stable_partition(laws, [](const PageLaw* law) { return !law->by_convention; });
+  Laws conventions(taken.begin(), taken.end());
+  laws.erase(taken.begin(), taken.end());
+  return conventions;
+}
+
+std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& available, bool inferred) {
   if (auto found = prove_from(row, {})) return found;
-  const Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available);
+  Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available.all);
+  const Laws conventions = taken_conventions(bearing);
+  const auto with_conventions = [&](Laws set) {
+    set.insert(set.end(), conventions.begin(), conventions.end());
+    return set;
+  };
+  if (!conventions.empty()) {
+    if (auto found = prove_from(row, conventions)) return found;
+  }
   if (auto restated = inferred ? std::nullopt : restating(row, bearing)) return restated;
-  if (auto solved = solves(row, bearing, available)) return solved;
+  if (auto solved = solves(row, bearing, available.all)) return solved;
   if (holds_letters(row.tree, row.names.scope, row.claim.equation)) {
     for (const Laws& set : sets_of_states(bearing)) {
       if (auto found = prove_from(row, set)) return found;
     }
   }
+  if (!available.named.empty()) {
+    if (auto found = prove_from(row, with_conventions(available.named))) return found;
+  }
   for (const Laws& set : promising_sets(row, bearing)) {
     if (set.empty()) continue;  // tried
-    if (auto found = prove_from(row, set)) return found;
+    if (auto found = prove_from(row, with_conventions(set))) return found;
   }
   return takes_a_root(row, bearing);
 }
@@ -135,7 +155,8 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const Laws& available, 
 }  // namespace
 
 std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names, const Claim& claim,
-                                          const Laws& available, bool inferred, DecisionCache& cache) {
+                                          const AvailableLaws& available, bool inferred,
+                                          DecisionCache& cache) {
   if (claim.nearly || claim.for_all || claim.recorded != nullptr) return std::nullopt;
   if (cache.budget().exhausted()) return std::nullopt;
   const bool of_states =

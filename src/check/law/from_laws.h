@@ -17,13 +17,19 @@
 
 namespace rigor {
 
+/// What may be used, in the order of the notes.
+struct AvailableLaws {
+  Laws all;
+  Laws named = {};  // of these, by the sentence: "From (2.1)"
+};
+
 /// Proved, with the smallest set of laws that was found, or a law that is restated, with its name under
-/// `uses`; nothing if neither is so. `available`: in the order of the notes. A few sets of laws are tried:
-/// those that share letters with the claim, bring in few others and stand near it come first. That takes at
+/// `uses`; nothing if neither is so. A few sets of laws are tried: those that are named, and those that share
+/// letters with the claim, bring in few others and stand near it come first. That takes at
 /// most a share of the work that the step may take.
 /// `inferred`: behind an arrow a row that says again what a law says is proved from it.
 [[nodiscard]] std::optional<Judgement> follow_from_laws(ExprTree& tree, const Names& names,
-                                                        const Claim& claim, const Laws& available,
+                                                        const Claim& claim, const AvailableLaws& available,
                                                         bool inferred, DecisionCache& cache);
 
 /// Do laws say how the operators of the row are multiplied, and is it not by them? Then it is no further law.

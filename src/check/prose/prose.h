@@ -35,12 +35,12 @@ struct SaidInLine {
   std::string words = {};                // that say it, where it is no relation: "acute angle `\varphi`"
 };
 
-/// "of mass $m$", in a line.
-struct SizeInLine {
-  ParsedChain chain;  // `m > 0`
+/// "of mass $m$", "the Hermitian operator $\hat A$", in a line.
+struct LetterInLine {
+  ParsedChain chain;  // that says so: `m > 0`, `\hat A^\dagger = \hat A`
   std::string letter;
-  std::string noun;  // "mass"
   std::size_t place = 0;
+  std::string noun = {};  // "mass"
 };
 
 /// A whole sentence of the prose.
@@ -70,7 +70,8 @@ struct Prose {
   Sections sections;
   std::vector<ProseBeside> beside;  // one for each event
   std::vector<SaidInLine> said;
-  std::vector<SizeInLine> sizes = {};  // filled by who parses them
+  std::vector<LetterInLine> sizes = {};         // filled by who parses them
+  std::vector<LetterInLine> self_adjoint = {};  // the same
   std::vector<ProseSentence> sentences;
 };
 

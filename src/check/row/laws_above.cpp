@@ -347,4 +347,12 @@ Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_
   return available;
 }
 
+Laws named_beside(const RowPlace& place, const Laws& available) {
+  Laws named;
+  for (const StatedLaw& stated : place.above.stated) {
+    if (is_named_beside(place, stated) && is_one_of(&stated.law, available)) named.push_back(&stated.law);
+  }
+  return named;
+}
+
 }  // namespace rigor

@@ -6,15 +6,19 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "base/among.h"
 #include "base/ascii.h"
 #include "check/law/from_laws.h"
+#include "check/law/observables.h"
 #include "check/place/place.h"
 #include "check/prose/restrictions.h"
 #include "check/prose/said_around.h"
+#include "check/question/base_letters.h"
 #include "check/repair/sides_near.h"
 #include "check/repair/suspicion.h"
 #include "check/verdict/law_diagnostic.h"
@@ -114,6 +118,44 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
          says_that_it_follows(beside(place).lead);
 }
 
+/// That the operators of the row are self-adjoint, as far as the words or the commutators of the page say so.
+std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, const Laws& available) {
+  const auto writes = [&](const Equation& each) {
+    return writes_adjoints(place.tree, place.names.scope, each);
+  };
+  const bool operators =
+      has_operators(place.tree, claim.equation.left) || has_operators(place.tree, claim.equation.right);
+  if (!operators || (!writes(claim.equation) && std::ranges::none_of(available, [&](const PageLaw* law) {
+        return writes(law->equation);
+      })))
+    return {};
+  std::map<SymbolId, std::string> names;
+  for (const SymbolId letter : observables_of(place.tree, available))
+    names[letter] = "convention: `{}` is self-adjoint, as an observable is";
+  const ProseBeside& here = beside(place);
+  for (const LetterInLine& said : place.notes.prose.self_adjoint) {
+    if (!place.notes.prose.sections.reaches(said.place, here.place)) continue;
+    const auto reading = read_here(place, said.chain);
+    if (reading->sides.size() != 2 || !reading->sides[1].typed) continue;
+    const ExprNode& letter = place.tree[reading->sides[1].typed->id];
+    if (letter.op == Op::symbol && letter.slot_count == 0)
+      names[letter.symbol] = "`{}` is said to be self-adjoint";
+  }
+  const bool of_all = speaks_of_self_adjoint_operators(here.lead);
+  std::vector<PageLaw> laws;
+  for (const SymbolId letter : base_letters(place.tree, place.names.scope, claim.equation)) {
+    const Symbol& symbol = place.tree.symbols[letter];
+    if (!symbol.noncommuting || symbol.rank > 0 || definition_of(place.names.scope, letter) != nullptr)
+      continue;
+    const auto said = names.find(letter);
+    if (said == names.end() && !of_all) continue;
+    const std::string text = said != names.end() ? said->second : "`{}` is said to be self-adjoint";
+    laws.push_back(
+        self_adjoint_law(place.tree, letter, claim.relation, fmt::format(fmt::runtime(text), symbol.name)));
+  }
+  return laws;
+}
+
 }  // namespace
 
 bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
@@ -128,14 +170,19 @@ bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
 bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   if (row.role != Role::display || row.unsettled || is_meant_for_all(place.tree, place.names, claim))
     return false;
-  const Laws available = available_to(place, row.parsed);
+  Laws available = available_to(place, row.parsed);
+  const std::vector<PageLaw> self_adjoint = self_adjoint_letters(place, claim, available);
+  for (const PageLaw& each : self_adjoint) available.push_back(&each);
   Laws founded = available;
   std::erase_if(founded, [](const PageLaw* law) { return is_open(*law); });
   DecisionCache& cache = *place.options.cache;
   const bool inferred = row.parsed.written.inference != Inference::none;
-  auto found = follow_from_laws(place.tree, place.names, claim, founded, inferred, cache);
+  auto found = follow_from_laws(place.tree, place.names, claim, {founded, named_beside(place, founded)},
+                                inferred, cache);
   const bool rests_on_open = !found && is_announced(place, row) && founded.size() < available.size();
-  if (rests_on_open) found = follow_from_laws(place.tree, place.names, claim, available, inferred, cache);
+  if (rests_on_open)
+    found = follow_from_laws(place.tree, place.names, claim, {available, named_beside(place, available)},
+                             inferred, cache);
   if (!found) return false;
   add_used(place, judgement.used);
   judgement = *std::move(found);

@@ -72,6 +72,8 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 /// The laws above that hold here, in the order of the notes; not the other links of its own chain.
 /// `of_any_thing`: also `C = \epsilon A/d` of "Plates have" below the definition `C = Q/V`.
 [[nodiscard]] Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_thing = false);
+/// Of these, what its sentence names: "From (2.1)".
+[[nodiscard]] Laws named_beside(const RowPlace& place, const Laws& available);
 /// "At the top", "the boundary condition is": words before a row that say it for a moment or a place.
 [[nodiscard]] bool is_of_a_moment(const RowPlace& place);
 /// "For instance": it holds where the example does.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `2\pi\sqrt{a^3/GM} = 2\pi a\sqrt{a/GM}` holds for a radius: a quantity that the page calls a mass, a length or
-// a frequency is positive. That is a convention, which the verdict names, so it is asked only where a root
+// `2\pi\sqrt{a^3/GM} = 2\pi a\sqrt{a/GM}` holds for a radius: a quantity that the page calls a mass, a length
+// or a frequency is positive. That is a convention, which the verdict names, so it is asked only where a root
 // leaves a row open.
 #include "check/row/row.h"
 
@@ -58,7 +58,7 @@ std::vector<Size> sizes_of(RowPlace& place, const Claim& claim, const std::vecto
       sizes.push_back(size(place, claim.relation, letter, "that constant is"));
   }
   const std::size_t here = beside(place).place;
-  for (const SizeInLine& said : place.notes.prose.sizes) {
+  for (const LetterInLine& said : place.notes.prose.sizes) {
     if (!place.notes.prose.sections.reaches(said.place, here)) continue;
     const auto reading = read_here(place, said.chain);
     if (!reading->sides[0].typed) continue;

@@ -445,4 +445,18 @@ bool has_own_words(std::string_view lead) {
   });
 }
 
+bool speaks_of_self_adjoint_operators(std::string_view sentence) {
+  const std::string text = lowered(sentence);
+  const std::vector<std::string_view> words = words_of(text);
+  const bool doubts = std::ranges::any_of(words, [](std::string_view word) {
+    return is_one_of(word, {"not", "no", "non-hermitian", "if", "unless", "whether", "or", "one"});
+  });
+  if (doubts) return false;
+  for (std::size_t k = 0; k + 1 < words.size(); ++k) {
+    const bool adjective = words[k] == "hermitian" || words[k] == "self-adjoint";
+    if (adjective && is_one_of(words[k + 1], {"operators", "matrices", "observables"})) return true;
+  }
+  return false;
+}
+
 }  // namespace rigor

@@ -34,6 +34,8 @@ namespace rigor {
 /// A special case, and "for", "at", "with", "since", "where": what was said elsewhere may not hold as it
 /// stands.
 [[nodiscard]] std::optional<std::string> word_of_a_case(std::string_view sentence);
+/// "for two Hermitian operators"; not "anti-Hermitian", and not "is no longer Hermitian".
+[[nodiscard]] bool speaks_of_self_adjoint_operators(std::string_view sentence);
 /// "therefore", "hence", "we find", "gives", "i.e.": what follows is concluded.
 [[nodiscard]] bool announces_a_conclusion(std::string_view lead);
 /// "therefore", "hence", "so", "which gives": only words that claim that it follows. "Then" and "is equal to"

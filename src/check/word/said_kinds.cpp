@@ -22,6 +22,7 @@ std::vector<std::string_view> relations_of(std::string_view word) {
   if (word == "non-zero" || word == "nonzero" || word == "non-vanishing" || word == "nonvanishing")
     return {"$ \\ne 0"};
   if (word == "acute") return {"\\cos $ > 0", "\\sin $ > 0"};
+  if (word == "hermitian" || word == "self-adjoint" || word == "selfadjoint") return {self_adjoint};
   if (word == "obtuse") return {"\\cos $ < 0", "\\sin $ > 0"};
   return {};
 }
@@ -36,22 +37,23 @@ bool is_filler(std::string_view word) {
 
 /// What a letter can be that is positive or acute.
 bool is_noun(std::string_view word) {
-  static constexpr std::array<std::string_view, 38> nouns{
-      "number",   "numbers",  "constant",    "constants",    "integer",   "integers",    "real",
-      "reals",    "quantity", "quantities",  "value",        "values",    "parameter",   "parameters",
-      "angle",    "angles",   "mass",        "masses",       "scalar",    "scalars",     "length",
-      "lengths",  "time",     "times",       "charge",       "charges",   "energy",      "energies",
-      "speed",    "speeds",   "coefficient", "coefficients", "frequency", "frequencies", "temperature",
-      "pressure", "radius",   "volume"};
+  static constexpr std::array<std::string_view, 44> nouns{
+      "operator", "operators",   "matrix",       "matrices",  "observable",  "observables", "number",
+      "numbers",  "constant",    "constants",    "integer",   "integers",    "real",        "reals",
+      "quantity", "quantities",  "value",        "values",    "parameter",   "parameters",  "angle",
+      "angles",   "mass",        "masses",       "scalar",    "scalars",     "length",      "lengths",
+      "time",     "times",       "charge",       "charges",   "energy",      "energies",    "speed",
+      "speeds",   "coefficient", "coefficients", "frequency", "frequencies", "temperature", "pressure",
+      "radius",   "volume"};
   return is_one_of(word, nouns);
 }
 
 /// About one letter: "positive mass $m$ and $q$" says nothing about q.
 bool is_of_one(std::string_view word) {
-  static constexpr std::array<std::string_view, 20> singular{
-      "a",         "an",    "number", "constant", "integer",  "quantity",   "value",
-      "parameter", "angle", "mass",   "scalar",   "length",   "time",       "charge",
-      "energy",    "speed", "radius", "volume",   "pressure", "temperature"};
+  static constexpr std::array<std::string_view, 23> singular{
+      "operator", "matrix", "observable", "a",      "an",     "number",   "constant",   "integer",
+      "quantity", "value",  "parameter",  "angle",  "mass",   "scalar",   "length",     "time",
+      "charge",   "energy", "speed",      "radius", "volume", "pressure", "temperature"};
   return is_one_of(word, singular);
 }
 

@@ -8,6 +8,9 @@
 
 namespace rigor {
 
+/// What "Hermitian" says.
+inline constexpr std::string_view self_adjoint = "$^\\dagger = $";
+
 /// What a sentence says about the mathematics in it, counted from 0.
 struct SaidKind {
   std::size_t maths = 0;

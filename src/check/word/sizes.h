@@ -15,8 +15,8 @@ struct SaidSize {
   std::string_view noun;  // "mass", also of "masses"
 };
 
-/// `sentence` as in `ProseBeside`. Only a noun right before the letter, or one that a verb or an article joins
-/// to it, says what it is.
+/// `sentence` as in `ProseBeside`. Only a noun right before the letter, or one that a verb or an article
+/// joins to it, says what it is.
 [[nodiscard]] std::vector<SaidSize> said_sizes(std::string_view sentence);
 
 /// `\hbar`, `\varepsilon_0`: the constants of nature that have one letter everywhere.
