@@ -167,8 +167,8 @@ class WordAttempt {
               const DecideNumbers& decide)
       : own_(own), sorted_(sorted), limits_(limits), decide_(decide) {}
 
-  [[nodiscard]] std::optional<WordProof> run(bool unfolds, bool by_laws) {
-    WordReader reader(own_.question, own_.parts, unfolds, *limits_.budget);
+  [[nodiscard]] std::optional<WordProof> run(Unfolding unfolding, bool by_laws) {
+    WordReader reader(own_.question, own_.parts, unfolding, *limits_.budget);
     WordRules rules(*limits_.budget);
     if (by_laws) {
       add_rules_that_can_be_read(own_, reader, sorted_.of_operators, rules);
@@ -241,10 +241,11 @@ Decision decide_operators(const Question& question, const Limits& limits, const 
                             : "its sides are not equal for all operators";
   WordAttempt attempt(own, sorted, limits, decide);
   for (const bool by_laws : {false, true}) {
-    for (const bool unfolds : {false, true}) {
-      if ((by_laws && !laws) || (unfolds && !defines)) continue;
+    for (const Unfolding unfolding : {Unfolding::none, Unfolding::unspoken, Unfolding::all}) {
+      const bool idle = unfolding == Unfolding::unspoken && !by_laws;
+      if ((by_laws && !laws) || (unfolding != Unfolding::none && !defines) || idle) continue;
       try {
-        if (const auto found = attempt.run(unfolds, by_laws)) return proved_in_words(*found);
+        if (const auto found = attempt.run(unfolding, by_laws)) return proved_in_words(*found);
       } catch (const Undecidable& gave_up) {
         reason = gave_up.what();
       }
@@ -282,7 +283,7 @@ std::optional<std::string> multiple_in_words(const Question& question, const Equ
   try {
     OwnQuestion own(question);
     const SortedAssumptions sorted = sorted_assumptions(own.question);
-    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
     add_rules(own, reader, sorted.of_operators, rules);
     complete_as_far_as_possible(rules);
@@ -311,7 +312,7 @@ bool holds_in_words(const Question& question, const Limits& limits) {
   try {
     OwnQuestion own(question);
     const SortedAssumptions sorted = sorted_assumptions(own.question);
-    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
     add_rules(own, reader, sorted.of_operators, rules);
     complete_as_far_as_possible(rules);
@@ -329,9 +330,9 @@ bool holds_in_words(const Question& question, const Limits& limits) {
 bool operators_can_satisfy(const Question& question, const Limits& limits, Question& numbers) {
   OwnQuestion own(question);
   const SortedAssumptions sorted = sorted_assumptions(own.question);
-  for (const bool unfolds : {false, true}) {
+  for (const Unfolding unfolding : {Unfolding::none, Unfolding::unspoken, Unfolding::all}) {
     try {
-      WordReader reader(own.question, own.parts, unfolds, *limits.budget);
+      WordReader reader(own.question, own.parts, unfolding, *limits.budget);
       WordRules rules(*limits.budget);
       add_rules(own, reader, sorted.of_operators, rules);
       complete_to_the_end(rules);
@@ -370,7 +371,7 @@ bool differs_in_several_degrees(const Question& question) {
   try {
     Budget budget;
     OwnQuestion own(question);
-    WordReader reader(own.question, own.parts, true, budget);
+    WordReader reader(own.question, own.parts, Unfolding::all, budget);
     std::set<std::size_t> lengths;
     for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
       for (const auto& [word, coefficient] : difference) lengths.insert(word.size());
@@ -387,7 +388,7 @@ bool operators_deny(const Question& question, const Limits& limits) {
     OwnQuestion own(question);
     const SortedAssumptions sorted = sorted_assumptions(own.question);
     if (sorted.of_operators.empty()) return false;
-    WordReader reader(own.question, own.parts, true, *limits.budget);
+    WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
     add_rules(own, reader, sorted.of_operators, rules);
     rules.complete();

@@ -37,6 +37,21 @@ constexpr int largest_power = 16;
 
 }  // namespace
 
+WordReader::WordReader(const Question& question, CommutingParts& parts, Unfolding unfolding, Budget& budget)
+    : question_(question), parts_(parts), unfolding_(unfolding), budget_(budget) {
+  if (unfolding != Unfolding::unspoken) return;
+  for (const Equation& assumption : question.assumptions) {
+    for (const ExprId side : {assumption.left, assumption.right}) {
+      const std::vector<SymbolId> own = symbols_in(*question.tree, side);
+      spoken_of_.insert(own.begin(), own.end());
+    }
+  }
+}
+
+bool WordReader::unfolds(SymbolId symbol) const {
+  return unfolding_ == Unfolding::all || (unfolding_ == Unfolding::unspoken && !spoken_of_.contains(symbol));
+}
+
 std::vector<WordSum> WordReader::read(ExprId id, const AxesOfIndices& axes) {
   budget_.count(3);
   const ExprNode node = tree()[id];
@@ -182,7 +197,7 @@ std::vector<WordSum> WordReader::symbol(ExprId id, const AxesOfIndices& axes) {
   if (definition != nullptr && !symbol.noncommuting)
     throw Undecidable(
         fmt::format("`{}` is read as a number, but what defines it has operators", symbol.name));
-  if (definition != nullptr && unfolds_) return defined(*definition, id, axes);
+  if (definition != nullptr && unfolds(node.symbol)) return defined(*definition, id, axes);
   if (symbol.rank > 1 || node.particle != no_particle)
     throw Undecidable(
         fmt::format("`{}` is an operator of many components, which are not decided", symbol.name));
@@ -263,7 +278,7 @@ std::vector<WordSum> WordReader::dot_or_cross(ExprId id, const AxesOfIndices& ax
 std::optional<ExprId> WordReader::squared(ExprId id) {
   const ExprNode node = tree()[id];
   if (node.op == Op::root) return tree().children(id)[0];
-  if (node.op != Op::symbol || !unfolds_) return std::nullopt;
+  if (node.op != Op::symbol || !unfolds(node.symbol)) return std::nullopt;
   const Definition* definition = definition_in(question_, node.symbol);
   if (definition == nullptr || !definition->by_square || !definition->indices.empty() ||
       tree()[definition->body].op != Op::root)

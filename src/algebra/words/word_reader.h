@@ -16,13 +16,19 @@ namespace rigor {
 /// Which axes the open indices stand for.
 using AxesOfIndices = std::map<IndexId, std::uint8_t>;
 
+/// Which definitions of operators are put in.
+enum class Unfolding : std::uint8_t {
+  none,
+  unspoken,  // of letters that no assumption has: N of `N = a^\dagger a` where a law is about a
+  all
+};
+
 /// Throws Undecidable where operators are under a root or in a function, in a denominator beside others, or
-/// in a definition of what is read as a number. Definitions of operators are unfolded if `unfolds` says so,
-/// those of numbers never. Recursion: as deep as the tree, through definitions.
+/// in a definition of what is read as a number. Definitions of numbers are never unfolded. Recursion: as deep
+/// as the tree, through definitions.
 class WordReader {
  public:
-  WordReader(const Question& question, CommutingParts& parts, bool unfolds, Budget& budget)
-      : question_(question), parts_(parts), unfolds_(unfolds), budget_(budget) {}
+  WordReader(const Question& question, CommutingParts& parts, Unfolding unfolding, Budget& budget);
 
   /// One sum for a scalar, one for each axis for a vector.
   [[nodiscard]] std::vector<WordSum> read(ExprId id, const AxesOfIndices& axes);
@@ -33,6 +39,7 @@ class WordReader {
   using Components = std::vector<WordSum>;
 
   [[nodiscard]] const ExprTree& tree() const { return parts_.tree(); }
+  [[nodiscard]] bool unfolds(SymbolId symbol) const;
   [[nodiscard]] bool reaches_operators(ExprId id);
   [[nodiscard]] Components commuting(ExprId id, const AxesOfIndices& axes);
   [[nodiscard]] WordSum read_scalar(ExprId id, const AxesOfIndices& axes);
@@ -49,8 +56,9 @@ class WordReader {
 
   const Question& question_;
   CommutingParts& parts_;
-  bool unfolds_;
+  Unfolding unfolding_;
   Budget& budget_;
+  std::set<SymbolId> spoken_of_;  // by assumptions
   std::map<ExprId, bool> reaching_;
   std::set<SymbolId> unfolded_;
   std::set<SymbolId> opened_;  // definitions that are being read

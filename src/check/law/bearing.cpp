@@ -13,13 +13,23 @@
 
 namespace rigor {
 
+namespace {
+
+std::size_t foreign_among(const std::set<SymbolId>& letters, const std::set<SymbolId>& known) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(letters, [&](SymbolId each) { return !known.contains(each); }));
+}
+
+}  // namespace
+
 Laws laws_that_bear(const ExprTree& tree, const NameScope& scope, const Equation& row,
                     const Laws& available) {
   struct Bearing {
     const PageLaw* law;
-    std::size_t foreign;
+    std::pair<std::size_t, std::size_t> foreign;  // letters in all, and written ones
   };
   std::set<SymbolId> reached = base_letters(tree, scope, row);
+  const std::set<SymbolId> own = written_letters(tree, row);
   std::vector<std::set<SymbolId>> letters_of;  // of the laws, in their order
   for (const PageLaw* law : available) letters_of.push_back(base_letters(tree, scope, law->equation));
   Laws bearing;
@@ -28,12 +38,11 @@ Laws laws_that_bear(const ExprTree& tree, const NameScope& scope, const Equation
     std::set<SymbolId> more;
     for (std::size_t k = available.size(); k-- > 0;) {
       if (is_one_of(available[k], bearing)) continue;
-      const std::set<SymbolId>& letters = letters_of[k];
-      const auto shared =
-          std::ranges::count_if(letters, [&](SymbolId each) { return reached.contains(each); });
-      if (shared == 0) continue;
-      round.push_back({available[k], letters.size() - static_cast<std::size_t>(shared)});
-      more.insert(letters.begin(), letters.end());
+      const std::size_t foreign = foreign_among(letters_of[k], reached);
+      if (foreign == letters_of[k].size()) continue;
+      const std::size_t written = foreign_among(written_letters(tree, available[k]->equation), own);
+      round.push_back({available[k], {foreign, written}});
+      more.insert(letters_of[k].begin(), letters_of[k].end());
     }
     std::ranges::stable_sort(round, {}, &Bearing::foreign);
     for (const Bearing& each : round) bearing.push_back(each.law);

@@ -12,6 +12,7 @@
 #include "check/law/restated.h"
 #include "check/law/solves.h"
 #include "check/law/states.h"
+#include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
 
@@ -20,15 +21,6 @@ namespace {
 
 constexpr std::uint64_t most_work = 250'000;  // on all sets together, of the work that a step may take
 constexpr std::uint64_t most_work_of_states = 1'500'000;  // where derivatives hold letters by name
-
-std::set<SymbolId> written_letters(const ExprTree& tree, const Equation& equation) {
-  std::set<SymbolId> letters;
-  for (const ExprId side : {equation.left, equation.right}) {
-    const std::vector<SymbolId> own = symbols_in(tree, side);
-    letters.insert(own.begin(), own.end());
-  }
-  return letters;
-}
 
 /// The row says again what a law says.
 std::optional<Judgement> restating(const RowUnderLaws& row, const Laws& bearing) {
@@ -115,25 +107,27 @@ std::optional<Judgement> takes_a_root(const RowUnderLaws& row, const Laws& beari
   return std::nullopt;
 }
 
-/// What is beside every set, taken out of the laws.
-Laws taken_conventions(Laws& laws) {
-  const auto taken =
-      std::ranges::stable_partition(laws, [](const PageLaw* law) { return !law->by_convention; });
-  Laws conventions(taken.begin(), taken.end());
+/// What is beside every set, taken out of the laws: conventions, and what a letter of the row is said to be.
+Laws taken_from_sets(const RowUnderLaws& row, Laws& laws) {
+  const std::set<SymbolId> own = written_letters(row.tree, row.claim.equation);
+  const auto taken = std::ranges::stable_partition(laws, [&](const PageLaw* law) {
+    return !law->by_convention && !(law->names_a_letter && own.contains(row.tree[law->equation.left].symbol));
+  });
+  Laws beside(taken.begin(), taken.end());
   laws.erase(taken.begin(), taken.end());
-  return conventions;
+  return beside;
 }
 
 std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& available, bool inferred) {
   if (auto found = prove_from(row, {})) return found;
   Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available.all);
-  const Laws conventions = taken_conventions(bearing);
-  const auto with_conventions = [&](Laws set) {
-    set.insert(set.end(), conventions.begin(), conventions.end());
+  const Laws beside = taken_from_sets(row, bearing);
+  const auto with_these = [&](Laws set) {
+    set.insert(set.end(), beside.begin(), beside.end());
     return set;
   };
-  if (!conventions.empty()) {
-    if (auto found = prove_from(row, conventions)) return found;
+  if (!beside.empty()) {
+    if (auto found = prove_from(row, beside)) return found;
   }
   if (auto restated = inferred ? std::nullopt : restating(row, bearing)) return restated;
   if (auto solved = solves(row, bearing, available.all)) return solved;
@@ -143,11 +137,11 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& av
     }
   }
   if (!available.named.empty()) {
-    if (auto found = prove_from(row, with_conventions(available.named))) return found;
+    if (auto found = prove_from(row, with_these(available.named))) return found;
   }
   for (const Laws& set : promising_sets(row, bearing)) {
     if (set.empty()) continue;  // tried
-    if (auto found = prove_from(row, with_conventions(set))) return found;
+    if (auto found = prove_from(row, with_these(set))) return found;
   }
   return takes_a_root(row, bearing);
 }

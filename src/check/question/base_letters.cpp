@@ -39,4 +39,12 @@ std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope, co
   return letters;
 }
 
+std::set<SymbolId> written_letters(const ExprTree& tree, const Equation& equation) {
+  std::set<SymbolId> letters;
+  for (const ExprId side : {equation.left, equation.right}) {
+    for (const SymbolId symbol : symbols_in(tree, side)) letters.insert(base_of(tree.symbols, symbol));
+  }
+  return letters;
+}
+
 }  // namespace rigor

@@ -14,4 +14,7 @@ namespace rigor {
 [[nodiscard]] std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope,
                                               const Equation& equation);
 
+/// Those that stand in it, without their derivatives.
+[[nodiscard]] std::set<SymbolId> written_letters(const ExprTree& tree, const Equation& equation);
+
 }  // namespace rigor

@@ -180,20 +180,12 @@ class Suspecting {
 
   /// Letters that stand nowhere above and are no longer there were meant: a new quantity is no slip.
   bool adds_letters(const ExprTree& tree, const Equation& candidate) const {
-    const std::set<SymbolId> own = written(tree, row_.claim.equation);
-    const std::set<SymbolId> now = written(tree, candidate);
+    const std::set<SymbolId> own = written_letters(tree, row_.claim.equation);
+    const std::set<SymbolId> now = written_letters(tree, candidate);
     return std::ranges::any_of(own, [&](SymbolId letter) {
       return !now.contains(letter) && !seen_in_equation(names_.scope, letter) &&
              definition_of(names_.scope, letter) == nullptr;
     });
-  }
-
-  static std::set<SymbolId> written(const ExprTree& tree, const Equation& equation) {
-    std::set<SymbolId> letters;
-    for (const ExprId side : {equation.left, equation.right}) {
-      for (const SymbolId symbol : symbols_in(tree, side)) letters.insert(base_of(tree.symbols, symbol));
-    }
-    return letters;
   }
 
   bool is_said_already(ExprTree& tree, const Names& names, const Equation& equation,
@@ -201,7 +193,7 @@ class Suspecting {
     const auto said = [&](const Equation& known) { return restates(tree, equation, known, &cache_); };
     const Laws laws = sets.empty() ? Laws{} : sets.back();
     if (std::ranges::any_of(laws, [&](const PageLaw* law) { return said(law->equation); })) return true;
-    const std::set<SymbolId> letters = written(tree, equation);
+    const std::set<SymbolId> letters = written_letters(tree, equation);
     return std::ranges::any_of(*names.scope.definitions, [&](const NamedDefinition& named) {
       return letters.contains(named.definition.symbol) && said(as_equation(tree, named.definition));
     });
@@ -241,8 +233,9 @@ class Suspecting {
       if (symbols_of(tree, claim.equation) < symbols_of(tree_, own)) return false;
     }
     if (!changes_the_terms(slip)) return true;
-    if (written(tree, claim.equation) != written(tree_, own)) return false;  // of another quantity
-    const std::set<SymbolId> letters = written(tree_, own);
+    if (written_letters(tree, claim.equation) != written_letters(tree_, own))
+      return false;  // of another quantity
+    const std::set<SymbolId> letters = written_letters(tree_, own);
     return row_.announced && std::ranges::all_of(letters, [&](SymbolId letter) {
              return seen_in_equation(names_.scope, letter) || definition_of(names_.scope, letter) != nullptr;
            });

@@ -282,7 +282,7 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
 }
 
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
-  if (said.at_place || said.cue != Cue::definition || !said.named) return;
+  if (said.at_place || said.cue != Cue::definition) return;
   const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
   const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
   if (sentence == sentences.end() || sentence->asks) return;
@@ -297,7 +297,11 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     if (!claim || !ignored.empty()) continue;
     const Equation& equation = claim->equation;
     const bool for_now = sets_letters_equal(place.tree, equation) || is_measured(place.tree, equation.right);
-    if (for_now || !letter_of_law(place.tree, equation) || names_coordinates(place.tree, equation) ||
+    const auto letter = letter_of_law(place.tree, equation);
+    // "With $N = a^\dagger a$" says what a new letter is; of a known one it may say a case.
+    const bool brings_in = letter && !seen_in_equation(place.names.scope, *letter) &&
+                           definition_of(place.names.scope, *letter) == nullptr;
+    if (for_now || !letter || (!said.named && !brings_in) || names_coordinates(place.tree, equation) ||
         keeps_a_common_factor(place.tree, equation) || names_a_surface(place, equation))
       continue;
     const std::string words = lowered(sentence->text);
@@ -307,7 +311,8 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
                 .span = said.span,
                 .place = said.place,
                 .paragraph = sentence->paragraph,
-                .of_a_case = word_that_demands(words) || word_of_a_special_case(words)};
+                .of_a_case = word_that_demands(words) || word_of_a_special_case(words),
+                .names_a_letter = brings_in};
     place.found.stated.push_back({.law = std::move(law),
                                   .of_a_section = is_of_a_case(place) || is_headed_as_example(place),
                                   .letter = letter_of_law(place.tree, equation),

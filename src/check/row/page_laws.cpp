@@ -214,9 +214,12 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   const Laws to_be_solved = judgement.verdict == Verdict::undecided ? Laws{} : here;
   const Laws grounds = restricted ? Laws{} : without_cases(here);
   const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
+  Names names = as_said_here(place, row);
+  for (const PageLaw& law : self_adjoint_letters(place, claim, here))
+    assume(names.scope, {law.equation, Origin{law.name, {}, std::nullopt}, 0});
   auto found =
-      suspicion(place.tree, as_said_here(place, row),
-                {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted}, *place.options.cache);
+      suspicion(place.tree, names, {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted},
+                *place.options.cache);
   if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
   judgement.verdict = Verdict::suspect;
   judgement.route = "one slip of the pen away from what follows";

@@ -319,7 +319,12 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
   Standpoint at = standpoint(place, parsed);
   at.denied = denial_of(place.notes.prose, place.event);
   if (!at.denied && agrees_with_values(place, row, claim, judgement)) return;
-  if (!at.denied && follows_from_page(place, row, claim, judgement)) return;
+  const Judgement by_itself = judgement;
+  if (!at.denied && follows_from_page(place, row, claim, judgement) &&
+      judgement.verdict != Verdict::undecided)
+    return;
+  // What follows from another case's definition may follow from what is said here.
+  const Judgement from_page = std::exchange(judgement, by_itself);
   if (!at.denied && follows_for_sizes(place, row, claim, judgement)) return;
   if (judgement.verdict == Verdict::refuted)
     at.around =
