@@ -2,9 +2,14 @@
 #include "algebra/words/coefficient.h"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <cstdlib>
+#include <functional>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "algebra/engine/undecidable.h"
 
@@ -132,6 +137,61 @@ Coefficient conjugate(const Coefficient& a, CommutingParts& parts) {
     add_term(result, Monomial(exponents.begin(), exponents.end()), opposite(value, negative));
   }
   return result;
+}
+
+namespace {
+
+using Value = std::complex<double>;
+
+/// Nothing where something else than a root or a rational function of letters is met. Recursion: as deep as
+/// the tree.
+std::optional<Value> value_of(const ExprTree& tree, ExprId id) {
+  const ExprNode& node = tree[id];
+  std::vector<Value> values;
+  if (node.op == Op::symbol && node.slot_count == 0)
+    return 0.5 + std::fmod(0.618034 * static_cast<double>(static_cast<std::size_t>(node.symbol) + 1), 1.0);
+  if (node.op == Op::number) return std::stod(tree.digits(id));
+  if (node.op == Op::imaginary_unit) return Value(0.0, 1.0);
+  for (const ExprId child : tree.children(id)) {
+    const auto value = value_of(tree, child);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  switch (node.op) {
+    case Op::add:
+      return std::accumulate(values.begin(), values.end(), Value(0.0));
+    case Op::multiply:
+      return std::accumulate(values.begin(), values.end(), Value(1.0), std::multiplies<>());
+    case Op::negate:
+      return -values[0];
+    case Op::divide:
+      return values[0] / values[1];
+    case Op::power:
+      return std::pow(values[0], node.exponent);
+    case Op::root:
+      return std::sqrt(values[0]);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+bool is_nearly_zero(const Coefficient& a, const CommutingParts& parts) {
+  constexpr double rounding = 1e-9;
+  Value sum = 0.0;
+  double size = 0.0;
+  for (const auto& [monomial, factor] : a) {
+    Value term = static_cast<double>(factor.above) / static_cast<double>(factor.below);
+    for (const auto& [number, exponent] : monomial) {
+      const auto value = value_of(parts.tree(), parts.part(number));
+      if (!value) return false;
+      term *= std::pow(*value, exponent);
+    }
+    sum += term;
+    size += std::abs(term);
+  }
+  return std::abs(sum) <= rounding * size;
 }
 
 ExprId as_expression(const Coefficient& a, CommutingParts& parts, Span span) {

@@ -34,6 +34,7 @@ class CommutingParts {
   /// The number of the complex conjugate; of a real part its own.
   [[nodiscard]] std::uint32_t conjugate_of(std::uint32_t number);
   [[nodiscard]] ExprTree& tree() { return tree_; }
+  [[nodiscard]] const ExprTree& tree() const { return tree_; }
 
   static constexpr std::uint32_t imaginary = 0;
 
@@ -56,6 +57,10 @@ void add_to(Coefficient& into, const Coefficient& more);
 /// what stands in a denominator already. Empty: it is not known.
 [[nodiscard]] Coefficient inverse(const Coefficient& a, bool always);
 [[nodiscard]] Coefficient conjugate(const Coefficient& a, CommutingParts& parts);
+/// Is it near 0 where its letters have some positive values? What is not is not 0; what is may be: the parts
+/// of
+/// `\sqrt{a/b}\sqrt{b/a} - 1` depend on each other.
+[[nodiscard]] bool is_nearly_zero(const Coefficient& a, const CommutingParts& parts);
 [[nodiscard]] ExprId as_expression(const Coefficient& a, CommutingParts& parts, Span span);
 
 }  // namespace rigor

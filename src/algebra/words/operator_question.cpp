@@ -275,6 +275,22 @@ namespace {
   return rest.empty();
 }
 
+/// Where the parts of coefficients depend on each other, as roots do: one of the numbers that slips make.
+[[nodiscard]] std::optional<WordFraction> near_multiple(const std::vector<WordSum>& sums,
+                                                        const std::vector<WordSum>& terms,
+                                                        const CommutingParts& parts) {
+  for (const WordFraction ratio : {WordFraction{2, 1}, {-2, 1}, {1, 1}, {-1, 1}, {1, 2}, {-1, 2}}) {
+    bool is_it = true;
+    for (std::size_t k = 0; k < terms.size() && is_it; ++k) {
+      WordSum rest = times(scalar(rational({-ratio.above, ratio.below})), terms[k]);
+      add_to(rest, sums[k]);
+      is_it = std::ranges::all_of(rest, [&](const auto& each) { return is_nearly_zero(each.second, parts); });
+    }
+    if (is_it) return ratio;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> multiple_in_words(const Question& question, const Equation& term,
@@ -296,9 +312,10 @@ std::optional<std::string> multiple_in_words(const Question& question, const Equ
                         [&](WordSum each) { terms.push_back(rules.reduce(std::move(each), used)); });
     if (differences.size() != terms.size()) return std::nullopt;
     std::optional<WordFraction> ratio;
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      if (!is_multiple(differences[k], terms[k], ratio)) return std::nullopt;
-    }
+    bool multiple = true;
+    for (std::size_t k = 0; k < terms.size(); ++k)
+      multiple = multiple && is_multiple(differences[k], terms[k], ratio);
+    if (!multiple) ratio = near_multiple(differences, terms, own.parts);
     if (!ratio || ratio->above == 0) return std::nullopt;
     return ratio->below == 1 ? std::to_string(ratio->above)
                              : std::to_string(ratio->above) + "/" + std::to_string(ratio->below);
@@ -319,7 +336,9 @@ bool holds_in_words(const Question& question, const Limits& limits) {
     bool holds = true;
     for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
       Positions used;
-      holds = holds && rules.reduce(difference, used).empty();
+      const WordSum left = rules.reduce(difference, used);
+      holds = holds && std::ranges::all_of(
+                           left, [&](const auto& each) { return is_nearly_zero(each.second, own.parts); });
     });
     return holds;
   } catch (const Undecidable&) {

@@ -26,7 +26,8 @@ using DecideNumbers = std::function<Decision(const Question& question, const Lim
 [[nodiscard]] Decision decide_operators(const Question& question, const Limits& limits,
                                         const DecideNumbers& decide);
 
-/// Are the coefficients of all words equal as they stand, by the rules alone, definitions unfolded?
+/// Are the coefficients of all words equal by the rules, as far as some values of their letters show?
+/// Definitions of operators are unfolded.
 [[nodiscard]] bool holds_in_words(const Question& question, const Limits& limits);
 
 /// The rational number c ≠ 0 for which the claim's left − right = c · term by the rules alone, for all values

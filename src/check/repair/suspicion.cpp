@@ -83,11 +83,17 @@ class Suspecting {
     return Suspicion{std::move(found.front().repair), std::move(found.front().uses)};
   }
 
-  /// A slip exchanges one letter for another: the sides of an identity lead to the same letters.
+  /// A slip exchanges one letter for another: the sides of an identity lead to the same letters. Beside
+  /// operators their factors do not count: `\hat p = i\sqrt{m\hbar\omega/2}\,(a - a^\dagger)`.
   bool may_be_near_an_identity() const {
+    const Equation& own = row_.claim.equation;
+    const bool operators = has_operators(tree_, own.left) && has_operators(tree_, own.right);
     const auto letters_of = [&](ExprId side) {
       auto letters = base_letters(tree_, names_.scope, Equation{.left = side, .right = side});
-      std::erase_if(letters, [&](SymbolId each) { return tree_.symbols[each].integral.has_value(); });
+      std::erase_if(letters, [&](SymbolId each) {
+        const Symbol& symbol = tree_.symbols[each];
+        return symbol.integral.has_value() || (operators && !symbol.noncommuting);
+      });
       return letters;
     };
     const std::set<SymbolId> left = letters_of(row_.claim.equation.left);

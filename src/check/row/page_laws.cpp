@@ -217,6 +217,7 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   Names names = as_said_here(place, row);
   for (const PageLaw& law : self_adjoint_letters(place, claim, here))
     assume(names.scope, {law.equation, Origin{law.name, {}, std::nullopt}, 0});
+  for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
   auto found =
       suspicion(place.tree, names, {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted},
                 *place.options.cache);

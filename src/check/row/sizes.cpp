@@ -32,30 +32,26 @@ bool asks_for_signs(const RowPlace& place, const std::vector<Equation>& equation
   });
 }
 
-struct Size {
-  Equation positive;
-  std::string says;
-};
-
-Size size(RowPlace& place, Span span, SymbolId letter, std::string_view why) {
-  Equation positive;
-  positive.left = place.tree.add_number(span, "0");
-  positive.right = place.tree.add({.op = Op::symbol, .span = span, .symbol = letter});
-  positive.relation = Relation::less;
-  return {std::move(positive),
-          fmt::format("convention: `{}` is positive, as {}", place.tree.symbols[letter].name, why)};
+NamedAssumption positive(RowPlace& place, Span span, SymbolId letter, std::string_view why) {
+  Equation order;
+  order.left = place.tree.add_number(span, "0");
+  order.right = place.tree.add({.op = Op::symbol, .span = span, .symbol = letter});
+  order.relation = Relation::less;
+  std::string says = fmt::format("convention: `{}` is positive, as {}", place.tree.symbols[letter].name, why);
+  return {std::move(order), Origin{std::move(says), {}, std::nullopt}, 0};
 }
 
 /// Of the letters of the row and of the laws that it may follow from, those that are called a size here, and
 /// the constants of nature.
-std::vector<Size> sizes_of(RowPlace& place, const Claim& claim, const std::vector<Equation>& equations) {
+std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
+                                      const std::vector<Equation>& equations) {
   std::set<SymbolId> letters;
   for (const Equation& each : equations) letters.merge(base_letters(place.tree, place.names.scope, each));
-  std::vector<Size> sizes;
+  std::vector<NamedAssumption> sizes;
   for (const SymbolId letter : letters) {
     const Symbol& symbol = place.tree.symbols[letter];
     if (symbol.rank == 0 && is_positive_constant(symbol.name))
-      sizes.push_back(size(place, claim.relation, letter, "that constant is"));
+      sizes.push_back(positive(place, claim.relation, letter, "that constant is"));
   }
   const std::size_t here = beside(place).place;
   for (const LetterInLine& said : place.notes.prose.sizes) {
@@ -66,26 +62,29 @@ std::vector<Size> sizes_of(RowPlace& place, const Claim& claim, const std::vecto
     const bool letter = node.op == Op::symbol && node.rank == 0 && node.slot_count == 0;
     if (!letter || !letters.erase(node.symbol)) continue;  // once
     if (definition_of(place.names.scope, node.symbol) != nullptr) continue;
-    sizes.push_back(size(place, claim.relation, node.symbol, fmt::format("a {} is", said.noun)));
+    sizes.push_back(positive(place, claim.relation, node.symbol, fmt::format("a {} is", said.noun)));
   }
   return sizes;
 }
 
 }  // namespace
 
+std::vector<NamedAssumption> sizes_that_matter(RowPlace& place, const StepReading& row, const Claim& claim) {
+  std::vector<Equation> equations{claim.equation};
+  for (const PageLaw* law : available_to(place, row.parsed)) equations.push_back(law->equation);
+  return asks_for_signs(place, equations) ? sizes_of(place, claim, equations)
+                                          : std::vector<NamedAssumption>{};
+}
+
 bool follows_for_sizes(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
   const bool open = judgement.verdict == Verdict::undecided || judgement.verdict == Verdict::law;
   if (!open || row.role != Role::display || row.unsettled || claim.recorded != nullptr ||
       is_meant_for_all(place.tree, place.names, claim))
     return false;
-  std::vector<Equation> equations{claim.equation};
-  for (const PageLaw* law : available_to(place, row.parsed)) equations.push_back(law->equation);
-  if (!asks_for_signs(place, equations)) return false;
-  const std::vector<Size> sizes = sizes_of(place, claim, equations);
+  const std::vector<NamedAssumption> sizes = sizes_that_matter(place, row, claim);
   if (sizes.empty()) return false;
   const Names before = place.names;
-  for (const Size& each : sizes)
-    assume(place.names.scope, {each.positive, Origin{each.says, {}, std::nullopt}, 0});
+  for (const NamedAssumption& each : sizes) assume(place.names.scope, each);
   Judgement under = judge_here(place, claim);
   bool found = under.verdict == Verdict::proved;
   if (found) heed_proof(place, row.parsed, claim, under);
