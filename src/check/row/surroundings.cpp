@@ -319,6 +319,7 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
   Standpoint at = standpoint(place, parsed);
   at.denied = denial_of(place.notes.prose, place.event);
   if (!at.denied && agrees_with_values(place, row, claim, judgement)) return;
+  if (!at.denied && agrees_with_constants(place, row, claim, judgement)) return;
   if (!at.denied && follows_from_page(place, row, claim, judgement)) return;
   if (judgement.verdict == Verdict::refuted)
     at.around =
