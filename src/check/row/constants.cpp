@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -57,6 +58,16 @@ bool are_called(const ExprTree& tree, const MeasuredRow& row, const Assignment& 
   return true;
 }
 
+/// Things near by that can be meant by m, q or R as well.
+bool speaks_of_other_things(const std::string& near) {
+  static constexpr auto things = std::to_array<std::string_view>(
+      {"pion",      "kaon",    "deuteron",      "triton",    "nucleus", "nuclei", "atom", "molecule",
+       "meson",     "boson",   "ion",           "tau",       "helium",  "planet", "moon", "star",
+       "satellite", "crystal", "semiconductor", "effective", "reduced", "drop",   "dust"});
+  return std::ranges::any_of(
+      things, [&](std::string_view thing) { return near.find(spoken_words(thing)) != std::string::npos; });
+}
+
 /// Is it clear of which constants the row is made? One of them at least has a name that stands for nothing
 /// else, or the page speaks of it; and m is the mass of what is spoken of near by. What orbits the sun may be
 /// anywhere.
@@ -67,7 +78,8 @@ bool is_clear(const ExprTree& tree, const MeasuredRow& row, const Assignment& co
   for (std::size_t k = 0; k < row.letters.size(); ++k) {
     const std::string& name = tree.symbols[row.letters[k]].name;
     if (constants[k]->uncertainty > celestial && !is_own_name(*constants[k], name)) return false;
-    if (!is_usual_name(*constants[k], name) && !speaks_of(*constants[k], spoken.near)) return false;
+    const bool near = speaks_of(*constants[k], spoken.near) && !speaks_of_other_things(spoken.near);
+    if (!is_usual_name(*constants[k], name) && !near) return false;
     called = called || is_called(tree, row.letters[k], *constants[k], spoken.far);
   }
   return called;
@@ -88,6 +100,30 @@ bool is_settled(const RowPlace& place, const MeasuredRow& row, const Compared& f
     if (open && !is_called(place.tree, row.letters[k], *fitting[k], spoken)) return false;
   }
   return true;
+}
+
+/// Is it said in another section? There the letter may be another quantity.
+bool is_said_elsewhere(const RowPlace& place, const NamedDefinition& named) {
+  return !named.origin.directive &&
+         !place.notes.prose.sections.reaches(named.origin.place, beside(place).place);
+}
+
+/// Without what other sections define. Was there anything?
+bool forget_other_sections(const RowPlace& place, NameScope& scope) {
+  std::vector<SymbolId> letters;
+  for (const NamedDefinition& named : *scope.definitions) {
+    if (is_said_elsewhere(place, named)) letters.push_back(named.definition.symbol);
+  }
+  for (const SymbolId letter : letters) forget_definition(scope, letter);
+  return !letters.empty();
+}
+
+bool rests_on_other_sections(const RowPlace& place, const MeasuredRow& row) {
+  const std::vector<SymbolId> reached = symbols_reached(place.tree, row.names.scope, {row.value});
+  return std::ranges::any_of(*row.names.scope.definitions, [&](const NamedDefinition& named) {
+    return std::ranges::find(reached, named.definition.symbol) != reached.end() &&
+           is_said_elsewhere(place, named);
+  });
 }
 
 /// The number is another one, and it is clear of which constants it is made.
@@ -201,6 +237,8 @@ bool agrees_with_constants(RowPlace& place, const StepReading& row, const Claim&
   add_way(with_values(place, row.parsed, claim, values, true), lines);
   add_way(with_values(place, row.parsed, claim, values, false), said_of_letters(place, true));
   add_way(with_values(place, row.parsed, claim, values, false, false), {});
+  Names own_section = with_values(place, row.parsed, claim, values, false);
+  if (forget_other_sections(place, own_section.scope)) add_way(std::move(own_section), lines);
   Names exact = with_values(place, row.parsed, claim, values, false);
   if (forget_rounded_constants(place.tree, exact.scope, spoken.far)) add_way(std::move(exact), lines);
   std::optional<std::pair<MeasuredRow, Compared>> other;
@@ -215,7 +253,8 @@ bool agrees_with_constants(RowPlace& place, const StepReading& row, const Claim&
       prove_by_numbers(place, row, own, uses_of(place.tree, *names, claim), "to the digits shown", judgement);
       return true;
     }
-    if (!other && !found.possible.empty()) other.emplace(std::move(measured), std::move(found));
+    if (!other && !found.possible.empty() && !rests_on_other_sections(place, measured))
+      other.emplace(std::move(measured), std::move(found));
   }
   const bool bare = bare_letter(place.tree, value).has_value() && other &&
                     other->first.letters == std::vector{*bare_letter(place.tree, value)};

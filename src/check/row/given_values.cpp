@@ -123,7 +123,8 @@ Names with_values(const RowPlace& place, const ParsedChain& parsed, const Claim&
     const bool defined = definition_of(names.scope, *letter) != nullptr;
     if (defined && (!again || approximate_value(place.tree, names, (*law)->equation.left))) continue;
     forget_definition(names.scope, *letter);
-    take_for_granted(place.tree, names, (*law)->equation, Origin{(*law)->name, {}, std::nullopt}, false);
+    take_for_granted(place.tree, names, (*law)->equation,
+                     Origin{(*law)->name, {}, std::nullopt, {}, (*law)->place}, false);
   }
   return names;
 }

@@ -9,6 +9,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/constant/natural_units.h"
 #include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
 #include "check/place/place.h"
@@ -345,6 +346,12 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
       symbols_in(place.tree, bare), [&](SymbolId each) { return place.tree.symbols[each].circle_number; });
   if (judgement.verdict == Verdict::refuted && left_units != right_units && is_number)
     withdraw(DiagnosticKind::restricted, "one side has a unit, and the other is a number without one", {});
+  if (judgement.verdict == Verdict::refuted &&
+      may_have_natural_units(place.tree, place.names, claim.equation))
+    withdraw(DiagnosticKind::restricted,
+             "an energy in electronvolts may stand for a mass, a time or a temperature, which has another "
+             "dimension",
+             {});
   if (judgement.verdict == Verdict::refuted && zeros)
     withdraw(DiagnosticKind::restricted, "it may be about how two zeros are written", {});
   if (judgement.verdict == Verdict::refuted && is_alternative(place, parsed))

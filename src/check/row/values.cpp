@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "check/constant/natural_units.h"
 #include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
 #include "check/meaning/measured.h"
@@ -23,6 +24,7 @@ bool suspects_number(RowPlace& place, const Claim& claim, const Names& names, Ju
   const ExprId value = shown->side == claim.equation.left ? claim.equation.right : claim.equation.left;
   const auto computed = approximate_value(place.tree, names, value);
   const auto written = approximate_value(place.tree, names, shown->side);
+  if (may_have_natural_units(place.tree, names, claim.equation)) return false;
   if (!computed || !written || *written == 0 || !is_far(*computed / *written, shown->digits)) return false;
   const std::string digits(place.tree.digits(shown->number));
   const double number = std::strtod(digits.c_str(), nullptr) * *computed / *written;
