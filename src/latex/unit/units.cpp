@@ -146,7 +146,7 @@ class UnitReader {
            take_control("unit") || take_control("si") || take("{") || take(" ")) {
     }
     if (take("1")) return WrittenUnit{};
-    if (take_control("AA") || take_ring()) return unit_by_sign("Å");
+    if (take("Å") || take_control("AA") || take_ring()) return unit_by_sign("Å");
     if (!done() && text_[at_] == '\\' && !text_.substr(at_).starts_with("\\mu") &&
         !text_.substr(at_).starts_with("\\Omega"))
       return word();
