@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "check/constant/natural_units.h"
 #include "check/dimension/dimension_words.h"
 
 namespace rigor {
@@ -79,7 +80,7 @@ class Solving {
   }
 
  private:
-  Step& step_of(const DimensionStatement& statement) { return report_.steps[statement.step]; }
+  Step& step_of(const DimensionStatement& statement) const { return report_.steps[statement.step]; }
 
   Reason note_reason(DimensionReason reason) {
     reasons_.push_back(reason);
@@ -156,6 +157,7 @@ class Solving {
 
   void say(const DimensionStatement& statement, Diagnostic diagnostic, const DimensionEquation& equation) {
     Step& step = step_of(statement);
+    if (may_be_natural(statement, diagnostic)) return;
     const bool doubt = diagnostic.kind == DiagnosticKind::dimension_doubt;
     if (doubt && (step.verdict == Verdict::proved || equation.alike == Alike::components)) return;
     const bool known = std::ranges::any_of(report_.steps, [&](const Step& other) {
@@ -165,6 +167,14 @@ class Solving {
       });
     });
     if (!known) step.diagnostics.push_back(std::move(diagnostic));
+  }
+
+  /// `1/m` of `m = 0.511\,\mathrm{MeV}` is a length where ħ and c are 1.
+  bool may_be_natural(const DimensionStatement& statement, const Diagnostic& diagnostic) const {
+    return mentions_electronvolts(sources_.text(step_of(statement).span)) ||
+           std::ranges::any_of(diagnostic.labels, [&](const Label& label) {
+             return mentions_electronvolts(sources_.text(label.span));
+           });
   }
 
   void take(const DimensionStatement& statement) {

@@ -61,8 +61,13 @@ std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
     shown.places = static_cast<int>(digits.size() - point - 1);
     digits.erase(point, 1);
   }
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));  // `\SI{2.4e-23}{s}`
+  while (point == std::string::npos && digits.size() > most_digits && digits.back() == '0') {
+    digits.pop_back();  // `\SI{5.97e24}{kg}`
+    --shown.places;
+  }
   if (digits.empty() || digits.size() > most_digits) return std::nullopt;
-  if (point == std::string::npos) {
+  if (point == std::string::npos && shown.places == 0) {
     for (std::size_t k = digits.size(); k > 1 && digits[k - 1] == '0'; --k) ++shown.unsure;
   }
   shown.number = number;
@@ -83,7 +88,7 @@ bool is_number_times_letters(const ExprTree& tree, ExprId side) {
 /// The decimal number value · 10^-places.
 std::string decimal(std::int64_t value, int places) {
   std::string digits = std::to_string(value);
-  if (places == 0) return digits;
+  if (places <= 0) return digits.append(static_cast<std::size_t>(-places), '0');
   const auto width = static_cast<std::size_t>(places);
   if (digits.size() <= width) digits.insert(0, width + 1 - digits.size(), '0');
   digits.insert(digits.size() - width, 1, '.');

@@ -32,11 +32,20 @@ struct StatedLaw {
   std::vector<std::pair<SymbolId, ExprId>> meanings = {};  // of its letters that are defined
 };
 
+/// `c \approx 343\,\mathrm{m/s}` of a display: what its letter is worth, and no law.
+struct RoundedValue {
+  SymbolId letter{};
+  ExprId number{};
+  std::string name;       // as a verdict names it
+  std::size_t place = 0;  // its section
+};
+
 /// What rows and directives leave for the rows below them.
 struct SaidAbove {
   std::vector<UseDirective> uses = {};
-  std::vector<Fact> laws = {};                                 // and definitions after their first use
-  std::vector<StatedLaw> stated = {};                          // what rows below can follow from
+  std::vector<Fact> laws = {};         // and definitions after their first use
+  std::vector<StatedLaw> stated = {};  // what rows below can follow from
+  std::vector<RoundedValue> rounded = {};
   std::vector<std::pair<std::size_t, Span>> unread_rows = {};  // where, and what: relations such as `\perp`
 };
 
@@ -56,6 +65,7 @@ struct RowPlace {
     Directives used = {};  // by what was read and decided
     std::vector<Fact> laws = {};
     std::vector<StatedLaw> stated = {};
+    std::vector<RoundedValue> rounded = {};
   } found = {};
 };
 

@@ -138,6 +138,13 @@ void explain_slips(RowPlace& place, const ParsedChain& parsed, ChainReading& rea
 [[nodiscard]] bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& claim,
                                       Judgement& judgement);
 
+// --- constants.cpp: `\frac{h}{mc} \approx 2.43\cdot10^{-12}\,\mathrm m`, where nothing but the names of the
+// letters says which constants they are.
+
+/// Proved to the digits shown, or suspect; else the judgement stays, with the number that would be right.
+[[nodiscard]] bool agrees_with_constants(RowPlace& place, const StepReading& row, const Claim& claim,
+                                         Judgement& judgement);
+
 // --- surroundings.cpp: The words and conditions around a row, and what they leave of its verdict.
 
 /// Is there an "or" next to it, on its line or in the prose between two displays?

@@ -9,6 +9,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/constant/natural_units.h"
 #include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
 #include "check/place/place.h"
@@ -319,12 +320,17 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
   Standpoint at = standpoint(place, parsed);
   at.denied = denial_of(place.notes.prose, place.event);
   if (!at.denied && agrees_with_values(place, row, claim, judgement)) return;
+  if (!at.denied && agrees_with_constants(place, row, claim, judgement)) return;
   const Judgement by_itself = judgement;
-  if (!at.denied && follows_from_page(place, row, claim, judgement) &&
-      judgement.verdict != Verdict::undecided)
+  if (!at.denied && follows_from_page(place, row, claim, judgement)) {
+    if (judgement.verdict != Verdict::undecided) return;
+    // What follows from another case's definition may follow from what is said here.
+    Judgement said = heed_place(place.tree, place.names, claim, by_itself, at, place.options.cache);
+    if (said.verdict != Verdict::proved) return;
+    add_used(place, said.used);
+    judgement = std::move(said);
     return;
-  // What follows from another case's definition may follow from what is said here.
-  const Judgement from_page = std::exchange(judgement, by_itself);
+  }
   if (!at.denied && follows_for_sizes(place, row, claim, judgement)) return;
   if (judgement.verdict == Verdict::refuted)
     at.around =
@@ -350,6 +356,12 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
       symbols_in(place.tree, bare), [&](SymbolId each) { return place.tree.symbols[each].circle_number; });
   if (judgement.verdict == Verdict::refuted && left_units != right_units && is_number)
     withdraw(DiagnosticKind::restricted, "one side has a unit, and the other is a number without one", {});
+  if (judgement.verdict == Verdict::refuted &&
+      may_have_natural_units(place.tree, place.names, claim.equation))
+    withdraw(DiagnosticKind::restricted,
+             "an energy in electronvolts may stand for a mass, a time or a temperature, which has another "
+             "dimension",
+             {});
   if (judgement.verdict == Verdict::refuted && zeros)
     withdraw(DiagnosticKind::restricted, "it may be about how two zeros are written", {});
   if (judgement.verdict == Verdict::refuted && is_alternative(place, parsed))

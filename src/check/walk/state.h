@@ -93,6 +93,7 @@ inline void take_over(Walk& walk, RowPlace::Found found) {
   add_used(walk, found.used);
   std::move(found.laws.begin(), found.laws.end(), std::back_inserter(walk.above.laws));
   std::move(found.stated.begin(), found.stated.end(), std::back_inserter(walk.above.stated));
+  std::move(found.rounded.begin(), found.rounded.end(), std::back_inserter(walk.above.rounded));
 }
 
 /// Where the walk is, for a decision.

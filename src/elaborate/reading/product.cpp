@@ -221,6 +221,15 @@ MaybeTyped product_of_numbers(Reading& reading, std::vector<Operand> operands, S
     Typed& before = operands[k - 1].typed;
     const Typed divisor = operands[k].typed;
     const bool numbers = tree[before.id].op == Op::number && tree[divisor.id].op == Op::number;
+    const bool last = std::none_of(operands.begin() + static_cast<std::ptrdiff_t>(k + 1), operands.end(),
+                                   [](const Operand& each) { return each.joint == Joint::slash; });
+    if (!numbers && last && reading.rules.divides_by_all) {
+      const std::vector<Operand> behind(operands.begin() + static_cast<std::ptrdiff_t>(k), operands.end());
+      operands.resize(k);
+      const auto below = without_slash(reading, behind, span);
+      const auto above = below ? without_slash(reading, operands, span) : std::nullopt;
+      return above ? divide(reading, *above, *below, span) : std::nullopt;
+    }
     if (!numbers && k + 1 < operands.size()) {
       return ambiguous(reading, operands[k].joint_span, "what follows the divisor can belong to it or not",
                        {"write `\\frac{…}{…}` or a bracket"});

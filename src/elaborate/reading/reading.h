@@ -48,6 +48,7 @@ struct ReadingRules {
   bool primes_on_axes = false;          // i' and i are one letter; the prime only says along which axes
   bool dots_on_vectors = false;         // \dot r of the length r is |\dot{\mathbf r}|
   bool differentials = false;           // each term has one: `dU = T\,dS - p\,dV`
+  bool divides_by_all = false;          // all that follows a slash: `e^2/4\pi\varepsilon_0`
   bool apart = false;                   // what can belong to a vector of this letter is a symbol of its own
   OpenBracket open = OpenBracket::refused;
   std::optional<HoleShape> hole = {};  // nothing: a hole is not read

@@ -132,6 +132,7 @@ class Parser {
   SyntaxId one_degree(Span span);
   [[nodiscard]] bool takes_unit(SyntaxId id) const;
   [[nodiscard]] bool has_unit(SyntaxId id) const;
+  SyntaxId angstrom(Cursor& cursor);
   std::optional<SyntaxId> unit_behind(Cursor& cursor, SyntaxId before, bool spaced);
 
   // parser_acting.cpp

@@ -167,10 +167,19 @@ bool Parser::has_unit(SyntaxId id) const {
   return tree_[id].kind == SyntaxKind::unit;
 }
 
+/// `6563\,\AA`
+SyntaxId Parser::angstrom(Cursor& cursor) {
+  const Span span = cursor.token().span;
+  read(cursor.tokens.subspan(cursor.at, 1));
+  ++cursor.at;
+  return scripts(cursor, tree_.add_text(SyntaxKind::unit, span, "Å"));
+}
+
 /// A roman word after a number or a unit: `3\,\mathrm{kg\,m^2}`.
 std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, bool spaced) {
   if (!takes_unit(before) || cursor.done()) return std::nullopt;
   const auto style = style_of(cursor.token());
+  if (cursor.token().kind == TokenKind::control && cursor.token().text == "AA") return angstrom(cursor);
   const bool roman = (style && style->upright) || is_words(cursor.token());
   if (!roman) return std::nullopt;
   const Argument word = argument_at(cursor.tokens, cursor.at + 1);

@@ -49,6 +49,20 @@ constexpr auto unit_table = std::to_array<NamedUnit>({
     {"t", "tonne", {1}, 1000},
     {"bar", "bar", {1, -1, -2}, 1, 5},
     {"Å", "angstrom", {0, 1}, 1, -10},
+    {"eV", "electronvolt", {1, 2, -2}, 1'602'176'634, -28},
+    {"atm", "atmosphere", {1, -1, -2}, 101'325},
+    {"mmHg", "mmHg", {1, -1, -2}, 133'322'387'415, -9},
+    {"G", "gauss", {1, 0, -2, -1}, 1, -4},
+    {"au", "astronomicalunit", {0, 1}, 149'597'870'700},
+    {"AU", "au", {0, 1}, 149'597'870'700},
+    {"ly", "lightyear", {0, 1}, 9'460'730'472'580'800},
+    {"Bq", "becquerel", {0, 0, -1}},
+    {"lm", "lumen", {0, 0, 0, 0, 0, 0, 1}},
+    {"lx", "lux", {0, -2, 0, 0, 0, 0, 1}},
+    {"days", "days", {0, 0, 1}, 86400},
+    {"hours", "hours", {0, 0, 1}, 3600},
+    {"minutes", "minutes", {0, 0, 1}, 60},
+    {"seconds", "seconds", {0, 0, 1}},
     {"%", "percent", {}, 1, -2},
     {"rad", "radian", {}},
     {"sr", "steradian", {}},
@@ -76,9 +90,10 @@ constexpr auto prefix_table = std::to_array<Prefix>({{"da", "deca", 1},
                                                      {"p", "pico", -12},
                                                      {"f", "femto", -15}});
 
-/// Units that take no prefix.
+/// A multiple such as the hour takes no prefix, but the electronvolt does; nor does a plural, or an angle.
 bool takes_prefix(const NamedUnit& unit) {
-  return unit.factor == 1 && unit.sign != "rad" && unit.sign != "sr";
+  return (unit.factor == 1 || unit.sign == "eV") && unit.sign != "rad" && unit.sign != "sr" &&
+         unit.sign != "seconds";
 }
 
 WrittenUnit unit_of(const NamedUnit& named, int ten = 0) {

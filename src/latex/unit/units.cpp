@@ -146,6 +146,7 @@ class UnitReader {
            take_control("unit") || take_control("si") || take("{") || take(" ")) {
     }
     if (take("1")) return WrittenUnit{};
+    if (take("Å") || take_control("AA") || take_ring()) return unit_by_sign("Å");
     if (!done() && text_[at_] == '\\' && !text_.substr(at_).starts_with("\\mu") &&
         !text_.substr(at_).starts_with("\\Omega"))
       return word();
@@ -162,6 +163,18 @@ class UnitReader {
     if (const auto unit = unit_by_sign(sign)) return unit;
     return fail(sign.empty() ? fmt::format("`{}` is not a unit", text_.substr(at_))
                              : fmt::format("`{}` is not a unit", sign));
+  }
+
+  /// `\mathring{A}`, `\mathring{\mathrm{A}}`
+  bool take_ring() {
+    const std::size_t begin = at_;
+    if (take_control("mathring") || take_control("r")) {
+      while (take("{") || take_control("mathrm") || take_control("text") || take(" ")) {
+      }
+      if (take("A")) return true;
+    }
+    at_ = begin;
+    return false;
   }
 
   std::optional<WrittenUnit> word() {

@@ -49,6 +49,22 @@ TEST_CASE("derived units, multiples and prefixes are exact") {
   CHECK(unit("kg^{1/2}") == "1 kg^1/2");
 }
 
+TEST_CASE("units beside those of the SI are exact multiples of these") {
+  CHECK(unit("MeV") == "1602176634 10^-22 kg m^2 s^-2");
+  CHECK(unit("\\kilo\\electronvolt") == unit("keV"));
+  CHECK(unit("atm") == "101325 kg m^-1 s^-2");
+  CHECK(unit("mbar") == "1 10^2 kg m^-1 s^-2");
+  CHECK(unit("kG") == "1 10^-1 kg s^-2 A^-1");
+  CHECK(unit("au") == "149597870700 m");
+  CHECK(unit("days") == "86400 s");
+  for (const char* text : {"\\AA", "\\mathring{A}", "\\mathring{\\mathrm A}", "\\text{\\AA}"}) {
+    INFO(text);
+    CHECK(unit(text) == unit("Å"));
+  }
+  CHECK(unit("kdays") == "`kdays` is not a unit");
+  CHECK(unit("eV^3") == "a factor of a unit is too large");
+}
+
 TEST_CASE("abbreviations of siunitx are signs as controls") {
   CHECK(unit("\\km\\per\\s") == unit("km/s"));
   CHECK(unit("\\um") == unit("\\micro\\metre"));
