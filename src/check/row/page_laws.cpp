@@ -210,12 +210,13 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
                         .near = sides_near(place.notes, row.parsed)};
   const bool of_a_case = may_be_of_a_case(place, row.parsed);
   const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
-  const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
+  const Laws available = available_to(place, row.parsed);
+  const Laws here = grounds_for_suspicion(place, available);
   const Laws to_be_solved = judgement.verdict == Verdict::undecided ? Laws{} : here;
   const Laws grounds = restricted ? Laws{} : without_cases(here);
   const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
   Names names = as_said_here(place, row);
-  for (const PageLaw& law : self_adjoint_letters(place, claim, here))
+  for (const PageLaw& law : self_adjoint_letters(place, claim, available))
     assume(names.scope, {law.equation, Origin{law.name, {}, std::nullopt}, 0});
   for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
   auto found =
