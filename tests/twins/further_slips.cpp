@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "base/ascii.h"
 #include "latex/split/pieces.h"
 
 namespace rigor::twins {
@@ -57,6 +58,15 @@ std::vector<Letter> letters_in(TokenView side) {
   return letters;
 }
 
+/// A function, an accent or a differential whose argument is what comes next.
+bool takes_an_argument(TokenView piece) {
+  const Token& token = piece.front();
+  if (piece.size() > 1 && piece[1].kind != TokenKind::superscript) return false;
+  const bool word = token.kind == TokenKind::control && token.text.size() > 1;
+  const bool differential = token.kind == TokenKind::letter && token.text == "d";
+  return differential || (word && !is_greek(token) && !is_control_of(token, {"quad", "qquad"}));
+}
+
 bool is_same(const Token& a, const Token& b) { return a.kind == b.kind && a.text == b.text; }
 
 class FurtherMutator {
@@ -97,11 +107,31 @@ class FurtherMutator {
     if (!known) edits_.push_back({slip, span, std::move(replacement)});
   }
 
+  /// `\omega m`, not `\omegam`.
+  static std::string joined(std::string before, std::string_view text) {
+    const std::size_t slash = before.rfind('\\');
+    const bool word = slash != std::string::npos && slash + 1 < before.size() &&
+                      std::all_of(before.begin() + static_cast<std::ptrdiff_t>(slash) + 1, before.end(),
+                                  [](char each) { return is_letter(each); });
+    if (word && !text.empty() && is_letter(text.front())) before += ' ';
+    return before.append(text);
+  }
+
   void exchange(Slip slip, TokenView first, TokenView second) {
     const Span a = span_of(first);
     const Span b = span_of(second);
     if (a.end > b.begin || text_of(first) == text_of(second)) return;
-    add(slip, cover(a, b), fmt::format("{}{}{}", text(b), text(Span{a.file, a.end, b.begin}), text(a)));
+    const std::string between = text(Span{a.file, a.end, b.begin});
+    const std::string behind =
+        b.end < span_of(side_).end ? text(Span{b.file, b.end, b.end + 1}) : std::string();
+    std::string before;
+    for (const Token& token : side_) {
+      if (token.span.end == a.begin && token.kind == TokenKind::control) before = text(token.span);
+    }
+    std::string exchanged = joined(joined(joined(before, text(b)), between), text(a));
+    exchanged = joined(std::move(exchanged), behind);
+    exchanged.resize(exchanged.size() - behind.size());
+    add(slip, cover(a, b), exchanged.substr(before.size()));
   }
 
   /// Of two factors of one term.
@@ -155,6 +185,9 @@ class FurtherMutator {
         return at < level.pieces.size() && (level.pieces[at].kind == PieceKind::factor);
       };
       const bool alone = !(k > 0 && is_factor(k - 1)) && !is_factor(k + 1);
+      // The argument of `\cos`, `\hat` or `\partial` is no factor.
+      const bool of_control = k > 0 && is_factor(k - 1) && takes_an_argument(level.pieces[k - 1].tokens);
+      if (of_control) continue;
       if (letter && !alone) add(Slip::factor_dropped, span_of(piece.tokens), " ");
     }
   }

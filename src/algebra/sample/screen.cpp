@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/sample/screen.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "algebra/parts/real_parts.h"
@@ -51,7 +52,7 @@ class SampleScreen::Samples {
     return true;
   }
 
-  [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims) {
+  [[nodiscard]] std::vector<Screened> screened(std::span<const Equation> claims) {
     RIGOR_CHECK(scope_.tree().size() == tree_size_, scope_.tree().size(), tree_size_);
     std::vector<std::size_t> compared(claims.size(), 0);
     std::vector<bool> failed(claims.size(), false);
@@ -65,13 +66,15 @@ class SampleScreen::Samples {
         } catch (const PointRejected&) {
           // on another point, perhaps
         } catch (const Undecidable&) {
-          failed[k] = true;
+          // not here
         }
       }
     }
-    std::vector<bool> passing(claims.size());
-    for (std::size_t k = 0; k < claims.size(); ++k) passing[k] = compared[k] > 0 && !failed[k];
-    return passing;
+    std::vector<Screened> found(claims.size(), Screened::not_compared);
+    for (std::size_t k = 0; k < claims.size(); ++k) {
+      if (compared[k] > 0) found[k] = failed[k] ? Screened::fails : Screened::holds;
+    }
+    return found;
   }
 
   [[nodiscard]] std::vector<std::optional<std::string>> multiples(const Equation& claim,
@@ -209,16 +212,30 @@ namespace {
 
 constexpr std::uint64_t most_work_on_operators = 400'000;
 
-/// Operators have no samples, so each claim is decided.
-std::vector<bool> proved_of_operators(Question question, std::span<const Equation> claims, Limits limits) {
+std::vector<SymbolId> symbols_of(const ExprTree& tree, const Equation& claim) {
+  std::vector<SymbolId> symbols = symbols_in(tree, claim.left);
+  const std::vector<SymbolId> right = symbols_in(tree, claim.right);
+  symbols.insert(symbols.end(), right.begin(), right.end());
+  return symbols;
+}
+
+/// Operators have no samples, so each claim is decided. What is known of the claim's symbols says nothing of
+/// others.
+std::vector<Screened> proved_of_operators(Question question, std::span<const Equation> claims,
+                                          Limits limits) {
   Budget own(most_work_on_operators);
   limits.budget = &own;
-  std::vector<bool> passing;
+  const std::vector<SymbolId> known = symbols_of(*question.tree, question.claim);
+  std::vector<Screened> found;
   for (const Equation& claim : claims) {
     question.claim = claim;
-    passing.push_back(!own.exhausted() && holds_in_words(question, limits));
+    const bool asked =
+        !own.exhausted() && std::ranges::all_of(symbols_of(*question.tree, claim),
+                                                [&](SymbolId each) { return is_one_of(each, known); });
+    const bool holds = asked && holds_in_words(question, limits);
+    found.push_back(holds ? Screened::holds : asked ? Screened::fails : Screened::not_compared);
   }
-  return passing;
+  return found;
 }
 
 std::vector<std::optional<std::string>> multiples_of_operators(const Question& question,
@@ -242,17 +259,25 @@ SampleScreen::SampleScreen(const Question& question, std::span<const ExprId> als
 
 SampleScreen::~SampleScreen() = default;
 
-std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
-  if (samples_) return samples_->passing(claims);
+std::vector<Screened> SampleScreen::screened(std::span<const Equation> claims) {
+  if (samples_) return samples_->screened(claims);
   if (is_about_operators(question_)) return proved_of_operators(question_, claims, limits_);
   try {
     InParts parts(question_, claims, limits_);
-    std::vector<bool> passing = parts.screen().passing(parts.claims(parts.claim()));
-    for (std::size_t k = 0; k < passing.size(); ++k) passing[k] = passing[k] && parts.is_known(k);
-    return passing;
+    std::vector<Screened> found = parts.screen().screened(parts.claims(parts.claim()));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      if (!parts.is_known(k)) found[k] = Screened::not_compared;
+    }
+    return found;
   } catch (const Undecidable&) {
-    return std::vector<bool>(claims.size());
+    return std::vector<Screened>(claims.size(), Screened::not_compared);
   }
+}
+
+std::vector<bool> SampleScreen::passing(std::span<const Equation> claims) {
+  std::vector<bool> passing;
+  for (const Screened each : screened(claims)) passing.push_back(each == Screened::holds);
+  return passing;
 }
 
 std::vector<std::optional<std::string>> SampleScreen::multiples(const Equation& claim,

@@ -3,6 +3,7 @@
 // the assumptions? What passes is not proved.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,6 +15,8 @@
 
 namespace rigor {
 
+enum class Screened : std::uint8_t { holds, fails, not_compared };
+
 class SampleScreen {
  public:
   /// Draws the samples for the question's claim and other expressions, with its definitions and assumptions.
@@ -23,8 +26,10 @@ class SampleScreen {
   SampleScreen(const SampleScreen&) = delete;
   SampleScreen& operator=(const SampleScreen&) = delete;
 
-  /// For each claim: was it compared, and does it hold wherever it was? A claim is compared only if the
-  /// samples have all its symbols.
+  /// For each claim: does it hold wherever it was compared? A claim is compared only if the samples have all
+  /// its symbols, and it has rational values there.
+  [[nodiscard]] std::vector<Screened> screened(std::span<const Equation> claims);
+  /// Was it compared, and does it hold?
   [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims);
   /// For each term, given as `term = 0` with the free indices of the claim: the number c ≠ 0 for which
   /// left − right = c · term on all samples; as exact text; none if there is none.

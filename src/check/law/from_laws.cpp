@@ -163,7 +163,7 @@ bool is_denied_by_laws(ExprTree& tree, const Names& names, const Claim& claim, c
                        DecisionCache& cache) {
   const bool operators =
       has_operators(tree, claim.equation.left) || has_operators(tree, claim.equation.right);
-  if (claim.nearly || !operators) return false;
+  if (claim.nearly || !operators || cache.budget().exhausted()) return false;
   const ShareOfWork share(cache, most_work);
   const Laws bearing = laws_that_bear(tree, names.scope, claim.equation, available);
   const std::vector<Laws> sets = sets_of(tree, bearing);

@@ -185,6 +185,54 @@ Names with_row_put_in(const RowUnderLaws& row, SymbolId unknown, const std::vect
   return names;
 }
 
+/// `y(0)` and `\dot x(0)` of `x = x(0)\cos\omega t + \dot x(0)/\omega\,\sin\omega t`; nothing where one
+/// stands at several arguments.
+std::optional<std::vector<SymbolId>> own_values(const RowUnderLaws& row, SymbolId unknown) {
+  std::vector<SymbolId> values;
+  for (const SymbolId symbol : symbols_in(row.tree, row.claim.equation.right)) {
+    const auto value = row.names.symbols.function_values->find(symbol);
+    if (value == row.names.symbols.function_values->end()) continue;
+    if (base_of(row.tree.symbols, value->second.of) != unknown) continue;
+    if (value->second.at.size() != 1) return std::nullopt;
+    values.push_back(symbol);
+  }
+  return values;
+}
+
+/// `y = y(0)e^{kx}` is y(0) where x = 0, and `2y(0)e^{kx}` is not: what the unknown is somewhere is no free
+/// constant. Other letters stand for these values, which the solution is then asked for.
+bool has_its_own_values(const RowUnderLaws& row, SymbolId unknown, const std::vector<SymbolId>& constants) {
+  const auto values = own_values(row, unknown);
+  if (!values) return false;
+  std::vector<std::pair<SymbolId, SymbolId>> letters;  // of the values, and what stands for them
+  Names names = row.names;
+  for (const SymbolId value : *values) {
+    const Symbol& symbol = row.tree.symbols[value];
+    const SymbolId letter =
+        row.tree.symbols.add({.name = fmt::format("C_{{{}}}", symbol.name), .first_seen = symbol.first_seen});
+    letters.emplace_back(value, letter);
+    declare_constant(names.scope, letter, std::nullopt);
+  }
+  const auto leaf = [&](SymbolId symbol) {
+    return row.tree.add({.op = Op::symbol, .span = row.claim.relation, .symbol = symbol});
+  };
+  const auto by = [&](ExprId id) -> std::optional<ExprId> {
+    const auto found = std::ranges::find(letters, row.tree[id].symbol, &std::pair<SymbolId, SymbolId>::first);
+    return found == letters.end() ? std::nullopt : std::optional(leaf(found->second));
+  };
+  Claim put_in = row.claim;
+  put_in.equation.right = replaced(row.tree, row.claim.equation.right, by);
+  names = with_row_put_in({row.tree, names, put_in, row.cache}, unknown, constants);
+  return std::ranges::all_of(letters, [&](const auto& each) {
+    Claim claim = row.claim;
+    claim.equation.left = leaf(each.first);
+    claim.equation.right = leaf(each.second);
+    const Names constant = with_laws_and_constants({row.tree, names, claim, row.cache}, {});
+    const Judgement judgement = judge(row.tree, constant, claim, {}, row.cache);
+    return judgement.verdict == Verdict::proved && judgement.diagnostics.empty();
+  });
+}
+
 /// Does the row meet all of them?
 bool meets(const RowUnderLaws& row, const Names& put_in, const std::vector<ValueCondition>& conditions) {
   return std::ranges::all_of(conditions, [&](const ValueCondition& condition) {
@@ -261,7 +309,7 @@ std::optional<Judgement> solves(const RowUnderLaws& row, const Laws& bearing, co
   if (!found) return std::nullopt;
   const Names constant = with_laws_and_constants(put_in, {});
   if (is_general && !Independence(row, constant, of).holds(constants)) return std::nullopt;
-  if (!meets(row, names, conditions)) return std::nullopt;
+  if (!meets(row, names, conditions) || !has_its_own_values(row, of.unknown, constants)) return std::nullopt;
   std::erase(found->uses, solution);
   for (const ValueCondition& each : conditions) found->uses.insert(found->uses.begin(), each.law->name);
   found->uses.insert(found->uses.begin(), solved->law->name);

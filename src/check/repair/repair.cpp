@@ -20,6 +20,8 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_judged = 24;
+constexpr std::size_t most_judged_unseen = 64;  // where no sample tells which of them are worth it
+constexpr std::uint64_t most_work_unseen = 2'000'000;
 constexpr std::size_t most_tokens = 400;          // of both sides; longer ones are not mended
 constexpr std::size_t most_to_first_order = 150;  // candidates, since each is differentiated
 /// For samples that candidates are compared on.
@@ -66,7 +68,7 @@ class RepairSearch {
     reading_ = read_chain(syntax_, tree_, names_, chain_);
   }
 
-  std::vector<TrueNeighbour> run() {
+  std::vector<TrueNeighbour> run(NotCompared others) {
     if (candidates_.side(0).size() + candidates_.side(1).size() > most_tokens) return {};
     const std::optional<Claim> original = claim_between(typed(0), typed(1));
     const bool by_terms =
@@ -90,7 +92,9 @@ class RepairSearch {
       if (holding.empty() && !asked_) holding = holding_on_samples(rewritten, equations, terms, true);
     }
     sort_and_reduce(holding, candidates_.side(0), candidates_.side(1));
-    return prove_the_nearest(holding);
+    std::vector<TrueNeighbour> found = prove_the_nearest(holding, most_judged);
+    if (found.empty() && others == NotCompared::asked) found = prove_what_was_not_compared();
+    return found;
   }
 
  private:
@@ -100,6 +104,17 @@ class RepairSearch {
       return each.slip == Slip::sign || each.slip == Slip::factor || each.slip == Slip::order ||
              each.slip == Slip::index || each.slip == Slip::indices_swapped;
     });
+  }
+
+  std::vector<TrueNeighbour> prove_what_was_not_compared() {
+    if (not_compared_.empty() || cache_ == nullptr || cache_->budget().exhausted()) return {};
+    if (!claim_was_compared_) {  // nor were its terms
+      for (RepairCandidate& each : candidates_.rewritten_sides(true))
+        not_compared_.push_back(std::move(each));
+    }
+    sort_and_reduce(not_compared_, candidates_.side(0), candidates_.side(1));
+    const ShareOfWork share(*cache_, most_work_unseen);
+    return prove_the_nearest(not_compared_, most_judged_unseen);
   }
 
   void add_insertions(std::vector<RepairCandidate>& holding) {
@@ -238,10 +253,13 @@ class RepairSearch {
       prepared = prepare(tree_, names_, claim_.equation, 1, Precision::exact, 0, sides);
     SampleScreen screen(prepared.question, sides, screening(cache_));
     std::vector<RepairCandidate> holding;
-    const std::vector<bool> passing = screen.passing(equations);
+    const std::vector<Screened> screened = screen.screened(equations);
     for (std::size_t k = 0; k < rewritten.size(); ++k) {
-      if (passing[k]) holding.push_back(rewritten[k]);
+      if (screened[k] == Screened::holds) holding.push_back(rewritten[k]);
+      if (screened[k] == Screened::not_compared && !beyond) not_compared_.push_back(rewritten[k]);
     }
+    if (!beyond)
+      claim_was_compared_ = screen.screened({&claim_.equation, 1}).front() != Screened::not_compared;
     compare(screen, terms, zeros, holding);
     if (!terms.empty() && holding.empty()) {
       const std::vector<ComparedTerm> longer = candidates_.longer_terms();
@@ -277,7 +295,8 @@ class RepairSearch {
 
   // --- what is true
 
-  std::vector<TrueNeighbour> prove_the_nearest(const std::vector<RepairCandidate>& candidates) {
+  std::vector<TrueNeighbour> prove_the_nearest(const std::vector<RepairCandidate>& candidates,
+                                               std::size_t most) {
     std::vector<TrueNeighbour> found;
     std::size_t judged = 0;
     int nearest = 0;
@@ -286,7 +305,7 @@ class RepairSearch {
       const bool far = !found.empty() && candidate.distance > nearest + widest_choice;
       const bool says_the_same = candidate.slip == Slip::term_missing && mends_a_term;
       if (says_the_same || says_nothing(candidate)) continue;
-      if (far || found.size() == most_repairs || judged++ == most_judged) break;
+      if (far || found.size() == most_repairs || judged++ == most) break;
       auto uses = proved(candidate);
       if (!uses) continue;
       if (found.empty()) nearest = candidate.distance;
@@ -346,6 +365,8 @@ class RepairSearch {
   RepairCandidates candidates_;
   std::unique_ptr<ChainReading> reading_;
   Diagnostics ignored_;
+  std::vector<RepairCandidate> not_compared_;  // on the samples
+  bool claim_was_compared_ = true;
   Claim claim_;                       // the original one; where it has no meaning, the nearest that has one
   std::optional<Claim> first_claim_;  // of a candidate
 };
@@ -354,10 +375,10 @@ class RepairSearch {
 
 std::vector<TrueNeighbour> true_neighbours(const ExprTree& tree, const Names& names, const WrongStep& wrong,
                                            const NeighbourProof& proof, DecisionCache* cache,
-                                           const Asked& asked) {
+                                           const Asked& asked, NotCompared others) {
   ExprTree own_tree = tree;
   Names own_names = names;
-  return RepairSearch(own_tree, own_names, wrong, proof, asked, cache).run();
+  return RepairSearch(own_tree, own_names, wrong, proof, asked, cache).run(others);
 }
 
 std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names, const WrongStep& wrong,
@@ -369,7 +390,7 @@ std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& n
     return std::move(judgement.uses);
   };
   std::vector<Repair> repairs;
-  for (TrueNeighbour& each : true_neighbours(tree, names, wrong, proof, cache))
+  for (TrueNeighbour& each : true_neighbours(tree, names, wrong, proof, cache, {}, NotCompared::asked))
     repairs.push_back(std::move(each.repair));
   return repairs;
 }

@@ -2,6 +2,7 @@
 // What a wrong step may have been meant to say: the statements nearest to it that can be proved.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -45,6 +46,10 @@ using NeighbourProof =
 /// with the side put in. Nothing: the neighbour is none.
 using Asked = std::function<std::optional<Equation>(ExprTree&, const Names&, const Equation&)>;
 
+/// What is done with neighbours that samples do not compare, such as integrals that the wrong row has not:
+/// each is proved or not, which takes a thousand times as long. A row that is known to be wrong is worth it.
+enum class NotCompared : std::uint8_t { left_out, asked };
+
 /// A true statement within one slip of the wrong one.
 struct TrueNeighbour {
   Repair repair;
@@ -62,7 +67,8 @@ struct TrueNeighbour {
 [[nodiscard]] std::vector<TrueNeighbour> true_neighbours(const ExprTree& tree, const Names& names,
                                                          const WrongStep& wrong, const NeighbourProof& proof,
                                                          DecisionCache* cache = nullptr,
-                                                         const Asked& asked = {});
+                                                         const Asked& asked = {},
+                                                         NotCompared others = NotCompared::left_out);
 
 /// Those that are judged to be proved, without a warning.
 [[nodiscard]] std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& names,

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <utility>
 
 #include "base/ascii.h"
+#include "latex/reading/placed_letters.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -77,7 +79,50 @@ void show_with_faces(TokenView side, Rewriting& change) {
     ++change.shown_end;
 }
 
+/// Which letters stand there, with their faces, primes and subscripts.
+std::set<std::string> symbols_in(TokenView side) {
+  std::set<std::string> symbols;
+  for (const PlacedLetter& letter : letters_in(side)) {
+    std::size_t end = letter.end;
+    while (is_sign_at(side, end, "'")) ++end;
+    if (is_kind_at(side, end, TokenKind::subscript)) end = script_argument_at(side, end + 1).next;
+    symbols.insert(bare_text(side.subspan(letter.begin, end - letter.begin)));
+  }
+  return symbols;
+}
+
+/// How many symbols one of them has alone.
+int apart(const std::set<std::string>& a, const std::set<std::string>& b) {
+  std::vector<std::string> alone;
+  std::ranges::set_symmetric_difference(a, b, std::back_inserter(alone));
+  return static_cast<int>(alone.size());
+}
+
+/// `[-A, B]` says in another way what `-[A, B]` does.
+bool turns_all_of_a_bracket(TokenView side, const Rewriting& change) {
+  const bool opens = change.begin > 0 && is_sign_of(side[change.begin - 1], "([,");
+  const bool closes = change.end < side.size() && is_sign_of(side[change.end], ")],");
+  return change.slip == Slip::sign && opens && closes;
+}
+
+/// `\epsilon_{ijk}` rather than `\epsilon_{kij}`.
+bool orders_indices(TokenView side, const Rewriting& change) {
+  const Tokens after = shown_after(side, change);
+  return change.slip == Slip::indices_swapped && std::ranges::is_sorted(indices_in(after), {}, &Token::text);
+}
+
 }  // namespace
+
+/// The sides of an equation speak of the same symbols as a rule: then the slip was the one that one of them
+/// has alone.
+int RepairCandidates::imbalance(std::size_t which, TokenView now) const {
+  constexpr int likelier = 3;  // for each symbol
+  constexpr int most = 9;
+  const std::set<std::string> other = symbols_in(side(1 - which));
+  const int before = apart(symbols_in(side(which)), other);
+  const int gain = before - apart(symbols_in(now), other);
+  return gain <= 0 ? 0 : gain == before ? -most : -std::min(most, likelier * gain);
+}
 
 /// How unlikely it is that the slip is on this side: another step supports it, or it is a name that is
 /// defined.
@@ -92,7 +137,10 @@ int RepairCandidates::suspicion(std::size_t which) const {
 RepairCandidate RepairCandidates::made(std::size_t which, Slip slip, Tokens tokens, std::string change,
                                        int further) const {
   const auto longer = static_cast<int>(tokens.size()) - static_cast<int>(side(which).size());
-  const int distance = distance_of(slip) + std::clamp(longer, -4, 12) + further + suspicion(which);
+  const bool of_letters = slip == Slip::letter || slip == Slip::prime || slip == Slip::rate ||
+                          slip == Slip::factor_missing || slip == Slip::factor_extra;
+  const int balance = of_letters ? imbalance(which, tokens) : 0;
+  const int distance = distance_of(slip) + std::clamp(longer, -4, 12) + further + suspicion(which) + balance;
   return {slip, which, std::move(tokens), std::move(change), distance};
 }
 
@@ -105,7 +153,8 @@ RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& rewri
       text_of(side(which).subspan(change.shown_begin, change.shown_end - change.shown_begin));
   const std::string to = text_of(shown_after(side(which), change));
   const bool inside = change.slip == Slip::sign || change.slip == Slip::factor;
-  const int further = change.slip == Slip::order && to < from ? -1 : (inside ? 2 : 0);
+  const bool in_order = (change.slip == Slip::order && to < from) || orders_indices(side(which), change);
+  const int further = in_order ? -1 : turns_all_of_a_bracket(side(which), change) ? 8 : inside ? 2 : 0;
   const std::string words =
       to.empty()     ? fmt::format("`{}` is one too many on the {} side", from, side_names[which])
       : from.empty() ? fmt::format("`{}` is missing on the {} side", to, side_names[which])
@@ -162,6 +211,8 @@ std::vector<ComparedTerm> RepairCandidates::terms() const {
     for (const Tokens& term : expanded_terms_of(other)) add_more(term, 0);
   }
   for (const Tokens& term : field_terms_of(nearby)) add_more(term, 1);
+  const Tokens one{{TokenKind::digit, "1", span_of(side(1))}};
+  add_more(one, 2);
   for (const std::size_t which : {1u, 0u}) {
     for (const SideTerm& term : terms_of_side(side(which))) {
       for (const Tokens& image : images_of_term(term.tokens, nearby)) add_more(image, 1);

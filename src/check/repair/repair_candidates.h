@@ -67,6 +67,7 @@ class RepairCandidates {
   template <class Rewrite>
   [[nodiscard]] std::vector<RepairCandidate> made_by(const Rewrite& rewrite) const;
   [[nodiscard]] int suspicion(std::size_t which) const;
+  [[nodiscard]] int imbalance(std::size_t which, TokenView now) const;
   [[nodiscard]] std::string words_for(std::size_t which, std::size_t term, Coefficient times) const;
   [[nodiscard]] std::vector<TokenView> chain() const { return {sides_.begin(), sides_.end()}; }
 

@@ -155,6 +155,11 @@ class Exchanger {
       if (number) digits = lower.next;
     }
     missing_factors_at(place(term) + digits, term);
+    // `\cos\omega_2` may have been `\cos\omega_2 t`.
+    const bool of_function = std::ranges::any_of(term, [](const Token& token) {
+      return is_control_of(token, {"sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "ln", "log"});
+    });
+    if (of_function) missing_factors_at(place(term) + term.size(), term);
   }
 
   void missing_factors_at(std::size_t at, TokenView shown) {

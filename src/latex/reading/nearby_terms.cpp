@@ -162,6 +162,8 @@ std::vector<Rewriting> insertions_of(TokenView side, const std::vector<TokenView
     const TokenView whole{level.pieces.front().tokens.data(),
                           level.pieces.back().tokens.data() + level.pieces.back().tokens.size()};
     std::vector<Tokens> terms = pool;
+    for (const std::string_view number : {"1", "2"})
+      terms.push_back({{TokenKind::digit, number, level.pieces.front().tokens[0].span}});
     for (const PieceTerm& own : terms_of(level)) {
       for (Tokens& image : images_of_term(own.tokens, {whole})) terms.push_back(std::move(image));
     }

@@ -65,6 +65,27 @@ TEST_CASE("swapped and replaced indices are found") {
   CHECK(repair.change == "`ji` for `ij` on the right side");
 }
 
+TEST_CASE("integrals, sums and roots are mended where no sample has their values") {
+  const auto mended = [](const std::string& row) {
+    return nearest(rigor_says("claim") + "$$" + row + "$$").statement;
+  };
+  CHECK(mended("\\int_0^\\pi\\cos x\\,dx = 2") == "\\int_0^\\pi\\sin x\\,dx = 2");
+  CHECK(mended("\\int_{-\\infty}^\\infty e^{-ax^2}\\,dx = 2\\sqrt{\\frac{\\pi}{a}}") ==
+        "\\int_{-\\infty}^\\infty e^{-ax^2}\\,dx = \\sqrt{\\frac{\\pi}{a}}");
+  CHECK(mended("\\sum_{k=0}^\\infty q^k = \\frac{1}{1 + q}") == "\\sum_{k=0}^\\infty q^k = \\frac{1}{1 - q}");
+}
+
+TEST_CASE("the letter that only one side has, and a number in a bracket, can be missing") {
+  const auto offers = [](const std::string& note, const std::string& statement) {
+    const Checked checked(rigor_says("for all a, b, c") + "$$" + note + "$$");
+    const std::vector<Repair>& repairs = refuted_step(checked).repairs;
+    return std::any_of(repairs.begin(), repairs.end(),
+                       [&](const Repair& repair) { return repair.statement == statement; });
+  };
+  CHECK(offers("a(b + c) = ab + aa", "a(b + c) = ab + ac"));
+  CHECK(offers("(a - 1)(a) = a^2 - 1", "(a - 1)(a + 1) = a^2 - 1"));
+}
+
 TEST_CASE("a term of the line before can be the missing one") {
   const std::string note = rigor_says("particles \\alpha") + rigor_says("vector \\mathbf{V}") +
                            "$$\\sum_\\alpha m_\\alpha|\\mathbf{V} + \\mathbf{v}_\\alpha|^2 = \\sum_\\alpha "
