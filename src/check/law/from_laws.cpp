@@ -38,10 +38,11 @@ std::optional<Judgement> restating(const RowUnderLaws& row, const Laws& bearing)
   return std::nullopt;
 }
 
-/// The sets that may prove the row, the smallest first. What fails on a sample of a set follows from no part
-/// of it, so the largest set is looked at first.
-std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing) {
+/// The sets that may prove the row, the smallest first, each with what is beside all of them. What fails on a
+/// sample of a set follows from no part of it, so the largest set is looked at first.
+std::vector<Laws> promising_sets(const RowUnderLaws& row, const Laws& bearing, const Laws& beside) {
   std::vector<Laws> sets = sets_of(row.tree, bearing);
+  for (Laws& set : sets) set.insert(set.end(), beside.begin(), beside.end());
   while (sets.size() > 1 && fails_under(row, sets.back())) {
     const Laws failing = sets.back();
     std::erase_if(sets, [&](const Laws& set) {
@@ -121,15 +122,8 @@ Laws taken_from_sets(const RowUnderLaws& row, Laws& laws) {
 std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& available, bool inferred) {
   if (auto found = prove_from(row, {})) return found;
   Laws bearing = laws_that_bear(row.tree, row.names.scope, row.claim.equation, available.all);
-  const Laws beside = taken_from_sets(row, bearing);
-  const auto with_these = [&](Laws set) {
-    set.insert(set.end(), beside.begin(), beside.end());
-    return set;
-  };
-  if (!beside.empty()) {
-    if (auto found = prove_from(row, beside)) return found;
-  }
   if (auto restated = inferred ? std::nullopt : restating(row, bearing)) return restated;
+  const Laws beside = taken_from_sets(row, bearing);
   if (auto solved = solves(row, bearing, available.all)) return solved;
   if (holds_letters(row.tree, row.names.scope, row.claim.equation)) {
     for (const Laws& set : sets_of_states(bearing)) {
@@ -137,11 +131,13 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& av
     }
   }
   if (!available.named.empty()) {
-    if (auto found = prove_from(row, with_these(available.named))) return found;
+    Laws named = available.named;
+    named.insert(named.end(), beside.begin(), beside.end());
+    if (auto found = prove_from(row, named)) return found;
   }
-  for (const Laws& set : promising_sets(row, bearing)) {
+  for (const Laws& set : promising_sets(row, bearing, beside)) {
     if (set.empty()) continue;  // tried
-    if (auto found = prove_from(row, with_these(set))) return found;
+    if (auto found = prove_from(row, set)) return found;
   }
   return takes_a_root(row, bearing);
 }
