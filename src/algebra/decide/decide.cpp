@@ -211,6 +211,8 @@ std::optional<Found> Decider::try_cases_of_signs() {
           Found{std::move(trial), {.effort = attempt.effort, .assumptions = attempt.assumptions}, true, {}};
     } catch (const NoRealValue&) {
       continue;
+    } catch (const Contradiction&) {
+      continue;  // no such signs by what is assumed
     } catch (const Undecidable&) {
       return std::nullopt;
     }

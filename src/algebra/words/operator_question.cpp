@@ -301,7 +301,7 @@ std::optional<std::string> multiple_in_words(const Question& question, const Equ
     const SortedAssumptions sorted = sorted_assumptions(own.question);
     WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
-    add_rules(own, reader, sorted.of_operators, rules);
+    add_rules_that_can_be_read(own, reader, sorted.of_operators, rules);
     complete_as_far_as_possible(rules);
     Positions used;
     std::vector<WordSum> differences;
@@ -331,7 +331,7 @@ bool holds_in_words(const Question& question, const Limits& limits) {
     const SortedAssumptions sorted = sorted_assumptions(own.question);
     WordReader reader(own.question, own.parts, Unfolding::all, *limits.budget);
     WordRules rules(*limits.budget);
-    add_rules(own, reader, sorted.of_operators, rules);
+    add_rules_that_can_be_read(own, reader, sorted.of_operators, rules);
     complete_as_far_as_possible(rules);
     bool holds = true;
     for_each_difference(own, reader, own.question.claim, [&](const WordSum& difference) {
