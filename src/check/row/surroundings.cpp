@@ -130,6 +130,30 @@ bool is_vector_by_components(const ExprTree& tree, const Equation& equation) {
          tree[equation.right].op == Op::tuple;
 }
 
+/// "Set `U = 0` … Thus `U = \begin{pmatrix} 2 & 3 …`": a calculation gives its letter one value after the
+/// other.
+bool takes_another_value(const RowPlace& place, const Typed& left, const Typed& right) {
+  const auto is_value = [&](ExprId id) { return symbols_in(place.tree, id).empty(); };
+  const ExprNode& node = place.tree[left.id];
+  if (node.op != Op::symbol || node.slot_count > 0 || !is_value(right.id)) return false;
+  const NamedDefinition* named = definition_of(place.names.scope, node.symbol);
+  if (named == nullptr || named->origin.directive || !is_value(named->definition.body)) return false;
+  const std::string lead = lowered(place.notes.prose.beside[named->origin.event].lead);
+  return std::ranges::any_of(words_of(lead), [](std::string_view word) {
+    return is_one_of(word, {"set", "start", "starting", "begin", "initialize", "initialise", "initially",
+                            "initial", "guess"});
+  });
+}
+
+/// `\begin{pmatrix} … \end{pmatrix} = 3`: a multiple of the unit matrix, or something made of the matrix.
+bool is_matrix_against_number(const ExprTree& tree, const Typed& left, const Typed& right) {
+  const auto is_written_out = [&](const Typed& side) {
+    return side.rank == 2 && tree[side.id].op == Op::tuple;
+  };
+  return (is_written_out(left) && right.rank == 0 && !tree.is_zero_literal(right.id)) ||
+         (is_written_out(right) && left.rank == 0 && !tree.is_zero_literal(left.id));
+}
+
 bool speaks_of_units(const ExprTree& tree, ExprId side) {
   const std::vector<SymbolId> symbols = symbols_in(tree, side);
   return std::ranges::any_of(
@@ -364,6 +388,17 @@ void heed_surroundings(RowPlace& place, const StepReading& row, const Claim& cla
              {});
   if (judgement.verdict == Verdict::refuted && zeros)
     withdraw(DiagnosticKind::restricted, "it may be about how two zeros are written", {});
+  if (judgement.verdict == Verdict::refuted && is_matrix_against_number(place.tree, left, right)) {
+    withdraw(
+        DiagnosticKind::ambiguous_reading,
+        "one side is a matrix, and the number on the other can be a multiple of the unit matrix, or belong "
+        "to the matrix in another way",
+        {"write the unit matrix, or `\\det`, `\\operatorname{tr}` or what else is meant"});
+    judgement.verdict = Verdict::not_understood;
+  }
+  if (judgement.verdict == Verdict::refuted && takes_another_value(place, left, right))
+    withdraw(DiagnosticKind::restricted,
+             "its letter had another value before, with which a calculation began", {});
   if (judgement.verdict == Verdict::refuted && is_alternative(place, parsed))
     withdraw(DiagnosticKind::restricted, "it is only one of several alternatives", {});
   if (judgement.verdict == Verdict::refuted) {
