@@ -201,24 +201,30 @@ std::optional<Found> Decider::try_cases_of_signs() {
   Attempt attempt{.effort = Effort::factored, .assumptions = refuter_.assumptions()};
   std::optional<Found> found;
   std::set<std::size_t> used;
+  bool vanishes = true;
+  bool skipped = false;  // by what is assumed, or by a root
   for (std::vector<KnownSign>& signs : sign_cases(unfolded_, attempt)) {
     attempt.signs = std::move(signs);
     try {
       Trial trial = prove(unfolded_, attempt, limits_, work_);
       if (!trial.holds) return std::nullopt;
       used.insert(trial.used.begin(), trial.used.end());
+      vanishes = vanishes && trial.proof.vanishes;
       found =
           Found{std::move(trial), {.effort = attempt.effort, .assumptions = attempt.assumptions}, true, {}};
     } catch (const NoRealValue&) {
-      continue;
+      skipped = true;
     } catch (const Contradiction&) {
-      continue;  // no such signs by what is assumed
+      skipped = true;
     } catch (const Undecidable&) {
       return std::nullopt;
     }
   }
   if (!found) return std::nullopt;
+  if (skipped) used.insert(attempt.assumptions.begin(), attempt.assumptions.end());
   found->trial.used.assign(used.begin(), used.end());
+  found->trial.proof.vanishes = vanishes;
+  found->trial.proof.in_force.clear();
   found->trial.proof.equations.clear();
   found->trial.proof.nonzero.clear();
   found->trial.proof.steps = {{.kind = ProofStep::Kind::cases, .assumptions = found->trial.used}};
@@ -318,7 +324,7 @@ Decision Decider::decide() {
   if (refuter_.is_constant() && refuter_.points_compared() > 0) return proved_by_value();
   auto found = try_all_proofs(Effort::plain);
   if (!found && last_trial_.radicals) found = try_all_proofs(Effort::factored);
-  const bool by_cases = !found && last_trial_.radicals;
+  const bool by_cases = !found && last_trial_.radicals && limits_.sign_cases;
   if (by_cases) found = try_cases_of_signs();
   if (found && !found->trial.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
     bool has_value = false;
@@ -345,7 +351,9 @@ namespace {
 /// The answer to the question about both parts, with complex values in its sample.
 Decision decide_in_parts(const Question& question, const Limits& limits) {
   const RealQuestion real = in_real_parts(question);
-  Decision decision = decide(real.question, limits);
+  Limits of_parts = limits;
+  of_parts.sign_cases = false;
+  Decision decision = decide(real.question, of_parts);
   if (!decision.sample) return decision;
   Sample sample = without_part(with_complex_values(*std::move(decision.sample), real), real);
   const auto sides = replay(question, sample);

@@ -150,7 +150,7 @@ std::optional<Value> value_of(const ExprTree& tree, ExprId id) {
   std::vector<Value> values;
   if (node.op == Op::symbol && node.slot_count == 0)
     return 0.5 + std::fmod(0.618034 * static_cast<double>(static_cast<std::size_t>(node.symbol) + 1), 1.0);
-  if (node.op == Op::number) return std::stod(tree.digits(id));
+  if (node.op == Op::number) return std::strtod(tree.digits(id).c_str(), nullptr);
   if (node.op == Op::imaginary_unit) return Value(0.0, 1.0);
   for (const ExprId child : tree.children(id)) {
     const auto value = value_of(tree, child);
@@ -191,7 +191,7 @@ bool is_nearly_zero(const Coefficient& a, const CommutingParts& parts) {
     sum += term;
     size += std::abs(term);
   }
-  return std::abs(sum) <= rounding * size;
+  return std::isfinite(size) && std::abs(sum) <= rounding * size;
 }
 
 ExprId as_expression(const Coefficient& a, CommutingParts& parts, Span span) {

@@ -160,6 +160,7 @@ class CheckedNotesReader {
   /// "of mass $m$": that m is positive, for those who ask.
   void add_said_sizes() {
     for (const ProseSentence& sentence : notes_.prose.sentences) {
+      if (sentence.asks) continue;
       for (const SaidSize& size : said_sizes(sentence.text)) {
         if (size.maths >= sentence.maths.size()) continue;
         const auto tokens = maths_in_line(sentence.maths[size.maths]);

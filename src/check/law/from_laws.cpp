@@ -139,6 +139,7 @@ std::optional<Judgement> follow(const RowUnderLaws& row, const AvailableLaws& av
     if (set.empty()) continue;  // tried
     if (auto found = prove_from(row, set)) return found;
   }
+  bearing.insert(bearing.end(), beside.begin(), beside.end());
   return takes_a_root(row, bearing);
 }
 

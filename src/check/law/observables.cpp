@@ -60,7 +60,13 @@ std::set<SymbolId> observables_of(const ExprTree& tree, const Laws& laws) {
   std::set<SymbolId> found;
   for (const PageLaw* law : laws) {
     const auto pair = commutator_of_two(tree, law->equation.left);
-    if (pair && is_imaginary_multiple(tree, law->equation.right)) found.insert({pair->first, pair->second});
+    // [K, S] = iS says nothing of S, and i times a complex number nothing of either.
+    const std::vector<SymbolId> letters = symbols_in(tree, law->equation.right);
+    const bool number = std::ranges::none_of(letters, [&](SymbolId each) {
+      return tree.symbols[each].noncommuting || tree.symbols[each].complex;
+    });
+    if (pair && number && is_imaginary_multiple(tree, law->equation.right))
+      found.insert({pair->first, pair->second});
   }
   return found;
 }

@@ -82,6 +82,18 @@ bool is_solved_since(const ExprTree& tree, const Laws& bearing, SymbolId unknown
   });
 }
 
+/// N(s): for which s that is the constant, nothing says. `N(t_0)` names one place.
+bool is_value_anywhere(const RowUnderLaws& row, SymbolId letter) {
+  const auto value = row.names.symbols.function_values->find(letter);
+  if (value == row.names.symbols.function_values->end()) return false;
+  return std::ranges::any_of(value->second.at, [&](ExprId at) {
+    return std::ranges::any_of(symbols_in(row.tree, at), [&](SymbolId each) {
+      const Symbol& symbol = row.tree.symbols[each];
+      return !symbol.is_fixed() && symbol.name.find("_{") == std::string::npos;
+    });
+  });
+}
+
 /// The letters of the solution that no equation has had before, and that do not change.
 std::vector<SymbolId> free_constants(const RowUnderLaws& row, const Equation& law,
                                      const std::vector<ValueCondition>& conditions) {
@@ -97,7 +109,7 @@ std::vector<SymbolId> free_constants(const RowUnderLaws& row, const Equation& la
     const NameKey* key = key_of(row.names.symbols, letter);
     const bool plain = symbol.rank == 0 && !symbol.per_particle && !symbol.is_fixed() && key != nullptr &&
                        definition_of(row.names.scope, letter) == nullptr;
-    if (!plain || known.contains(letter)) continue;
+    if (!plain || known.contains(letter) || is_value_anywhere(row, letter)) continue;
     if (seen_in_equation(row.names.scope, letter)) continue;
     const bool changes = may_be_changing(*row.names.symbols.evidence, key->base) &&
                          !is_function_value(row.names, row.tree, letter);

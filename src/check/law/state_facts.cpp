@@ -88,7 +88,9 @@ bool is_usual_constant(std::string_view letter) {
 bool is_differentiated(const RowUnderLaws& row, SymbolId letter) {
   const Evidence& evidence = *row.names.symbols.evidence;
   const NameKey* key = key_of(row.names.symbols, letter);
-  if (key == nullptr || evidence.speaks_of_change || is_changing(evidence, key->base)) return true;
+  if (key == nullptr || evidence.speaks_of_change || is_changing(evidence, key->base) ||
+      evidence.said_to_change.contains(without_labels(key->base)))
+    return true;
   const std::string plain = without_labels(key->base);
   if (!is_usual_constant(plain)) return true;
   return std::ranges::any_of(evidence.by, [&](const auto& entry) {

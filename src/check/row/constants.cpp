@@ -85,10 +85,26 @@ bool is_clear(const ExprTree& tree, const MeasuredRow& row, const Assignment& co
   return called;
 }
 
+/// "On the Moon", "a muon is heavier than the electron": g and m can be those of another thing.
+bool may_be_of_another_thing(const RowPlace& place, const MeasuredRow& row, const std::string& spoken) {
+  const auto speaks = [&](std::string_view thing) {
+    return spoken.find(spoken_words(thing)) != std::string::npos;
+  };
+  const auto has = [&](std::string_view name) {
+    return std::ranges::any_of(row.letters,
+                               [&](SymbolId each) { return place.tree.symbols[each].name == name; });
+  };
+  static constexpr auto worlds =
+      std::to_array<std::string_view>({"moon", "mars", "jupiter", "venus", "planet"});
+  static constexpr auto particles = std::to_array<std::string_view>({"electron", "muon"});
+  return (has("g") && std::ranges::any_of(worlds, speaks)) ||
+         (has("m") && std::ranges::count_if(particles, speaks) > 1);
+}
+
 /// Is the row proved by these constants? What may be read in several ways needs words, or holds in each.
 bool is_settled(const RowPlace& place, const MeasuredRow& row, const Compared& found,
                 const std::string& spoken) {
-  if (found.fitting.empty()) return false;
+  if (found.fitting.empty() || may_be_of_another_thing(place, row, spoken)) return false;
   const Assignment& fitting = found.fitting.front();
   const bool single_digit = row.shown.digits < 2;
   if (single_digit && !are_called(place.tree, row, fitting, spoken)) return false;
@@ -141,8 +157,8 @@ bool heed_other_number(RowPlace& place, const StepReading& step, const MeasuredR
   if (!names) return false;
   WrittenNumber number{std::string(place.tree.digits(row.shown.number)), 0,
                        computed->number / written->number};
-  constexpr double hopeless = 1e4;     // another quantity is meant
-  if (number.ratio < 0) return false;  // the sign may be a matter of convention
+  constexpr double hopeless = 1e4;      // another quantity is meant
+  if (number.ratio <= 0) return false;  // the sign may be a matter of convention
   const double error =
       error_of(place.tree, row, constants, computed->number) + half_a_digit(place.tree, row, written->number);
   if (std::abs(computed->number - written->number) <= error) return false;

@@ -281,6 +281,44 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
                                 .meanings = meanings_of(place, equation)});
 }
 
+namespace {
+
+/// "With $N = a^\dagger a$ this becomes"; not "For a sphere, let $V = …$" or "In the second example".
+bool is_said_for_good(const std::string& sentence) {
+  const std::string text = lowered(sentence);
+  return std::ranges::none_of(words_of(text), [](std::string_view word) {
+    return is_one_of(word, {"for",   "in",      "at",     "on",       "if",     "near",   "along",  "inside",
+                            "case",  "example", "test",   "instance", "first",  "second", "third",  "suppose",
+                            "would", "could",   "reader", "exercise", "unless", "when",   "asked",  "only",
+                            "small", "large",   "not",    "special",  "simple", "some",   "during", "while"});
+  });
+}
+
+/// Two meanings of one letter in lines: nothing says which of them holds below.
+bool said_once(RowPlace& place, SymbolId letter, const SaidInLine& said) {
+  const auto says = [&](const SaidInLine& other) {
+    return std::ranges::any_of(other.chains, [&](const ParsedChain& chain) {
+      if (chain.sides.size() < 2) return false;
+      const auto reading = read_here(place, chain);
+      if (!reading->sides[0].typed) return false;
+      const ExprNode& node = place.tree[reading->sides[0].typed->id];
+      return node.op == Op::symbol && node.symbol == letter;
+    });
+  };
+  return std::ranges::none_of(place.notes.prose.said, [&](const SaidInLine& other) {
+    return other.span.begin != said.span.begin && says(other);
+  });
+}
+
+}  // namespace
+
+bool is_said_for_good(RowPlace& place, const SaidInLine& said, SymbolId letter) {
+  const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
+  const auto sentence = std::ranges::find(sentences, said.sentence, &ProseSentence::number);
+  return sentence != sentences.end() && !sentence->asks && is_said_for_good(sentence->text) &&
+         said_once(place, letter, said);
+}
+
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
   if (said.at_place || said.cue != Cue::definition) return;
   const std::vector<ProseSentence>& sentences = place.notes.prose.sentences;
@@ -299,7 +337,8 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said) {
     const bool for_now = sets_letters_equal(place.tree, equation) || is_measured(place.tree, equation.right);
     const auto letter = letter_of_law(place.tree, equation);
     // "With $N = a^\dagger a$" says what a new letter is; of a known one it may say a case.
-    const bool brings_in = letter && !seen_in_equation(place.names.scope, *letter) &&
+    const bool brings_in = letter && sentence->has_display && is_said_for_good(place, said, *letter) &&
+                           !seen_in_equation(place.names.scope, *letter) &&
                            definition_of(place.names.scope, *letter) == nullptr;
     if (for_now || !letter || (!said.named && !brings_in) || names_coordinates(place.tree, equation) ||
         keeps_a_common_factor(place.tree, equation) || names_a_surface(place, equation))

@@ -118,6 +118,31 @@ bool is_announced(const RowPlace& place, const StepReading& row) {
          says_that_it_follows(beside(place).lead);
 }
 
+/// "They are not Hermitian": then no commutator makes an operator of the section self-adjoint.
+bool denies_self_adjoint_operators(const RowPlace& place) {
+  return std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& sentence) {
+    if (!place.notes.prose.sections.reaches(sentence.place, beside(place).place)) return false;
+    const std::string text = lowered(sentence.text);
+    const std::vector<std::string_view> words = words_of(text);
+    const auto has = [&](std::initializer_list<std::string_view> these) {
+      return std::ranges::any_of(words, [&](std::string_view word) { return is_one_of(word, these); });
+    };
+    if (has({"non-hermitian", "nonhermitian", "non-self-adjoint", "anti-hermitian", "skew-hermitian"}))
+      return true;
+    return has({"hermitian", "self-adjoint", "observable", "observables"}) &&
+           has({"not", "no", "never", "neither", "if", "any", "general", "whether"});
+  });
+}
+
+/// `D^\dagger = D + i`
+bool says_an_adjoint(const ExprTree& tree, const Equation& law, SymbolId letter) {
+  return std::ranges::any_of(nodes_below(tree, {law.left, law.right}), [&](ExprId id) {
+    if (tree[id].op != Op::conjugate) return false;
+    const ExprNode& of = tree[tree.children(id)[0]];
+    return of.op == Op::symbol && of.symbol == letter;
+  });
+}
+
 /// That the operators of the row are self-adjoint, as far as the words or the commutators of the page say so.
 std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, const Laws& available) {
   const auto writes = [&](const Equation& each) {
@@ -125,10 +150,9 @@ std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, c
   };
   const bool operators =
       has_operators(place.tree, claim.equation.left) || has_operators(place.tree, claim.equation.right);
-  if (!operators || (!writes(claim.equation) && std::ranges::none_of(available, [&](const PageLaw* law) {
-        return writes(law->equation);
-      })))
-    return {};
+  if (!operators || denies_self_adjoint_operators(place)) return {};
+  const auto is_written_by = [&](const PageLaw* law) { return writes(law->equation); };
+  if (!writes(claim.equation) && std::ranges::none_of(available, is_written_by)) return {};
   std::map<SymbolId, std::string> names;
   for (const SymbolId letter : observables_of(place.tree, available))
     names[letter] = "convention: `{}` is self-adjoint, as an observable is";
@@ -141,12 +165,17 @@ std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, c
     if (letter.op == Op::symbol && letter.slot_count == 0)
       names[letter.symbol] = "`{}` is said to be self-adjoint";
   }
-  const bool of_all = speaks_of_self_adjoint_operators(here.lead);
+  // "For Hermitian operators $X$ and any $Z$" names those that are.
+  const bool of_all = here.lead.find('$') == std::string::npos && speaks_of_self_adjoint_operators(here.lead);
   std::vector<PageLaw> laws;
   for (const SymbolId letter : base_letters(place.tree, place.names.scope, claim.equation)) {
     const Symbol& symbol = place.tree.symbols[letter];
     if (!symbol.noncommuting || symbol.rank > 0 || definition_of(place.names.scope, letter) != nullptr)
       continue;
+    // What the page says of its adjoint goes before a convention.
+    const bool told = std::ranges::any_of(
+        available, [&](const PageLaw* law) { return says_an_adjoint(place.tree, law->equation, letter); });
+    if (told) continue;
     const auto said = names.find(letter);
     if (said == names.end() && !of_all) continue;
     const std::string text = said != names.end() ? said->second : "`{}` is said to be self-adjoint";

@@ -80,6 +80,7 @@ void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim,
   if (other && other->verdict == Verdict::proved && !bracket) {
     stated.erase(stated.begin(), stated.begin() + static_cast<std::ptrdiff_t>(by_first));
     step = *other;
+    if (row.asked != nullptr) row.asked->question.reset();  // that of the first reading
     return;
   }
   // A symbol of its own says the least, so its law is the one that is left.

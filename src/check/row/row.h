@@ -69,6 +69,9 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
 /// The same of a relation in a line of prose that names a quantity: "The combination $E = …$ does not
 /// change."
 void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
+/// "With $N = a^\dagger a$ this becomes"; not "For a sphere, let $V = …$", and not where another line says
+/// something else of the letter.
+[[nodiscard]] bool is_said_for_good(RowPlace& place, const SaidInLine& said, SymbolId letter);
 /// The laws above that hold here, in the order of the notes; not the other links of its own chain.
 /// `of_any_thing`: also `C = \epsilon A/d` of "Plates have" below the definition `C = Q/V`.
 [[nodiscard]] Laws available_to(const RowPlace& place, const ParsedChain& parsed, bool of_any_thing = false);

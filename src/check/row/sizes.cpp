@@ -11,8 +11,11 @@
 #include <string>
 #include <utility>
 
+#include "base/among.h"
+#include "base/ascii.h"
 #include "check/place/place.h"
 #include "check/question/base_letters.h"
+#include "check/word/prose_words.h"
 #include "check/word/sizes.h"
 
 namespace rigor {
@@ -41,6 +44,20 @@ NamedAssumption positive(RowPlace& place, Span span, SymbolId letter, std::strin
   return {std::move(order), Origin{std::move(says), {}, std::nullopt}, 0};
 }
 
+/// "The effective mass is negative near the top", "a length of either sign", "degrees Celsius": then no word
+/// makes a letter positive.
+bool speaks_of_signs(const RowPlace& place, std::size_t here) {
+  return std::ranges::any_of(place.notes.prose.sentences, [&](const ProseSentence& sentence) {
+    if (!place.notes.prose.sections.reaches(sentence.place, here)) return false;
+    const std::string text = lowered(sentence.text);
+    return std::ranges::any_of(words_of(text), [](std::string_view word) {
+      return is_one_of(word, {"negative", "sign", "signs", "imaginary", "difference", "differences", "change",
+                              "changes", "reduced", "celsius", "focal", "scattering", "slip", "effective",
+                              "quantum", "component", "components", "complex"});
+    });
+  });
+}
+
 /// Of the letters of the row and of the laws that it may follow from, those that are called a size here, and
 /// the constants of nature.
 std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
@@ -54,6 +71,7 @@ std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
       sizes.push_back(positive(place, claim.relation, letter, "that constant is"));
   }
   const std::size_t here = beside(place).place;
+  if (speaks_of_signs(place, here)) return sizes;
   for (const LetterInLine& said : place.notes.prose.sizes) {
     if (!place.notes.prose.sections.reaches(said.place, here)) continue;
     const auto reading = read_here(place, said.chain);

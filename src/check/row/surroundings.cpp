@@ -188,7 +188,8 @@ void add_said(RowPlace& place, const SaidInLine& said, const ParsedChain& parsed
                          claim->equation.relation == Relation::equal &&
                          !symbols_in(place.tree, claim->equation.right).empty();
       if (!same_sentence && !fresh && !stated_above) continue;
-      const bool brings_in = same_sentence || (fresh && said.cue == Cue::definition);
+      const bool brings_in = same_sentence || (fresh && said.cue == Cue::definition &&
+                                               is_said_for_good(place, said, left.symbol));
       Fact fact{claim->equation,
                 {},
                 said.cue != Cue::none && said.cue != Cue::apart && brings_in,

@@ -14,7 +14,8 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// "mass" of "mass" and of "masses". No energy, charge, speed or amplitude: these may be negative, or 0.
+/// "mass" of "mass" and of "masses". No energy, charge, speed, density or temperature: these may be negative,
+/// or 0.
 std::optional<std::string_view> size_named(std::string_view word) {
   static constexpr auto sizes =
       std::to_array<std::pair<std::string_view, std::string_view>>({{"mass", "masses"},
@@ -25,12 +26,9 @@ std::optional<std::string_view> size_named(std::string_view word) {
                                                                     {"thickness", "thicknesses"},
                                                                     {"area", "areas"},
                                                                     {"volume", "volumes"},
-                                                                    {"density", "densities"},
                                                                     {"frequency", "frequencies"},
                                                                     {"wavelength", "wavelengths"},
                                                                     {"period", "periods"},
-                                                                    {"temperature", "temperatures"},
-                                                                    {"pressure", "pressures"},
                                                                     {"resistance", "resistances"},
                                                                     {"capacitance", "capacitances"},
                                                                     {"inductance", "inductances"},
@@ -49,23 +47,21 @@ std::optional<std::string_view> size_named(std::string_view word) {
 std::optional<std::string_view> size_at(const Words& words, std::size_t at) {
   if (at > 0 && words[at] == "constant" && is_one_of(words[at - 1], {"spring", "force", "gravitational"}))
     return "spring constant";
-  if (at > 0 &&
-      is_one_of(words[at - 1], {"charge", "current", "energy", "probability", "momentum", "number"}))
+  if (at > 0 && is_one_of(words[at - 1], {"charge", "current", "energy", "probability", "momentum", "number",
+                                          "unit", "per", "in", "focal", "scattering", "slip", "relative",
+                                          "gauge", "excess", "flux", "spin"}))
     return std::nullopt;  // "the charge density $\rho$"
   return size_named(words[at]);
 }
 
 /// Between "$m$" and its noun: "is the", "(the reduced", "denotes a".
 bool joins(std::string_view word) {
-  return is_one_of(word,
-                   {"is",      "are",   "the",      "a",       "an",    "its",   "be",     "for",
-                    "denotes", "being", "reduced",  "total",   "rest",  "inner", "outer",  "angular",
-                    "natural", "(",     "constant", "uniform", "equal", "their", "plasma", "respective"});
+  return is_one_of(word, {"is",      "are",     "the",     "a",       "an",    "its",    "be",
+                          "denotes", "being",   "reduced", "total",   "rest",  "inner",  "outer",
+                          "angular", "natural", "(",       "uniform", "their", "plasma", "respective"});
 }
 
-bool is_verb(std::string_view word) {
-  return is_one_of(word, {"is", "are", "be", "denotes", "for", "being"});
-}
+bool is_verb(std::string_view word) { return is_one_of(word, {"is", "are", "be", "denotes", "being"}); }
 
 bool is_list_sign(std::string_view word) { return is_one_of(word, {",", "and"}); }
 

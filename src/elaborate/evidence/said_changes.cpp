@@ -15,11 +15,33 @@ namespace rigor {
 namespace {
 
 /// Their subject is what changes.
-constexpr auto verbs = std::to_array<std::string_view>(
-    {"varies",          "grows",  "increases", "decreases",      "shrinks",      "depends on",
-     "depends only on", "leaves", "leave the", "loses",          "accretes",     "evaporates",
-     "leaks",           "vary",   "depend on", "depend only on", "changes with", "change with",
-     "ejects",          "drifts", "evolves",   "falls with",     "rises with"});
+constexpr auto verbs = std::to_array<std::string_view>({"varies",
+                                                        "grows",
+                                                        "increases",
+                                                        "decreases",
+                                                        "shrinks",
+                                                        "depends on",
+                                                        "depends only on",
+                                                        "leaves",
+                                                        "leave the",
+                                                        "loses",
+                                                        "accretes",
+                                                        "evaporates",
+                                                        "leaks",
+                                                        "vary",
+                                                        "depend on",
+                                                        "depend only on",
+                                                        "changes with",
+                                                        "change with",
+                                                        "ejects",
+                                                        "drifts",
+                                                        "evolves",
+                                                        "falls with",
+                                                        "rises with",
+                                                        "drops with",
+                                                        "is a function of",
+                                                        "be a function of",
+                                                        "be any function of"});
 
 constexpr auto adjectives = std::to_array<std::string_view>(
     {"variable", "varying", "growing", "increasing", "decreasing", "modulated", "inhomogeneous",
@@ -46,10 +68,14 @@ std::string_view trimmed_behind(std::string_view text) {
 }
 
 /// "the variable $x$", "new variables", "a variable of integration": a name for a letter, as nouns are.
-bool is_noun(std::string_view text, std::size_t behind) {
+bool is_noun(std::string_view text, std::size_t at, std::size_t behind) {
   static constexpr auto no_things = std::to_array<std::string_view>(
-      {"",     "of", "is",   "for", "in",   "by",  "and", "to",    "that", "which", "on",  "it",
-       "with", "as", "from", "we",  "then", "but", "or",  "whose", "at",   "can",   "may", "must"});
+      {"",   "of",   "is", "for",  "by",  "to", "that",  "which", "on",  "it",
+       "as", "from", "we", "then", "but", "or", "whose", "can",   "may", "must"});
+  const std::string_view before = trimmed_behind(text.substr(0, at));
+  for (const std::string_view verb : {" is", " are", " be", " becomes", " not"}) {
+    if (before.ends_with(verb)) return false;  // "the mass is variable"
+  }
   return (behind < text.size() && is_letter(text[behind])) || is_one_of(word_behind(text, behind), no_things);
 }
 
@@ -82,6 +108,9 @@ std::optional<std::string> subject(std::string_view before) {
   while (end < maths.size() && is_letter(maths[end]) && (maths[0] == '\\' || end == 0)) ++end;
   const std::string letter(maths.substr(0, end));
   const std::string_view rest = maths.substr(end);
+  // "$m$ and $k$ vary", "both $m$, $v$ depend on": of all of them.
+  const std::string_view beside = trimmed_behind(before.substr(0, begin));
+  if (beside.ends_with(" and") || beside.ends_with(" or") || beside.ends_with(',')) return std::nullopt;
   const bool alone = rest.empty() || rest.starts_with('(') || rest.starts_with('_');
   return alone && !letter.empty() && letter != "\\" ? std::optional(letter) : std::nullopt;
 }
@@ -100,7 +129,7 @@ void see_said_changes(std::string_view text, Evidence& evidence) {
   const std::string small = lowered(text);
   for (const std::string_view adjective : adjectives) {
     for_each_place(small, adjective, [&](std::size_t at) {
-      const bool noun = adjective == "variable" && is_noun(small, at + adjective.size());
+      const bool noun = adjective == "variable" && is_noun(small, at, at + adjective.size());
       if (!noun && !is_denied(std::string_view(small).substr(0, at))) evidence.speaks_of_change = true;
     });
   }
