@@ -52,7 +52,7 @@ ex Constraints::reduced(const ex& value) {
   return rest;
 }
 
-/// A length is not 0 where its square is not, and that is what stands in `r^2E = r^3\rho`.
+/// Where a root is not 0, its square is not: that is what stands in `r^2E = r^3\rho` of a length r.
 void Constraints::note_nonzero(const ex& value, std::optional<std::size_t> assumption) {
   const auto note = [&](const ex& each) {
     const auto is_it = [&](const auto& known) { return known.value.is_equal(each); };

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <vector>
 
 #include "check/doubt/digits.h"
 
@@ -19,46 +21,45 @@ class Measure {
       : tree_(tree), names_(names), letters_(letters) {}
 
   /// NaN where it has no value. Recursion: as deep as the tree.
-  [[nodiscard]] MeasuredValue of(ExprId id, int depth = 0) const {
+  [[nodiscard]] MeasuredValue of(ExprId id, int depth = 0) {
     if (depth > deepest_definition) return no_value;
     const ExprNode& node = tree_[id];
     const std::span<const ExprId> children = tree_.children(id);
-    const auto child = [&](std::size_t k) { return of(children[k], depth); };
+    std::vector<MeasuredValue> values;  // each once: they may be deep
+    for (const ExprId child : children) values.push_back(of(child, depth));
     switch (node.op) {
       case Op::number:
-        return {std::strtod(std::string(tree_.digits(id)).c_str(), nullptr)};
+        return {std::strtod(tree_.digits(id).c_str(), nullptr)};
       case Op::symbol:
         return of_symbol(node.symbol, depth);
       case Op::negate:
-        return {-child(0).number, child(0).dimension};
+        return {-values[0].number, values[0].dimension};
       case Op::divide:
-        return {child(0).number / child(1).number, child(0).dimension - child(1).dimension};
+        return {values[0].number / values[1].number, values[0].dimension - values[1].dimension};
       case Op::power:
-        return {std::pow(child(0).number, node.exponent), child(0).dimension * SmallRational(node.exponent)};
+        return {std::pow(values[0].number, node.exponent),
+                values[0].dimension * SmallRational(node.exponent)};
       case Op::real_power:
-        return power(child(0), children[1], child(1));
+        return power(values[0], children[1], values[1]);
       case Op::root:
-        return {std::sqrt(child(0).number), child(0).dimension * SmallRational(1, 2)};
+        return {std::sqrt(values[0].number), values[0].dimension * SmallRational(1, 2)};
       case Op::absolute:
-        return {std::abs(child(0).number), child(0).dimension};
+        return {std::abs(values[0].number), values[0].dimension};
       case Op::function:
-        return child(0).dimension.is_none() ? of_function(node.function, child(0).number) : no_value;
+        return values[0].dimension.is_none() ? of_function(node.function, values[0].number) : no_value;
       case Op::multiply: {
-        MeasuredValue value{1};
-        for (std::size_t k = 0; k < children.size(); ++k) {
-          const MeasuredValue factor = child(k);
-          value = {value.number * factor.number, value.dimension + factor.dimension};
-        }
-        return value;
+        MeasuredValue product{1};
+        for (const MeasuredValue& factor : values)
+          product = {product.number * factor.number, product.dimension + factor.dimension};
+        return product;
       }
       case Op::add: {
-        MeasuredValue value = child(0);
-        for (std::size_t k = 1; k < children.size(); ++k) {
-          const MeasuredValue term = child(k);
-          if (!(term.dimension == value.dimension)) return no_value;
-          value.number += term.number;
+        MeasuredValue sum{0, values[0].dimension};
+        for (const MeasuredValue& term : values) {
+          if (!(term.dimension == sum.dimension)) return no_value;
+          sum.number += term.number;
         }
-        return value;
+        return sum;
       }
       default:
         return no_value;
@@ -66,10 +67,16 @@ class Measure {
   }
 
  private:
-  [[nodiscard]] MeasuredValue of_symbol(SymbolId symbol, int depth) const {
+  [[nodiscard]] MeasuredValue of_symbol(SymbolId symbol, int depth) {
     if (const auto& unit = tree_.symbols[symbol].unit_of_measure) return {1, *unit};
     if (is_circle_number(tree_, names_, symbol)) return {pi};
-    if (const auto body = body_of_definition(names_.scope, symbol)) return of(*body, depth + 1);
+    if (const auto body = body_of_definition(names_.scope, symbol)) {
+      const auto known = defined_.find(symbol);
+      if (known != defined_.end()) return known->second;
+      const MeasuredValue value = of(*body, depth + 1);
+      defined_.emplace(symbol, value);
+      return value;
+    }
     const auto letter = letters_.find(symbol);
     return letter == letters_.end() ? no_value : letter->second;
   }
@@ -113,6 +120,7 @@ class Measure {
   const ExprTree& tree_;
   const Names& names_;
   const MeasuredLetters& letters_;
+  std::map<SymbolId, MeasuredValue> defined_;
 };
 
 }  // namespace

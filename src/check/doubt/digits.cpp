@@ -67,7 +67,7 @@ std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
     --shown.places;
   }
   if (digits.empty() || digits.size() > most_digits) return std::nullopt;
-  if (point == std::string::npos && shown.places == 0) {
+  if (point == std::string::npos && shown.places <= 0) {
     for (std::size_t k = digits.size(); k > 1 && digits[k - 1] == '0'; --k) ++shown.unsure;
   }
   shown.number = number;

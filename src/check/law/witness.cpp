@@ -23,6 +23,7 @@ class NonZero {
       const bool vanishes = tree_.is_zero_literal(other);
       if (vanishes && tree_[side].op == Op::symbol) zero_.insert(tree_[side].symbol);
       add_letters(side);
+      add_angles(side);
       const bool repeats = !equation.indices.empty() || !equation.particles.empty();
       if (repeats || tree_.is_zero_literal(side)) continue;
       const std::vector<SignedTerm> terms = signed_terms(tree_, side);
@@ -50,6 +51,7 @@ class NonZero {
       take(tree_.add({.op = Op::symbol, .rank = static_cast<std::uint8_t>(symbol.rank), .symbol = letter}));
     }
     for (const ExprId side : sides_) take(side);
+    for (const ExprId angle : angles_) take(angle);
     const auto without_zeros = [&](std::vector<ExprId> terms) {
       std::erase_if(terms, [&](ExprId term) { return has_factor(term, zeros); });
       return terms;
@@ -70,6 +72,16 @@ class NonZero {
     if (node.op == Op::function) return;
     if (node.op == Op::symbol) letters_.insert(base_of(tree_.symbols, node.symbol));
     for (const ExprId child : tree_.children(id)) add_letters(child);
+  }
+
+  /// `\sin\theta = \sin\phi` and `\sin\theta = -\sin\phi` are met where both are 0.
+  void add_angles(ExprId side) {
+    for (const ExprId id : nodes_below(tree_, {side})) {
+      const ExprNode& node = tree_[id];
+      const bool angle = node.op == Op::function && tree_[tree_.children(id)[0]].op == Op::symbol &&
+                         (node.function == Function::sin || node.function == Function::cos);
+      if (angle) angles_.insert(id);
+    }
   }
 
   /// `a\cos\omega t`: where it is not 0, exact samples seldom reach; its letters are asked.
@@ -107,6 +119,7 @@ class NonZero {
   std::set<SymbolId> letters_;
   std::set<SymbolId> zero_;  // set equal to 0 as they stand
   std::set<ExprId> sides_;
+  std::set<ExprId> angles_;  // sines and cosines of letters
   std::vector<ExprId> terms_;
   std::vector<std::vector<ExprId>> vanishing_;  // the terms of each sum that is set equal to 0
 };

@@ -231,8 +231,7 @@ void note_rounded_value(RowPlace& place, const StepReading& row, const Claim& cl
 }  // namespace
 
 bool agrees_with_constants(RowPlace& place, const StepReading& row, const Claim& own, Judgement& judgement) {
-  const bool open = judgement.verdict == Verdict::law || judgement.verdict == Verdict::refuted ||
-                    judgement.verdict == Verdict::undecided;
+  const bool open = judgement.verdict == Verdict::law || judgement.verdict == Verdict::undecided;
   if (!open || own.recorded != nullptr || own.equation.relation != Relation::equal || row.unsettled)
     return false;
   const Claim claim = with_plain_number(place.tree, own);

@@ -150,15 +150,18 @@ std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, c
   };
   const bool operators =
       has_operators(place.tree, claim.equation.left) || has_operators(place.tree, claim.equation.right);
-  if (!operators || denies_self_adjoint_operators(place)) return {};
+  if (!operators) return {};
   const auto is_written_by = [&](const PageLaw* law) { return writes(law->equation); };
   if (!writes(claim.equation) && std::ranges::none_of(available, is_written_by)) return {};
   std::map<SymbolId, std::string> names;
-  for (const SymbolId letter : observables_of(place.tree, available))
-    names[letter] = "convention: `{}` is self-adjoint, as an observable is";
+  const bool denied = denies_self_adjoint_operators(place);
+  if (!denied) {
+    for (const SymbolId letter : observables_of(place.tree, available))
+      names[letter] = "convention: `{}` is self-adjoint, as an observable is";
+  }
   const ProseBeside& here = beside(place);
   for (const LetterInLine& said : place.notes.prose.self_adjoint) {
-    if (!place.notes.prose.sections.reaches(said.place, here.place)) continue;
+    if (denied || !place.notes.prose.sections.reaches(said.place, here.place)) continue;
     const auto reading = read_here(place, said.chain);
     if (reading->sides.size() != 2 || !reading->sides[1].typed) continue;
     const ExprNode& letter = place.tree[reading->sides[1].typed->id];
