@@ -109,6 +109,14 @@ bool names_a_place(std::string_view word) {
   return is_one_of(word, words);
 }
 
+/// `.` of "where $a = b$.", "**Note.**", "(see below.)", "he asked: why?\""
+bool stands_last(std::string_view text, std::size_t at) {
+  const std::string_view behind = text.substr(at + 1);
+  if (behind.empty() || is_space(behind[0])) return true;
+  return std::ranges::any_of(std::to_array<std::string_view>({"*", ")", "\"", "''", "\u201d"}),
+                             [&](std::string_view closing) { return behind.starts_with(closing); });
+}
+
 class ProseReader {
  public:
   explicit ProseReader(const SourceMap& sources) : sources_(sources), walk_(prose_.sections) {}
@@ -126,13 +134,14 @@ class ProseReader {
       if (event.kind == ProseEvent::Kind::heading) {
         end_sentence();
         walk_.heading(event.level);
+        place_ = walk_.here();
         take_heading(event.span);
       }
       ProseBeside& beside = prose_.beside[event_];
       beside.lead = sentence_;
       beside.references = references_;
       beside.sentence = number_;
-      beside.place = walk_.here();
+      beside.place = place_;
       beside.paragraph = paragraph_;
       if (event.kind == ProseEvent::Kind::display) ++displays_;
       beside.displays = displays_;
@@ -175,7 +184,7 @@ class ProseReader {
     end_tail();
     const bool has_display = sentence_.find('\n') != std::string::npos;
     if (sentence_.find_first_not_of(" \n") != std::string::npos)
-      prose_.sentences.push_back({sentence_, number_, walk_.here(), paragraph_, displays_before_, has_display,
+      prose_.sentences.push_back({sentence_, number_, place_, paragraph_, displays_before_, has_display,
                                   ending == '?', std::move(maths_)});
     const std::vector<SaidOf> said_of_each = said_of(sentence_, texts_);
     for (std::size_t k = prose_.said.size(); k-- > 0 && prose_.said[k].sentence == number_;) {
@@ -212,10 +221,21 @@ class ProseReader {
   void take(Span span) {
     const Format format = format_of(sources_, span.file);
     const std::string text = without_comments(sources_.text(span), format);
-    const std::size_t place = walk_.here();
-    walk_.text(text, format);
-    if (walk_.here() != place) end_sentence();
-    for (std::size_t at = 0; at < text.size();) at = read_at(text, at, span);
+    std::size_t walked = 0;  // whole lines, so that what is said has the section of its own line
+    for (std::size_t at = 0; at < text.size(); at = read_at(text, at, span)) {
+      if (at >= walked)
+        walked = walk_to(std::min(text.find('\n', at), text.size() - 1) + 1, walked, text, format);
+    }
+    walk_to(text.size(), walked, text, format);
+  }
+
+  std::size_t walk_to(std::size_t end, std::size_t begin, std::string_view text, Format format) {
+    walk_.text(text.substr(begin, end - begin), format);
+    if (walk_.here() != place_) {
+      end_sentence();
+      place_ = walk_.here();
+    }
+    return end;
   }
 
   /// One word, sign or stretch of mathematics; the place after it.
@@ -226,10 +246,8 @@ class ProseReader {
     if (is_letter(c)) return read_word(text, at);
     if (c == '\\') return read_control(text, at);
     if (c == '(' || c == '{') note_reference(text, at);
-    const bool ends =
-        (c == '.' || c == '!' || c == '?') &&
-        (at + 1 == text.size() || is_space(text[at + 1]) || text[at + 1] == '*' || text[at + 1] == ')') &&
-        !(c == '.' && is_abbreviation(last_word()));
+    const bool ends = (c == '.' || c == '!' || c == '?') && stands_last(text, at) &&
+                      !(c == '.' && is_abbreviation(last_word()));
     if (ends) {
       end_sentence(c);
     } else if (is_digit(c)) {
@@ -324,7 +342,7 @@ class ProseReader {
     maths_.push_back({span.file, offset(begin), offset(end)});
     texts_.push_back({std::string(inside), relates(inside)});
     if (texts_.back().relates) {
-      prose_.said.push_back({{span.file, offset(begin), offset(end)}, cue_, number_, event_, walk_.here()});
+      prose_.said.push_back({{span.file, offset(begin), offset(end)}, cue_, number_, event_, place_});
       prose_.said.back().at_place = at_place_;
       prose_.said.back().maths = texts_.size() - 1;
       if (cue_ == Cue::none && is_named_quantity(word_before_mathematics())) {
@@ -339,6 +357,7 @@ class ProseReader {
   Prose prose_;
   SectionWalk walk_;
   std::map<FileId, std::uint32_t> read_to_;
+  std::size_t place_ = 0;  // the section that is read
   std::size_t event_ = 0;
   std::string sentence_;
   std::vector<std::string> references_;  // of the sentence

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `\sqrt{19} = 4.3`: refuted by bounds of a number that no sample gives exactly.
+// `\sqrt{19} = 4.3`, `\approx`: numbers are compared to the digits shown, by bounds where no sample is exact.
 #include "check/row/row.h"
 
 #include <fmt/format.h>
@@ -52,7 +52,56 @@ std::optional<Counterexample> bound_of(ExprTree& tree, const Names& names, const
   return example;
 }
 
+/// `\frac{(6.7)^2(9.8)}{4\pi^2} \approx 11\,\mathrm m`
+bool lacks_units(const ExprTree& tree, const Equation& equation) {
+  const auto is_pure = [&](ExprId side) {
+    return std::ranges::all_of(symbols_in(tree, side),
+                               [&](SymbolId each) { return tree.symbols[each].circle_number; });
+  };
+  const auto has_unit = [&](ExprId side) {
+    return std::ranges::any_of(symbols_in(tree, side),
+                               [&](SymbolId each) { return tree.symbols[each].unit_of_measure.has_value(); });
+  };
+  return (has_unit(equation.left) && is_pure(equation.right)) ||
+         (is_pure(equation.left) && has_unit(equation.right));
+}
+
 }  // namespace
+
+void heed_digits(RowPlace& place, const Claim& claim, Judgement& judgement) {
+  ExprTree& tree = place.tree;
+  const Names& names = place.names;
+  const auto doubt = [&](std::string message, std::string help) {
+    withdraw(judgement, claim,
+             {.message = std::move(message), .help = {std::move(help)}, .kind = DiagnosticKind::undecided});
+  };
+  const auto compared = agreement_of_digits(tree, names, claim, place.options.cache);
+  const std::optional<Agreement> agreement = compared ? std::optional(compared->agreement) : std::nullopt;
+  if (agreement == Agreement::rounds) {
+    judgement.verdict = Verdict::proved;
+    judgement.route = "to the digits shown";
+    judgement.of_another_question = true;
+    judgement.counterexample.reset();
+    judgement.sample.reset();
+    judgement.diagnostics.clear();
+  } else if (agreement == Agreement::unclear && judgement.verdict == Verdict::refuted) {
+    doubt("whether it holds depends on how many of the digits are meant",
+          "write only the digits that are meant");
+  } else if (compared && judgement.verdict == Verdict::refuted &&
+             may_be_rounded_on_the_way(tree, names, claim, *compared)) {
+    doubt("it holds if the decimals that it is computed from are rounded themselves",
+          "more digits of them show whether it holds");
+  } else if (claim.nearly && judgement.verdict == Verdict::refuted && lacks_units(tree, claim.equation)) {
+    doubt("one side has a unit, and the other is a number without one", "write the units on both sides");
+  } else if (!agreement && judgement.verdict == Verdict::refuted &&
+             compares_decimals(tree, names, claim.equation)) {
+    doubt("decimals are rounded, and nothing shows to how many digits the other side is meant",
+          "write it as a decimal, or `\\approx`");
+  } else if (!agreement && claim.nearly && names.scope.small->empty() &&
+             judgement.verdict == Verdict::refuted) {
+    doubt("nothing says what is small here", "`rigor: small …` says so");
+  }
+}
 
 void refute_by_digits(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {
   const bool open = judgement.verdict == Verdict::undecided || judgement.verdict == Verdict::not_understood ||

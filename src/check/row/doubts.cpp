@@ -1,21 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What else a refuted step may mean: a condition that its words say, an equation for its letters, another
-// constant of integration, terms that an average drops.
+// constant of integration, terms that an average drops, another unit, one of several alternatives.
 #include "check/row/row.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "base/among.h"
 #include "base/ascii.h"
+#include "check/constant/natural_units.h"
 #include "check/doubt/equation_of_letters.h"
 #include "check/place/place.h"
 #include "check/prose/open_words.h"
 #include "check/repair/free_constant.h"
 #include "check/repair/missing_condition.h"
+#include "check/scope/definition.h"
+#include "check/scope/local_kinds.h"
+#include "check/word/prose_words.h"
 
 namespace rigor {
 namespace {
+
+Doubt doubt(std::string message, std::string help) {
+  return {.message = std::move(message), .help = {std::move(help)}};
+}
 
 bool has_slip(const std::vector<Repair>& repairs) {
   return std::ranges::any_of(repairs, [](const Repair& repair) { return !repair.adds_a_term; });
@@ -74,11 +83,119 @@ std::vector<Repair> likely_repairs(RowPlace& place, const WrongStep& wrong) {
   return repairs;
 }
 
-}  // namespace
+// --- each of these: why a refutation may not stay, if that is so
 
-std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place, const StepReading& row,
-                                                              const Claim& claim) {
-  using Doubt = std::pair<std::string, std::string>;
+std::optional<Doubt> about_written_zeros(RowPlace& place, const StepReading& row, const Claim& claim) {
+  const bool zeros = claim.equation.relation == Relation::unequal &&
+                     place.tree.is_zero_literal(row.left().typed->id) &&
+                     place.tree.is_zero_literal(row.right().typed->id) &&
+                     written_at(place, claim.left) != written_at(place, claim.right);
+  if (!zeros) return std::nullopt;
+  return Doubt{.message = "it may be about how two zeros are written"};
+}
+
+bool speaks_of_units(const ExprTree& tree, ExprId side) {
+  const std::vector<SymbolId> symbols = symbols_in(tree, side);
+  return std::ranges::any_of(
+      symbols, [&](SymbolId symbol) { return tree.symbols[symbol].unit_of_measure.has_value(); });
+}
+
+std::optional<Doubt> with_a_unit_missing(RowPlace& place, const StepReading& row, const Claim&) {
+  const ExprId left = row.left().typed->id;
+  const ExprId right = row.right().typed->id;
+  const bool left_units = speaks_of_units(place.tree, left);
+  if (left_units == speaks_of_units(place.tree, right)) return std::nullopt;
+  const std::vector<SymbolId> bare = symbols_in(place.tree, left_units ? right : left);
+  const bool is_number =
+      std::ranges::all_of(bare, [&](SymbolId each) { return place.tree.symbols[each].circle_number; });
+  if (!is_number) return std::nullopt;
+  return Doubt{.message = "one side has a unit, and the other is a number without one"};
+}
+
+std::optional<Doubt> in_natural_units(RowPlace& place, const StepReading&, const Claim& claim) {
+  if (!may_have_natural_units(place.tree, place.names, claim.equation)) return std::nullopt;
+  return Doubt{.message =
+                   "an energy in electronvolts may stand for a mass, a time or a temperature, which has "
+                   "another dimension"};
+}
+
+/// `\begin{pmatrix} … \end{pmatrix} = 3`: a multiple of the unit matrix, or something made of the matrix.
+bool is_matrix_against_number(const ExprTree& tree, const Typed& left, const Typed& right) {
+  const auto is_written_out = [&](const Typed& side) {
+    return side.rank == 2 && tree[side.id].op == Op::tuple;
+  };
+  return (is_written_out(left) && right.rank == 0 && !tree.is_zero_literal(right.id)) ||
+         (is_written_out(right) && left.rank == 0 && !tree.is_zero_literal(left.id));
+}
+
+std::optional<Doubt> of_a_matrix_and_a_number(RowPlace& place, const StepReading& row, const Claim&) {
+  if (!is_matrix_against_number(place.tree, *row.left().typed, *row.right().typed)) return std::nullopt;
+  return Doubt{
+      .message =
+          "one side is a matrix, and the number on the other can be a multiple of the unit matrix, or "
+          "belong to the matrix in another way",
+      .help = {"write the unit matrix, or `\\det`, `\\operatorname{tr}` or what else is meant"},
+      .kind = DiagnosticKind::ambiguous_reading,
+      .verdict = Verdict::not_understood};
+}
+
+/// "Set `U = 0` … Thus `U = \begin{pmatrix} 2 & 3 …`": a calculation gives its letter one value after the
+/// other.
+bool takes_another_value(const RowPlace& place, const Typed& left, const Typed& right) {
+  const auto is_value = [&](ExprId id) { return symbols_in(place.tree, id).empty(); };
+  const ExprNode& node = place.tree[left.id];
+  if (node.op != Op::symbol || node.slot_count > 0 || !is_value(right.id)) return false;
+  const NamedDefinition* named = definition_of(place.names.scope, node.symbol);
+  if (named == nullptr || named->origin.directive || !is_value(named->definition.body)) return false;
+  const std::string lead = lowered(place.notes.prose.beside[named->origin.event].lead);
+  return std::ranges::any_of(words_of(lead), [](std::string_view word) {
+    return is_one_of(word, {"set", "start", "starting", "begin", "initialize", "initialise", "initially",
+                            "initial", "guess"});
+  });
+}
+
+std::optional<Doubt> of_another_value(RowPlace& place, const StepReading& row, const Claim&) {
+  if (!takes_another_value(place, *row.left().typed, *row.right().typed)) return std::nullopt;
+  return Doubt{.message = "its letter had another value before, with which a calculation began"};
+}
+
+std::optional<Doubt> among_alternatives(RowPlace& place, const StepReading& row, const Claim&) {
+  if (!is_alternative(place, row.parsed)) return std::nullopt;
+  return Doubt{.message = "it is only one of several alternatives"};
+}
+
+/// The letter by which it fails, and would not if it were read by what its own section says.
+std::optional<std::string> letter_borrowed_for(RowPlace& place, const StepReading& row, const Claim& claim) {
+  const LocalKinds local(place.notes, place.names, place.event);
+  add_used(place, local.used());
+  const auto letter = local.borrowed_letter(place.notes.syntax, row.parsed);
+  if (!letter) return std::nullopt;
+  for (const UseDirective& use : place.above.uses) {
+    const bool here =
+        place.notes.prose.sections.reaches(use.place, place.notes.prose.beside[place.event].place);
+    if (!here || !is_one_of(*letter, use.letters)) continue;
+    place.found.used.insert(use.directive);
+    return std::nullopt;
+  }
+  const auto reading = read_here(place, row.parsed);
+  if (!reading->sides[row.which].typed || !reading->sides[row.which + 1].typed) return letter;
+  Diagnostics ignored;
+  const auto other = reading->claim(row.parsed, row.which, claim.nearly, ignored);
+  if (!other || judge_here(place, *other).verdict != Verdict::refuted) return letter;
+  return std::nullopt;
+}
+
+std::optional<Doubt> by_a_borrowed_letter(RowPlace& place, const StepReading& row, const Claim& claim) {
+  const auto letter = letter_borrowed_for(place, row, claim);
+  if (!letter) return std::nullopt;
+  return Doubt{.message = fmt::format("it fails only where `{}` is read as in another section", *letter),
+               .help = {fmt::format("`rigor: use {}` says that it is meant so here, too", *letter)},
+               .kind = DiagnosticKind::borrowed};
+}
+
+/// It is true with another sign, factor or letter: then a slip is likelier than another meaning.
+std::optional<Doubt> for_other_values(RowPlace& place, const StepReading& row, const Claim& claim) {
+  if (is_meant_for_all(place.tree, place.names, claim)) return std::nullopt;
   const WrongStep wrong{.parsed = row.parsed, .which = row.which, .first_order = row.first_order};
   const std::string_view lead = place.notes.prose.beside[place.event].lead;
   std::optional<std::vector<Repair>> known;
@@ -92,23 +209,23 @@ std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place, c
   const auto weights = std::ranges::find_if(conditions, is_sum_of_weights);
   if (!conditions.empty() && (word || weights != conditions.end()) && !has_slip(repairs())) {
     if (word)
-      return Doubt(
+      return doubt(
           fmt::format("it does not hold for all values; it holds if `{}`, and `{}` next to it may say so",
                       conditions.front(), *word),
           "`rigor: given …` states this condition; `rigor: claim …` asks whether the step holds without it");
-    return Doubt(
+    return doubt(
         fmt::format("it does not hold for all values; it holds if `{}`", *weights),
         "`rigor: given …` states this condition; `rigor: claim …` asks whether the step holds without it");
   }
   if (const auto dropped = word_of_dropped_terms(place.notes.prose, place.event);
       dropped && !has_slip(repairs()))
-    return Doubt(
+    return doubt(
         fmt::format("it does not hold for all values, and `{}` next to it may say which terms vanish",
                     *dropped),
         "`rigor: claim …` asks whether it holds for all values");
   if (speaks_of_integration(place)) {
     if (const auto letter = absorbing_constant(place.tree, place.names, wrong, place.options.cache))
-      return Doubt(
+      return doubt(
           fmt::format("it holds with another constant `{}` on the right, and a constant of integration may "
                       "absorb factors",
                       *letter),
@@ -118,10 +235,27 @@ std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place, c
       may_be_an_equation_of_letters(place.tree, claim.equation) && !announces_an_identity(lead) &&
       (names_an_equation_of_letters(lead) ||
        (!reads_as_identity(place.tree, claim.equation) && repairs().empty())))
-    return Doubt(
+    return doubt(
         "it does not hold for all values, and no small slip explains that: it may say which values are meant",
         "`rigor: claim …` asks whether it holds for all values; so does `hence` or `identity` in its "
         "sentence");
+  return std::nullopt;
+}
+
+}  // namespace
+
+void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
+  judgement.verdict = doubt.verdict;
+  judgement.counterexample.reset();
+  judgement.sample.reset();
+  judgement.diagnostics = {{doubt.kind, claim.relation, std::move(doubt.message), {}, std::move(doubt.help)}};
+}
+
+std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
+  for (const auto ask : {with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
+                         of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
+    if (auto doubt = ask(place, row, claim)) return doubt;
+  }
   return std::nullopt;
 }
 

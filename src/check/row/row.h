@@ -40,17 +40,27 @@ void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, 
 // --- digit_bounds.cpp: `\sqrt{19} = 4.3`: numbers that no sample gives exactly are compared by rational
 // bounds.
 
+/// `\approx` and rounded decimals: numbers agree to the digits shown, and nothing else fails where nothing is
+/// small.
+void heed_digits(RowPlace& place, const Claim& claim, Judgement& judgement);
 void refute_by_digits(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement);
 /// A recorded refutation by bounds has no sample to put in, so the bounds are computed again.
 bool replay_by_digits(RowPlace& place, const Claim& claim, Step& step);
 
 // --- doubts.cpp: What a refuted row may mean if it is not an identity.
 
-/// A message and its help if the step may not be meant for all values; nothing if it is true with another
-/// sign, factor or letter, since a slip is likelier.
-[[nodiscard]] std::optional<std::pair<std::string, std::string>> doubt_left(RowPlace& place,
-                                                                            const StepReading& row,
-                                                                            const Claim& claim);
+/// Why a verdict cannot stay, and what the author can do.
+struct Doubt {
+  std::string message;
+  std::vector<std::string> help = {};
+  DiagnosticKind kind = DiagnosticKind::restricted;
+  Verdict verdict = Verdict::undecided;
+};
+
+void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt);
+/// The first reason why the row need not be wrong.
+[[nodiscard]] std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row,
+                                                       const Claim& claim);
 
 // --- linked.cpp: Rows that hang on others of their line or sentence.
 

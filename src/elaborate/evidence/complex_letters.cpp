@@ -251,22 +251,40 @@ void see_names(std::string_view formula, Evidence& evidence) {
   }
 }
 
-constexpr std::array<std::string_view, 17> complex_nouns{
-    "",           "number",      "numbers",      "amplitude", "amplitudes", "variable",
-    "variables",  "quantity",    "quantities",   "constant",  "constants",  "impedance",
-    "impedances", "coefficient", "coefficients", "frequency", "field"};
+/// "complex refractive index $n$", "imaginary mass $m$"; not "the imaginary part $y$", "complex for $x < 0$".
+bool is_complex_noun(std::string_view words) {
+  constexpr std::size_t most_words = 3;
+  static constexpr auto others = std::to_array<std::string_view>(
+      {"part", "parts", "unit",  "axis", "axes", "time", "plane", "exponential", "exponentials",
+       "of",   "for",   "in",    "on",   "at",   "with", "and",   "when",        "if",
+       "by",   "to",    "where", "as",   "is",   "are",  "from",  "that",        "which"});
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < words.size();) {
+    if (words[at] == ' ' || words[at] == '\n' || words[at] == '-') {
+      ++at;
+      continue;
+    }
+    const std::size_t begin = at;
+    while (at < words.size() && is_letter(words[at])) ++at;
+    if (at == begin || ++count > most_words || is_one_of(words.substr(begin, at - begin), others))
+      return false;
+  }
+  return true;
+}
 
 /// "a complex amplitude $A$", "the complex numbers $z$ and $w$", "where $z$ is complex".
-void see_named_complex(std::string_view text, Evidence& evidence) {
+void see_named_complex(std::string_view text, std::string_view adjective, Evidence& evidence) {
   const std::string lower = lowered(text);
-  for (std::size_t at = lower.find("complex"); at != std::string::npos; at = lower.find("complex", at + 1)) {
+  for (std::size_t at = lower.find(adjective); at != std::string::npos; at = lower.find(adjective, at + 1)) {
     const std::string_view before = std::string_view(lower).substr(0, at);
+    const std::size_t behind_it = at + adjective.size();
     if (at > 0 && is_letter(lower[at - 1])) continue;
     if (before.ends_with("not ") || before.ends_with("no ")) continue;
     std::size_t open = text.find('$', at);
-    std::string gap = lower.substr(at + 7, std::min(open, lower.size()) - at - 7);
-    std::erase_if(gap, [](char c) { return c == ' ' || c == '\n'; });
-    while (open != std::string_view::npos && is_one_of(std::string_view(gap), complex_nouns)) {
+    const std::string_view gap =
+        std::string_view(lower).substr(behind_it, std::min(open, lower.size()) - behind_it);
+    if (!is_complex_noun(gap)) open = std::string_view::npos;
+    while (open != std::string_view::npos) {
       const std::size_t close = text.find('$', open + 1);
       if (close == std::string_view::npos) break;
       see_names(text.substr(open + 1, close - open - 1), evidence);
@@ -274,7 +292,7 @@ void see_named_complex(std::string_view text, Evidence& evidence) {
       const bool more = behind.starts_with(" and $") || behind.starts_with(", $");
       open = more ? text.find('$', close + 1) : std::string_view::npos;
     }
-    for (const std::string_view verb : {"$ is ", "$ are ", "$ be "}) {
+    for (const std::string_view verb : {"$ is ", "$ are ", "$ be ", "$ is purely "}) {
       if (!before.ends_with(verb)) continue;
       const std::size_t close = at - verb.size();
       const std::size_t begin = text.rfind('$', close - 1);
@@ -337,7 +355,8 @@ void see_said_complex(std::string_view text, Evidence& evidence) {
       if (text.find(sign) != std::string_view::npos) evidence.imaginary_units.insert(unit);
     }
   }
-  see_named_complex(text, evidence);
+  for (const std::string_view adjective : {"complex", "imaginary"})
+    see_named_complex(text, adjective, evidence);
 }
 
 void see_declared_complex(const WrittenSymbol& symbol, bool complex, Evidence& evidence) {

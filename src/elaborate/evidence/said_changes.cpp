@@ -39,9 +39,20 @@ constexpr auto verbs = std::to_array<std::string_view>({"varies",
                                                         "falls with",
                                                         "rises with",
                                                         "drops with",
+                                                        "melts",
+                                                        "shortened",
+                                                        "lengthened",
                                                         "is a function of",
+                                                        "itself a function of",
                                                         "be a function of",
-                                                        "be any function of"});
+                                                        "be any function of",
+                                                        "different at each",
+                                                        "different for each"});
+
+/// Of a letter they say that it changes, of a thing mostly that it moves: "so that $T$ rises", "$k$ does not
+/// depend on $x$, but $c$ does".
+constexpr auto verbs_of_letters = std::to_array<std::string_view>(
+    {"rises", "falls", "drops", "changes", "decays", "does", "differs", "is different"});
 
 constexpr auto adjectives = std::to_array<std::string_view>(
     {"variable", "varying", "growing", "increasing", "decreasing", "modulated", "inhomogeneous",
@@ -131,6 +142,15 @@ void see_said_changes(std::string_view text, Evidence& evidence) {
     for_each_place(small, adjective, [&](std::size_t at) {
       const bool noun = adjective == "variable" && is_noun(small, at, at + adjective.size());
       if (!noun && !is_denied(std::string_view(small).substr(0, at))) evidence.speaks_of_change = true;
+    });
+  }
+  for (const std::string_view verb : verbs_of_letters) {
+    for_each_place(small, verb, [&](std::size_t at) {
+      const std::size_t behind = at + verb.size();
+      const bool whole = behind >= small.size() || !is_letter(small[behind]);
+      const auto letter =
+          whole && word_behind(small, behind) != "not" ? subject(text.substr(0, at)) : std::nullopt;
+      if (letter) evidence.said_to_change.insert(*letter);
     });
   }
   for (const std::string_view verb : verbs) {
