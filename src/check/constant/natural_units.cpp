@@ -6,19 +6,16 @@
 
 #include "base/ascii.h"
 #include "check/constant/measured_value.h"
+#include "check/question/base_letters.h"
 
 namespace rigor {
 namespace {
 
 bool has_electronvolt(const ExprTree& tree, const Names& names, const Equation& equation) {
   constexpr std::string_view digits = "1602176634";  // as the unit is converted
-  std::vector<ExprId> roots{equation.left, equation.right};
-  for (const SymbolId each : symbols_reached(tree, names.scope, roots)) {
-    if (const auto body = body_of_definition(names.scope, each)) roots.push_back(*body);
-  }
-  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
-    return tree[id].op == Op::number && tree.digits(id) == digits;
-  });
+  return std::ranges::any_of(
+      nodes_reached(tree, names.scope, {equation.left, equation.right}),
+      [&](ExprId id) { return tree[id].op == Op::number && tree.digits(id) == digits; });
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "check/question/base_letters.h"
+
 namespace rigor {
 namespace {
 
@@ -72,11 +74,7 @@ std::set<SymbolId> observables_of(const ExprTree& tree, const Laws& laws) {
 }
 
 bool writes_adjoints(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
-  std::vector<ExprId> roots{equation.left, equation.right};
-  for (const SymbolId symbol : symbols_reached(tree, scope, roots)) {
-    if (const auto body = body_of_definition(scope, symbol)) roots.push_back(*body);
-  }
-  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
+  return std::ranges::any_of(nodes_reached(tree, scope, {equation.left, equation.right}), [&](ExprId id) {
     return tree[id].op == Op::conjugate && has_operators(tree, id);
   });
 }

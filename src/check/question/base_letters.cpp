@@ -39,6 +39,13 @@ std::set<SymbolId> base_letters(const ExprTree& tree, const NameScope& scope, co
   return letters;
 }
 
+std::vector<ExprId> nodes_reached(const ExprTree& tree, const NameScope& scope, std::vector<ExprId> roots) {
+  for (const SymbolId symbol : symbols_reached(tree, scope, roots)) {
+    if (const auto body = body_of_definition(scope, symbol)) roots.push_back(*body);
+  }
+  return nodes_below(tree, roots);
+}
+
 std::set<SymbolId> written_letters(const ExprTree& tree, const Equation& equation) {
   std::set<SymbolId> letters;
   for (const ExprId side : {equation.left, equation.right}) {

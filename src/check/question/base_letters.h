@@ -3,6 +3,7 @@
 #pragma once
 
 #include <set>
+#include <vector>
 
 #include "elaborate/name/names.h"
 #include "expr/statement/statement.h"
@@ -16,5 +17,9 @@ namespace rigor {
 
 /// Those that stand in it, without their derivatives.
 [[nodiscard]] std::set<SymbolId> written_letters(const ExprTree& tree, const Equation& equation);
+
+/// The nodes of these expressions and of the definitions that they lead to.
+[[nodiscard]] std::vector<ExprId> nodes_reached(const ExprTree& tree, const NameScope& scope,
+                                                std::vector<ExprId> roots);
 
 }  // namespace rigor

@@ -25,10 +25,7 @@ namespace {
 bool asks_for_signs(const RowPlace& place, const std::vector<Equation>& equations) {
   std::vector<ExprId> roots;
   for (const Equation& each : equations) roots.insert(roots.end(), {each.left, each.right});
-  for (const SymbolId symbol : symbols_reached(place.tree, place.names.scope, roots)) {
-    if (const auto body = body_of_definition(place.names.scope, symbol)) roots.push_back(*body);
-  }
-  return std::ranges::any_of(nodes_below(place.tree, roots), [&](ExprId id) {
+  return std::ranges::any_of(nodes_reached(place.tree, place.names.scope, std::move(roots)), [&](ExprId id) {
     const ExprNode& node = place.tree[id];
     return node.op == Op::root || node.op == Op::absolute || node.op == Op::real_power ||
            (node.op == Op::function && node.function == Function::log);
@@ -59,11 +56,15 @@ bool speaks_of_signs(const RowPlace& place, std::size_t here) {
 }
 
 /// Of the letters of the row and of the laws that it may follow from, those that are called a size here, and
-/// the constants of nature.
+/// the constants of nature. What is assumed of a letter goes before a convention.
 std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
                                       const std::vector<Equation>& equations) {
   std::set<SymbolId> letters;
   for (const Equation& each : equations) letters.merge(base_letters(place.tree, place.names.scope, each));
+  for (const NamedAssumption& each : *place.names.scope.assumptions) {
+    for (const SymbolId letter : base_letters(place.tree, place.names.scope, each.equation))
+      letters.erase(letter);
+  }
   std::vector<NamedAssumption> sizes;
   for (const SymbolId letter : letters) {
     const Symbol& symbol = place.tree.symbols[letter];
