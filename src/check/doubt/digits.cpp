@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string>
 
 #include "base/among.h"
@@ -14,6 +15,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_digits = 15;
+constexpr std::int64_t most_halves = 1000;
 
 /// M · 10^-places, whose last `unsure` digits are zeros that may count or not.
 struct Shown {
@@ -34,6 +36,12 @@ bool is_power_of_ten(const ExprTree& tree, ExprId id) {
 bool is_of_units(const ExprTree& tree, ExprId id) {
   const std::vector<SymbolId> symbols = symbols_in(tree, id);
   return !symbols.empty() && std::ranges::all_of(symbols, [&](SymbolId symbol) {
+    return tree.symbols[symbol].unit_of_measure.has_value();
+  });
+}
+
+bool has_units(const ExprTree& tree, ExprId side) {
+  return std::ranges::any_of(symbols_in(tree, side), [&](SymbolId symbol) {
     return tree.symbols[symbol].unit_of_measure.has_value();
   });
 }
@@ -95,6 +103,18 @@ std::string decimal(std::int64_t value, int places) {
   return digits;
 }
 
+std::string signed_decimal(std::int64_t value, int places) {
+  return value < 0 ? "-" + decimal(-value, places) : decimal(value, places);
+}
+
+/// `4.73\cdot 10^{-19}\,\mathrm J = 2.96\,\mathrm{eV}`: the value is a rounded number, too. How many halves
+/// of the last digit shown on the other side that makes.
+int halves_of_own_rounding(const ExprTree& tree, ExprId value, const Shown& other) {
+  const auto own = shown_in(tree, value, false);
+  if (!own || own->mantissa == 0 || !has_units(tree, value)) return 0;
+  return static_cast<int>(std::min<std::int64_t>((other.mantissa - 1) / own->mantissa + 1, most_halves));
+}
+
 class Comparison {
  public:
   Comparison(ExprTree& tree, const Names& names, ExprId value, ExprId side, const Shown& shown,
@@ -106,9 +126,9 @@ class Comparison {
     std::int64_t reach = 5 * halves;
     for (int k = 0; k < unsure; ++k) reach *= 10;
     const std::int64_t middle = 10 * shown_.mantissa;
-    const auto above_lower = middle < reach ? std::optional(true) : is_ordered(middle - reach, false);
+    const auto above_lower = is_ordered(middle - reach, false);
     const auto below_upper = is_ordered(middle + reach, true);
-    if (above_lower == false) bound_ = "less than " + decimal(middle - reach, shown_.places + 1);
+    if (above_lower == false) bound_ = "less than " + signed_decimal(middle - reach, shown_.places + 1);
     if (below_upper == false) bound_ = "more than " + decimal(middle + reach, shown_.places + 1);
     if (above_lower == false || below_upper == false) return false;
     if (!above_lower || !below_upper) return std::nullopt;
@@ -124,8 +144,10 @@ class Comparison {
  private:
   /// Is the value at most (or at least) the side with this number in place of its own?
   std::optional<bool> is_ordered(std::int64_t bound, bool at_most) {
-    const ExprId number = tree_.add_number(tree_[shown_.number].span, decimal(bound, shown_.places + 1));
-    const ExprId other = with(side_, number);
+    const Span span = tree_[shown_.number].span;
+    const std::array number{tree_.add_number(span, decimal(std::abs(bound), shown_.places + 1))};
+    const ExprId signed_number = bound < 0 ? tree_.add({.op = Op::negate, .span = span}, number) : number[0];
+    const ExprId other = with(side_, signed_number);
     Equation order;
     const bool value_left = at_most != shown_.negative;
     order.left = value_left ? value_ : other;
@@ -289,7 +311,8 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     const bool written = claim.nearly || shown_in(tree, side, false).has_value();
     if (*rounds && !calculates && !written) return DigitComparison{};
     if (*rounds) return DigitComparison{.agreement = Agreement::rounds};
-    const auto may_round = comparison.lies_within(claim.nearly ? 2 : 1, shown->unsure);
+    const int halves = (claim.nearly ? 2 : 1) + halves_of_own_rounding(tree, value, *shown);
+    const auto may_round = comparison.lies_within(halves, shown->unsure);
     if (!may_round) return std::nullopt;
     if (*may_round) return DigitComparison{};
     if (!differs)

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "algebra/sample/screen.h"
+#include "base/ascii.h"
 #include "check/law/state_facts.h"
 #include "check/question/decision_cache.h"
 #include "check/question/question.h"
@@ -393,6 +394,16 @@ std::vector<Repair> nearest_true_statements(const ExprTree& tree, const Names& n
   for (TrueNeighbour& each : true_neighbours(tree, names, wrong, proof, cache, {}, NotCompared::asked))
     repairs.push_back(std::move(each.repair));
   return repairs;
+}
+
+bool adds_an_unusual_term(const Repair& repair) {
+  if (!repair.adds_a_term || !repair.replacement.starts_with(repair.replaced)) return false;
+  const std::string_view added = std::string_view(repair.replacement).substr(repair.replaced.size());
+  const auto first = added.find_first_not_of("+- ");
+  if (first == std::string_view::npos || !is_digit(added[first])) return false;
+  const auto end = added.find_first_not_of("0123456789", first);
+  const std::string_view number = added.substr(first, end - first);
+  return number.size() > 1 || number[0] >= '3';
 }
 
 }  // namespace rigor

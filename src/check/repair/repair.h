@@ -75,4 +75,7 @@ struct TrueNeighbour {
                                                           const WrongStep& wrong,
                                                           DecisionCache* cache = nullptr);
 
+/// `+ 3Ek_0`: nobody forgets a term with such a number.
+[[nodiscard]] bool adds_an_unusual_term(const Repair& repair);
+
 }  // namespace rigor

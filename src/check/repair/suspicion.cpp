@@ -138,8 +138,10 @@ class Suspecting {
     if (judge(grown, assuming, row_.claim, limits_of_guesses, &cache_).verdict == Verdict::proved)
       return std::nullopt;  // it may follow as it stands
     std::vector<TrueNeighbour> found = true_neighbours(grown, assuming, row_.wrong, proof, &cache_);
-    if (found.empty()) return std::nullopt;
-    return Suspicion{std::move(found.front().repair), std::move(found.front().uses)};
+    const auto likely = std::ranges::find_if(
+        found, [](const TrueNeighbour& each) { return !adds_an_unusual_term(each.repair); });
+    if (likely == found.end()) return std::nullopt;
+    return Suspicion{std::move(likely->repair), std::move(likely->uses)};
   }
 
   /// What the statement rests on; nothing if it is not proved, or says nothing. No sets: an identity.
@@ -162,6 +164,7 @@ class Suspecting {
       if (auto found = prove_from({tree, without, claim, &cache_}, set)) return std::move(found->uses);
     }
     if (!sets.empty()) return std::nullopt;
+    if (changes_the_terms(slip) && has_idle_letters(tree, claim.equation)) return std::nullopt;
     if (tree.is_zero_literal(claim.equation.left) || tree.is_zero_literal(claim.equation.right))
       return std::nullopt;  // `x - x = 0` near `x - 1 = 0`
     Judgement judgement = judge(tree, without, claim, limits_of_candidates, &cache_);
@@ -169,6 +172,15 @@ class Suspecting {
       return std::move(judgement.uses);
     auto found = prove_from({tree, without, claim, &cache_}, {});
     return found ? std::optional(std::move(found->uses)) : std::nullopt;
+  }
+
+  /// `a + \nabla\cdot\mathbf j = a + \nabla\cdot(\mathbf j + \nabla\times\mathbf m)`: one side speaks of m
+  /// alone, which was put in for something.
+  bool has_idle_letters(const ExprTree& tree, const Equation& equation) const {
+    const auto letters_of = [&](ExprId side) {
+      return base_letters(tree, names_.scope, {.left = side, .right = side});
+    };
+    return letters_of(equation.left) != letters_of(equation.right);
   }
 
   /// Where laws are needed, what holds without them says nothing.

@@ -56,17 +56,6 @@ bool speaks_of_integration(const RowPlace& place) {
   });
 }
 
-/// `+ 3Ek_0`: nobody forgets a term with such a number.
-bool adds_an_unusual_term(const Repair& repair) {
-  if (!repair.adds_a_term || !repair.replacement.starts_with(repair.replaced)) return false;
-  const std::string_view added = std::string_view(repair.replacement).substr(repair.replaced.size());
-  const auto first = added.find_first_not_of("+- ");
-  if (first == std::string_view::npos || !is_digit(added[first])) return false;
-  const auto end = added.find_first_not_of("0123456789", first);
-  const std::string_view number = added.substr(first, end - first);
-  return number.size() > 1 || number[0] >= '3';
-}
-
 /// A single sign, number, letter or index: of an exchange or another function there are so many that one of
 /// them explains nearly everything.
 std::vector<Repair> likely_repairs(RowPlace& place, const WrongStep& wrong) {
@@ -92,6 +81,23 @@ std::optional<Doubt> about_written_zeros(RowPlace& place, const StepReading& row
                      written_at(place, claim.left) != written_at(place, claim.right);
   if (!zeros) return std::nullopt;
   return Doubt{.message = "it may be about how two zeros are written"};
+}
+
+bool is_number_alone(const ExprTree& tree, ExprId side) {
+  return tree[side].op == Op::number ||
+         (tree[side].op == Op::negate && is_number_alone(tree, tree.children(side)[0]));
+}
+
+/// `0 = 12`: nobody miscalculates that.
+std::optional<Doubt> of_a_contradiction(RowPlace& place, const StepReading& row, const Claim& claim) {
+  const ExprId left = row.left().typed->id;
+  const ExprId right = row.right().typed->id;
+  const bool zero = place.tree.is_zero_literal(left) || place.tree.is_zero_literal(right);
+  const bool alone = zero && claim.equation.relation == Relation::equal && row.parsed.sides.size() == 2 &&
+                     is_number_alone(place.tree, left) && is_number_alone(place.tree, right);
+  if (!alone) return std::nullopt;
+  return Doubt{.message = "it is false for all values: it may say that what stands above has no solution",
+               .help = {"`rigor: claim …` asks whether it holds"}};
 }
 
 bool speaks_of_units(const ExprTree& tree, ExprId side) {
@@ -252,8 +258,9 @@ void withdraw(Judgement& judgement, const Claim& claim, Doubt doubt) {
 }
 
 std::optional<Doubt> doubt_of_refutation(RowPlace& place, const StepReading& row, const Claim& claim) {
-  for (const auto ask : {with_a_unit_missing, in_natural_units, about_written_zeros, of_a_matrix_and_a_number,
-                         of_another_value, among_alternatives, by_a_borrowed_letter, for_other_values}) {
+  for (const auto ask : {of_a_contradiction, with_a_unit_missing, in_natural_units, about_written_zeros,
+                         of_a_matrix_and_a_number, of_another_value, among_alternatives, by_a_borrowed_letter,
+                         for_other_values}) {
     if (auto doubt = ask(place, row, claim)) return doubt;
   }
   return std::nullopt;

@@ -18,6 +18,7 @@
 #include "check/meaning/measured.h"
 #include "check/place/place.h"
 #include "check/word/prose_words.h"
+#include "elaborate/evidence/evidence.h"
 #include "elaborate/name/function_value.h"
 
 namespace rigor {
@@ -296,17 +297,23 @@ bool is_said_for_good(const std::string& sentence) {
 
 /// Two meanings of one letter in lines: nothing says which of them holds below.
 bool said_once(RowPlace& place, SymbolId letter, const SaidInLine& said) {
-  const auto says = [&](const SaidInLine& other) {
-    return std::ranges::any_of(other.chains, [&](const ParsedChain& chain) {
-      if (chain.sides.size() < 2) return false;
-      const auto reading = read_here(place, chain);
-      if (!reading->sides[0].typed) return false;
-      const ExprNode& node = place.tree[reading->sides[0].typed->id];
-      return node.op == Op::symbol && node.symbol == letter;
-    });
+  const SyntaxTree& syntax = place.notes.syntax;
+  // Who writes it otherwise is not found without reading all lines for each letter.
+  const auto begins_with = [&](const ParsedChain& chain) {
+    if (chain.sides.size() < 2 || syntax[chain.sides[0]].kind != SyntaxKind::symbol) return std::string{};
+    const WrittenSymbol& symbol = syntax.symbol(chain.sides[0]);
+    return with_labels(letter_with_marks(symbol), symbol.lower);
+  };
+  std::set<std::string> own;
+  for (const ParsedChain& chain : said.chains) own.insert(begins_with(chain));
+  const auto says = [&](const ParsedChain& chain) {
+    const std::string begins = begins_with(chain);
+    if (begins.empty() || !own.contains(begins)) return false;
+    const auto reading = read_here(place, chain);
+    return reading->sides[0].typed && place.tree[reading->sides[0].typed->id].symbol == letter;
   };
   return std::ranges::none_of(place.notes.prose.said, [&](const SaidInLine& other) {
-    return other.span.begin != said.span.begin && says(other);
+    return other.span.begin != said.span.begin && std::ranges::any_of(other.chains, says);
   });
 }
 

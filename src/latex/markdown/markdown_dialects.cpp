@@ -43,7 +43,20 @@ class DialectMarks {
     if (content_of_fence(text_.between(words, text_.line_end(words))) != FenceContent::markdown) return;
     blank(block.first);
     blank_options(block.first + 1, lines_[block.last]);
-    blank(block.last);
+    // A fence inside ends with the one around it, at the latest: its last line closes both.
+    if (!ends_inside_a_fence(block)) blank(block.last);
+  }
+
+  [[nodiscard]] bool ends_inside_a_fence(const MarkdownBlock& block) const {
+    std::optional<Fence> open;
+    for (std::size_t line = block.first + 1; line < block.last; ++line) {
+      if (open && closes_fence(text_, *open, lines_[line])) {
+        open.reset();
+      } else if (!open && !shape_.is_covered(line)) {
+        open = fence_at(text_, line_start(text_, lines_[line]).at);
+      }
+    }
+    return open.has_value();
   }
 
   void blank_options(std::size_t line, std::size_t end) {

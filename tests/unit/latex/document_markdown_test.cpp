@@ -138,6 +138,7 @@ TEST_CASE("Markdown: containers of all dialects hold Markdown") {
   for (const char* text : {"```{note}\n$$x$$\n```",
                            "```{admonition} A title\n:class: tip\n\n$$x$$\n```",
                            "````{tab-set}\n```{tab-item} A\n$$x$$\n```\n````",
+                           "````{exercise}\n```{dropdown} A\n$$x$$\n````",
                            "~~~{dropdown}\n---\nopen: true\n---\n$$x$$\n~~~",
                            ":::{warning}\n$$x$$\n:::",
                            "::: {.callout-note}\n$$x$$\n:::",
