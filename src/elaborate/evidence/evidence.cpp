@@ -164,8 +164,9 @@ std::string with_labels(const std::string& base, const std::vector<WrittenIndex>
     return with_labels(base + labels.front().text, {labels.begin() + 1, labels.end()});
   std::string text = base + "_{";
   for (const WrittenIndex& label : labels) {
-    text += label.form == IndexForm::word && !label.text.starts_with('\\') ? "\\text{" + label.text + "}"
-                                                                           : label.text;
+    text += label.form == IndexForm::word && label.text.find_first_of("\\_(") == std::string::npos
+                ? "\\text{" + label.text + "}"
+                : label.text;
     text += std::string(label.primes, '\'');
   }
   return text + "}";

@@ -63,14 +63,86 @@ bool is_label_of_signs(TokenView tokens) {
   return sign && tokens.size() > 1;
 }
 
+/// The letters of `\text{lab}`, `\mathrm{lab}`, `\rm lab`, if there is nothing else.
+std::string word_of(TokenView tokens) {
+  if (tokens.empty() || !holds_words(tokens[0])) return {};
+  const Argument words = argument_at(tokens, 1);
+  const bool switches = is_control(tokens[0], "rm");
+  const TokenView inside = trim(switches ? tokens.subspan(1) : words.content);
+  if (!switches && words.next != tokens.size()) return {};
+  const bool plain = !inside.empty() && std::ranges::all_of(inside, [](const Token& token) {
+    return token.kind == TokenKind::letter && token.text.size() == 1;
+  });
+  return plain ? text_of(inside) : std::string();
+}
+
+bool is_number_or_capital(TokenView tokens) {
+  const auto is_digit = [](const Token& token) { return token.kind == TokenKind::digit; };
+  if (tokens.empty() || tokens.size() > 2) return false;
+  if (std::ranges::all_of(tokens, is_digit)) return true;
+  const Token& only = tokens[0];
+  return tokens.size() == 1 && only.kind == TokenKind::letter && only.text.size() == 1 &&
+         is_capital_letter(only.text[0]);
+}
+
+/// What `\mathbf k` or `x_0` of `\omega_{\mathbf k}`, `f_{x_0}` stands for is told apart by its letter.
+/// Letters that indices have can have subscripts of their own: `T_{i_1}`.
+bool names_a_thing(const Token& token) {
+  static constexpr std::string_view indices = "ijklmn";
+  const std::string letter = letter_of(token);
+  return !letter.empty() && letter != hole_letter && !is_greek(letter) &&
+         indices.find(letter) == std::string_view::npos;
+}
+
+/// `\mathbf{k}`, `\hat{n}`, `\mathcal{D}`, `x_{0}`, `(2)`: the label of a quantity of its own; empty for
+/// others.
+std::string label_of_a_thing(TokenView tokens) {
+  static const WordSet faces("mathbf boldsymbol bm vec hat bar tilde mathcal mathscr mathfrak mathbb");
+  if (tokens.size() < 2) return {};
+  if (is_sign(tokens.front(), "(") && is_sign(tokens.back(), ")")) {
+    const TokenView inside = trim(tokens.subspan(1, tokens.size() - 2));
+    return is_number_or_capital(inside) ? "(" + text_of(inside) + ")" : std::string();
+  }
+  const bool face = is_control_of(tokens[0], faces);
+  if (!face && (tokens[1].kind != TokenKind::subscript || !names_a_thing(tokens[0]))) return {};
+  const Argument argument = argument_at(tokens, face ? 1 : 2);
+  const TokenView inside = trim(argument.content);
+  if (inside.empty() || argument.next != tokens.size()) return {};
+  const std::string letter = inside.size() == 1 ? letter_of(inside[0]) : std::string();
+  if (face) {
+    const bool accent = is_control_of(tokens[0], {"hat", "bar", "tilde"});
+    const bool angle = is_one_of(letter, {"\\theta", "\\phi", "\\varphi", "\\rho"});
+    if (accent && !angle && !names_a_thing(inside[0])) return {};  // `T_{\bar\jmath}`
+    const bool bold = is_control_of(tokens[0], {"boldsymbol", "bm"});
+    const std::string_view name = bold ? "mathbf" : tokens[0].text;
+    return letter.empty() || letter == hole_letter ? std::string() : fmt::format("\\{}{{{}}}", name, letter);
+  }
+  const bool label = !letter.empty() || inside[0].kind == TokenKind::digit || !word_of(inside).empty();
+  return label ? fmt::format("{}_{{{}}}", letter_of(tokens[0]), text_of(inside)) : std::string();
+}
+
+/// `n+1`, `i\to f`
+std::string without_blanks(TokenView tokens) {
+  std::string text;
+  for (const Token& token : tokens) {
+    if (is_blank(token) || is_spacing(token)) continue;
+    const bool joins =
+        token.kind == TokenKind::letter && text.find('\\') != std::string::npos && is_letter(text.back());
+    text += (joins ? " " : "") + text_of({&token, 1});
+  }
+  return text;
+}
+
 class IndexReader {
  public:
   explicit IndexReader(TokenView tokens, int depth = 0) : tokens_(trim(tokens)), depth_(depth) {}
 
   IndexReading read() {
-    if (depth_ == 0 && is_label_of_signs(tokens_)) {
-      std::string text = text_of(tokens_);
-      std::erase(text, ' ');
+    std::string text = depth_ == 0 ? label_of_a_thing(tokens_) : std::string();
+    if (depth_ == 0 && text.empty() && is_label_of_signs(tokens_)) {
+      text = without_blanks(tokens_);
+    }
+    if (!text.empty()) {
       add(std::move(text), IndexForm::word, span_of(tokens_));
       return std::move(reading_);
     }
@@ -173,14 +245,20 @@ class IndexReader {
     ++at_;
   }
 
-  /// `C_{V,\text{m}}`, `T_{\text{in},1}`, `v_{\text{ext},x}`: a comma beside a word is no derivative.
+  /// `C_{V,\text{m}}`, `T_{\text{in},1}`, `v_{\text{ext},x}`, `v_{B,0}`: a comma beside a word, or between a
+  /// capital and another or a number, is no derivative.
   [[nodiscard]] bool separates_labels(const Token& token) const {
     if (!is_sign(token, ",") || reading_.indices.empty()) return false;
     const std::size_t next = skip_blank(tokens_, at_ + 1);
     if (next >= tokens_.size()) return false;
     const bool word_behind = holds_words(tokens_[next]) || is_label_word(tokens_[next]) ||
                              is_subscript_word(letters_of(letter_run(tokens_, next)));
-    return word_behind || reading_.indices.back().form == IndexForm::word;
+    const WrittenIndex& before = reading_.indices.back();
+    const auto is_capital = [](std::string_view letter) {
+      return letter.size() == 1 && is_capital_letter(letter[0]);
+    };
+    const bool name_behind = tokens_[next].kind == TokenKind::digit || is_capital(letter_of(tokens_[next]));
+    return word_behind || before.form == IndexForm::word || (is_capital(before.text) && name_behind);
   }
 
   void refuse(std::string message) {
@@ -193,19 +271,6 @@ class IndexReader {
   std::size_t at_ = 0;
   IndexReading reading_;
 };
-
-/// The letters of `\text{lab}`, `\mathrm{lab}`, `\rm lab`, if there is nothing else.
-std::string word_of(TokenView tokens) {
-  if (tokens.empty() || !holds_words(tokens[0])) return {};
-  const Argument words = argument_at(tokens, 1);
-  const bool switches = is_control(tokens[0], "rm");
-  const TokenView inside = trim(switches ? tokens.subspan(1) : words.content);
-  if (!switches && words.next != tokens.size()) return {};
-  const bool plain = !inside.empty() && std::ranges::all_of(inside, [](const Token& token) {
-    return token.kind == TokenKind::letter && token.text.size() == 1;
-  });
-  return plain ? text_of(inside) : std::string();
-}
 
 }  // namespace
 
@@ -220,11 +285,7 @@ std::optional<WrittenIndex> read_upper_label(TokenView tokens) {
   if (tokens.size() == 1 && is_control_of(tokens[0], {"max", "min"})) return label(text_of(tokens));
   if (tokens.size() > 2 && is_sign(tokens.front(), "(") && is_sign(tokens.back(), ")")) {
     const TokenView inside = trim(tokens.subspan(1, tokens.size() - 2));
-    const auto is_number = [](const Token& token) { return token.kind == TokenKind::digit; };
-    const bool number = !inside.empty() && inside.size() <= 2 && std::ranges::all_of(inside, is_number);
-    const bool capital = inside.size() == 1 && inside[0].kind == TokenKind::letter &&
-                         inside[0].text.size() == 1 && !is_small_letter(inside[0].text[0]);
-    if (number || capital) return label("(" + text_of(inside) + ")");
+    if (is_number_or_capital(inside)) return label("(" + text_of(inside) + ")");
     const std::string word = word_of(inside);
     return word.empty() ? std::nullopt : std::optional(label("(\\text{" + word + "})"));
   }

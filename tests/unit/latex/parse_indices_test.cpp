@@ -60,9 +60,26 @@ TEST_CASE("a sign can be a label") {
   CHECK(indices("\\odot") == "[\"\\odot\"]");
 }
 
-TEST_CASE("a comma, a bold letter and a relation are no index") {
+TEST_CASE("another quantity can be a label") {
+  CHECK(indices("\\mathbf{k}") == "[\"\\mathbf{k}\"]");
+  CHECK(indices("\\bm k") == "[\"\\mathbf{k}\"]");
+  CHECK(indices("\\hat n") == "unsupported");
+  CHECK(indices("\\hat r") == "[\"\\hat{r}\"]");
+  CHECK(indices("\\hat\\mu") == "unsupported");
+  CHECK(indices("x_0") == "[\"x_{0}\"]");
+  CHECK(indices("E_{\\text{kin}}") == "[\"E_{\\text{kin}}\"]");
+  CHECK(indices("i_1") == "unsupported");
+  CHECK(indices("n_k") == "unsupported");
+  CHECK(indices("(2)") == "[\"(2)\"]");
+  CHECK(indices("(ij)") == "unsupported");
+  CHECK(indices("B,0") == "[B,0]");
+  CHECK(indices("A,B") == "[A,B]");
+  CHECK(indices("1,2") == "unsupported");
+  CHECK(indices("i\\to f") == "[\"i\\to f\"]");
+}
+
+TEST_CASE("a comma and a relation are no index") {
   CHECK(indices("i,j") == "unsupported");
-  CHECK(indices("\\mathbf{k}") == "unsupported");
   CHECK(indices("i=1") == "unsupported");
   CHECK(indices("i^2") == "unsupported");
 }
