@@ -95,12 +95,22 @@ void write_down(Proof& proof, const Scope& scope, GenericDomain& domain, const C
   };
   bool vanishes = claim.relation == Relation::equal;
   Trial trial;
-  trial.holds = for_each_component(evaluator, scope.tree(), claim,
-                                   [&](const auto& axes, const Fraction& left, const Fraction& right) {
-                                     if (!is_right(axes, left, right)) return false;
-                                     vanishes = vanishes && vanishes_alone(left, right);
-                                     return true;
-                                   });
+  const auto holds = [&] {
+    return for_each_component(evaluator, scope.tree(), claim,
+                              [&](const auto& axes, const Fraction& left, const Fraction& right) {
+                                if (!is_right(axes, left, right)) return false;
+                                vanishes = vanishes && vanishes_alone(left, right);
+                                return true;
+                              });
+  };
+  const std::size_t facts = domain.signs().facts().size();
+  trial.holds = holds();
+  // What has a root is not negative, which may split a root that was taken earlier: √(ab) = √a √b.
+  if (!trial.holds && claim.relation == Relation::equal && domain.signs().facts().size() > facts) {
+    evaluator.forget();
+    reduced.clear();
+    trial.holds = holds();
+  }
   trial.radicals = domain.used_radicals();
   trial.unsolved_assumptions = !trial.holds && constraints.incomplete();
   if (!trial.holds) return trial;

@@ -20,6 +20,7 @@ namespace {
 using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
+constexpr std::size_t largest_part = 8;           // terms
 constexpr std::size_t largest_quotient = 20'000;  // takes up to 50 ms
 
 [[nodiscard]] Rational to_rational(const ex& value) {
@@ -82,8 +83,8 @@ void Radicals::note(std::vector<Factor>& found, const ex& base, int exponent) {
   found.push_back({base, exponent});
 }
 
-/// Splits an expanded polynomial: off go common indeterminates, divisors that are known, and, if asked for,
-/// repeated factors.
+/// Splits an expanded polynomial: off go common indeterminates, divisors that are known, what is known not to
+/// be negative, and, if asked for, repeated factors.
 void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
                             const std::vector<Divisor>& known) {
   if (GiNaC::is_a<GiNaC::add>(value)) {
@@ -101,11 +102,17 @@ void Radicals::note_factors(std::vector<Factor>& found, ex value, int exponent,
       if (GiNaC::is_a<GiNaC::symbol>(base) || size_of_division(base, value) > largest_quotient) return false;
       return divides(base, value, quotient, arithmetic_.budget());
     };
-    for (const Divisor& each : known) {
-      while (is_multiple_of(each.base)) {
-        note(found, each.base, exponent);
+    const auto split_off = [&](const ex& base) {
+      while (is_multiple_of(base)) {
+        note(found, base, exponent);
         value = quotient;
       }
+    };
+    for (const Divisor& each : known) split_off(each.base);
+    for (const Signs::Fact& fact : signs_.facts()) {  // √(x² - y²) beside √(x - y)
+      const bool part = GiNaC::is_a<GiNaC::add>(fact.value) && term_count(fact.value) < largest_part &&
+                        !fact.value.is_equal(value) && !fact.value.is_equal(-value);
+      if (part && is_within(fact.sign, Sign::not_negative)) split_off(fact.value);
     }
     if (effort_ == Effort::factored && may_be_factored(value)) {
       value = with_repeated_factors(value, arithmetic_.budget());
@@ -146,6 +153,38 @@ std::vector<Radicals::Factor> Radicals::factors(const Fraction& value) {
   return found;
 }
 
+/// Where √(f² g) has a value and f is not 0, g is not negative; where f may be 0, nothing is known of g.
+void Radicals::note_existence(const std::vector<Factor>& square) {
+  ex rest = 1;
+  std::vector<ex> open;  // whose signs are not known
+  for (const Factor& factor : square) {
+    const bool odd = factor.exponent % 2 != 0;
+    if (is_number(factor.base)) {
+      if (odd) rest *= factor.base;
+      continue;
+    }
+    const Sign sign = sign_of(factor.base);
+    const bool known = is_within(sign, Sign::positive) || is_within(sign, Sign::negative);
+    const bool stays = odd && !known;
+    if (!stays && factor.exponent > 0 && !is_within(sign, Sign::not_zero)) return;
+    if (stays) {
+      rest *= factor.base;
+      open.push_back(factor.base);
+    }
+    if (odd && is_within(sign, Sign::negative)) rest *= -1;
+  }
+  rest = rest.expand();
+  if (is_number(rest) || never_negative(rest)) return;
+  signs_.add_fact(rest, Sign::not_negative);
+  // uw ≥ 0 and u + w > 0: both are not negative.
+  const Sign both = open.size() == 2 ? signs_.of((open[0] + open[1]).expand()) : Sign::any;
+  for (const ex& each : open) {
+    if (is_surely(both, Sign::positive)) signs_.add_fact(each, Sign::not_negative);
+    if (is_surely(both, Sign::negative)) signs_.add_fact((-each).expand(), Sign::not_negative);
+  }
+  signs_.conclude();
+}
+
 Fraction Radicals::root(const Fraction& square) {
   if (square.numerator.is_zero()) return {};
   Fraction result = to_fraction(1);
@@ -153,7 +192,9 @@ Fraction Radicals::root(const Fraction& square) {
   ex rest = 1;          // what has to stay under one root
   bool nonzero = true;  // no factor is zero at any values
   const auto times = [&](const Fraction& factor) { result = arithmetic_.multiply(result, factor); };
-  for (const Factor& factor : factors(square)) {
+  const std::vector<Factor> all = factors(square);
+  note_existence(all);
+  for (const Factor& factor : all) {
     if (is_number(factor.base)) {
       number = number * power_of(to_rational(factor.base), factor.exponent);
       continue;

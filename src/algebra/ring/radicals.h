@@ -67,6 +67,7 @@ class Radicals {
   void note_factors(std::vector<Factor>& found, GiNaC::ex value, int exponent,
                     const std::vector<Divisor>& known);
   static void note(std::vector<Factor>& found, const GiNaC::ex& base, int exponent);
+  void note_existence(const std::vector<Factor>& square);
   [[nodiscard]] Sign sign_of(const GiNaC::ex& expanded) const;
   [[nodiscard]] bool never_negative(const GiNaC::ex& expanded) const {
     return is_within(sign_of(expanded), Sign::not_negative);

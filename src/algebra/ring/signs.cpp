@@ -80,7 +80,27 @@ void Signs::add_fact(const ex& value, Sign sign) {
   facts_.push_back({value, sign});
 }
 
-/// From c x + rest with the sign of the fact: c x = fact − rest. A product that is not 0 has no factor 0.
+Sign Signs::of_known(const ex& value) const {
+  Sign sign = of(value);
+  for (const Fact& fact : facts_) {
+    if (fact.value.is_equal(value)) sign = common(sign, fact.sign);
+    if (fact.value.is_equal(-value)) sign = common(sign, opposite(fact.sign));
+  }
+  return sign;
+}
+
+/// Of x, where the fact is x^exponent times a rest: a product that is not 0 has no factor 0, and an odd power
+/// of x has the sign of the fact times that of the rest.
+Sign Signs::of_factor(const Fact& fact, const ex& rest, int exponent) const {
+  const bool vanishes_nowhere = is_within(fact.sign, Sign::not_zero);
+  Sign of_rest = of_known(rest);
+  if (vanishes_nowhere) of_rest = common(of_rest, Sign::not_zero);
+  const Sign allowed = vanishes_nowhere ? Sign::not_zero : Sign::any;
+  const bool says = exponent % 2 != 0 && is_surely(of_rest, Sign::not_zero);
+  return says ? common(allowed, product(fact.sign, of_rest)) : allowed;
+}
+
+/// From c x + rest with the sign of the fact: c x = fact − rest.
 bool Signs::conclude_from(const Fact& fact) {
   bool any = false;
   for (const ex& x : indeterminates_.all()) {
@@ -89,8 +109,7 @@ bool Signs::conclude_from(const Fact& fact) {
     const Sign before = of_indeterminate(x);
     Sign sign = before;
     const ex factor = fact.value.coeff(x, degree);
-    if (!GiNaC::is_a<GiNaC::add>(fact.value) && is_within(fact.sign, Sign::not_zero))
-      sign = common(sign, Sign::not_zero);
+    if (fact.value.ldegree(x) == degree) sign = common(sign, of_factor(fact, factor, degree));
     if (degree == 1 && GiNaC::is_a<GiNaC::numeric>(factor)) {
       const Sign multiple = sum(fact.sign, opposite(of(fact.value.coeff(x, 0))));
       sign = common(sign, product(multiple, of_number(factor)));

@@ -48,7 +48,8 @@ class Signs {
   void know(const GiNaC::ex& indeterminate, Sign sign);
   /// p has this sign, for a polynomial p. It is expanded.
   void add_fact(const GiNaC::ex& value, Sign sign);
-  /// Looks for indeterminates whose sign follows from the facts: 0 < a and a < b make b positive.
+  /// Looks for indeterminates whose sign follows from the facts: 0 < a and a < b make b positive,
+  /// 0 < ab and 0 < a as well.
   void conclude();
 
   /// A polynomial or a quotient as it is written, expanded or not: by the signs of its parts.
@@ -63,6 +64,8 @@ class Signs {
 
  private:
   [[nodiscard]] Sign of_indeterminate(const GiNaC::ex& indeterminate) const;
+  [[nodiscard]] Sign of_known(const GiNaC::ex& value) const;  // what facts say of just this value, too
+  [[nodiscard]] Sign of_factor(const Fact& fact, const GiNaC::ex& rest, int exponent) const;
   [[nodiscard]] bool conclude_from(const Fact& fact);
 
   Indeterminates& indeterminates_;

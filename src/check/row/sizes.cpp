@@ -60,7 +60,12 @@ bool speaks_of_signs(const RowPlace& place, std::size_t here) {
 std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
                                       const std::vector<Equation>& equations) {
   std::set<SymbolId> letters;
-  for (const Equation& each : equations) letters.merge(base_letters(place.tree, place.names.scope, each));
+  for (const Equation& each : equations) {
+    letters.merge(base_letters(place.tree, place.names.scope, each));
+    for (const SymbolId reached : symbols_reached(place.tree, place.names.scope, {each.left, each.right})) {
+      if (definition_of(place.names.scope, reached) != nullptr) letters.insert(reached);  // `a = p/(1 - e^2)`
+    }
+  }
   for (const NamedAssumption& each : *place.names.scope.assumptions) {
     for (const SymbolId letter : base_letters(place.tree, place.names.scope, each.equation))
       letters.erase(letter);
@@ -80,7 +85,6 @@ std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
     const ExprNode& node = place.tree[reading->sides[0].typed->id];
     const bool letter = node.op == Op::symbol && node.rank == 0 && node.slot_count == 0;
     if (!letter || !letters.erase(node.symbol)) continue;  // once
-    if (definition_of(place.names.scope, node.symbol) != nullptr) continue;
     sizes.push_back(positive(place, claim.relation, node.symbol, fmt::format("a {} is", said.noun)));
   }
   return sizes;
@@ -104,6 +108,11 @@ bool follows_for_sizes(RowPlace& place, const StepReading& row, const Claim& cla
   if (sizes.empty()) return false;
   const Names before = place.names;
   for (const NamedAssumption& each : sizes) assume(place.names.scope, each);
+  // A letter that is defined as a size need not be one.
+  if (!sample_of_assumptions(place.tree, place.names, {}, {}, place.options.cache)) {
+    place.names = before;
+    return false;
+  }
   Judgement under = judge_here(place, claim);
   bool found = under.verdict == Verdict::proved;
   if (found) heed_proof(place, row.parsed, claim, under);

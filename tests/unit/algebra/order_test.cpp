@@ -33,6 +33,19 @@ TEST_CASE("squares and lengths are not negative", "[algebra]") {
   CHECK(is_refuted(page.claim(3 * x, at_most, pow(x, 2) + page.number("1"))));
 }
 
+TEST_CASE("a product tells the sign of a factor", "[algebra]") {
+  Page page;
+  const Named a = page.scalar("a");
+  const Named b = page.scalar("b");
+  const Named c = page.scalar("c");
+  page.given(page.zero(), less, a * b);
+  page.given(page.zero(), at_most, pow(c, 2) * b);
+  page.given(b, less, page.zero());
+  CHECK(is_proved(page.claim(a, less, page.zero())));
+  CHECK(is_refuted(page.claim(page.zero(), less, a)));
+  CHECK_FALSE(is_proved(page.claim(c, unequal, page.zero())));
+}
+
 TEST_CASE("the square of a dot product is at most the product of the squares", "[algebra]") {
   Page page;
   const Named a = page.vector("A");
