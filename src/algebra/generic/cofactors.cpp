@@ -50,6 +50,8 @@ void CofactorSearch::subtract(Account& from, const SparsePolynomial& quotient, c
 
 /// What is left after a division in x by an equation that has a number as its leading coefficient.
 void CofactorSearch::divide(Account& value, std::size_t x, const Account& by) {
+  // A step that is repeated need not come out as it did, where roots became known in between.
+  if (degree(by.value, x) == 0) throw TooLong();
   const SparsePolynomial quotient = arithmetic_.divide_in(x, value.value, by.value);
   for (const auto& [equation, cofactor] : by.cofactors)
     arithmetic_.add_product(value.cofactors[equation], quotient, cofactor, -1);

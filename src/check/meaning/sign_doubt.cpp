@@ -43,6 +43,14 @@ bool asks_for_real_numbers(const ExprTree& tree, const Question& question) {
   });
 }
 
+namespace {
+
+std::string for_all(const std::string& name) {
+  return fmt::format("if all values are meant, `rigor: for all {}` says so", name);
+}
+
+}  // namespace
+
 std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question, const NameScope& scope,
                                         const Sample& sample, DecisionCache* cache) {
   if (!asks_for_real_numbers(tree, question)) return std::nullopt;
@@ -53,15 +61,18 @@ std::optional<SignDoubt> doubt_of_signs(ExprTree& tree, const Question& question
     return SignDoubt{
         negative->name,
         fmt::format("it was found to fail only where `{}` is negative, and nothing says whether it can be",
-                    negative->name)};
+                    negative->name),
+        {fmt::format("`rigor: given {} > 0` says that it cannot", negative->name), for_all(negative->name)}};
   }
   const Symbol* angle = not_for_all(tree, scope, sample, [](const std::string& value) {
     return value.find("arctan") != std::string::npos;
   });
   if (angle == nullptr || !has_equal_squares(tree, question, cache)) return std::nullopt;
-  return SignDoubt{angle->name, fmt::format("the squares of both sides are equal, so only a sign is wrong, "
-                                            "and nothing says which values of `{}` are meant",
-                                            angle->name)};
+  return SignDoubt{angle->name,
+                   fmt::format("the squares of both sides are equal, so only a sign is wrong, "
+                               "and nothing says which values of `{}` are meant",
+                               angle->name),
+                   {for_all(angle->name)}};
 }
 
 }  // namespace rigor

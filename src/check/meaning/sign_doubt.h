@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "check/question/decision_cache.h"
 #include "elaborate/name/scope.h"
@@ -18,6 +19,7 @@ namespace rigor {
 struct SignDoubt {
   std::string name;    // of what is not meant for all values
   std::string reason;  // why its values do not refute
+  std::vector<std::string> help;
 };
 
 /// `|m\mathbf v| = mv` fails for negative m, but a mass is not negative; `\cos\varphi = \sqrt{1 -

@@ -191,6 +191,27 @@ std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, c
   return laws;
 }
 
+/// "With $b = d$ we get", "for $\theta_1 + \theta_2 = \pi/2$": what its own sentence says goes with the laws.
+std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& row) {
+  const ProseBeside& here = beside(place);
+  const bool any = std::ranges::any_of(place.notes.prose.said, [&](const SaidInLine& said) {
+    return said.sentence == here.sentence && !said.chains.empty();
+  });
+  std::vector<PageLaw> laws;
+  if (!any) return laws;
+  for (const Fact& fact : standpoint(place, row.parsed).facts) {
+    if (!fact.proves || fact.elsewhere || fact.equation.relation != Relation::equal) continue;
+    laws.push_back({.equation = fact.equation,
+                    .name = fact.text,
+                    .span = fact.span,
+                    .place = fact.place,
+                    .paragraph = here.paragraph,
+                    .at_instant = fact.at_instant,
+                    .of_a_case = true});
+  }
+  return laws;
+}
+
 }  // namespace
 
 bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
@@ -208,16 +229,23 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
   Laws available = available_to(place, row.parsed);
   const std::vector<PageLaw> self_adjoint = self_adjoint_letters(place, claim, available);
   for (const PageLaw& each : self_adjoint) available.push_back(&each);
+  const std::vector<PageLaw> said = said_in_its_sentence(place, row);
+  for (const PageLaw& each : said) available.push_back(&each);
+  const auto named_in = [&](const Laws& laws) {
+    Laws named = named_beside(place, laws);
+    for (const PageLaw& each : said) named.push_back(&each);
+    return named;
+  };
   Laws founded = available;
   std::erase_if(founded, [](const PageLaw* law) { return is_open(*law); });
   DecisionCache& cache = *place.options.cache;
   const bool inferred = row.parsed.written.inference != Inference::none;
-  auto found = follow_from_laws(place.tree, place.names, claim, {founded, named_beside(place, founded)},
-                                inferred, cache);
+  auto found =
+      follow_from_laws(place.tree, place.names, claim, {founded, named_in(founded)}, inferred, cache);
   const bool rests_on_open = !found && is_announced(place, row) && founded.size() < available.size();
   if (rests_on_open)
-    found = follow_from_laws(place.tree, place.names, claim, {available, named_beside(place, available)},
-                             inferred, cache);
+    found =
+        follow_from_laws(place.tree, place.names, claim, {available, named_in(available)}, inferred, cache);
   if (!found) return false;
   add_used(place, judgement.used);
   judgement = *std::move(found);

@@ -560,8 +560,7 @@ class Judging {
       doubt = doubt_of_signs(tree_, prepared_.question, names_.scope, *decision.sample, cache_);
     if (doubt) {
       judgement_.verdict = Verdict::undecided;
-      add(DiagnosticKind::undecided, doubt->reason,
-          {fmt::format("if all values are meant, `rigor: for all {}` says so", doubt->name)});
+      add(DiagnosticKind::undecided, doubt->reason, std::move(doubt->help));
       return;
     }
     judgement_.verdict = Verdict::refuted;

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <string_view>
+#include <utility>
 
 #include "base/among.h"
 #include "elaborate/evidence/evidence.h"
@@ -195,7 +196,10 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   const SyntaxId exponent = syntax.child(id, 1);
   const Span span = syntax[id].span;
   if (is_exponential(reading, id)) {
+    // `e^{-E/kT}`: in an exponent nobody multiplies by T.
+    const bool divides_by_all = std::exchange(reading.rules.divides_by_all, true);
     const auto argument = elaborate(reading, exponent, around);
+    reading.rules.divides_by_all = divides_by_all;
     return argument ? elementary_function(reading, "exp", *argument, span) : std::nullopt;
   }
   if (reads_as_order(reading, id)) {

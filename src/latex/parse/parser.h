@@ -158,6 +158,8 @@ class Parser {
   SyntaxId plain_argument(Cursor& cursor, std::string_view name, std::size_t begin);
   bool argument_ends(const Cursor& cursor, const Application& application);
   bool bracket_belongs(const Cursor& cursor, const Application& application);
+  bool letter_belongs(const Cursor& cursor, const Application& application, SyntaxId argument);
+  SyntaxId with_letter(Cursor& cursor, SyntaxId argument);
   bool power_belongs(const Cursor& cursor, const Application& application);
   SyntaxId unclear_argument(Span span, std::string_view name);
   [[nodiscard]] bool is_rate_or_change(SyntaxId node) const;

@@ -132,7 +132,11 @@ SyntaxId Parser::function_argument(Cursor& cursor, Span place, std::string_view 
   if (cursor.done() || starts_sign(cursor) || factor_joint(cursor.token()) != Joint::none)
     return opaque(place, fmt::format("`{}` without an argument is not read", name));
   if (lifts_braces_of_argument(cursor, begin)) cursor.at = skip_narrow(cursor.tokens, cursor.at);
-  if (opens_argument(cursor.token())) return bracket_argument(cursor);
+  if (opens_argument(cursor.token())) {
+    const Application application{name, begin, cursor.at};
+    const SyntaxId argument = bracket_argument(cursor);
+    return letter_belongs(cursor, application, argument) ? with_letter(cursor, argument) : argument;
+  }
   if (is_bold(cursor.tokens, cursor.at) || !is_plain_factor(cursor.tokens, cursor.at)) {
     const bool matrix_function = name == "det" || name == "tr";
     const SyntaxId argument = factor(cursor);
@@ -218,6 +222,38 @@ bool Parser::argument_ends(const Cursor& cursor, const Application& application)
   return takes_second({span, fmt::format("{}({})", function, written(application.argument, end)),
                        fmt::format("{}({}) {}", function, written(application.argument, cursor.at),
                                    written(cursor.at, end))});
+}
+
+/// `\cos(\omega + \Omega)t`, `\sin(n + 1)\theta`: is the letter after the bracket part of the angle? Nobody
+/// puts a bracket around anything but a sum for that.
+bool Parser::letter_belongs(const Cursor& cursor, const Application& application, SyntaxId argument) {
+  static constexpr auto functions = std::to_array<std::string_view>({"sin", "cos", "tan", "cot"});
+  static constexpr auto variables =
+      std::to_array<std::string_view>({"t", "x", "y", "z", "\\theta", "\\phi", "\\varphi", "\\tau"});
+  const TokenView tokens = cursor.tokens;
+  const std::size_t at = skip_blank(tokens, cursor.at);
+  const bool sum = tree_[argument].kind == SyntaxKind::sum && tree_[argument].count > 1;
+  if (!sum || !is_one_of(application.name, functions) || at >= tokens.size() ||
+      !is_one_of(std::string_view(letter_of(tokens[at])), variables))
+    return false;
+  const auto written = [&](std::size_t from, std::size_t to) {
+    return text_of(tokens.subspan(from, to - from));
+  };
+  const std::string function = written(application.begin, application.argument);
+  const std::string bracket = written(application.argument, cursor.at);
+  const std::string letter = written(at, at + 1);
+  return takes_second({cover(tokens[application.begin].span, tokens[at].span),
+                       fmt::format("{}{} \\, {}", function, bracket, letter),
+                       fmt::format("{}({} {})", function, bracket, letter)});
+}
+
+SyntaxId Parser::with_letter(Cursor& cursor, SyntaxId argument) {
+  cursor.at = skip_blank(cursor.tokens, cursor.at);
+  const Span joint = cursor.token().span;
+  const SyntaxId letter = factor(cursor);
+  const std::array factors{SyntaxChild{argument, Joint::none, tree_[argument].span},
+                           SyntaxChild{letter, Joint::juxtaposed, joint}};
+  return tree_.add(SyntaxKind::term, cover(tree_[argument].span, tree_[letter].span), factors);
 }
 
 /// `\cos\omega(t - t_0)`: is the bracket after the letters part of the argument? Not where functions,

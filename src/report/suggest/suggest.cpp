@@ -74,6 +74,9 @@ Outcomes outcomes_of(const FileReport& report, const SourceMap& sources) {
 
 /// What is another with the lines than without.
 Suggestion compared(const Outcomes& before, const Outcomes& after, std::vector<PlacedLine> lines) {
+  // Whether a row holds for all values is no longer asked where it becomes a law.
+  const bool asks = std::ranges::any_of(
+      lines, [](const PlacedLine& line) { return line.directive.starts_with("for all"); });
   Suggestion suggestion{.lines = std::move(lines)};
   std::map<RowKey, const RowOutcome*> known;
   for (const RowOutcome& row : before.rows) known[row.key] = &row;
@@ -84,7 +87,7 @@ Suggestion compared(const Outcomes& before, const Outcomes& after, std::vector<P
     const RowChange change{row.place, row.source, was, row.outcome};
     if (is_worse_outcome(row.outcome) && !row.is_expected) {
       suggestion.worse.push_back(change);
-    } else if ((is_open_outcome(was) && is_good_outcome(row.outcome)) ||
+    } else if ((is_open_outcome(was) && is_good_outcome(row.outcome) && !(asks && row.outcome == "law")) ||
                (was == "law" && row.outcome == "proved")) {
       suggestion.settled.push_back(change);
     } else if (is_good_outcome(was) && (is_open_outcome(row.outcome) || was == "proved")) {

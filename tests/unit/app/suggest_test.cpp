@@ -30,6 +30,17 @@ TEST_CASE("a directive that settles a row is shown, and nothing is written") {
   CHECK_FALSE(std::filesystem::exists(folder.path("notes.rigor")));
 }
 
+TEST_CASE("a root that fails for a negative letter asks for its sign, not for all its values") {
+  const ScratchFolder folder("suggest-sign");
+  const std::string notes = folder.write("notes.md",
+                                         "# An orbit\n\n$$v = \\sqrt{\\frac{GM}{r}}$$\n\n"
+                                         "$$T = \\frac{2\\pi r}{v} = 2\\pi\\sqrt{\\frac{r^3}{GM}}$$\n");
+  const RunOutcome outcome = run_on({"suggest", notes});
+  CHECK(says(outcome.out, "at section \"An orbit\": rigor: given r > 0"));
+  CHECK(says(outcome.out, "undecided -> proved"));
+  CHECK_FALSE(says(outcome.out, "for all"));
+}
+
 TEST_CASE("what is accepted is written below its heading, and a second run adds nothing") {
   const ScratchFolder folder("suggest-write");
   const std::string notes = folder.write("notes.md", rate);
