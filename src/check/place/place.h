@@ -76,7 +76,6 @@ struct RowPlace {
     std::vector<Fact> laws = {};
     std::vector<StatedLaw> stated = {};
     std::vector<RoundedValue> rounded = {};
-    std::vector<CaseDefinition> cases = {};
   } found = {};
 };
 

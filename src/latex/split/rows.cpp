@@ -176,6 +176,7 @@ class RowReader {
     const std::size_t behind = skip_blank(tokens_, at + 1);
     if (opens && brace && is_control_at(tokens_, behind, "begin")) {
       leave(behind);  // the brace of a system of equations, which `\\right.` ends
+      behind_brace_ = behind;
       return true;
     }
     if ((plain_bar || double_bar) && (opens || closes)) {
@@ -223,12 +224,14 @@ class RowReader {
     if (token.text == "begin") {
       const bool row_is_empty = row_.cells.size() == 1 && trim(row_.cells[0]).empty();
       const bool system =
-          (name == "cases" || name == "dcases") && row_is_empty && !inside() && is_whole_row(next, name);
+          (name == "cases" || name == "dcases" || (name == "array" && at_ == behind_brace_)) &&
+          row_is_empty && !inside() && is_whole_row(next, name);
       const bool transparent = !inside() && (is_transparent_environment(name) || system);
       open_.push_back({name, transparent, cover(token.span, argument.content)});
       if (transparent) {
         next = behind_position(next);
-        if (name.starts_with("alignat") || name == "alignedat") next = argument_at(tokens_, next).next;
+        if (name.starts_with("alignat") || name == "alignedat" || name == "array")
+          next = argument_at(tokens_, next).next;
       }
     } else if (!open_.empty() && open_.back().name == name) {
       const bool transparent = open_.back().transparent;
@@ -271,6 +274,9 @@ class RowReader {
       const Argument argument = argument_at(tokens_, i + 1);
       if (text_of(argument.content) != name) continue;
       std::size_t behind = skip_blank(tokens_, argument.next);
+      if (is_control_at(tokens_, behind, "right") &&
+          is_sign_at(tokens_, skip_blank(tokens_, behind + 1), "."))
+        behind = skip_blank(tokens_, skip_blank(tokens_, behind + 1) + 1);
       while (behind < tokens_.size() && (is_sign_of(tokens_[behind], ".,") || is_blank(tokens_[behind]))) {
         ++behind;
       }
@@ -284,6 +290,7 @@ class RowReader {
   Diagnostics& diagnostics_;
   TokenUses& uses_;
   std::size_t at_ = 0;
+  std::size_t behind_brace_ = 0;  // the place behind the last `\\left\\{` of a system
   int braces_ = 0;
   std::vector<Open> open_;
   std::vector<Left> lefts_;
