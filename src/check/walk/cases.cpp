@@ -8,8 +8,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
+#include "base/among.h"
+#include "base/ascii.h"
+#include "check/prose/open_words.h"
+#include "check/prose/restrictions.h"
+#include "check/scope/definition.h"
+#include "check/word/prose_words.h"
 #include "elaborate/name/function_value.h"
 #include "expr/tree/same_expression.h"
 
@@ -32,7 +40,21 @@ std::optional<std::vector<Equation>> relations_of(Walk& walk, const ParsedChain&
   return relations;
 }
 
-/// What is known at the row: next to it, or in its sentence before it.
+/// "For $x > 0$ we have", "Inside the sphere, $r < R$, this gives": words that say no more than that it holds
+/// then. "For $x$ other than $x > 0$" says another thing, and so may what is in no list.
+bool says_only_when(std::string_view lead) {
+  static constexpr auto known = std::to_array<std::string_view>(
+      {"for",  "if",    "when",     "where",    "in",       "the",    "region",    "range",   "interval",
+       "case", "all",   "every",    "any",      "inside",   "sphere", "cylinder",  "then",    "we",
+       "have", "get",   "find",     "obtain",   "one",      "has",    "gets",      "finds",   "this",
+       "that", "gives", "so",       "thus",     "hence",    "it",     "follows",   "becomes", "reads",
+       "is",   "now",   "solution", "function", "equation", "and",    "therefore", "which",   "there"});
+  const std::string text = lowered(lead.substr(lead.rfind('\n') + 1));
+  return std::ranges::all_of(words_of(text),
+                             [&](std::string_view word) { return word == "$" || is_one_of(word, known); });
+}
+
+/// What is known at the row: next to it, or of a row that is no case, in the words before it.
 std::vector<Equation> known_at(Walk& walk, const ParsedChain& parsed) {
   std::vector<Equation> known;
   const auto add = [&](const ParsedChain& condition) {
@@ -40,13 +62,17 @@ std::vector<Equation> known_at(Walk& walk, const ParsedChain& parsed) {
     if (relations) known.insert(known.end(), relations->begin(), relations->end());
   };
   for (const ParsedChain& condition : parsed.assumed) add(condition);
+  if (parsed.written.of_cases) return known;
   const ProseBeside& beside = walk.notes.prose.beside[walk.event];
+  if (!says_only_when(beside.lead)) return known;
+  std::vector<const SaidInLine*> conditions;
   for (const SaidInLine& said : walk.notes.prose.said) {
     const bool here = said.sentence == beside.sentence && said.cue == Cue::condition &&
-                      said.before <= walk.event && !said.at_place && said.words.empty();
-    if (!here) continue;
-    for (const ParsedChain& condition : said.chains) add(condition);
+                      said.before == walk.event && !said.at_place && said.words.empty();
+    if (here) conditions.push_back(&said);
   }
+  if (conditions.size() != 1) return known;  // of two, the row may be about either
+  for (const ParsedChain& condition : conditions.front()->chains) add(condition);
   return known;
 }
 
@@ -135,8 +161,16 @@ void define_where_known(Walk& walk, const ParsedChain& parsed, const std::vector
 }
 
 /// The row is about all values of what its condition is about, `x` of `x < L`: a letter that is varied, or of
-/// which the page says nothing.
-void mean_for_all_values(Walk& walk, const std::vector<Equation>& conditions) {
+/// which the page says nothing. Not so where words around it may restrict it further.
+void mean_for_all_values(Walk& walk, const ParsedChain& parsed, const std::vector<Equation>& conditions) {
+  const Prose& prose = walk.notes.prose;
+  const bool conditional = std::ranges::any_of(prose.said, [&](const SaidInLine& said) {
+    return said.sentence == prose.beside[walk.event].sentence && said.cue == Cue::condition;
+  });
+  const WrittenChain& written = parsed.written;
+  if (conditional || open_word(prose, walk.event) ||
+      said_around(prose, walk.event, walk.sources, written.span, written.tag))
+    return;
   for (const Equation& each : conditions) {
     for (const SymbolId symbol : symbols_reached(walk.tree, walk.names.scope, {each.left, each.right})) {
       const bool varied = is_free_variable(walk.names, walk.tree, symbol, By::space) ||
@@ -178,7 +212,7 @@ CaseInForce enter_case(Walk& walk, const ParsedChain& parsed, const Context& con
     if (!in_force.assumed.empty() && decides(walk) && !is_in_doubt(walk) && !find_sample(walk))
       walk.unread_case = Diagnostic{DiagnosticKind::unsupported, parsed.written.span,
                                     "no values were found for which this case holds"};
-    mean_for_all_values(walk, in_force.conditions);
+    mean_for_all_values(walk, parsed, in_force.conditions);
   }
   define_where_known(walk, parsed, in_force.known, in_force);
   return in_force;
@@ -221,6 +255,30 @@ void define_case(Walk& walk, const Definition& definition, const ParsedChain& pa
   made.name += fmt::format(", where {}", fmt::join(texts, " and "));
   made.place = walk.notes.prose.beside[walk.event].place;
   cases.push_back(std::move(made));
+}
+
+bool renames_cases(Walk& walk, const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
+                   const Typed& right, Step& step) {
+  const ExprNode& node = walk.tree[left.id];
+  if (judgement.verdict == Verdict::proved || node.op != Op::symbol) return false;
+  std::vector<CaseDefinition>& cases = walk.above.cases;
+  const auto is_earlier = [&](const CaseDefinition& each) {
+    return each.definition.symbol == node.symbol && each.event != walk.event;
+  };
+  if (std::ranges::none_of(cases, is_earlier)) return false;
+  const auto definition = as_definition(walk.tree, walk.names.scope, left, right);
+  const bool concludes = announces_a_conclusion(walk.notes.prose.beside[walk.event].lead);
+  if (!parsed.written.of_cases || !definition || concludes) {
+    // Which of the two holds below, nobody knows.
+    std::erase_if(cases, is_earlier);
+    return false;
+  }
+  define_case(walk, *definition, parsed,
+              fmt::format("definition {} {}", written_at(walk.sources, node.span),
+                          name_of_place(walk.sources, parsed)));
+  step.verdict = Verdict::definition;
+  step.route = "definition, for one case, in the place of an earlier one";
+  return true;
 }
 
 bool is_next_case(const Walk& walk, const ParsedChain& parsed, SymbolId symbol) {

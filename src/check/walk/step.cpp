@@ -129,6 +129,8 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
   // What does not follow may give its name another meaning, by which later rows are read.
   const bool may_part = may_name && !row.parsed.written.of_cases;
   if (may_part && is_open(*judgement) && takes_apart(walk, row.parsed, left, right, context, step)) return;
+  const bool displayed = row.role == Role::display && row.which == 0;
+  if (displayed && renames_cases(walk, *judgement, row.parsed, left, right, step)) return;
   if (may_rename && row.other == nullptr &&
       redefines(walk, *judgement, row.parsed, left, right, context, step))
     return;

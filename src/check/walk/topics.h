@@ -56,6 +56,9 @@ void heed_other_places(Walk& walk, CaseInForce& in_force);
 void leave_case(Walk& walk, CaseInForce in_force);
 /// What the symbol is where the row holds. `name`: as a verdict names a definition.
 void define_case(Walk& walk, const Definition& definition, const ParsedChain& parsed, std::string name);
+/// What does not follow from the cases of a symbol above gives it new ones, or leaves it without.
+bool renames_cases(Walk& walk, const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
+                   const Typed& right, Step& step);
 /// Does the display say what the symbol is in another case?
 [[nodiscard]] bool is_next_case(const Walk& walk, const ParsedChain& parsed, SymbolId symbol);
 

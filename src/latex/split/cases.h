@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "latex/token/accounting.h"
+#include "latex/token/syntax.h"
 #include "latex/token/tokens.h"
-#include "source/diagnostic.h"
 
 namespace rigor {
 
