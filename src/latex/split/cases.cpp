@@ -233,6 +233,7 @@ Tokens numbered_cases(TokenView body) {
   const std::size_t open = skip_blank(body, 0);
   if (!is_kind_at(body, open, TokenKind::begin_group)) return {body.begin(), body.end()};
   const Argument left = argument_at(body, open);
+  if (trim(left.content).empty()) return {body.begin() + static_cast<std::ptrdiff_t>(left.next), body.end()};
   Tokens tokens(left.content.begin(), left.content.end());
   add_written(tokens, "begin", body[open]);
   tokens.insert(tokens.end(), body.begin() + static_cast<std::ptrdiff_t>(left.next), body.end());

@@ -99,7 +99,14 @@ class RowReader {
     if (takes_bare_length(token)) return leave(behind_length(tokens_, at_ + 1), TokenUse::aside);
     if (token.kind == TokenKind::control && control(token)) return;
     if (token.kind == TokenKind::align && !inside()) {
-      row_.cells.emplace_back();
+      if (!open_.empty() && open_.back().name.ends_with("cases")) {
+        Token space = token;  // `x = r & r > 0`: a condition next to its equation
+        space.kind = TokenKind::control;
+        space.text = "quad";
+        cell().push_back(space);
+      } else {
+        row_.cells.emplace_back();
+      }
       ++at_;
       return;
     }
