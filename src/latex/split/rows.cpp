@@ -99,7 +99,8 @@ class RowReader {
     if (takes_bare_length(token)) return leave(behind_length(tokens_, at_ + 1), TokenUse::aside);
     if (token.kind == TokenKind::control && control(token)) return;
     if (token.kind == TokenKind::align && !inside()) {
-      if (!open_.empty() && open_.back().name.ends_with("cases")) {
+      const bool in_system = !open_.empty() && open_.back().name.ends_with("cases");
+      if (in_system && std::ranges::any_of(row_.cells, has_relation)) {
         Token space = token;  // `x = r & r > 0`: a condition next to its equation
         space.kind = TokenKind::control;
         space.text = "quad";
