@@ -13,13 +13,15 @@
 namespace rigor {
 namespace {
 
-/// The notes were read a second time, so that only its path names the file of a step.
+/// The notes were read a second time, so that only its path names the file of a step. Cases and signs can be
+/// written at one place for several rows.
 const ReadRow* row_of(const PageContext& page, const Step& step) {
   if (page.reading == nullptr || cyclic_image_of(step) > 0) return nullptr;
   const std::vector<Step>& steps = page.reading->report.steps;
   const auto found = std::ranges::find_if(page.reading->rows, [&](const ReadRow& row) {
     const Span span = steps[row.step].span;
     return span.begin == step.span.begin && span.end == step.span.end &&
+           steps[row.step].source == step.source &&
            page.sources.path(span.file) == page.sources.path(step.span.file);
   });
   return found == page.reading->rows.end() ? nullptr : &*found;
