@@ -166,6 +166,28 @@ TEST_CASE("page and document show a problem of the file as a whole") {
   CHECK(document.text.find("error: \\texttt{nonsense} is not a directive") != std::string::npos);
 }
 
+TEST_CASE("how a row was read is folded away below it, in the words of `rigor read`") {
+  const Folder folder;
+  const std::string page = page_of(
+      folder, "n.md",
+      "<!-- rigor: vector \\mathbf{L} -->\n\n$$p = L_i L_i$$\n\nHence $$2p = 2L^2$$\n\n$$3 \\odot p = 1$$\n");
+  CHECK(page.find("<details class=\"reading\" open") == std::string::npos);
+  const std::string read = run_program({"read", folder.path("n.md")}).text;
+  for (const char* words : {"definition of its left side", "summed since it stands twice in a term",
+                            "identity: to be proved for all values of its letters; announced by ",
+                            "vector \\mathbf{L}", "in line 1"}) {
+    INFO(words);
+    CHECK(read.find(words) != std::string::npos);
+    CHECK(page.find(words, page.find("class=\"reading\"")) != std::string::npos);
+  }
+  std::size_t readings = 0;
+  for (std::size_t at = page.find("class=\"reading\""); at != std::string::npos;
+       at = page.find("class=\"reading\"", at + 1))
+    ++readings;
+  CHECK(readings == 3);
+  CHECK(page.find("<dt>rests on</dt><dd><p>definition <math>") != std::string::npos);
+}
+
 TEST_CASE("the same notes make the same page") {
   const Folder folder;
   const std::string first = page_of(folder, "n.md", hostile_notes);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/ascii.h"
-#include "latex/split/pieces.h"
+#include "latex/reading/pieces.h"
 
 namespace rigor::twins {
 namespace {

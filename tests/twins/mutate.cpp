@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-#include "latex/split/pieces.h"
+#include "latex/reading/pieces.h"
 #include "latex/token/tokens.h"
 
 namespace rigor::twins {

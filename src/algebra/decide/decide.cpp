@@ -37,13 +37,16 @@ constexpr std::uint32_t cheap_terms = 3000;
 }
 
 /// Is there a quotient in the claim or in what it unfolds to, but by a written number? Then a proof says
-/// nothing where a denominator is zero for all values.
-[[nodiscard]] bool divides(const Scope& scope) {
+/// nothing where a denominator is zero for all values. Under assumptions a logarithm is the same: `\ln x`
+/// where x < 0.
+[[nodiscard]] bool may_have_no_value(const Scope& scope) {
   const ExprTree& tree = scope.tree();
   std::vector<ExprId> roots{scope.question().claim.left, scope.question().claim.right};
   for (const Definition& definition : scope.question().definitions) roots.push_back(definition.body);
   return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
     if (tree[id].op == Op::power) return tree[id].exponent < 0;
+    if (tree[id].op == Op::function)
+      return tree[id].function == Function::log && !scope.question().assumptions.empty();
     if (tree[id].op != Op::divide) return false;
     const ExprId divisor = tree.children(id)[1];
     return tree[divisor].op != Op::number || tree.is_zero_literal(divisor);
@@ -326,7 +329,7 @@ Decision Decider::decide() {
   if (!found && last_trial_.radicals) found = try_all_proofs(Effort::factored);
   const bool by_cases = !found && last_trial_.radicals && limits_.sign_cases;
   if (by_cases) found = try_cases_of_signs();
-  if (found && !found->trial.radicals && divides(unfolded_) && refuter_.points_compared() == 0) {
+  if (found && !found->trial.radicals && may_have_no_value(unfolded_) && refuter_.points_compared() == 0) {
     bool has_value = false;
     static_cast<void>(look([&] {
       has_value = refuter_.finds_a_point();

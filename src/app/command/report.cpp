@@ -13,6 +13,7 @@
 #include "base/utf8.h"
 #include "check/entry/check.h"
 #include "check/entry/read_forms.h"
+#include "check/entry/read_rows.h"
 #include "report/page/document.h"
 #include "report/page/page.h"
 #include "report/wording/escape.h"
@@ -29,6 +30,7 @@ struct Reported {
   std::deque<FormsReading> readings;  // of the files, for derivations and forms
   std::vector<std::vector<WorkedStep>> derivations;
   std::vector<EvaluatedNotes> evaluated;
+  std::vector<NotesReading> rows;  // of the files: how each was read
 };
 
 void check_all_notes(const ReportCommand& command, Reported& reported, Progress& progress) {
@@ -52,6 +54,12 @@ void explain_all(const ReportCommand& command, Reported& reported, Progress& pro
     FormsReading& reading = reported.readings.emplace_back(read_forms(reported.sources, path, request));
     reported.derivations.push_back(worked_steps(reading.forms));
   }
+}
+
+/// How each row was read.
+void read_all(const ReportCommand& command, Reported& reported) {
+  for (const std::string& path : command.files)
+    reported.rows.push_back(read_rows(reported.sources, path, {.sidecar = command.sidecar}));
 }
 
 /// Claims only: what is assumed is not computed.
@@ -134,6 +142,7 @@ std::vector<PageNotes> page_notes(Reported& reported, const std::string& page) {
     const FileReport& file = reported.report.files[k];
     notes.push_back({.shown = shown(reported, k),
                      .link = page == "-" ? std::string() : link_from(page, file.path),
+                     .reading = k < reported.rows.size() ? &reported.rows[k] : nullptr,
                      .evaluated = k < reported.evaluated.size() ? reported.evaluated[k] : EvaluatedNotes{}});
   }
   return notes;
@@ -161,6 +170,7 @@ ExitCode write_reports(const ReportCommand& command, std::ostream& out, std::ost
   {
     Progress progress(err, screen_of(err).is_terminal);
     explain_all(command, reported, progress);
+    if (command.html) read_all(command, reported);
     if (command.html && command.forms) evaluate_all_notes(reported, progress);
   }
   if (command.html) {

@@ -405,6 +405,13 @@ std::vector<ParsedChain> parse_chains(TokenView tokens, std::string_view environ
     ParsedChain chain = parsed(written);
     chain.signs = std::move(signs);
     for (WrittenChain& condition : chain.written.assumed) chain.assumed.push_back(parsed(condition));
+    if (chain.written.of_cases && !chain.assumed.empty()) {
+      chain.signs += chain.signs.empty() ? "where " : ", where ";
+      for (const ParsedChain& condition : chain.assumed) {
+        if (&condition != &chain.assumed.front()) chain.signs += " and ";
+        chain.signs += text_of(condition.written);
+      }
+    }
     const bool cyclic = chain.written.cyclic;
     chains.push_back(std::move(chain));
     if (cyclic) add_images(chains, syntax);

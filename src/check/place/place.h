@@ -40,12 +40,22 @@ struct RoundedValue {
   std::size_t place = 0;  // its section
 };
 
+/// `f(x) = x^2` of `f(x) = \begin{cases} x^2 & x > 0 \\ … \end{cases}`: what f is where its conditions hold.
+struct CaseDefinition {
+  Definition definition;
+  std::vector<Equation> conditions = {};
+  std::string name;       // as a verdict names it
+  std::size_t place = 0;  // its section
+  std::size_t event = 0;  // and its display
+};
+
 /// What rows and directives leave for the rows below them.
 struct SaidAbove {
   std::vector<UseDirective> uses = {};
   std::vector<Fact> laws = {};         // and definitions after their first use
   std::vector<StatedLaw> stated = {};  // what rows below can follow from
   std::vector<RoundedValue> rounded = {};
+  std::vector<CaseDefinition> cases = {};
   std::vector<std::pair<std::size_t, Span>> unread_rows = {};  // where, and what: relations such as `\perp`
 };
 

@@ -205,6 +205,17 @@ bool names_a_surface(const RowPlace& place, const Equation& equation) {
   return letter && is_free_variable(place.names, place.tree, *letter, By::space);
 }
 
+/// It speaks of a letter that is one thing here and another there, and nothing says which case is meant.
+bool is_of_an_unknown_case(const RowPlace& place, const Equation& equation) {
+  const std::vector<SymbolId> letters =
+      symbols_reached(place.tree, place.names.scope, {equation.left, equation.right});
+  return std::ranges::any_of(place.above.cases, [&](const CaseDefinition& each) {
+    return place.notes.prose.sections.reaches(each.place, beside(place).place) &&
+           definition_of(place.names.scope, each.definition.symbol) == nullptr &&
+           is_one_of(each.definition.symbol, letters);
+  });
+}
+
 /// `E_r = \rho r/3\epsilon_0 \quad (r < R)`: where, when or in which case it holds, as it is written next to
 /// it.
 std::vector<std::string> conditions_said(const RowPlace& place, const ParsedChain& parsed) {
@@ -253,7 +264,8 @@ void leave_to_rows_below(RowPlace& place, const ParsedChain& parsed, const Equat
                          Standing standing) {
   if (equation.relation != Relation::equal || is_alternative(place, parsed) ||
       names_coordinates(place.tree, equation) || keeps_a_common_factor(place.tree, equation) ||
-      names_a_surface(place, equation) || (parsed.written.doubt && !parsed.written.only_said_for))
+      names_a_surface(place, equation) || is_of_an_unknown_case(place, equation) ||
+      (parsed.written.doubt && !parsed.written.only_said_for))
     return;
   const ProseBeside& here = beside(place);
   const bool beside_an_arrow = parsed.written.premise || parsed.written.inference != Inference::none;

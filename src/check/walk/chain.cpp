@@ -143,6 +143,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
                                        "there is no relation here, so there is nothing to decide"});
     return;
   }
+  CaseInForce in_force = enter_case(walk, parsed, context);
   std::unique_ptr<ChainReading> reading = read_here(walk, parsed);
   std::optional<LocalKinds> local;  // where only kinds of another section make it wrong
   if (context.role == Role::display && !fits(parsed, *reading)) {
@@ -169,6 +170,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
          {},
          {"write `(\\text{no sum})` next to the equation"}});
   }
+  heed_other_places(walk, in_force);
   std::vector<WrittenStep> asked(walk.request.explains ? parsed.written.relations.size() : 0);
   for (std::size_t k = 0; k < parsed.written.relations.size(); ++k)
     take_step(walk, parsed, k, *reading, other.get(), context, asked.empty() ? nullptr : &asked[k]);
@@ -195,6 +197,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
                       .asked = std::move(asked)};
   for (const Side& side : sides) statement.sides.push_back(side.typed);
   walk.ledger.entries.push_back({scope_here(walk), std::move(statement)});
+  leave_case(walk, std::move(in_force));
 }
 
 }  // namespace

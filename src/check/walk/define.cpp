@@ -67,6 +67,11 @@ void add_definition(Walk& walk, const Typed& left, const Typed& right, const Par
     origin.text = fmt::format("let {}", name);
     origin.directive = context.directive;
   }
+  if (parsed.written.of_cases && context.role == Role::display) {
+    step.verdict = Verdict::definition;
+    step.route = "definition, for one case";
+    return define_case(walk, *definition, parsed, origin.text);
+  }
   const RowPlace here = place_here(walk);
   origin.place = walk.notes.prose.beside[walk.event].place;
   origin.event = walk.event;
@@ -197,7 +202,8 @@ bool defines(Walk& walk, const ParsedChain& parsed, const Side& left, const Side
   if (square && !named_definition && !stands_in_brackets(walk.notes.syntax, parsed.sides[0])) return false;
   const bool rate = walk.tree.symbols[definition->symbol].derivation.has_value();  // a law, not a name
   const bool known = definition_of(walk.names.scope, definition->symbol) != nullptr;
-  const bool seen = seen_in_equation(walk.names.scope, definition->symbol);
+  const bool seen = seen_in_equation(walk.names.scope, definition->symbol) &&
+                    !is_next_case(walk, parsed, definition->symbol);
   if (context.role == Role::display && (known || rate || (seen && !named_definition))) return false;
   if (const NamedDefinition* earlier = definition_of(walk.names.scope, definition->symbol)) {
     if (is_for_now(walk, context)) {

@@ -64,6 +64,7 @@ struct Walk {
   SaidAbove above = {};
   std::size_t lines_taken = 0;  // of the relations in lines of prose
   SaidForNext next = {};
+  std::optional<Diagnostic> unread_case = {};  // why the row at hand, one of several cases, is not decided
 };
 
 [[nodiscard]] inline bool decides(const Walk& walk) { return !walk.request.only && !walk.request.reads; }

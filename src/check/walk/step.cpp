@@ -127,7 +127,10 @@ void follow_row(Walk& walk, RowPlace& place, StepReading& row, const Context& co
   auto judgement = ask(place, row, *claim, step);
   if (!judgement) return;
   // What does not follow may give its name another meaning, by which later rows are read.
-  if (may_name && is_open(*judgement) && takes_apart(walk, row.parsed, left, right, context, step)) return;
+  const bool may_part = may_name && !row.parsed.written.of_cases;
+  if (may_part && is_open(*judgement) && takes_apart(walk, row.parsed, left, right, context, step)) return;
+  const bool displayed = row.role == Role::display && row.which == 0;
+  if (displayed && renames_cases(walk, *judgement, row.parsed, left, right, step)) return;
   if (may_rename && row.other == nullptr &&
       redefines(walk, *judgement, row.parsed, left, right, context, step))
     return;
@@ -204,6 +207,8 @@ void take_step(Walk& walk, const ParsedChain& parsed, std::size_t which, ChainRe
     const Obstacle& condition = *parsed.written.condition;
     step.diagnostics.push_back(
         {condition.kind, parsed.written.condition_span, condition.message, {}, condition.help});
+  } else if (walk.unread_case) {
+    step.diagnostics.push_back(*walk.unread_case);
   } else if (const auto reason = why_not_decided(row.relation())) {
     step.diagnostics.push_back(*reason);
     if (context.role == Role::display)

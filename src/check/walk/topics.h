@@ -36,6 +36,32 @@ bool is_in_doubt(const Walk& walk);
 bool find_sample(Walk& walk);
 Diagnostic no_sample(Span span);
 
+// --- cases.cpp: Which case holds at a row, and what is defined there.
+
+/// What a row brought into scope for itself alone.
+struct CaseInForce {
+  std::vector<Equation> known = {};       // next to the row and in its sentence
+  std::vector<Equation> conditions = {};  // of the case that it is
+  std::vector<std::string> assumed = {};
+  std::vector<SymbolId> defined = {};
+  std::vector<SymbolId> at_border = {};  // of these, what is known without a neighbourhood
+  Shared<SaidOfSymbols> for_all = {};    // before it
+  Sample sample = {};                    // the same
+};
+
+/// Before the row is read.
+[[nodiscard]] CaseInForce enter_case(Walk& walk, const ParsedChain& parsed, const Context& context);
+/// Behind that: what the row writes at values or differentiates is not defined after all.
+void heed_other_places(Walk& walk, CaseInForce& in_force);
+void leave_case(Walk& walk, CaseInForce in_force);
+/// What the symbol is where the row holds. `name`: as a verdict names a definition.
+void define_case(Walk& walk, const Definition& definition, const ParsedChain& parsed, std::string name);
+/// What does not follow from the cases of a symbol above gives it new ones, or leaves it without.
+bool renames_cases(Walk& walk, const Judgement& judgement, const ParsedChain& parsed, const Typed& left,
+                   const Typed& right, Step& step);
+/// Does the display say what the symbol is in another case?
+[[nodiscard]] bool is_next_case(const Walk& walk, const ParsedChain& parsed, SymbolId symbol);
+
 // --- chain.cpp: Reads the sides of a chain, then takes its steps one after the other. Sides are read
 // together because they share their index letters.
 

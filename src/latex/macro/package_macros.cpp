@@ -14,7 +14,7 @@ constexpr std::size_t longest_call = 2'000;  // tokens
 /// What a package's macro takes: `*` a star or none, `+` a star, `o` something in `[…]`, `m` a group in
 /// braces,
 /// `(`, `[`, `|` something between such signs, `s` a group of scripts, `!` no group. The first row whose
-/// arguments are there counts.
+/// arguments are there counts. `)` and `]`: what is between such a bracket and the bar that closes it.
 struct PackageMacro {
   std::string_view names;
   std::string_view takes;
@@ -47,10 +47,31 @@ constexpr PackageMacro package_macros[] = {
     {"tensor", "*ms", "{#1}#2"},
     // physics: a value at a place
     {"eval evaluated", "*m", R"(\left.#1\right|)"},
+    {"eval evaluated", "*)", R"(\left.#1\right|)"},
+    {"eval evaluated", "*]", R"(\left.#1\right|)"},
+    // physics: functions by their whole names
+    {"asin asine arcsine", "", R"(\arcsin)"},
+    {"acos acosine arccosine", "", R"(\arccos)"},
+    {"atan atangent arctangent", "", R"(\arctan)"},
+    {"sine", "", R"(\sin)"},
+    {"cosine", "", R"(\cos)"},
+    {"tangent", "", R"(\tan)"},
+    {"hypsine", "", R"(\sinh)"},
+    {"hypcosine", "", R"(\cosh)"},
+    {"hyptangent", "", R"(\tanh)"},
+    {"exponential", "", R"(\exp)"},
+    {"naturallogarithm", "", R"(\ln)"},
     // physics, derivative
     {"flatfrac", "mm", R"(\frac{#1}{#2})"},
     {"odv ordinaryderivative", "", R"(\dv)"},
+    {"pderivative", "", R"(\pdv)"},
+    {"odif", "*m", R"(\dd{#1})"},
     {"vnabla", "", R"(\nabla)"},
+    // diffcoeff
+    {"diff", "*omm", R"(\dv[#1]{#2}{#3})"},
+    {"diff", "*mm", R"(\dv{#1}{#2})"},
+    {"diffp", "*omm", R"(\pdv[#1]{#2}{#3})"},
+    {"diffp", "*mm", R"(\pdv{#1}{#2})"},
     // physics: words between equations
     {"qcomma", "", R"(,\quad )"},
     {"qcc", "*", R"(\quad\text{c.c.}\quad )"},
@@ -145,6 +166,8 @@ class CallReader {
     }
     if (type == 'm') return token->kind == TokenKind::begin_group && between(next, "}");
     if (type == '(') return is_sign(*token, "(") && between(next, ")");
+    if (type == ')') return is_sign(*token, "(") && between(next, "|");
+    if (type == ']') return is_sign(*token, "[") && between(next, "|");
     if (type == '[' || type == 'o') return is_sign(*token, "[") && between(next, "]");
     return is_sign(*token, "|") && between(next, "|");
   }

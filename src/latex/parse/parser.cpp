@@ -13,8 +13,8 @@
 #include "latex/parse/parse.h"
 #include "latex/parse/parse_indices.h"
 #include "latex/parse/unseen_braces.h"
-#include "latex/split/differential.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/differential.h"
 
 namespace rigor {
 namespace {

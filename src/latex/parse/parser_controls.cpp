@@ -12,8 +12,8 @@
 #include "latex/split/acting.h"
 #include "latex/split/beside.h"
 #include "latex/split/conditions.h"
-#include "latex/split/differential.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/differential.h"
 #include "latex/token/remarks.h"
 
 namespace rigor {

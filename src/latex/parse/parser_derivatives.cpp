@@ -5,8 +5,8 @@
 
 #include "latex/parse/parse_indices.h"
 #include "latex/parse/parser.h"
-#include "latex/split/differential.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/differential.h"
 
 namespace rigor {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "latex/parse/parser.h"
-#include "latex/split/differential.h"
+#include "latex/token/differential.h"
 
 namespace rigor {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "latex/parse/parse.h"
 #include "latex/parse/parser.h"
-#include "latex/split/differential.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/differential.h"
 
 namespace rigor {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/among.h"
 #include "latex/parse/parse_indices.h"
 #include "latex/parse/parser.h"
-#include "latex/split/differential.h"
+#include "latex/token/differential.h"
 
 namespace rigor {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "latex/split/pieces.h"
+#include "latex/reading/pieces.h"
 #include "latex/token/tokens.h"
 
 namespace rigor {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "latex/split/pieces.h"
+#include "latex/reading/pieces.h"
 #include "latex/token/tokens.h"
 
 namespace rigor {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/ascii.h"
-#include "latex/split/differential.h"
+#include "latex/token/differential.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {

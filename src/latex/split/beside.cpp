@@ -6,8 +6,8 @@
 #include "base/among.h"
 #include "base/ascii.h"
 #include "latex/split/blocks.h"
-#include "latex/split/differential.h"
 #include "latex/token/accounting.h"
+#include "latex/token/differential.h"
 #include "latex/token/remarks.h"
 #include "latex/token/vocabulary.h"
 

@@ -11,9 +11,9 @@
 #include "latex/split/beside.h"
 #include "latex/split/chain.h"
 #include "latex/split/conditions.h"
-#include "latex/split/differential.h"
 #include "latex/split/inference.h"
 #include "latex/split/line_notes.h"
+#include "latex/token/differential.h"
 #include "latex/token/remarks.h"
 #include "latex/unit/units.h"
 

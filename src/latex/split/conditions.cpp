@@ -10,7 +10,7 @@
 #include "base/ascii.h"
 #include "latex/split/beside.h"
 #include "latex/split/blocks.h"
-#include "latex/split/differential.h"
+#include "latex/token/differential.h"
 #include "latex/token/remarks.h"
 
 namespace rigor {

@@ -3,8 +3,8 @@
 
 #include "latex/split/beside.h"
 #include "latex/split/blocks.h"
-#include "latex/split/differential.h"
 #include "latex/split/line_notes.h"
+#include "latex/token/differential.h"
 #include "latex/token/remarks.h"
 #include "latex/token/vocabulary.h"
 

@@ -12,7 +12,7 @@
 #include "latex/split/blocks.h"
 #include "latex/split/chain.h"
 #include "latex/split/conditions.h"
-#include "latex/split/differential.h"
+#include "latex/token/differential.h"
 #include "latex/token/remarks.h"
 
 namespace rigor {

@@ -99,7 +99,15 @@ class RowReader {
     if (takes_bare_length(token)) return leave(behind_length(tokens_, at_ + 1), TokenUse::aside);
     if (token.kind == TokenKind::control && control(token)) return;
     if (token.kind == TokenKind::align && !inside()) {
-      row_.cells.emplace_back();
+      const bool in_system = !open_.empty() && open_.back().name.ends_with("cases");
+      if (in_system && std::ranges::any_of(row_.cells, has_relation)) {
+        Token space = token;  // `x = r & r > 0`: a condition next to its equation
+        space.kind = TokenKind::control;
+        space.text = "quad";
+        cell().push_back(space);
+      } else {
+        row_.cells.emplace_back();
+      }
       ++at_;
       return;
     }
@@ -176,6 +184,7 @@ class RowReader {
     const std::size_t behind = skip_blank(tokens_, at + 1);
     if (opens && brace && is_control_at(tokens_, behind, "begin")) {
       leave(behind);  // the brace of a system of equations, which `\\right.` ends
+      behind_brace_ = behind;
       return true;
     }
     if ((plain_bar || double_bar) && (opens || closes)) {
@@ -223,12 +232,14 @@ class RowReader {
     if (token.text == "begin") {
       const bool row_is_empty = row_.cells.size() == 1 && trim(row_.cells[0]).empty();
       const bool system =
-          (name == "cases" || name == "dcases") && row_is_empty && !inside() && is_whole_row(next, name);
+          (name == "cases" || name == "dcases" || (name == "array" && at_ == behind_brace_)) &&
+          row_is_empty && !inside() && is_whole_row(next, name);
       const bool transparent = !inside() && (is_transparent_environment(name) || system);
       open_.push_back({name, transparent, cover(token.span, argument.content)});
       if (transparent) {
         next = behind_position(next);
-        if (name.starts_with("alignat") || name == "alignedat") next = argument_at(tokens_, next).next;
+        if (name.starts_with("alignat") || name == "alignedat" || name == "array")
+          next = argument_at(tokens_, next).next;
       }
     } else if (!open_.empty() && open_.back().name == name) {
       const bool transparent = open_.back().transparent;
@@ -271,6 +282,9 @@ class RowReader {
       const Argument argument = argument_at(tokens_, i + 1);
       if (text_of(argument.content) != name) continue;
       std::size_t behind = skip_blank(tokens_, argument.next);
+      if (is_control_at(tokens_, behind, "right") &&
+          is_sign_at(tokens_, skip_blank(tokens_, behind + 1), "."))
+        behind = skip_blank(tokens_, skip_blank(tokens_, behind + 1) + 1);
       while (behind < tokens_.size() && (is_sign_of(tokens_[behind], ".,") || is_blank(tokens_[behind]))) {
         ++behind;
       }
@@ -284,6 +298,7 @@ class RowReader {
   Diagnostics& diagnostics_;
   TokenUses& uses_;
   std::size_t at_ = 0;
+  std::size_t behind_brace_ = 0;  // the place behind the last `\\left\\{` of a system
   int braces_ = 0;
   std::vector<Open> open_;
   std::vector<Left> lefts_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "latex/split/blocks.h"
+#include "latex/split/cases.h"
 #include "latex/split/chain.h"
 #include "latex/split/conditions.h"
 
@@ -214,13 +215,14 @@ void share_single_tag(std::vector<WrittenChain>& chains) {
 
 /// `\tag{for $x > 0$}`, and conditions at the braces of the chain.
 void add_conditions(WrittenChain& chain, const std::vector<Tokens>& in_tag) {
+  const std::size_t before = chain.assumed.size();
   TokenUses own(0);
   for (const Tokens& condition : in_tag) chain.assumed.push_back(chain_of(condition, own));
   for (const WrittenSide& side : chain.sides) {
     for (const Tokens& condition : said_at_braces(side.tokens))
       chain.assumed.push_back(chain_of(condition, own));
   }
-  if (chain.assumed.empty() || chain.doubt) return;
+  if (chain.assumed.empty() || chain.doubt || (chain.of_cases && chain.assumed.size() == before)) return;
   chain.only_said_for = true;
   chain.doubt = Obstacle{
       DiagnosticKind::restricted, fmt::format("it is said for `{}`", text_of(chain.assumed.front())), {}};
@@ -235,6 +237,23 @@ void refuse(std::vector<WrittenChain>& chains, const Token& left_over) {
                                {}};
     chain.condition_span = left_over.span;
   }
+}
+
+/// The chains of a statement; of `f(x) = \begin{cases} … \end{cases}`, those of each case.
+std::vector<WrittenChain> chains_of(TokenView statement, TokenUses& uses) {
+  const auto cases = cases_of(statement, uses);
+  if (!cases) return split_statement(statement, uses);
+  std::vector<WrittenChain> chains = split_statement(cases->before, uses);
+  for (const WrittenCase& each : cases->cases) {
+    TokenUses own(0);
+    for (WrittenChain& chain : split_statement(each.statement, uses)) {
+      chain.of_cases = !chain.relations.empty();
+      for (const Tokens& condition : each.conditions) chain.assumed.push_back(chain_of(condition, own));
+      if (each.unread && !chain.doubt) chain.doubt = each.unread;
+      chains.push_back(std::move(chain));
+    }
+  }
+  return chains;
 }
 
 }  // namespace
@@ -254,13 +273,16 @@ std::vector<WrittenChain> split_display(TokenView tokens, std::string_view envir
 SplitDisplay split_and_count(TokenView tokens, std::string_view environment, Diagnostics& diagnostics) {
   std::string name(environment);
   if (!name.empty() && name.back() == '*') name.pop_back();
-  SplitDisplay split{{}, counted(tokens), TokenUses(tokens.size())};
+  const bool cases = name == "numcases" || name == "subnumcases";
+  SplitDisplay split{
+      {}, counted(cases ? numbered_cases(tokens) : Tokens(tokens.begin(), tokens.end())), TokenUses(0)};
+  split.uses = TokenUses(split.tokens.size());
   std::vector<WrittenChain>& chains = split.chains;
   const std::vector<Row> rows = read_rows(split.tokens, diagnostics, split.uses);
   std::size_t number = 0;
   for (Statement& statement : RowJoiner(rows, name, split.uses).join()) {
     ++number;
-    std::vector<WrittenChain> own = split_statement(statement.tokens, split.uses);
+    std::vector<WrittenChain> own = chains_of(statement.tokens, split.uses);
     if (const Token* left_over = split.uses.left_over(statement.tokens)) {
       if (own.empty()) own.push_back(chain_of(statement.tokens, split.uses));
       refuse(own, *left_over);

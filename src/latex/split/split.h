@@ -49,6 +49,7 @@ struct WrittenChain {
   /// Relations that say when it holds: after "for" or "if", in its tag, at its braces. Where there are some,
   /// there is a doubt.
   std::vector<WrittenChain> assumed;
+  bool of_cases = false;  // one of `\begin{cases} … \end{cases}`: it is said for `assumed`, without a doubt
   bool alternative = false;  // "or" is next to it
   Inference inference = Inference::none;
   bool premise = false;   // something is inferred from it on its line

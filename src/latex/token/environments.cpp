@@ -87,7 +87,7 @@ std::optional<OwnDisplay> opening_in(const OwnBodies& bodies) {
 bool is_display_environment(std::string_view name) {
   static const WordSet names(
       "IEEEeqnarray align alignat darray displaymath dmath empheq eqnarray equation flalign gather "
-      "multline subeqnarray xalignat xxalignat");
+      "multline numcases subeqnarray subnumcases xalignat xxalignat");
   return contains(names, name);
 }
 bool takes_argument(std::string_view name) {
@@ -105,7 +105,7 @@ bool is_verbatim_environment(std::string_view name) {
   return contains(names, name);
 }
 bool is_unread_display(std::string_view name) {
-  static const WordSet names("DispWithArrows argmaxi argmini maxi mini numcases subnumcases");
+  static const WordSet names("DispWithArrows argmaxi argmini maxi mini");
   return contains(names, name);
 }
 

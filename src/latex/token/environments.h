@@ -19,7 +19,7 @@ namespace rigor {
 [[nodiscard]] bool takes_options(std::string_view name);
 /// `\begin{verbatim}` and its kind, and `filecontents`: nothing inside is read.
 [[nodiscard]] bool is_verbatim_environment(std::string_view name);
-/// Displays of packages whose form is not known: `numcases`, `DispWithArrows`.
+/// Displays of packages whose form is not known: `maxi`, `DispWithArrows`.
 [[nodiscard]] bool is_unread_display(std::string_view name);
 
 /// `$$`, `\[` or the `\begin` of a display stands somewhere in the text.

@@ -23,7 +23,7 @@ class FileWriter {
   FileWriter(PageNotes& notes, SourceMap& sources, std::size_t number)
       : notes_(notes),
         math_(sources),
-        page_{sources, math_, notes.link, notes.shown.report->file, notes.shown.derivations},
+        page_{sources, math_, notes.link, notes.shown.report->file, notes.shown.derivations, notes.reading},
         number_(number) {}
 
   /// `below`: how many levels of heading are above those of the notes; 2 with the path as the first of
@@ -224,8 +224,12 @@ std::string html_page(std::vector<PageNotes>& notes, SourceMap& sources) {
   for (const PageNotes& each : notes) add_to(totals, *each.shown.report);
   NotesMath title_math(sources);
   const std::string title = take_title(title_math, notes);
-  const PageContext page{sources, title_math, notes.front().link, notes.front().shown.report->file,
-                         notes.front().shown.derivations};
+  const PageContext page{sources,
+                         title_math,
+                         notes.front().link,
+                         notes.front().shown.report->file,
+                         notes.front().shown.derivations,
+                         notes.front().reading};
   std::string body;
   std::string contents;
   std::string paths;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/shown/read_row.h"
 #include "report/page/shown_notes.h"
 #include "report/text/eval_text.h"
 
@@ -15,6 +16,7 @@ namespace rigor {
 struct PageNotes {
   ShownNotes shown;
   std::string link;  // from the page to the notes, as a relative path; empty: there is none
+  const NotesReading* reading = nullptr;  // how the rows were read, where the page is to say so
   EvaluatedNotes
       evaluated;  // empty where forms were not evaluated; read from the same text, perhaps a second time
 };

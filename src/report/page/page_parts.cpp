@@ -30,10 +30,6 @@ std::string words_html(const Box& box) {
   return html;
 }
 
-std::string term_html(std::string_view term, std::string_view what) {
-  return fmt::format("<div class=\"row\"><dt>{}</dt><dd>{}</dd></div>\n", term, what);
-}
-
 /// What is between back-ticks is mathematics.
 std::string ticked_math_html(const PageContext& page, std::string_view text) {
   std::string html;
@@ -44,16 +40,6 @@ std::string ticked_math_html(const PageContext& page, std::string_view text) {
     if (tick == std::string_view::npos) return html;
     text.remove_prefix(tick + 1);
   }
-}
-
-std::string use_html(const PageContext& page, const std::string& text) {
-  const Use use = use_of(text);
-  std::string html = xml_escaped(use.word);
-  if (!use.latex.empty()) html += " " + math_html(page, use.latex, MathStyle::inline_);
-  if (!use.place.empty())
-    html +=
-        (use.word == "convention" ? ": " + ticked_math_html(page, use.place) : " " + message_html(use.place));
-  return html;
 }
 
 std::string uses_html(const PageContext& page, const Step& step) {
@@ -169,6 +155,20 @@ std::string place_html(const PageContext& page, Span span) {
   return fmt::format("<a class=\"path\" href=\"{}#L{}\">{}</a>", page.link, line, text);
 }
 
+std::string term_html(std::string_view term, std::string_view what) {
+  return fmt::format("<div class=\"row\"><dt>{}</dt><dd>{}</dd></div>\n", term, what);
+}
+
+std::string use_html(const PageContext& page, const std::string& text) {
+  const Use use = use_of(text);
+  std::string html = xml_escaped(use.word);
+  if (!use.latex.empty()) html += " " + math_html(page, use.latex, MathStyle::inline_);
+  if (!use.place.empty())
+    html +=
+        (use.word == "convention" ? ": " + ticked_math_html(page, use.place) : " " + message_html(use.place));
+  return html;
+}
+
 std::string diagnostic_html(const PageContext& page, const Diagnostic& diagnostic) {
   std::string html =
       fmt::format("<p><b>{}</b>: {} <span class=\"quiet\">[{}]</span></p>", name_of(diagnostic.severity()),
@@ -209,13 +209,13 @@ std::string step_html(const PageContext& page, const Step& step, StepLine line) 
       "<li class=\"step {0}{1}\" data-kinds=\"{2}\"><details{3}><summary><span class=\"mark\"><span "
       "class=\"sign\" "
       "aria-hidden=\"true\">{4}</span>{5}</span>{6}</summary>\n<div "
-      "class=\"details\">{7}<dl>\n{8}</dl></div></details></li>\n",
+      "class=\"details\">{7}<dl>\n{8}</dl>{9}</div></details></li>\n",
       name_of(step.verdict),
       attention               ? " attention"
       : step.expected_refuted ? " expected"
                               : "",
       kinds_of(step), attention ? " open" : "", sign_of(step.verdict), verdict_words(step), what, details,
-      rows);
+      rows, reading_html(page, step));
 }
 
 std::string forms_html(const PageContext& page, const EvaluatedChain& evaluated, std::size_t number) {

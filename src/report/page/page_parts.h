@@ -18,6 +18,7 @@ struct PageContext {
   const std::string& link;  // to the notes; empty: there is none
   FileId file = 0;          // which `link` leads to
   const std::vector<WorkedStep>& derivations;
+  const NotesReading* reading;  // nothing: the page does not say how rows were read
 };
 
 /// The whole <style> and <script>.
@@ -32,6 +33,15 @@ struct PageContext {
 [[nodiscard]] std::string message_html(std::string_view message);
 /// `notes.md:12`, as a link if the page has one to the notes.
 [[nodiscard]] std::string place_html(const PageContext& page, Span span);
+
+/// One entry of a list of terms.
+[[nodiscard]] std::string term_html(std::string_view term, std::string_view what);
+/// `definition I_{ij} (8)`, with its mathematics.
+[[nodiscard]] std::string use_html(const PageContext& page, const std::string& text);
+
+/// How the row of a step was read, folded away; nothing for a cyclic image. What the step shows anyway, its
+/// equation and why it is not read, is left out.
+[[nodiscard]] std::string reading_html(const PageContext& page, const Step& step);
 
 /// What the line of a step shows next to its verdict.
 enum class StepLine : std::uint8_t {

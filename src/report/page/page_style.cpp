@@ -113,6 +113,9 @@ summary { cursor: pointer; }
 .step.attention > details { background: var(--attention-wash); box-shadow: inset 4px 0 0 var(--refuted); }
 .step.attention.undecided > details, .step.attention.not-understood > details { background: var(--open-wash); box-shadow: inset 4px 0 0 var(--open); }
 .details { padding: .2rem 1rem .9rem; font-size: .9rem; }
+.step .reading { margin: .4rem 0 0; border-top: 1px solid var(--rule); }
+.step .reading > summary { padding: .3rem 0; color: var(--soft); }
+.reading i { font-style: normal; color: var(--soft); }
 dl { margin: .3rem 0 0; }
 .row { display: grid; grid-template-columns: 8.25rem minmax(0, 1fr); gap: .1rem 2rem; padding: .3rem 0; }
 .row + .row { border-top: 1px solid var(--rule); }

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "base/among.h"
 #include "latex/document/document.h"
 #include "latex/macro/macro_definition.h"
 #include "latex/text/scoped_macros.h"
@@ -193,10 +194,14 @@ Use use_of(const std::string& text) {
   if (colon != std::string::npos && colon < blank) return {text.substr(0, colon), {}, text.substr(colon + 2)};
   if (blank == std::string::npos) return {text, {}, {}};
   Use use{text.substr(0, blank), text.substr(blank + 1), {}};
-  if (use.word == "frame") return {use.word, {}, use.latex};
+  if (use.word == "frame" || is_one_of(use.word, {"law", "result", "conclusion"}))
+    return {use.word, {}, use.latex};
   if (const std::size_t line = use.latex.rfind(" in line "); line != std::string::npos) {
     use.place = use.latex.substr(line + 4);
     use.latex.resize(line);
+  } else if (const std::size_t said = use.latex.rfind(" (line "); said != std::string::npos) {
+    use.place = use.latex.substr(said + 1);
+    use.latex.resize(said);
   } else if (const std::size_t tag = use.latex.rfind(" (");
              tag != std::string::npos && use.latex.ends_with(')') && use.word == "definition") {
     use.place = use.latex.substr(tag + 1);

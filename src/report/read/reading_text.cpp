@@ -8,7 +8,7 @@
 
 #include "base/paint.h"
 #include "base/utf8.h"
-#include "report/read/read_words.h"
+#include "report/read/reading_lines.h"
 #include "report/wording/finding.h"
 
 namespace rigor {
@@ -22,47 +22,33 @@ std::string filled(const std::string& text, std::size_t width) {
   return used < width ? text + std::string(width - used, ' ') : text;
 }
 
-/// Lines below one heading.
-class ReadingLines {
- public:
-  explicit ReadingLines(bool color) : color_(color) {}
-
-  void add(const char* heading, const std::string& line, Paint style = Paint::plain) {
-    const bool again = last_ == heading;
-    last_ = heading;
-    text_ += "  " + paint(filled(again ? "" : heading, widest_head), Paint::faint, color_) +
-             paint(printable(line), style, color_) + "\n";
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  bool color_;
-  std::string last_;
-  std::string text_;
-};
-
-void add_letters(ReadingLines& lines, const ReadRow& row, FileId file, const SourceMap& sources) {
+/// Where the kind of a letter ends, and what says so begins.
+struct LetterColumns {
   std::size_t names = 0;
   std::size_t kinds = 0;
-  for (const ReadLetter& letter : row.letters) {
-    names = std::max(names, std::min(widest_letter, cells(printable(letter.name))));
-    kinds = std::max(kinds, kind_words(letter).size());
+};
+
+LetterColumns letter_columns(const std::vector<ReadingLine>& lines) {
+  LetterColumns columns;
+  for (const ReadingLine& line : lines) {
+    if (line.part != ReadingPart::letters) continue;
+    columns.names = std::max(columns.names, std::min(widest_letter, cells(printable(line.latex))));
+    columns.kinds = std::max(columns.kinds, line.words.size());
   }
-  for (const ReadLetter& letter : row.letters) {
-    const std::string source = source_words(letter, file, sources);
-    std::string line = filled(printable(letter.name), names) + "  ";
-    line += source.empty() ? kind_words(letter) : filled(kind_words(letter), kinds) + "  " + source;
-    lines.add("letters", line);
-  }
+  return columns;
 }
 
-void add_obstacles(ReadingLines& lines, const Step& step) {
-  for (const Diagnostic& each : step.diagnostics) {
-    const Severity severity = each.severity();
-    if (severity != Severity::error && severity != Severity::not_understood) continue;
-    lines.add("not read", each.message, Paint::open);
-    for (const std::string& help : each.help) lines.add("help", help);
-  }
+std::string text_of_line(const ReadingLine& line, const LetterColumns& columns) {
+  if (line.part == ReadingPart::rests_on) return fmt::format("{}: {}", line.words, line.latex);
+  if (line.part != ReadingPart::letters) return line.latex + line.words;
+  const std::string name = filled(printable(line.latex), columns.names) + "  ";
+  return name + (line.source.empty() ? line.words : filled(line.words, columns.kinds) + "  " + line.source);
+}
+
+Paint paint_of(const ReadingLine& line, const ReadRow& row) {
+  const bool unread =
+      line.part == ReadingPart::not_read || (line.part == ReadingPart::role && row.role == RowRole::unread);
+  return unread ? Paint::open : Paint::plain;
 }
 
 std::string text_of_row(const ReadRow& row, const FileReport& report, const SourceMap& sources,
@@ -70,21 +56,18 @@ std::string text_of_row(const ReadRow& row, const FileReport& report, const Sour
   const Step& step = report.steps[row.step];
   std::string head = printable(place_text(step.span, sources));
   if (!step.tag.empty()) head += " " + printable(step.tag);
-  ReadingLines lines(options.color);
-  lines.add("written", step.source);
-  if (!row.statement.empty()) lines.add("read as", row.statement);
-  lines.add("role", role_words(row), row.role == RowRole::unread ? Paint::open : Paint::plain);
-  if (row.cyclic) lines.add("role", "said for its cyclic images, too");
-  add_obstacles(lines, step);
-  add_letters(lines, row, report.file, sources);
-  for (const std::string& convention : row.conventions) lines.add("by convention", convention);
-  if (row.open) lines.add("also read as", row.open->message);
-  for (const std::string& words : row.restricted) lines.add("restricted", words);
-  for (const Ground& ground : row.grounds) {
-    const std::string name = ground.kind == Ground::Kind::said ? "said: " + ground.name : ground.name;
-    lines.add("rests on", fmt::format("{}: {}", name, ground.statement));
+  const std::vector<ReadingLine> lines = reading_lines(row, report, sources);
+  const LetterColumns columns = letter_columns(lines);
+  std::string text;
+  std::string_view above;
+  for (const ReadingLine& line : lines) {
+    const std::string_view heading = heading_of(line.part);
+    const std::string shown = filled(std::string(heading == above ? "" : heading), widest_head);
+    above = heading;
+    text += "  " + paint(shown, Paint::faint, options.color) +
+            paint(printable(text_of_line(line, columns)), paint_of(line, row), options.color) + "\n";
   }
-  return paint(head, Paint::strong, options.color) + "\n" + lines.text();
+  return paint(head, Paint::strong, options.color) + "\n" + text;
 }
 
 }  // namespace

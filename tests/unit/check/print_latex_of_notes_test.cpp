@@ -45,6 +45,9 @@ Replaced with_printed_forms(const std::string& text, const FormsReading& reading
   }
   std::sort(changes.begin(), changes.end(),
             [](const Change& a, const Change& b) { return a.span.begin > b.span.begin; });
+  // The left side of cases is written once for all of them.
+  const auto same_place = [](const Change& a, const Change& b) { return a.span == b.span; };
+  changes.erase(std::unique(changes.begin(), changes.end(), same_place), changes.end());
   Replaced result{text, 0};
   for (const Change& change : changes) {
     result.text.replace(change.span.begin, change.span.end - change.span.begin, " " + change.latex + " ");

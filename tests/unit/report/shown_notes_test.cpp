@@ -38,6 +38,11 @@ TEST_CASE("what a step uses is a word, LaTeX and a place") {
   CHECK(given.latex == "f (x)");
   CHECK(given.place.empty());
   CHECK(use_of("convention: `A` is a length").place == "`A` is a length");
+  const Use law = use_of("law in line 12");
+  CHECK(law.word == "law");
+  CHECK(law.latex.empty());
+  CHECK(law.place == "in line 12");
+  CHECK(use_of("result (3)").place == "(3)");
 }
 
 TEST_CASE("each step stands at its display and statements of directives before the next one") {

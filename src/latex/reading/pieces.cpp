@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/split/pieces.h"
+#include "latex/reading/pieces.h"
 
 #include <algorithm>
 

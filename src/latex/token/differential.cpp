@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "latex/split/differential.h"
+#include "latex/token/differential.h"
 
 #include "base/ascii.h"
 #include "latex/token/vocabulary.h"
