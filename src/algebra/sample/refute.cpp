@@ -32,15 +32,6 @@ constexpr std::size_t most_zero_alone = 8;  // symbols
   return text + std::to_string(point.particles());
 }
 
-/// Numbers below 1, as an arc sine asks for.
-[[nodiscard]] SamplePoint made_small(SamplePoint point) {
-  constexpr int divisor = 10;
-  for (const Coordinate& at : point.coordinates()) {
-    if (point.is_free(at)) point.set(at, point[at] / divisor);
-  }
-  return point;
-}
-
 Reach reach_of_sample(const Scope& scope, const std::vector<std::size_t>& assumptions) {
   std::vector<ExprId> roots{scope.question().claim.left, scope.question().claim.right};
   for (const std::size_t position : assumptions) {

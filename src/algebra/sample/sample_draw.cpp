@@ -208,4 +208,12 @@ SamplePoint SampleSequence::next() {
   return point;
 }
 
+SamplePoint made_small(SamplePoint point) {
+  constexpr int divisor = 10;
+  for (const Coordinate& at : point.coordinates()) {
+    if (point.is_free(at)) point.set(at, point[at] / divisor);
+  }
+  return point;
+}
+
 }  // namespace rigor

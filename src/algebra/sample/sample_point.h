@@ -117,6 +117,9 @@ enum class Draw : std::uint8_t {
 
 void draw(SamplePoint& point, const ExprTree& tree, Draw from, SplitMix& random);
 
+/// The same with numbers below 1, as an arc sine asks for.
+[[nodiscard]] SamplePoint made_small(SamplePoint point);
+
 /// The points that are tried for a statement, always the same ones: numbers of particles and kinds of numbers
 /// take turns. Balanced: sums over particles are often to vanish.
 class SampleSequence {

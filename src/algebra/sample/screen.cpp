@@ -16,6 +16,24 @@ namespace {
 constexpr std::size_t wanted_points = 3;
 constexpr std::uint32_t most_attempts = 24;
 constexpr std::uint32_t degenerate_attempts = 2;  // zeros and ones, on which much holds by chance
+constexpr std::uint64_t most_steps_enclosed = 400'000;
+constexpr int largest_divisor = 12;  // of a multiple that is only enclosed
+
+Limits with_steps(Limits limits, std::uint64_t steps) {
+  limits.steps = steps;
+  return limits;
+}
+
+bool may_be_zero(const Enclosure& value) { return !cln::plusp(value.low) && !cln::minusp(value.high); }
+
+/// The number with the smallest divisor between the bounds, if that is small.
+std::optional<Rational> simplest_in(const Enclosure& value) {
+  for (int divisor = 1; divisor <= largest_divisor; ++divisor) {
+    const Rational nearest = cln::round1((value.low + value.high) * divisor / 2) / Rational(divisor);
+    if (value.low <= nearest && nearest <= value.high) return nearest;
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -28,17 +46,21 @@ class SampleScreen::Samples {
         solver_(scope_, all_of(question_.assumptions)),
         reach_(reach(scope_, roots_of(question_, also))),
         evaluator_(scope_, limits_),
+        enclosing_(scope_, with_steps(limits_, most_steps_enclosed)),
         tree_size_(question.tree->size()) {
     if (reach_.too_large) return;
     evaluator_.take_circle_number_as_rational();  // what passes is proved afterwards
+    enclosing_.enclose();
     SampleSequence sequence(scope_.tree(), reach_, solver_.has_particle_sums());
     try {
       while (points_.size() < wanted_points && sequence.drawn() < most_attempts) draw(sequence);
-      for (SamplePoint& point : others_) {
-        if (points_.size() < wanted_points) points_.push_back(std::move(point));
-      }
     } catch (const Undecidable&) {
       // with the points that there are
+    }
+    for (std::vector<SamplePoint>* more : {&enclosed_, &others_}) {
+      for (SamplePoint& point : *more) {
+        if (points_.size() < wanted_points) points_.push_back(std::move(point));
+      }
     }
   }
 
@@ -57,17 +79,12 @@ class SampleScreen::Samples {
     std::vector<std::size_t> compared(claims.size(), 0);
     std::vector<bool> failed(claims.size(), false);
     for (const SamplePoint& point : points_) {
-      evaluator_.look_at(point);
+      look_at(point);
       for (std::size_t k = 0; k < claims.size(); ++k) {
         if (failed[k] || !can_compare(claims[k])) continue;
-        try {
-          failed[k] = !evaluator_.holds(claims[k]);
-          ++compared[k];
-        } catch (const PointRejected&) {
-          // on another point, perhaps
-        } catch (const Undecidable&) {
-          // not here
-        }
+        const auto holds = holds_here(claims[k]);
+        if (holds) ++compared[k];
+        failed[k] = holds && !*holds;
       }
     }
     std::vector<Screened> found(claims.size(), Screened::not_compared);
@@ -82,7 +99,7 @@ class SampleScreen::Samples {
     RIGOR_CHECK(scope_.tree().size() == tree_size_, scope_.tree().size(), tree_size_);
     std::vector<Multiple> found(terms.size());
     for (const SamplePoint& point : points_) {
-      evaluator_.look_at(point);
+      look_at(point);
       const auto difference = residuals(claim);
       if (!difference) continue;
       for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -120,20 +137,81 @@ class SampleScreen::Samples {
 
   void draw(SampleSequence& sequence) {
     const std::uint32_t attempt = sequence.drawn();
-    SamplePoint point = sequence.next();
+    const SamplePoint point = sequence.next();
     if (attempt < degenerate_attempts && !reach_.symbols.empty()) return;
     if (reach_.particles && point.particles() < 2) return;
+    const bool has_values = keep(point, attempt);
+    if (!has_values && enclosed_.size() < wanted_points) keep(made_small(point), attempt);
+  }
+
+  /// Has the claim values there? The point is kept if the assumptions can be met.
+  bool keep(SamplePoint point, std::uint32_t attempt) {
     try {
-      if (!solver_.none() && !solver_.solve(evaluator_, point, attempt)) return;
+      if (!solver_.none() && !solver_.solve(evaluator_, point, attempt)) return false;
     } catch (const PointRejected&) {
-      return;
+      return false;
+    }
+    evaluator_.look_at(point);
+    std::vector<SamplePoint>* kept = &points_;
+    try {
+      // Where the claim holds by chance, so do its neighbours: ln a = 2 ln a at a = 1.
+      if (evaluator_.holds(question_.claim)) kept = &others_;
+    } catch (const PointRejected&) {
+      kept = has_enclosed_values(point) ? &enclosed_ : &others_;
+    }
+    if (kept->size() < wanted_points) kept->push_back(std::move(point));
+    return kept != &others_;
+  }
+
+  /// Do the sides have real values there?
+  [[nodiscard]] bool has_enclosed_values(const SamplePoint& point) {
+    if (enclosed_.size() == wanted_points) return false;
+    enclosing_.look_at(point);
+    try {
+      static_cast<void>(enclosing_.difference(question_.claim));
+      return true;
+    } catch (const ValuesTooNear&) {
+      return true;
+    } catch (const PointRejected&) {
+      return false;
+    } catch (const Undecidable&) {
+      return false;
+    }
+  }
+
+  void look_at(const SamplePoint& point) {
+    evaluator_.look_at(point);
+    enclosing_.look_at(point);
+  }
+
+  /// Nothing where a side has no value. Values that are not rational are enclosed, and hold where they cannot
+  /// be told apart.
+  [[nodiscard]] std::optional<bool> holds_here(const Equation& claim) {
+    try {
+      return evaluator_.holds(claim);
+    } catch (const PointRejected&) {
+      // enclosed, perhaps
+    } catch (const Undecidable&) {
+      return std::nullopt;
     }
     try {
-      evaluator_.look_at(point);
-      static_cast<void>(evaluator_.difference(question_.claim));
-      points_.push_back(std::move(point));
+      for (const Place& place : enclosing_.places(claim)) {
+        if (!may_hold_at(claim, place)) return false;
+      }
+      return true;
     } catch (const PointRejected&) {
-      if (others_.size() < wanted_points) others_.push_back(std::move(point));
+      return std::nullopt;
+    } catch (const Undecidable&) {
+      return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] bool may_hold_at(const Equation& claim, const Place& place) {
+    const Difference at = enclosing_.at(claim, place);
+    try {
+      return is_related(at.left, claim.relation, at.right);
+    } catch (const ValuesTooNear&) {
+      return true;
     }
   }
 
@@ -144,9 +222,26 @@ class SampleScreen::Samples {
     return contains(reach_.symbols) || contains(reach_.unfolded) || contains(question_.zeroed);
   }
 
-  [[nodiscard]] std::optional<std::vector<Rational>> residuals(const Equation& equation) {
+  /// left − right at all places, as rational numbers or enclosed.
+  [[nodiscard]] std::optional<std::vector<PointValue>> residuals(const Equation& equation) {
     try {
-      return evaluator_.residuals(equation);
+      std::vector<PointValue> all;
+      for (Rational& each : evaluator_.residuals(equation)) all.emplace_back(std::move(each));
+      return all;
+    } catch (const PointRejected&) {
+      // enclosed, perhaps
+    } catch (const Undecidable&) {
+      return std::nullopt;
+    }
+    try {
+      std::vector<PointValue> all;
+      for (const Place& place : enclosing_.places(equation)) {
+        const Difference at = enclosing_.at(equation, place);
+        PointValue difference = at.left;
+        add(difference, scaled(at.right, -1));
+        all.push_back(is_rational(difference) ? std::move(difference) : PointValue(enclosure_of(difference)));
+      }
+      return all;
     } catch (const PointRejected&) {
       return std::nullopt;
     } catch (const Undecidable&) {
@@ -154,18 +249,23 @@ class SampleScreen::Samples {
     }
   }
 
-  static void compare(const std::vector<Rational>& difference, const std::vector<Rational>& values,
+  static void compare(const std::vector<PointValue>& difference, const std::vector<PointValue>& values,
                       Multiple& known) {
     known.none = difference.size() != values.size();
     for (std::size_t at = 0; at < values.size() && !known.none; ++at) {
-      if (cln::zerop(values[at])) {
-        known.none = !cln::zerop(difference[at]);
+      if (may_be_zero(enclosure_of(values[at]))) {
+        known.none = !may_be_zero(enclosure_of(difference[at]));
         continue;
       }
-      const Rational ratio = difference[at] / values[at];
-      known.none = known.ratio.has_value() && *known.ratio != ratio;
+      const auto ratio = ratio_of(difference[at], values[at]);
+      known.none = !ratio || (known.ratio && *known.ratio != *ratio);
       known.ratio = ratio;
     }
+  }
+
+  [[nodiscard]] static std::optional<Rational> ratio_of(const PointValue& a, const PointValue& b) {
+    if (is_rational(a) && is_rational(b)) return a.rational / b.rational;
+    return simplest_in(quotient(enclosure_of(a), enclosure_of(b)));
   }
 
   Question question_;
@@ -174,9 +274,11 @@ class SampleScreen::Samples {
   AssumptionSolver solver_;
   Reach reach_;
   SampleEvaluator evaluator_;
-  std::size_t tree_size_;  // the evaluator has room for no more nodes
+  SampleEvaluator enclosing_;
+  std::size_t tree_size_;  // the evaluators have room for no more nodes
   std::vector<SamplePoint> points_;
-  std::vector<SamplePoint> others_;  // on which the claim itself has no rational value
+  std::vector<SamplePoint> enclosed_;  // on which the claim itself has real values, not rational ones
+  std::vector<SamplePoint> others_;    // on which it has none, or holds
 };
 
 /// A screen of complex claims is one of their parts, made anew for each list of claims.

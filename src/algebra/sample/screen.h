@@ -27,7 +27,7 @@ class SampleScreen {
   SampleScreen& operator=(const SampleScreen&) = delete;
 
   /// For each claim: does it hold wherever it was compared? A claim is compared only if the samples have all
-  /// its symbols, and it has rational values there.
+  /// its symbols, and it has values there. What is not rational is enclosed; what cannot be told apart holds.
   [[nodiscard]] std::vector<Screened> screened(std::span<const Equation> claims);
   /// Was it compared, and does it hold?
   [[nodiscard]] std::vector<bool> passing(std::span<const Equation> claims);

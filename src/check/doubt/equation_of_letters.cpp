@@ -196,4 +196,11 @@ bool names_an_equation_of_letters(std::string_view lead) {
   return false;
 }
 
+bool asks_for_values(std::string_view lead) {
+  static constexpr std::array<std::string_view, 8> asking{
+      "solve", "root", "roots", "zeros", "intersection", "unknown", "intersections", "transcendental"};
+  return !announces_an_identity(lead) &&
+         std::ranges::any_of(last_words(lead), [](std::string_view word) { return is_one_of(word, asking); });
+}
+
 }  // namespace rigor

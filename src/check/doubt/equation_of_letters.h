@@ -24,4 +24,7 @@ namespace rigor {
 /// "the curve", "conservation of", "Kirchhoff's rule": the row says which values are meant.
 [[nodiscard]] bool names_an_equation_of_letters(std::string_view lead);
 
+/// "Solve", "the roots of": the same, and more clearly so than a slip of the pen is one.
+[[nodiscard]] bool asks_for_values(std::string_view lead);
+
 }  // namespace rigor

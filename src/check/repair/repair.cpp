@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -16,14 +17,18 @@
 #include "check/repair/trivial_statement.h"
 #include "check/verdict/chain_reading.h"
 #include "latex/parse/parse.h"
+#include "latex/token/vocabulary.h"
 
 namespace rigor {
 namespace {
 
 constexpr std::size_t most_judged = 24;
 constexpr std::size_t most_judged_unseen = 64;  // where no sample tells which of them are worth it
-constexpr std::uint64_t most_work_unseen = 2'000'000;
-constexpr std::size_t most_tokens = 400;          // of both sides; longer ones are not mended
+constexpr std::uint64_t most_work_unseen = 1'000'000;
+constexpr std::uint64_t most_work_on_one =
+    45'000;                               // of these; a proof takes less, and most that fail take more
+constexpr std::size_t most_in_vain = 8;   // of these, once one is found
+constexpr std::size_t most_tokens = 400;  // of both sides; longer ones are not mended
 constexpr std::size_t most_to_first_order = 150;  // candidates, since each is differentiated
 /// For samples that candidates are compared on.
 [[nodiscard]] Limits screening(DecisionCache* cache) {
@@ -81,7 +86,8 @@ class RepairSearch {
     if (asked_) ask_instead(rewritten, equations);
     if (rewritten.empty()) return {};
     std::vector<RepairCandidate> holding;
-    if (!coordinates_in(tree_, claim_.equation).empty()) {
+    const bool in_coordinates = !coordinates_in(tree_, claim_.equation).empty();
+    if (in_coordinates) {
       // On a sample, derivatives that hold other letters are numbers of their own: all that is near is asked.
       holding = candidates_.rewritten_sides(true);
     } else if (claim_.nearly) {
@@ -89,12 +95,21 @@ class RepairSearch {
     } else {
       const std::vector<ComparedTerm> terms = by_terms ? candidates_.terms() : std::vector<ComparedTerm>{};
       holding = holding_on_samples(rewritten, equations, terms, false);
-      if (lack_terms(holding) && !asked_) add_insertions(holding);
-      if (holding.empty() && !asked_) holding = holding_on_samples(rewritten, equations, terms, true);
+      const bool compares = claim_was_compared_ || not_compared_.size() < rewritten.size();
+      if (lack_terms(holding) && compares && !asked_) add_insertions(holding);
+      if (holding.empty() && compares && !asked_)
+        holding = holding_on_samples(rewritten, equations, terms, true);
+      if (holding.empty() && compares && !asked_ && others == NotCompared::asked) add_letters_near(holding);
     }
     sort_and_reduce(holding, candidates_.side(0), candidates_.side(1));
-    std::vector<TrueNeighbour> found = prove_the_nearest(holding, most_judged);
-    if (found.empty() && others == NotCompared::asked) found = prove_what_was_not_compared();
+    std::vector<TrueNeighbour> found = prove_the_nearest(holding, most_judged, in_coordinates);
+    if (says_only_zero(found) && others == NotCompared::asked) {
+      std::vector<TrueNeighbour> unseen = prove_what_was_not_compared();
+      unseen.insert(unseen.end(), std::make_move_iterator(found.begin()),
+                    std::make_move_iterator(found.end()));
+      if (unseen.size() > most_repairs) unseen.erase(unseen.begin() + most_repairs, unseen.end());
+      return unseen;
+    }
     return found;
   }
 
@@ -107,6 +122,12 @@ class RepairSearch {
     });
   }
 
+  /// Nobody writes a calculation in place of a 0.
+  static bool says_only_zero(const std::vector<TrueNeighbour>& found) {
+    return std::ranges::all_of(found,
+                               [](const TrueNeighbour& each) { return each.repair.replacement == "0"; });
+  }
+
   std::vector<TrueNeighbour> prove_what_was_not_compared() {
     if (not_compared_.empty() || cache_ == nullptr || cache_->budget().exhausted()) return {};
     if (!claim_was_compared_) {  // nor were its terms
@@ -115,13 +136,21 @@ class RepairSearch {
     }
     sort_and_reduce(not_compared_, candidates_.side(0), candidates_.side(1));
     const ShareOfWork share(*cache_, most_work_unseen);
-    return prove_the_nearest(not_compared_, most_judged_unseen);
+    return prove_the_nearest(not_compared_, most_judged_unseen, true);
   }
 
   void add_insertions(std::vector<RepairCandidate>& holding) {
     std::vector<RepairCandidate> insertions = candidates_.insertions();
     const std::vector<Equation> equations = read(insertions);
     for (RepairCandidate& each : holding_on_samples(insertions, equations, {}, false))
+      holding.push_back(std::move(each));
+  }
+
+  /// Of a row that is known to be wrong: other rows name other quantities.
+  void add_letters_near(std::vector<RepairCandidate>& holding) {
+    std::vector<RepairCandidate> others = candidates_.with_letters_near();
+    const std::vector<Equation> equations = read(others);
+    for (RepairCandidate& each : holding_on_samples(others, equations, {}, true))
       holding.push_back(std::move(each));
   }
 
@@ -296,19 +325,25 @@ class RepairSearch {
 
   // --- what is true
 
+  /// `unseen`: no sample tells which of them are worth it.
   std::vector<TrueNeighbour> prove_the_nearest(const std::vector<RepairCandidate>& candidates,
-                                               std::size_t most) {
+                                               std::size_t most, bool unseen) {
     std::vector<TrueNeighbour> found;
     std::size_t judged = 0;
+    std::size_t in_vain = 0;
     int nearest = 0;
     bool mends_a_term = false;  // then a term more says the same: it makes up for it
     for (const RepairCandidate& candidate : candidates) {
       const bool far = !found.empty() && candidate.distance > nearest + widest_choice;
       const bool says_the_same = candidate.slip == Slip::term_missing && mends_a_term;
-      if (says_the_same || says_nothing(candidate)) continue;
+      if (says_the_same || says_nothing(candidate) || (candidate.roundabout && !found.empty())) continue;
       if (far || found.size() == most_repairs || judged++ == most) break;
-      auto uses = proved(candidate);
-      if (!uses) continue;
+      if (unseen && !found.empty() && in_vain == most_in_vain) break;
+      auto uses = unseen ? proved_soon(candidate) : proved(candidate);
+      if (!uses) {
+        ++in_vain;
+        continue;
+      }
       if (found.empty()) nearest = candidate.distance;
       mends_a_term = mends_a_term || candidate.slip == Slip::sign || candidate.slip == Slip::factor ||
                      candidate.slip == Slip::term_missing || text_of(candidate.tokens) == "0";
@@ -331,6 +366,12 @@ class RepairSearch {
     return old == "0" || now == old + " + " + other || now == old + "+" + other || now == old + other;
   }
 
+  std::optional<std::vector<std::string>> proved_soon(const RepairCandidate& candidate) {
+    if (cache_ == nullptr) return proved(candidate);
+    const ShareOfWork share(*cache_, most_work_on_one);
+    return proved(candidate);
+  }
+
   /// As it would be read in place of what was written: what its proof uses.
   std::optional<std::vector<std::string>> proved(const RepairCandidate& candidate) {
     if (trim(candidate.tokens).empty()) return std::nullopt;
@@ -343,8 +384,22 @@ class RepairSearch {
     Diagnostics mismatches;
     const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);
     if (!claim || !mismatches.empty()) return std::nullopt;
-    if (is_trivial(tree_, claim->equation.left, claim->equation.right)) return std::nullopt;
+    const bool trivial = is_trivial(tree_, claim->equation.left, claim->equation.right);
+    if (trivial && !spells_out(candidate)) return std::nullopt;
     return proof_(tree_, names_, *claim, candidate.slip);
+  }
+
+  /// `\cosh x = \frac{e^x + e^{-x}}{2}`, `[A, B] = AB - BA`: the same to us, not to the author.
+  bool spells_out(const RepairCandidate& candidate) const {
+    const auto words_of = [](TokenView side) {
+      std::set<std::string_view> words;
+      for (const Token& token : side) {
+        const bool word = token.kind == TokenKind::control && !function_name(token.text).empty();
+        if (word || is_sign(token, "[")) words.insert(token.text);
+      }
+      return words;
+    };
+    return words_of(candidate.tokens) != words_of(candidates_.side(1 - candidate.side));
   }
 
   std::string statement_of(const RepairCandidate& candidate) const {

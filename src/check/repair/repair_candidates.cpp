@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/ascii.h"
+#include "latex/reading/exchanges.h"
 #include "latex/reading/placed_letters.h"
 #include "latex/token/vocabulary.h"
 
@@ -98,11 +99,22 @@ int apart(const std::set<std::string>& a, const std::set<std::string>& b) {
   return static_cast<int>(alone.size());
 }
 
-/// `[-A, B]` says in another way what `-[A, B]` does.
-bool turns_all_of_a_bracket(TokenView side, const Rewriting& change) {
-  const bool opens = change.begin > 0 && is_sign_of(side[change.begin - 1], "([,");
-  const bool closes = change.end < side.size() && is_sign_of(side[change.end], ")],");
-  return change.slip == Slip::sign && opens && closes;
+/// Does it change all that is in a bracket or an argument?
+bool changes_all_inside(TokenView side, const Rewriting& change) {
+  if (change.begin == 0 || change.end >= side.size()) return false;
+  const Token& before = side[change.begin - 1];
+  const Token& behind = side[change.end];
+  const bool group = before.kind == TokenKind::begin_group && behind.kind == TokenKind::end_group;
+  return group || (is_sign_of(before, "([,") && is_sign_of(behind, ")],"));
+}
+
+/// `[-A, B]` says in another way what `-[A, B]` does, and nobody writes `\frac{x}{-2}`, `\frac{x}{1}` or a
+/// fraction as a numerator.
+bool is_roundabout(TokenView side, const Rewriting& change) {
+  if (!changes_all_inside(side, change)) return false;
+  if (change.slip == Slip::sign) return true;
+  return change.slip == Slip::factor && !change.text.empty() &&
+         (is_fraction(change.text[0]) || (change.text.size() == 1 && change.text[0].text == "1"));
 }
 
 /// `\epsilon_{ijk}` rather than `\epsilon_{kij}`.
@@ -154,12 +166,14 @@ RepairCandidate RepairCandidates::made(std::size_t which, const Rewriting& rewri
   const std::string to = text_of(shown_after(side(which), change));
   const bool inside = change.slip == Slip::sign || change.slip == Slip::factor;
   const bool in_order = (change.slip == Slip::order && to < from) || orders_indices(side(which), change);
-  const int further = in_order ? -1 : turns_all_of_a_bracket(side(which), change) ? 8 : inside ? 2 : 0;
+  const int further = in_order ? -1 : is_roundabout(side(which), change) ? 8 : inside ? 2 : 0;
   const std::string words =
       to.empty()     ? fmt::format("`{}` is one too many on the {} side", from, side_names[which])
       : from.empty() ? fmt::format("`{}` is missing on the {} side", to, side_names[which])
                      : fmt::format("`{}` for `{}` on the {} side", to, from, side_names[which]);
-  return made(which, change.slip, rewritten(side(which), change), words, further);
+  RepairCandidate candidate = made(which, change.slip, rewritten(side(which), change), words, further);
+  candidate.roundabout = is_roundabout(side(which), change);
+  return candidate;
 }
 
 std::vector<RepairCandidate> RepairCandidates::rewritten_sides(bool whole_side) const {
@@ -168,6 +182,14 @@ std::vector<RepairCandidate> RepairCandidates::rewritten_sides(bool whole_side) 
 
 std::vector<RepairCandidate> RepairCandidates::insertions() const {
   return made_by([&](TokenView side) { return insertions_of(side, chain()); });
+}
+
+std::vector<RepairCandidate> RepairCandidates::with_letters_near() const {
+  constexpr int further = 4;
+  std::vector<RepairCandidate> candidates =
+      made_by([&](TokenView side) { return letters_from(wrong_.near, side, chain()); });
+  for (RepairCandidate& each : candidates) each.distance += further;
+  return candidates;
 }
 
 template <class Rewrite>
@@ -231,6 +253,11 @@ std::vector<ComparedTerm> RepairCandidates::longer_terms() const {
   return terms;
 }
 
+/// A term is missing in a sum, rather than beside the product that it equals.
+bool RepairCandidates::is_the_shorter_sum(std::size_t which) const {
+  return terms_of_side(side(which)).size() < 2 && terms_of_side(side(1 - which)).size() > 1;
+}
+
 RepairCandidate RepairCandidates::with(const ComparedTerm& term, Coefficient ratio) const {
   const long turned = term.side == 0 ? -ratio.numerator : ratio.numerator;
   const TokenView whole = side(term.side);
@@ -238,7 +265,7 @@ RepairCandidate RepairCandidates::with(const ComparedTerm& term, Coefficient rat
     const Rewriting more = with_term(whole, term.tokens, {turned, ratio.denominator});
     return made(term.side, Slip::term_missing, rewritten(whole, more),
                 fmt::format("`{}` is missing on the {} side", text_of(more.text), side_names[term.side]),
-                term.further);
+                term.further + (is_the_shorter_sum(term.side) ? 4 : 0));
   }
   const Coefficient times{ratio.denominator + turned, ratio.denominator};
   const Rewriting change = with_coefficient(whole, *term.which, times);

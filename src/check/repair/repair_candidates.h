@@ -27,10 +27,11 @@ struct WrongStep {
 
 struct RepairCandidate {
   Slip slip = Slip::sign;
-  std::size_t side = 0;  // 0 left, 1 right
-  Tokens tokens;         // of the side
-  std::string change;    // in words
-  int distance = 0;      // from what was written: the likelier the slip, the nearer; a token counts one
+  std::size_t side = 0;     // 0 left, 1 right
+  Tokens tokens;            // of the side
+  std::string change;       // in words
+  int distance = 0;         // from what was written: the likelier the slip, the nearer; a token counts one
+  bool roundabout = false;  // it says what a nearer one says, as nobody would
 };
 
 /// A term to which the difference of the sides is compared.
@@ -52,6 +53,8 @@ class RepairCandidates {
   [[nodiscard]] std::vector<RepairCandidate> rewritten_sides(bool whole_side) const;
   /// Each side with a term more inside of its brackets, the nearest first.
   [[nodiscard]] std::vector<RepairCandidate> insertions() const;
+  /// Each side with a letter that stands in lines near it, and in no side of its chain; the nearest first.
+  [[nodiscard]] std::vector<RepairCandidate> with_letters_near() const;
   /// The terms of both sides, then those that may be missing: terms of the chain, images of its terms, terms
   /// of lines near it, simple products.
   [[nodiscard]] std::vector<ComparedTerm> terms() const;
@@ -67,6 +70,7 @@ class RepairCandidates {
   template <class Rewrite>
   [[nodiscard]] std::vector<RepairCandidate> made_by(const Rewrite& rewrite) const;
   [[nodiscard]] int suspicion(std::size_t which) const;
+  [[nodiscard]] bool is_the_shorter_sum(std::size_t which) const;
   [[nodiscard]] int imbalance(std::size_t which, TokenView now) const;
   [[nodiscard]] std::string words_for(std::size_t which, std::size_t term, Coefficient times) const;
   [[nodiscard]] std::vector<TokenView> chain() const { return {sides_.begin(), sides_.end()}; }

@@ -13,6 +13,7 @@
 
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/doubt/equation_of_letters.h"
 #include "check/law/from_laws.h"
 #include "check/law/observables.h"
 #include "check/place/place.h"
@@ -266,6 +267,10 @@ bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Jud
   const bool asks = place.options.repairs != Repairs::none && !place.is_stated && row.role == Role::display &&
                     !row.unsettled && claim.recorded == nullptr && !is_alternative(place, row.parsed);
   if (!asks) return false;
+  // "Solve `\ln x^2 = \ln x`": it says which values are meant.
+  if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
+      asks_for_values(beside(place).lead))
+    return false;
   // What is also the right side of the link before it is less likely to hold the slip.
   const WrongStep wrong{.parsed = row.parsed,
                         .which = row.which,

@@ -12,21 +12,13 @@
 #include "check/doubt/row_doubts.h"
 #include "check/place/place.h"
 #include "check/question/decision_cache.h"
-#include "check/question/question.h"
+#include "check/repair/repair.h"
+#include "check/repair/sides_near.h"
+#include "check/row/series_equation.h"
 #include "check/scope/definition.h"
-#include "expr/calculus/differentiate.h"
-#include "expr/calculus/power_series.h"
 
 namespace rigor {
 namespace {
-
-/// Between the coefficients of one power.
-struct SeriesEquation {
-  int order = 0;
-  Equation equation;
-};
-
-constexpr int most_poles = 4;  // x^4 may divide
 
 /// The degree as a polynomial in the symbol; more than any order if it is not one.
 int degree(const ExprTree& tree, ExprId id, SymbolId symbol) {
@@ -76,76 +68,58 @@ bool may_be_large(const RowPlace& place, const std::string& letter) {
   });
 }
 
-/// What holds of the letter alone, so that all other symbols can be held while it goes to 0.
-std::optional<Equation> with_letter_open(RowPlace& place, Equation equation, SymbolId letter) {
-  constexpr int most_rounds = 20;
-  if (definition_of(place.names.scope, letter) != nullptr) return std::nullopt;
-  const auto speaks = [&](ExprId id) {
-    return std::ranges::any_of(symbols_reached(place.tree, place.names.scope, {id}), [&](SymbolId symbol) {
-      return symbol == letter || base_of(place.tree.symbols, symbol) == letter;
-    });
-  };
-  for (const NamedAssumption& assumption : *place.names.scope.assumptions) {
-    const Equation& said = assumption.equation;
-    if (said.relation != Relation::equal || (!speaks(said.left) && !speaks(said.right))) continue;
-    if (assumption.origin.directive) place.found.used.insert(*assumption.origin.directive);
-    return std::nullopt;
-  }
-  bool open = true;
-  const auto by = [&](ExprId id) -> std::optional<ExprId> {
-    const ExprNode node = place.tree[id];
-    if (node.symbol == letter) return std::nullopt;
-    const NamedDefinition* named = definition_of(place.names.scope, node.symbol);
-    const bool derived = place.tree.symbols[node.symbol].derivation.has_value();
-    if (named == nullptr && (!derived || !speaks(id))) return std::nullopt;
-    if (named != nullptr && !speaks(named->definition.body)) return std::nullopt;
-    const bool plain = named != nullptr && named->definition.indices.empty() &&
-                       named->definition.particle == no_particle && !named->definition.by_square;
-    open = open && plain;
-    if (!plain) return std::nullopt;
-    const std::vector<Slot> slots(place.tree.slots(id).begin(), place.tree.slots(id).end());
-    return component_of(place.tree, named->definition.body, slots);
-  };
-  for (int round = 0; round < most_rounds && open; ++round) {
-    const Equation before = equation;
-    equation.left = replaced(place.tree, equation.left, by);
-    equation.right = replaced(place.tree, equation.right, by);
-    if (equation.left == before.left && equation.right == before.right)
-      return open ? std::optional(equation) : std::nullopt;
+/// The tokens of a side without `+ O(x^n)`, and those of that; nothing where it is not written so.
+struct CutSide {
+  Tokens rest;
+  std::string remainder;
+};
+std::optional<CutSide> without_remainder(TokenView side) {
+  for (const SideTerm& term : terms_of_side(side)) {
+    const bool signed_one = term.with_sign.data() != term.tokens.data();
+    if (!signed_one || term.tokens[0].text != "O" || !is_sign_at(term.tokens, 1, "(")) continue;
+    const auto begin = term.with_sign.data() - side.data();
+    const auto end = begin + static_cast<std::ptrdiff_t>(term.with_sign.size());
+    Tokens rest(side.begin(), side.begin() + begin);
+    rest.insert(rest.end(), side.begin() + end, side.end());
+    const TokenView bare = trim(rest);
+    return CutSide{Tokens(bare.begin(), bare.end()), text_of(term.with_sign)};
   }
   return std::nullopt;
 }
 
-/// The equations between the coefficients of powers below `power`; nothing where a side has no expansion.
-std::optional<std::vector<SeriesEquation>> coefficients(RowPlace& place, const Equation& equation,
-                                                        SymbolId letter, int power) {
-  const auto is_zero = [&](ExprId term) -> std::optional<bool> {
-    const Equation zero{.left = term, .right = place.tree.add_number(place.tree[term].span, "0")};
-    const Prepared prepared = prepare(place.tree, place.names, zero);
-    if (prepared.too_large) return std::nullopt;
-    const Decision decision = decide(place.options.cache, prepared.question, {.simplest_sample = false});
-    if (decision.outcome == Outcome::undecided) return std::nullopt;
-    return decision.outcome == Outcome::proved;
+/// The nearest statements that hold up to the order, with the remainder at their end.
+std::vector<Repair> repairs_up_to_order(RowPlace& place, ParsedChain pair, SymbolId letter, int power) {
+  constexpr std::uint64_t most_work = 2'000'000;
+  const auto cut = without_remainder(without_layout(pair.written.sides[1].tokens));
+  if (!cut) return {};
+  pair.written.sides[1].tokens = cut->rest;
+  const WrongStep wrong{.parsed = pair, .near = sides_near(place.notes, pair)};
+  DecisionCache* cache = place.options.cache;
+  const ShareOfWork share(*cache, most_work);
+  const Asked up_to_order = [&](ExprTree& tree, const Names& names, const Equation& equation) {
+    return equation_up_to({tree, names, cache}, equation, letter, power);
   };
-  PowerSeriesExpansion expansion(place.tree, letter, power + most_poles, is_zero);
-  const auto left = expansion.of(equation.left);
-  const auto right = expansion.of(equation.right);
-  if (!left || !right || std::min(left->end(), right->end()) < power) return std::nullopt;
-  std::vector<SeriesEquation> all;
-  const auto at = [&](const PowerSeries& series, ExprId like, int order) {
-    const int index = order - series.first;
-    if (index >= 0) {
-      if (const auto& term = series.terms[static_cast<std::size_t>(index)]) return *term;
+  const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim,
+                                   Slip) -> std::optional<std::vector<std::string>> {
+    Claim part = claim;
+    const auto equation = up_to_order(tree, names, claim.equation);
+    if (!equation) return std::nullopt;
+    part.equation = *equation;
+    Judgement judgement = judge(tree, names, part, limits_of_candidates, cache);
+    if (judgement.verdict != Verdict::proved || !judgement.diagnostics.empty()) return std::nullopt;
+    return std::move(judgement.uses);
+  };
+  std::vector<Repair> repairs;
+  for (TrueNeighbour& each : true_neighbours(place.tree, place.names, wrong, proof, cache, up_to_order)) {
+    const std::string end = " " + cut->remainder;
+    each.repair.statement += end;
+    if (!each.repair.on_left) {
+      each.repair.replaced += end;
+      each.repair.replacement += end;
     }
-    return zero_of_rank(place.tree, place.tree[like].span, place.tree[like].rank, place.tree[like].axes);
-  };
-  for (int order = std::min(left->first, right->first); order < power; ++order) {
-    Equation each = equation;
-    each.left = at(*left, equation.left, order);
-    each.right = at(*right, equation.right, order);
-    all.push_back({order, each});
+    repairs.push_back(std::move(each.repair));
   }
-  return all;
+  return repairs;
 }
 
 }  // namespace
@@ -218,9 +192,10 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
     doubt_errors(place.notes.syntax, place.names, pair, 0, step.diagnostics);
     return;
   }
-  const auto held = with_letter_open(place, claim->equation, node.symbol);
+  const SeriesPlace at{place.tree, place.names, place.options.cache, &place.found.used};
+  const auto held = with_letter_open(at, claim->equation, node.symbol);
   if (!held) return open(fmt::format("other statements about `{}` keep it from going to 0 by itself", name));
-  const auto equations = coefficients(place, *held, node.symbol, right_end->power);
+  const auto equations = coefficients(at, *held, node.symbol, right_end->power);
   if (!equations) return open(fmt::format("a side has no known expansion in powers of `{}`", name));
   // An equation that is a law and no identity is no identity up to an order, either.
   std::optional<Judgement> whole;
@@ -262,7 +237,10 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
         if (diagnostic.kind == DiagnosticKind::refuted && diagnostic.message.starts_with(sides))
           diagnostic.message.replace(0, sides.size(), what + " differ");
       }
+      const bool wrong = judgement.verdict == Verdict::refuted && !left_end;
       accept(std::move(judgement), step);
+      if (wrong && place.options.repairs != Repairs::none)
+        step.repairs = repairs_up_to_order(place, pair, node.symbol, right_end->power);
       return;
     }
     if (!first_open) first_open = std::move(judgement);

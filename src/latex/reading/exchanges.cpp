@@ -18,6 +18,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t most_exchanges = 60;  // of indices in one term
+constexpr std::size_t most_letters_near = 16;
 
 bool differentiates(TokenView tokens) {
   return std::ranges::any_of(tokens, [](const Token& token) {
@@ -32,6 +33,7 @@ class Exchanger {
 
   std::vector<Rewriting> all() {
     collect_factors();
+    collect_components();
     for (const PieceLevel& level : levels_with_exponents(side_)) {
       if (!level.may_be_sum) continue;
       const std::vector<PieceTerm> terms = terms_of(level);
@@ -52,12 +54,58 @@ class Exchanger {
       function(k);
       fraction(k);
       rate(k);
+      digit_too_many(k);
     }
     letters();
     return std::move(rewritings_);
   }
 
+  /// Letters that no side of the chain has.
+  std::vector<Rewriting> with_letters_of(const std::vector<TokenView>& near) {
+    const std::vector<FacedLetter> own = letters_of_sides(chain_);
+    std::vector<FacedLetter> others = letters_of_sides(near);
+    std::erase_if(others, [&](const FacedLetter& each) { return std::ranges::count(own, each) > 0; });
+    if (others.size() > most_letters_near) others.resize(most_letters_near);
+    for (const PlacedLetter& letter : letters_in(side_)) replace(letter, others);
+    for (const FacedLetter& each : others) {
+      if (each.face.empty()) factors_.push_back(each.token);
+    }
+    for (const PieceLevel& level : levels_with_exponents(side_)) {
+      if (!level.may_be_sum) continue;
+      for (const PieceTerm& term : terms_of(level)) missing_factors(term.tokens);
+    }
+    return std::move(rewritings_);
+  }
+
  private:
+  struct FacedLetter {
+    TokenView token;
+    std::string_view face;
+    friend bool operator==(const FacedLetter& a, const FacedLetter& b) {
+      return a.token[0].text == b.token[0].text && a.face == b.face;
+    }
+  };
+
+  /// Each once, in their order.
+  static std::vector<FacedLetter> letters_of_sides(const std::vector<TokenView>& sides) {
+    std::vector<FacedLetter> letters;
+    for (const TokenView side : sides) {
+      for (const PlacedLetter& letter : letters_in(side)) {
+        const FacedLetter each{side.subspan(letter.at, 1), letter.face};
+        if (std::ranges::count(letters, each) == 0) letters.push_back(each);
+      }
+    }
+    return letters;
+  }
+
+  void replace(const PlacedLetter& letter, const std::vector<FacedLetter>& others) {
+    const TokenView whole = side_.subspan(letter.begin, letter.end - letter.begin);
+    for (const FacedLetter& other : others) {
+      if (other.face == letter.face && other.token[0].text != side_[letter.at].text)
+        add(Slip::letter, letter.at, letter.at + 1, {other.token[0]}, whole);
+    }
+  }
+
   std::size_t place(TokenView part) const { return static_cast<std::size_t>(part.data() - side_.data()); }
   Token made(TokenKind kind, std::string_view text, std::size_t at) const {
     const Span beside = side_[std::min(at, side_.size() - 1)].span;
@@ -160,6 +208,63 @@ class Exchanger {
       return is_control_of(token, {"sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "ln", "log"});
     });
     if (of_function) missing_factors_at(place(term) + term.size(), term);
+    if (!components_.empty() && !subscripts_of(term).empty()) missing_components(term);
+  }
+
+  /// `a_i` may have been `a_ib_i`, `\delta_{ij}` may have been `\delta_{ij}a_j`.
+  void missing_components(TokenView term) {
+    const std::size_t end = place(term) + term.size();
+    for (const Tokens& component : components_) add(Slip::factor_missing, end, end, component, term);
+  }
+
+  /// What has indices in the chain, with one of them replaced, and the components of its vectors.
+  void collect_components() {
+    constexpr std::size_t most_indices = 6;
+    std::vector<Token> indices;
+    for (const TokenView side : chain_) {
+      for (const TokenView subscript : subscripts_of(side)) {
+        for (const Token* index : indices_in(subscript)) {
+          const bool known = std::ranges::count(indices, index->text, &Token::text) > 0;
+          if (index->kind == TokenKind::letter && !known && indices.size() < most_indices)
+            indices.push_back(*index);
+        }
+      }
+    }
+    if (indices.empty()) return;
+    for (const TokenView side : chain_) {
+      for (const PieceLevel& level : levels_of(side)) {
+        for (const Piece& piece : level.pieces) {
+          if (level.may_be_sum && piece.kind == PieceKind::factor) add_components(piece, indices);
+        }
+      }
+    }
+  }
+
+  void add_components(const Piece& piece, const std::vector<Token>& indices) {
+    constexpr std::size_t most = 40;
+    const auto add_component = [&](Tokens tokens) {
+      const auto same = [&](const Tokens& other) { return text_of(other) == text_of(tokens); };
+      if (components_.size() < most && std::ranges::none_of(components_, same))
+        components_.push_back(std::move(tokens));
+    };
+    const std::vector<PlacedLetter> letters = letters_in(piece.tokens);
+    const std::vector<TokenView> subscripts = subscripts_of(piece.tokens);
+    if (letters.size() != 1 || letters[0].begin != 0 || subscripts.size() > 1) return;
+    if (subscripts.empty() && !letters[0].face.empty() && letters[0].end == piece.tokens.size()) {
+      for (const Token& index : indices)
+        add_component({piece.tokens[letters[0].at], made(TokenKind::subscript, "_", 0), index});
+    }
+    if (subscripts.empty() || !letters[0].face.empty()) return;
+    for (const Token* at : indices_in(subscripts[0])) {
+      if (at->kind != TokenKind::letter) return;
+    }
+    for (const Token* at : indices_in(subscripts[0])) {
+      for (const Token& index : indices) {
+        Tokens component(piece.tokens.begin(), piece.tokens.end());
+        component[static_cast<std::size_t>(at - piece.tokens.data())].text = index.text;
+        add_component(std::move(component));
+      }
+    }
   }
 
   void missing_factors_at(std::size_t at, TokenView shown) {
@@ -210,6 +315,23 @@ class Exchanger {
     }
   }
 
+  /// `24` for `4`: a digit too many.
+  void digit_too_many(std::size_t k) {
+    if (side_[k].kind != TokenKind::digit) return;
+    const bool first = k == 0 || side_[k - 1].kind != TokenKind::digit;
+    const bool more = is_kind_at(side_, k + 1, TokenKind::digit);
+    const bool another = !first && side_[k - 1].text != side_[k].text;
+    if (first ? more : another) add(Slip::factor, k, k + 1, {}, number_around(k));
+  }
+
+  TokenView number_around(std::size_t k) const {
+    std::size_t begin = k;
+    std::size_t end = k + 1;
+    while (begin > 0 && side_[begin - 1].kind == TokenKind::digit) --begin;
+    while (is_kind_at(side_, end, TokenKind::digit)) ++end;
+    return side_.subspan(begin, end - begin);
+  }
+
   void function(std::size_t k) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> neighbours{{
         {"sin", "cos"},
@@ -247,22 +369,10 @@ class Exchanger {
 
   /// Another letter of the chain with the same face; a dot or a prime more or less.
   void letters() {
-    std::vector<std::pair<Token, std::string_view>> others;
-    for (const TokenView side : chain_) {
-      for (const PlacedLetter& letter : letters_in(side)) {
-        const bool known = std::ranges::any_of(others, [&](const auto& other) {
-          return other.first.text == side[letter.at].text && other.second == letter.face;
-        });
-        if (!known) others.emplace_back(side[letter.at], letter.face);
-      }
-    }
+    const std::vector<FacedLetter> others = letters_of_sides(chain_);
     for (const PlacedLetter& letter : letters_in(side_)) {
-      const TokenView whole = side_.subspan(letter.begin, letter.end - letter.begin);
-      for (const auto& [other, face] : others) {
-        if (face == letter.face && other.text != side_[letter.at].text)
-          add(Slip::letter, letter.at, letter.at + 1, {other}, whole);
-      }
-      dot_and_prime(letter, whole);
+      replace(letter, others);
+      dot_and_prime(letter, side_.subspan(letter.begin, letter.end - letter.begin));
     }
   }
 
@@ -288,6 +398,7 @@ class Exchanger {
   TokenView side_;
   const std::vector<TokenView>& chain_;
   std::vector<TokenView> factors_;
+  std::vector<Tokens> components_;
   std::vector<Rewriting> rewritings_;
   std::set<std::tuple<std::size_t, std::size_t, std::string>> known_;
 };
@@ -296,6 +407,11 @@ class Exchanger {
 
 std::vector<Rewriting> exchanges_of(TokenView side, const std::vector<TokenView>& chain) {
   return side.empty() ? std::vector<Rewriting>{} : Exchanger(side, chain).all();
+}
+
+std::vector<Rewriting> letters_from(const std::vector<TokenView>& near, TokenView side,
+                                    const std::vector<TokenView>& chain) {
+  return side.empty() ? std::vector<Rewriting>{} : Exchanger(side, chain).with_letters_of(near);
 }
 
 }  // namespace rigor

@@ -13,4 +13,9 @@ namespace rigor {
 /// a factor more or less. Letters and factors are those of the chain.
 [[nodiscard]] std::vector<Rewriting> exchanges_of(TokenView side, const std::vector<TokenView>& chain);
 
+/// The same for letters that no side of the chain has, but sides near it: another letter, or one as a factor
+/// more.
+[[nodiscard]] std::vector<Rewriting> letters_from(const std::vector<TokenView>& near, TokenView side,
+                                                  const std::vector<TokenView>& chain);
+
 }  // namespace rigor

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "latex/reading/exchanges.h"
+#include "latex/reading/placed_letters.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -23,7 +24,7 @@ class Rewriter {
   explicit Rewriter(TokenView side) : side_(side) {}
 
   std::vector<Rewriting> all(const std::vector<TokenView>& chain, bool whole_side) {
-    for (const PieceLevel& level : levels_of(side_)) {
+    for (const PieceLevel& level : levels_with_exponents(side_)) {
       if (!level.may_be_sum) continue;
       if (whole_side || !level.whole_side) terms(level);
       for (std::size_t k = 0; k < level.pieces.size(); ++k) product(level, k);

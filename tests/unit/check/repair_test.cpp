@@ -75,6 +75,40 @@ TEST_CASE("integrals, sums and roots are mended where no sample has their values
   CHECK(mended("\\sum_{k=0}^\\infty q^k = \\frac{1}{1 + q}") == "\\sum_{k=0}^\\infty q^k = \\frac{1}{1 - q}");
 }
 
+TEST_CASE("logarithms and roots are compared by numbers between which they lie") {
+  const std::string positive =
+      rigor_says("for all a, b") + rigor_says("given a > 0") + rigor_says("given b > 0");
+  CHECK(nearest(positive + "$$-\\ln(ab) = \\ln a + \\ln b$$").statement == "\\ln(ab) = \\ln a + \\ln b");
+  CHECK(nearest(positive + "$$\\ln(ab) = \\ln a + 3\\ln b$$").change ==
+        "term 2 on the right must be 1/3 times as large");
+  CHECK(nearest(positive + "$$\\sqrt{a} - \\sqrt{b} = \\frac{a + b}{\\sqrt{a} + \\sqrt{b}}$$").statement ==
+        "\\sqrt{a} - \\sqrt{b} = \\frac{a - b}{\\sqrt{a} + \\sqrt{b}}");
+}
+
+TEST_CASE("series are mended up to their order, which stays") {
+  const std::string small = "For small $x$,\n";
+  CHECK(nearest(small + "$$\\cos x = 1 + \\frac{x^2}{2} + O(x^4)$$").statement ==
+        "\\cos x = 1 - \\frac{x^2}{2} + O(x^4)");
+  CHECK(nearest(small + "$$\\ln(1 + x) = x - x^2 + O(x^3)$$").replacement == "x - \\frac{1}{2}x^2 + O(x^3)");
+  CHECK(nearest(small + "$$e^{2x} = 1 + x + O(x^2)$$").on_left == false);
+}
+
+TEST_CASE("a component and a letter of a line above can be missing, and a digit one too many") {
+  const auto offers = [](const std::string& note, const std::string& statement) {
+    const Checked checked(note);
+    return std::ranges::any_of(checked.report.steps, [&](const Step& step) {
+      return std::ranges::any_of(step.repairs,
+                                 [&](const Repair& each) { return each.statement == statement; });
+    });
+  };
+  CHECK(offers("$$\\mathbf{a}\\cdot\\mathbf{b} = a_i$$", "\\mathbf{a}\\cdot\\mathbf{b} = a_ib_i"));
+  CHECK(offers(rigor_says("let r = \\frac{2GM}{c^2}") + rigor_says("for all G, M, c") +
+                   "$$M + G = G + M$$ $$3r = \\frac{6GG}{c^2}$$",
+               "3r = \\frac{6GM}{c^2}"));
+  CHECK(offers(rigor_says("for all a") + "$$\\frac{a}{2} + \\frac{a}{2} = \\frac{2a}{12}$$",
+               "\\frac{a}{2} + \\frac{a}{2} = \\frac{2a}{2}"));
+}
+
 TEST_CASE("the letter that only one side has, and a number in a bracket, can be missing") {
   const auto offers = [](const std::string& note, const std::string& statement) {
     const Checked checked(rigor_says("for all a, b, c") + "$$" + note + "$$");
