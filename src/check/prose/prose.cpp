@@ -85,10 +85,11 @@ bool is_abbreviation(std::string_view word) {
 }
 
 Cue cue_of(std::string_view word) {
-  static constexpr std::array<std::string_view, 24> apart{
-      "unless", "near",          "except", "excluding", "without", "not",   "no",     "never",
-      "nor",    "neither",       "away",   "around",    "close",   "about", "beyond", "approaches",
-      "tends",  "approximately", "nearly", "almost",    "roughly", "far",   "limit",  "cannot"};
+  static constexpr std::array<std::string_view, 25> apart{
+      "unless", "near",       "except",  "excluding",     "without", "not",    "no",
+      "never",  "nor",        "neither", "away",          "around",  "close",  "about",
+      "beyond", "approaches", "tends",   "approximately", "nearly",  "almost", "roughly",
+      "far",    "limit",      "cannot",  "than"};
   if (is_one_of(word, apart)) return Cue::apart;
   static constexpr std::array<std::string_view, 20> definitions{
       "with",    "where", "define",     "defining", "defined",     "let",     "put",
