@@ -202,6 +202,7 @@ WrittenStep FormCollector::step_of(const Statement& statement, const NameScope& 
   if (which < statement.step_count) {
     const Step& decided = report_.steps[statement.first_step + which];
     step.outcome = outcome_of(decided);
+    step.stated = decided.verdict == Verdict::law;
     step.defines = decided.verdict == Verdict::definition;
     step.given = decided.verdict == Verdict::given;
     step.expected_refuted = decided.expected_refuted;

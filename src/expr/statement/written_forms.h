@@ -31,6 +31,7 @@ struct WrittenStep {
   bool defines = false;                   // the left form is a name for the right one
   bool given = false;                     // what the notes take for granted
   std::optional<Outcome> outcome = {};    // nothing: it was not asked, or its answer does not count
+  bool stated = false;                    // a law: it need not follow from anything
   std::optional<Question> question = {};  // its `tree` is not set
   QuestionNames names = {};               // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // `nearly`: the step before anything was left out

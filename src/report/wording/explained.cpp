@@ -110,7 +110,9 @@ ExplainedAs explain_one(WrittenForms& forms, std::size_t chain, std::size_t step
   if (written.outcome != Outcome::proved) {
     lines.start_at(*left.expr, "", &left);
     lines.add(relation, *right.expr,
-              written.outcome ? "not decided by `rigor check`" : "not understood by `rigor check`",
+              written.stated    ? "stated as a law"
+              : written.outcome ? "not decided by `rigor check`"
+                                : "not understood by `rigor check`",
               LineKind::not_reached);
     lines.end_block();
     return ExplainedAs::open;

@@ -69,6 +69,13 @@ double share_of_chains(const std::string& path) {
 
 }  // namespace
 
+TEST_CASE("a law is shown as one") {
+  const NotesFile notes("$$\\ddot x + x = F$$\n");
+  const Explained explained = explain({notes.path()});
+  CHECK(explained.out.find("stated as a law") != std::string::npos);
+  CHECK(explained.out.find("not understood") == std::string::npos);
+}
+
 TEST_CASE("a statement on the command line is explained line by line") {
   const Explained text =
       explain({"|\\mathbf A\\times\\mathbf B|^2 = A^2B^2 - (\\mathbf A\\cdot\\mathbf B)^2"});
