@@ -14,6 +14,7 @@
 
 #include "base/among.h"
 #include "check/question/at_all_times.h"
+#include "check/question/average_value.h"
 #include "check/question/integral_value.h"
 #include "check/question/running_letters.h"
 #include "elaborate/name/function_value.h"
@@ -70,6 +71,7 @@ class Preparation {
       }
       if (beyond == 0) prepared_.without_slack = prepared_.question.assumptions.size();
     }
+    average_laws_of_operators();
     add_lengths();
     add_conditions();
     prepared_.too_large = budget_.exceeded;
@@ -207,9 +209,9 @@ class Preparation {
       result = at_value(symbol, value->second, depth);
       return derived_[symbol] = result;
     }
-    if (tree_.symbols[symbol].integral) {
+    if (const auto& integral = tree_.symbols[symbol].integral) {
       derived_[symbol] = std::nullopt;
-      result = of_integral(symbol);
+      result = integral->average ? of_average(symbol) : of_integral(symbol);
       return derived_[symbol] = result;
     }
     const auto& derivation = tree_.symbols[symbol].derivation;
@@ -304,6 +306,67 @@ class Preparation {
     if (value->open) prepared_.open_integral = std::move(value->open);
     return FoundDefinition{
         {symbol, {}, no_particle, value->value}, integral.sum ? &by_differences : &by_primitives, false};
+  }
+
+  // --- averages
+
+  /// What holds at an instant only says nothing of an average.
+  bool holds_at_all_times(ExprId body) {
+    return std::ranges::none_of(symbols_reached(tree_, names_.scope, {body}), [&](SymbolId each) {
+      const NamedDefinition* named = rigor::definition_of(names_.scope, each);
+      return named != nullptr && named->at_instant;
+    });
+  }
+
+  /// Its value by linearity, of a letter that is averaged alone only where its definition is one for
+  /// outcomes.
+  std::optional<AverageValue> average_of(ExprId inside, Span span) {
+    const auto body = holds_at_all_times(inside) ? opened(inside) : std::nullopt;
+    if (!body) return std::nullopt;
+    const auto fluctuates = [&](SymbolId each) { return may_fluctuate(tree_, names_, each); };
+    const bool before = std::ranges::any_of(symbols_in(tree_, inside), fluctuates);
+    if (before && std::ranges::none_of(symbols_in(tree_, *body), fluctuates)) return std::nullopt;
+    return average_value(tree_, names_, *body, span);
+  }
+
+  std::optional<FoundDefinition> of_average(SymbolId symbol) {
+    static const Origin by_linearity{"averages are linear", ""};
+    prepared_.open_average = true;
+    const Span span = tree_.symbols[symbol].first_seen;
+    auto value = average_of(tree_.symbols[symbol].integral->integrand, span);
+    if (!value || is_one_of(symbol, symbols_in(tree_, value->value))) return std::nullopt;
+    for (const SymbolId each : value->outside)
+      say(fmt::format("`{}` does not fluctuate, since it stands outside of the averages",
+                      tree_.symbols[each].name));
+    return FoundDefinition{{symbol, {}, no_particle, value->value}, &by_linearity, false};
+  }
+
+  void say(std::string convention) {
+    if (!is_one_of(convention, prepared_.conventions)) prepared_.conventions.push_back(std::move(convention));
+  }
+
+  /// A law of operators holds in every state: to averages it says what its own averages are.
+  void average_laws_of_operators() {
+    const Equation& claim = prepared_.question.claim;
+    if (!prepared_.open_average || has_operators(tree_, claim.left) || has_operators(tree_, claim.right))
+      return;
+    std::vector<Equation> assumptions = std::exchange(prepared_.question.assumptions, {});
+    std::vector<const NamedAssumption*> origins = std::exchange(prepared_.assumptions, {});
+    for (std::size_t k = 0; k < assumptions.size(); ++k) {
+      const Equation& law = assumptions[k];
+      if (!has_operators(tree_, law.left) && !has_operators(tree_, law.right)) {
+        prepared_.question.assumptions.push_back(law);
+        prepared_.assumptions.push_back(origins[k]);
+        continue;
+      }
+      const bool plain = law.relation == Relation::equal && law.indices.empty() && law.particles.empty() &&
+                         tree_[law.left].rank == 0 && (origins[k] == nullptr || !origins[k]->at_instant);
+      const auto left = plain ? average_of(law.left, tree_[law.left].span) : std::nullopt;
+      const auto right = plain ? average_of(law.right, tree_[law.right].span) : std::nullopt;
+      prepared_.has_laws_of_operators = true;
+      if (left && right) push({.left = left->value, .right = right->value}, origins[k]);
+    }
+    prepared_.without_slack = std::min(prepared_.without_slack, prepared_.assumptions.size());
   }
 
   /// Leibniz's rule, with which nothing else need be known of it.

@@ -24,6 +24,7 @@
 #include "check/verdict/law_diagnostic.h"
 #include "check/verdict/other_reading.h"
 #include "check/verdict/rational_expression.h"
+#include "check/verdict/two_outcomes.h"
 #include "elaborate/name/function_value.h"
 
 namespace rigor {
@@ -72,7 +73,8 @@ class Judging {
     note_uses(decision);
     if (claim_.explains) name_what_it_rests_on();
     judgement_.question = std::move(prepared_.question);
-    if (judgement_.verdict == Verdict::refuted) judgement_.sample = std::move(decision.sample);
+    if (judgement_.verdict == Verdict::refuted && !judgement_.sample)
+      judgement_.sample = std::move(decision.sample);
     return std::move(judgement_);
   }
 
@@ -518,6 +520,7 @@ class Judging {
       return;
     if (may_be_excused()) return;
     if (own_guess() || claim_.alternative) return doubted();
+    if (relates_different_averages()) return law_of_averages();
     if (claim_.doubt != nullptr && relates_the_same_letters()) return doubted();
     if (const auto both = component_declared_alone()) {
       judgement_.verdict = Verdict::not_understood;
@@ -527,6 +530,47 @@ class Judging {
           {fmt::format("without a declaration of `{}` it is the component", both->first)});
       return;
     }
+    if (speaks_of_averages() && claim_.recorded == nullptr) return refuted_about_averages(decision);
+    weigh_as_identity(decision);
+  }
+
+  [[nodiscard]] bool speaks_of_averages() {
+    prepared_.question.tree = &tree_;
+    return prepared_.open_average && !averages_of(prepared_.question).empty();
+  }
+
+  /// `\langle xy\rangle = \langle x\rangle\langle y\rangle` says something of the distribution.
+  [[nodiscard]] bool relates_different_averages() {
+    return !claim_.for_all && claim_.equation.relation == Relation::equal && speaks_of_averages() &&
+           !has_same_averages(tree_, prepared_.question);
+  }
+
+  void law_of_averages() {
+    judgement_.verdict = Verdict::law;
+    judgement_.not_for_all = bases_of(tree_, averages_of(prepared_.question));
+  }
+
+  /// Numbers for averages refute only if there are outcomes that have them.
+  void refuted_about_averages(const Decision& decision) {
+    const bool identity = claim_.for_all || claim_.equation.relation == Relation::equal;
+    const auto shown =
+        identity ? refuted_by_two_outcomes(tree_, names_, prepared_, limits_, cache_) : std::nullopt;
+    if (!shown) {
+      judgement_.verdict = Verdict::undecided;
+      add(DiagnosticKind::undecided,
+          "it was found to fail only where averages are taken as any numbers, whatever is averaged");
+      return;
+    }
+    Decision with_outcomes = decision;
+    with_outcomes.sample = shown->sample;
+    weigh_as_identity(with_outcomes);
+    if (judgement_.verdict != Verdict::refuted) return;
+    judgement_.sample = shown->sample;
+    judgement_.diagnostics.back().help.push_back(
+        fmt::format("for two outcomes with equal weights: {}", shown->outcomes));
+  }
+
+  void weigh_as_identity(const Decision& decision) {
     std::vector<SymbolId> law;
     if (!claim_.for_all)
       law = law_symbols(prepared_.question, names_.scope, restates_definition(), rotations(), cache_);

@@ -9,6 +9,7 @@ namespace rigor {
 using ReadPart = MaybeTyped(Reading& reading, SyntaxId id, const Around& around);
 
 ReadPart elaborate_transpose, elaborate_adjoint;                    // adjoint.cpp
+ReadPart elaborate_average;                                         // average.cpp
 ReadPart elaborate_bars, elaborate_component;                       // bracket.cpp
 ReadPart elaborate_cases;                                           // cases.cpp
 ReadPart elaborate_part;                                            // complex.cpp

@@ -162,6 +162,7 @@ class Parser {
   SyntaxId unclear_argument(Span span, std::string_view name);
   [[nodiscard]] bool is_rate_or_change(SyntaxId node) const;
   [[nodiscard]] bool is_conjugate(SyntaxId node) const;
+  [[nodiscard]] bool is_average(SyntaxId node) const;
   SyntaxId field_function(Cursor& cursor, std::string_view name);
 
   // parser_integrals.cpp
