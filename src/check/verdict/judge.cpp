@@ -64,6 +64,10 @@ class Judging {
           break;
         }
         if (is_law_of_operators()) break;
+        if (!own_guess() && relates_different_averages()) {
+          law_of_averages();
+          break;
+        }
         judgement_.verdict = Verdict::undecided;
         add(DiagnosticKind::undecided,
             decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);

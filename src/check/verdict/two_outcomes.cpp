@@ -82,6 +82,21 @@ class OutcomesAsDefinitions {
     return true;
   }
 
+  /// The outcomes of a letter differ.
+  void add_differences(Question& question) {
+    for (const auto& [symbol, at] : outcomes_) {
+      const Span span = tree_.symbols[symbol].first_seen;
+      const auto node = [&](SymbolId each) {
+        return tree_.add({.op = Op::symbol, .span = span, .symbol = each});
+      };
+      question.assumptions.push_back({.left = node(at[0]),
+                                      .right = node(at[1]),
+                                      .indices = {},
+                                      .particles = {},
+                                      .relation = Relation::unequal});
+    }
+  }
+
   /// "`x` is 0 or 1, and `y` 2 or 3"
   [[nodiscard]] std::string described(const Sample& sample) const {
     std::string text;
@@ -164,6 +179,7 @@ std::optional<TwoOutcomes> refuted_by_two_outcomes(ExprTree& tree, const Names& 
   for (const SymbolId average : averages_of(question)) {
     if (!outcomes.add(average, question)) return std::nullopt;
   }
+  outcomes.add_differences(question);
   Decision decision = decide(cache, question, limits);
   if (decision.outcome != Outcome::refuted) return std::nullopt;
   Sample sample = *decision.sample;
