@@ -77,6 +77,7 @@ class Averaging {
     AverageValue result{.value = values.size() == 1 ? values[0]
                                                     : tree_.add({.op = Op::add, .span = span_}, values)};
     result.outside = std::move(outside_);
+    result.observables = std::move(observables_);
     return result;
   }
 
@@ -119,7 +120,12 @@ class Averaging {
   }
   ExprId conjugate(ExprId id) {
     if (tree_[id].op == Op::conjugate) return tree_.children(id)[0];
-    if (!has_operators(tree_, id) && !has_complex_numbers(tree_, id)) return id;
+    if (const auto observables = observables_with_real_average(names_, tree_, id)) {
+      for (const SymbolId each : *observables) {
+        if (!is_one_of(each, observables_)) observables_.push_back(each);
+      }
+      return id;
+    }
     return tree_.add({.op = Op::conjugate, .rank = tree_[id].rank, .span = span_}, std::span(&id, 1));
   }
 
@@ -193,6 +199,16 @@ class Averaging {
       case Op::negate:
         if (exponent % 2 != 0) result->front().same.push_back(minus_one());
         return times(result, powers(parts[0], exponent));
+      case Op::function: {
+        if (node.function != Function::sin || !multiplies_out || exponent < 2) break;
+        const ExprId cosine =
+            tree_.add({.op = Op::function, .span = span_, .function = Function::cos}, parts);
+        const AveragedTerms square =
+            std::vector{AveragedTerm{}, AveragedTerm{.same = {minus_one()}, .any = {cosine, cosine}}};
+        for (int k = 0; k < exponent / 2; ++k) result = times(result, square);
+        return exponent % 2 == 0 ? result
+                                 : times(result, std::vector{AveragedTerm{.same = {}, .any = {base}}});
+      }
       case Op::power:
         if (std::abs(exponent * node.exponent) > highest_power_averaged) break;
         return powers(parts[0], exponent * node.exponent);
@@ -264,9 +280,10 @@ class Averaging {
     if (own.empty()) return std::nullopt;
     const ExprId inside = product_of(tree_, own, span_);
     const ExprId other = product_of(tree_, in_order(adjoint(factors)), span_);
-    const bool differs = !same_expression(tree_, inside, tree_, other);
-    if (differs && !known_average(inside)) {
-      if (const auto known = known_average(other)) return conjugate(as_node(*known));
+    if (!same_expression(tree_, inside, tree_, other)) {
+      const auto own_average = known_average(inside);
+      const auto known = known_average(other);
+      if (known && (!own_average || *known < *own_average)) return conjugate(as_node(*known));
     }
     const bool complex = !observables_with_real_average(names_, tree_, inside);
     return as_node(symbol_of_average(tree_, inside, complex, span_));
@@ -279,6 +296,7 @@ class Averaging {
   Span span_;
   bool ordered_ = false;
   std::vector<SymbolId> outside_;
+  std::vector<SymbolId> observables_;
 };
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace rigor {
 struct AverageValue {
   ExprId value{};
   std::vector<SymbolId> outside = {};  // taken for the same at all outcomes, since they stand beside averages
+  std::vector<SymbolId> observables = {};  // operators that are their own adjoints, since no other is written
 };
 
 /// The average of `inside`, in which definitions are put in. Nothing where it cannot be read so, or where

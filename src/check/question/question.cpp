@@ -338,7 +338,13 @@ class Preparation {
     for (const SymbolId each : value->outside)
       say(fmt::format("`{}` does not fluctuate, since it stands outside of the averages",
                       tree_.symbols[each].name));
-    return FoundDefinition{{symbol, {}, no_particle, value->value}, &by_linearity, false};
+    for (const SymbolId each : value->observables)
+      say(fmt::format("averages of `{}` are real, as those of an observable", tree_.symbols[each].name));
+    // \langle xp + px\rangle is real, though its terms are not.
+    const bool real = !tree_.symbols[symbol].complex && has_complex_numbers(tree_, value->value);
+    const ExprId body =
+        real ? tree_.add({.op = Op::real_part, .span = span}, std::span(&value->value, 1)) : value->value;
+    return FoundDefinition{{symbol, {}, no_particle, body}, &by_linearity, false};
   }
 
   void say(std::string convention) {

@@ -18,8 +18,9 @@ bool is_function_called(const SyntaxTree& syntax, SyntaxId id, std::string_view 
   return syntax[id].kind == SyntaxKind::function && syntax.text(id) == name;
 }
 
+/// A bar over an expression can be one.
 bool is_written_average(const SyntaxTree& syntax, SyntaxId id) {
-  return is_function_called(syntax, id, "average");
+  return is_function_called(syntax, id, "average") || is_function_called(syntax, id, "bar");
 }
 
 /// Their letters may be bound, or belong to a distribution.

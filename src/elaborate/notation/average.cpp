@@ -123,27 +123,32 @@ std::optional<std::vector<SymbolId>> observables_with_real_average(const Names& 
   return self_adjoint.is(inside) ? std::optional(self_adjoint.used()) : std::nullopt;
 }
 
-MaybeTyped elaborate_average(Reading& reading, SyntaxId id, const Around& around) {
-  const Span span = reading.syntax[id].span;
-  if (reading.names.symbols.evidence->angles_generate)
-    return ambiguous(reading, span, "this can be an average, or what its letters generate");
-  const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
-  if (!inside) return std::nullopt;
-  const bool number = inside->rank == 0 && inside->free.empty() && inside->particles.empty();
-  if (!number || around.body_point || inside->layout != Layout::none)
+MaybeTyped average_of(Reading& reading, const Typed& inside, Span span) {
+  const bool number = inside.rank == 0 && inside.free.empty() && inside.particles.empty();
+  if (!number || inside.layout != Layout::none)
     return unsupported(reading, span,
                        "averages of vectors, and of components with free indices, are not decided",
                        {"averages of numbers are, and of `v_x`"});
-  const auto observables = observables_with_real_average(reading.names, reading.tree, inside->id);
+  const auto observables = observables_with_real_average(reading.names, reading.tree, inside.id);
   if (observables) {
     for (const SymbolId symbol : *observables)
       note(reading, fmt::format("averages of `{}` are real, as those of an observable",
                                 reading.tree.symbols[symbol].name));
   }
   Typed typed;
-  const SymbolId symbol = symbol_of_average(reading.tree, inside->id, !observables, span);
+  const SymbolId symbol = symbol_of_average(reading.tree, inside.id, !observables, span);
   typed.id = reading.tree.add({.op = Op::symbol, .span = span, .symbol = symbol});
   return typed;
+}
+
+MaybeTyped elaborate_average(Reading& reading, SyntaxId id, const Around& around) {
+  const Span span = reading.syntax[id].span;
+  if (reading.names.symbols.evidence->angles_generate)
+    return ambiguous(reading, span, "this can be an average, or what its letters generate");
+  if (around.body_point)
+    return unsupported(reading, span, "an average inside an integral over the body is not decided");
+  const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
+  return inside ? average_of(reading, *inside, span) : std::nullopt;
 }
 
 }  // namespace rigor

@@ -36,6 +36,10 @@ MaybeTyped elaborate_part(Reading& reading, SyntaxId id, const Around& around) {
   const bool mark = name == "conjugate" || name == "bar";
   if (mark && inside->layout != Layout::none) return conjugate_of_matrix(reading, *inside, span);
   if (!has_complex_numbers(reading.tree, inside->id)) {
+    if (name == "bar" && reading.names.symbols.evidence->speaks_of_means && !around.body_point) {
+      note(reading, "a bar over an expression is its mean");
+      return average_of(reading, *inside, span);
+    }
     if (mark) return refuse_mark(reading, name == "conjugate", *inside, span);
     return ambiguous(
         reading, span,

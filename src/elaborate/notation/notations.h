@@ -27,6 +27,8 @@ ReadPart elaborate_unit;                                            // unit.cpp
 
 /// A star, a bar over an expression, `\Re` or `\Im`.
 [[nodiscard]] bool is_part_of_complex(std::string_view function);
+/// `\langle x\rangle` of what was read.
+[[nodiscard]] MaybeTyped average_of(Reading& reading, const Typed& inside, Span span);
 /// The number that is written, also with a minus before it.
 [[nodiscard]] std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id);
 /// `sin`, `tanh`, `exp`…, as quotients of sines, cosines and exponentials.

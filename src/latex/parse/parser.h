@@ -88,6 +88,8 @@ class Parser {
   // parser_states.cpp
   std::optional<SyntaxId> state_bracket(Cursor& cursor);     // \ket, \langle
   std::optional<SyntaxId> pair_in_brackets(Cursor& cursor);  // \comm{A}{B}
+  std::optional<SyntaxId> expectation(Cursor& cursor);       // \mathbb E[X]
+  SyntaxId deviation(SyntaxId of, Span span);
 
   // parser_controls.cpp
   SyntaxId control(Cursor& cursor);

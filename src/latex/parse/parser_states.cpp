@@ -104,6 +104,59 @@ std::optional<SyntaxId> Parser::state_bracket(Cursor& cursor) {
   return tree_.add_named(SyntaxKind::function, span, "average", inside);
 }
 
+/// `x - \langle x\rangle`
+SyntaxId Parser::deviation(SyntaxId of, Span span) {
+  const SyntaxChild parts[] = {
+      {of, Joint::plus, span},
+      {tree_.add_named(SyntaxKind::function, span, "average", of), Joint::minus, span}};
+  const SyntaxChild sum{tree_.add(SyntaxKind::sum, span, parts)};
+  return tree_.add(SyntaxKind::group, span, {&sum, 1});
+}
+
+/// `\mathbb E[X]`, `\operatorname{Var}(X)` and `\operatorname{Cov}(X, Y)`, which are averages.
+std::optional<SyntaxId> Parser::expectation(Cursor& cursor) {
+  const TokenView tokens = cursor.tokens;
+  const std::size_t begin = cursor.at;
+  if (!is_control_of(tokens[begin], {"mathbb", "mathrm", "operatorname"})) return std::nullopt;
+  const Argument argument = argument_at(tokens, begin + 1);
+  const std::string name = text_of(argument.content);
+  const bool mean = name == "E" && is_control_of(tokens[begin], {"mathbb", "operatorname"});
+  const bool square = name == "Var" || name == "var" || name == "Cov" || name == "cov";
+  const std::size_t open = skip_blank(tokens, argument.next);
+  const bool bracket =
+      open < tokens.size() && (is_sign_of(tokens[open], "([") || is_control(tokens[open], "{"));
+  if ((!mean && !square) || !bracket) return std::nullopt;
+  Nesting nesting(false);
+  std::size_t close = open;
+  while (close < tokens.size() && (nesting.enter(tokens[close]) != 0 || close == open)) ++close;
+  if (close >= tokens.size()) return std::nullopt;
+  const TokenView content = tokens.subspan(open + 1, close - open - 1);
+  const Span span = cover(tokens[begin].span, tokens[close].span);
+  const bool pair = name == "Cov" || name == "cov";
+  const std::size_t separators = count_outside(content, is_separator);
+  if (!has_no_states(content) || separators != (pair ? 1U : 0U)) return std::nullopt;
+  cursor.at = close + 1;
+  read(tokens.subspan(begin, open + 1 - begin));
+  read(tokens.subspan(close, 1));
+  const auto average = [&](SyntaxId of) {
+    return tree_.add_named(SyntaxKind::function, span, "average", of);
+  };
+  if (mean) return average(inner(content, span));
+  if (!pair) {
+    const SyntaxChild parts[] = {{deviation(inner(content, span), span)},
+                                 {tree_.add_text(SyntaxKind::number, span, "2")}};
+    return average(tree_.add(SyntaxKind::power, span, parts));
+  }
+  Nesting inside(false);
+  std::size_t comma = 0;
+  while (inside.enter(content[comma]) != 0 || !is_separator(content[comma])) ++comma;
+  read(content.subspan(comma, 1));
+  const SyntaxChild parts[] = {
+      {deviation(inner(content.first(comma), span), span), Joint::none, span},
+      {deviation(inner(content.subspan(comma + 1), span), span), Joint::juxtaposed, span}};
+  return average(tree_.add(SyntaxKind::term, span, parts));
+}
+
 /// `\comm{A}{B}` is `[A, B]` and `\acomm{A}{B}` is `\{A, B\}`; `\pb` is no commutator, whatever is in it.
 std::optional<SyntaxId> Parser::pair_in_brackets(Cursor& cursor) {
   static const WordSet names("comm commutator acomm anticommutator pb poissonbracket");
