@@ -545,8 +545,16 @@ class Judging {
 
   /// `\langle xy\rangle = \langle x\rangle\langle y\rangle` says something of the distribution.
   [[nodiscard]] bool relates_different_averages() {
-    return !claim_.for_all && claim_.equation.relation == Relation::equal && speaks_of_averages() &&
-           !has_same_averages(tree_, prepared_.question);
+    if (claim_.for_all || claim_.equation.relation != Relation::equal || !speaks_of_averages()) return false;
+    return !has_same_averages(tree_, prepared_.question) || says_that_an_average_vanishes();
+  }
+
+  /// `\langle x\rangle = \langle -x\rangle`, by symmetry: the sides are opposite.
+  [[nodiscard]] bool says_that_an_average_vanishes() {
+    Question question = prepared_.question;
+    const ExprId right = question.claim.right;
+    question.claim.right = tree_.add({.op = Op::negate, .span = tree_[right].span}, std::span(&right, 1));
+    return decide(cache_, question, {.simplest_sample = false}).outcome == Outcome::proved;
   }
 
   void law_of_averages() {

@@ -29,6 +29,12 @@ bool hides_letters(SyntaxKind kind) {
          kind == SyntaxKind::big_sum || kind == SyntaxKind::derivative;
 }
 
+/// `\hat A`: no unit vector is called so.
+bool is_hatted_capital(const SyntaxTree& syntax, SyntaxId id) {
+  return syntax[id].kind == SyntaxKind::symbol && syntax.symbol(id).accent == Accent::hat &&
+         is_capital_letter(syntax.symbol(id).letter);
+}
+
 /// Without what stands in (further) averages. Recursion: as deep as the tree.
 void collect_letters(const SyntaxTree& syntax, SyntaxId id, bool all, std::set<std::string>& letters) {
   if (is_written_average(syntax, id) || (!all && hides_letters(syntax[id].kind))) return;
@@ -85,6 +91,8 @@ void see_averages(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, 
     }
     if (!is_written_average(syntax, id)) continue;
     any = true;
+    for (const SyntaxId each : nodes_below(syntax, {id}))
+      evidence.operators = evidence.operators || is_hatted_capital(syntax, each);
     std::set<std::string> inside;
     collect_letters(syntax, syntax.child(id, 0), true, inside);
     if (inside.size() == 1) evidence.averaged.insert(*inside.begin());
