@@ -11,7 +11,7 @@
 #include "check/law/restated.h"
 #include "check/law/solves.h"
 #include "check/law/states.h"
-#include "check/question/average_value.h"
+#include "check/average/average_value.h"
 #include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/repair/missing_condition.h"

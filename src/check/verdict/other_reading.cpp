@@ -8,10 +8,10 @@
 #include "algebra/words/operator_question.h"
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/average/average_value.h"
 #include "check/meaning/beyond_reals.h"
 #include "check/meaning/both_orders.h"
 #include "check/meaning/ordered_product.h"
-#include "check/question/average_value.h"
 #include "check/verdict/law_diagnostic.h"
 #include "expr/calculus/differentiate.h"
 

@@ -7,10 +7,11 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "base/among.h"
-#include "check/question/average_value.h"
+#include "check/average/average_value.h"
 #include "check/question/decision_cache.h"
 #include "expr/calculus/differentiate.h"
 #include "expr/calculus/integrate.h"
@@ -160,13 +161,24 @@ std::vector<SymbolId> averages_of(const Question& question) {
   return found;
 }
 
-bool has_same_averages(ExprTree& tree, const Question& question) {
-  const auto left = products_of_averages(tree, question, question.claim.left);
-  const auto right = products_of_averages(tree, question, question.claim.right);
+bool speaks_of_averages(ExprTree& tree, Prepared& prepared) {
+  prepared.question.tree = &tree;
+  return prepared.open_average && !averages_of(prepared.question).empty();
+}
+
+bool relates_different_averages(ExprTree& tree, Prepared& prepared, DecisionCache* cache) {
+  if (!speaks_of_averages(tree, prepared) || prepared.question.claim.relation != Relation::equal)
+    return false;
+  Question opposite = prepared.question;
+  const auto left = products_of_averages(tree, opposite, opposite.claim.left);
+  const auto right = products_of_averages(tree, opposite, opposite.claim.right);
   const auto has_any = [](const std::set<ProductOfAverages>& products) {
     return std::ranges::any_of(products, [](const ProductOfAverages& each) { return !each.empty(); });
   };
-  return left && right && *left == *right && has_any(*left);
+  if (!left || !right || *left != *right || !has_any(*left)) return true;
+  const ExprId side = opposite.claim.right;
+  opposite.claim.right = tree.add({.op = Op::negate, .span = tree[side].span}, std::span(&side, 1));
+  return decide(cache, opposite, {.simplest_sample = false}).outcome == Outcome::proved;
 }
 
 std::optional<TwoOutcomes> refuted_by_two_outcomes(ExprTree& tree, const Names& names,

@@ -22,8 +22,12 @@ class DecisionCache;
 /// The averages that a question is about, their values by linearity put in.
 [[nodiscard]] std::vector<SymbolId> averages_of(const Question& question);
 
-/// By linearity, are both sides sums of the same products of averages?
-[[nodiscard]] bool has_same_averages(ExprTree& tree, const Question& question);
+/// Is anything left of them by linearity?
+[[nodiscard]] bool speaks_of_averages(ExprTree& tree, Prepared& prepared);
+
+/// `\langle xy\rangle = \langle x\rangle\langle y\rangle`: by linearity, its sides are no sums of the same
+/// products of averages, or opposite ones: `\langle x\rangle = \langle -x\rangle`, by symmetry.
+[[nodiscard]] bool relates_different_averages(ExprTree& tree, Prepared& prepared, DecisionCache* cache);
 
 struct TwoOutcomes {
   Sample sample;         // of the question itself

@@ -13,12 +13,5 @@ namespace rigor {
 
 /// The symbol of an integral or a sum, always the same one.
 SymbolId symbol_of_integral(ExprTree& tree, const Integral& integral, Span span);
-/// The same of the average of this. `complex`: nothing shows that it is a real number.
-SymbolId symbol_of_average(ExprTree& tree, ExprId inside, bool complex, Span span);
-/// If the average is a real number: the operators that are taken to be observables for that, since the page
-/// writes no adjoint of them. Nothing where it may be complex.
-[[nodiscard]] std::optional<std::vector<SymbolId>> observables_with_real_average(const Names& names,
-                                                                                 const ExprTree& tree,
-                                                                                 ExprId inside);
 
 }  // namespace rigor

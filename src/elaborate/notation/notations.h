@@ -9,10 +9,9 @@ namespace rigor {
 using ReadPart = MaybeTyped(Reading& reading, SyntaxId id, const Around& around);
 
 ReadPart elaborate_transpose, elaborate_adjoint;                    // adjoint.cpp
-ReadPart elaborate_average;                                         // average.cpp
 ReadPart elaborate_bars, elaborate_component;                       // bracket.cpp
 ReadPart elaborate_cases;                                           // cases.cpp
-ReadPart elaborate_part;                                            // complex.cpp
+ReadPart elaborate_part, elaborate_average;                         // complex.cpp
 ReadPart elaborate_derivative;                                      // derivative.cpp
 ReadPart elaborate_function, elaborate_integral;                    // function.cpp
 ReadPart elaborate_line_integral, elaborate_between;                // integral.cpp
@@ -27,8 +26,6 @@ ReadPart elaborate_unit;                                            // unit.cpp
 
 /// A star, a bar over an expression, `\Re` or `\Im`.
 [[nodiscard]] bool is_part_of_complex(std::string_view function);
-/// `\langle x\rangle` of what was read.
-[[nodiscard]] MaybeTyped average_of(Reading& reading, const Typed& inside, Span span);
 /// The number that is written, also with a minus before it.
 [[nodiscard]] std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id);
 /// `sin`, `tanh`, `exp`…, as quotients of sines, cosines and exponentials.

@@ -7,6 +7,7 @@
 // which nothing is known is left inside, which loses proofs and cannot make one.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,14 +18,20 @@ namespace rigor {
 
 struct AverageValue {
   ExprId value{};
-  std::vector<SymbolId> outside = {};  // taken for the same at all outcomes, since they stand beside averages
-  std::vector<SymbolId> observables = {};  // operators that are their own adjoints, since no other is written
+  std::vector<std::string> conventions = {};  // that it rests on
 };
 
-/// The average of `inside`, in which definitions are put in. Nothing where it cannot be read so, or where
-/// nothing in it is left to be averaged, though nobody says that its letters are constants.
-[[nodiscard]] std::optional<AverageValue> average_value(ExprTree& tree, const Names& names, ExprId inside,
-                                                        Span span);
+/// Puts definitions in; nothing where they cannot be.
+using Opener = std::function<std::optional<ExprId>(ExprId)>;
+
+/// Of the symbol of an average. Nothing where it cannot be read so, or where nothing in it is left to be
+/// averaged, though nobody says that its letters are constants.
+[[nodiscard]] std::optional<AverageValue> value_of_average(ExprTree& tree, const Names& names,
+                                                           SymbolId average, const Opener& opened);
+
+/// What a law of operators, which holds in every state, says of averages.
+[[nodiscard]] std::optional<Equation> averaged_law(ExprTree& tree, const Names& names, const Equation& law,
+                                                   const Opener& opened);
 
 /// Does it change from outcome to outcome, for all that is known?
 [[nodiscard]] bool may_fluctuate(const ExprTree& tree, const Names& names, SymbolId symbol);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Averages: `\langle x^2\rangle`, `\langle\hat A\rangle`. Each is a symbol of its own that keeps what is
-// averaged: what is known of it follows when a question is asked, with the definitions of that place.
+#include "elaborate/symbol/average.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "elaborate/evidence/evidence.h"
-#include "elaborate/notation/notations.h"
 #include "expr/print/print_latex.h"
 #include "expr/tree/same_expression.h"
 
@@ -121,34 +121,6 @@ std::optional<std::vector<SymbolId>> observables_with_real_average(const Names& 
                                                                    ExprId inside) {
   SelfAdjoint self_adjoint(names, tree);
   return self_adjoint.is(inside) ? std::optional(self_adjoint.used()) : std::nullopt;
-}
-
-MaybeTyped average_of(Reading& reading, const Typed& inside, Span span) {
-  const bool number = inside.rank == 0 && inside.free.empty() && inside.particles.empty();
-  if (!number || inside.layout != Layout::none)
-    return unsupported(reading, span,
-                       "averages of vectors, and of components with free indices, are not decided",
-                       {"averages of numbers are, and of `v_x`"});
-  const auto observables = observables_with_real_average(reading.names, reading.tree, inside.id);
-  if (observables) {
-    for (const SymbolId symbol : *observables)
-      note(reading, fmt::format("averages of `{}` are real, as those of an observable",
-                                reading.tree.symbols[symbol].name));
-  }
-  Typed typed;
-  const SymbolId symbol = symbol_of_average(reading.tree, inside.id, !observables, span);
-  typed.id = reading.tree.add({.op = Op::symbol, .span = span, .symbol = symbol});
-  return typed;
-}
-
-MaybeTyped elaborate_average(Reading& reading, SyntaxId id, const Around& around) {
-  const Span span = reading.syntax[id].span;
-  if (reading.names.symbols.evidence->angles_generate)
-    return ambiguous(reading, span, "this can be an average, or what its letters generate");
-  if (around.body_point)
-    return unsupported(reading, span, "an average inside an integral over the body is not decided");
-  const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
-  return inside ? average_of(reading, *inside, span) : std::nullopt;
 }
 
 }  // namespace rigor

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "check/question/average_value.h"
+#include "check/average/average_value.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
+#include <span>
 #include <utility>
 
 #include "base/among.h"
 #include "elaborate/name/function_value.h"
-#include "elaborate/notation/elaborate.h"
+#include "elaborate/symbol/average.h"
 #include "expr/calculus/integrate.h"
 #include "expr/tree/same_expression.h"
 
@@ -76,8 +80,12 @@ class Averaging {
     if (!any && !outside_.empty()) return std::nullopt;
     AverageValue result{.value = values.size() == 1 ? values[0]
                                                     : tree_.add({.op = Op::add, .span = span_}, values)};
-    result.outside = std::move(outside_);
-    result.observables = std::move(observables_);
+    for (const SymbolId each : outside_)
+      result.conventions.push_back(fmt::format(
+          "`{}` does not fluctuate, since it stands outside of the averages", tree_.symbols[each].name));
+    for (const SymbolId each : observables_)
+      result.conventions.push_back(
+          fmt::format("averages of `{}` are real, as those of an observable", tree_.symbols[each].name));
     return result;
   }
 
@@ -299,10 +307,47 @@ class Averaging {
   std::vector<SymbolId> observables_;
 };
 
+/// What holds at an instant only says nothing of an average.
+bool holds_at_all_times(const ExprTree& tree, const NameScope& scope, ExprId body) {
+  return std::ranges::none_of(symbols_reached(tree, scope, {body}), [&](SymbolId each) {
+    const NamedDefinition* named = definition_of(scope, each);
+    return named != nullptr && named->at_instant;
+  });
+}
+
+/// Of a letter that changes only where its definition is one for outcomes.
+std::optional<AverageValue> average_value(ExprTree& tree, const Names& names, ExprId inside,
+                                          const Opener& opened) {
+  const auto body = holds_at_all_times(tree, names.scope, inside) ? opened(inside) : std::nullopt;
+  if (!body) return std::nullopt;
+  const auto fluctuates = [&](SymbolId each) { return may_fluctuate(tree, names, each); };
+  const bool before = std::ranges::any_of(symbols_in(tree, inside), fluctuates);
+  if (before && std::ranges::none_of(symbols_in(tree, *body), fluctuates)) return std::nullopt;
+  return Averaging(tree, names, tree[inside].span).value(*body);
+}
+
 }  // namespace
 
-std::optional<AverageValue> average_value(ExprTree& tree, const Names& names, ExprId inside, Span span) {
-  return Averaging(tree, names, span).value(inside);
+std::optional<AverageValue> value_of_average(ExprTree& tree, const Names& names, SymbolId average,
+                                             const Opener& opened) {
+  auto found = average_value(tree, names, tree.symbols[average].integral->integrand, opened);
+  if (!found || is_one_of(average, symbols_in(tree, found->value))) return std::nullopt;
+  // \langle xp + px\rangle is real, though its terms are not.
+  const bool real = !tree.symbols[average].complex && has_complex_numbers(tree, found->value);
+  if (real)
+    found->value =
+        tree.add({.op = Op::real_part, .span = tree[found->value].span}, std::span(&found->value, 1));
+  return found;
+}
+
+std::optional<Equation> averaged_law(ExprTree& tree, const Names& names, const Equation& law,
+                                     const Opener& opened) {
+  const bool plain = law.relation == Relation::equal && law.indices.empty() && law.particles.empty() &&
+                     tree[law.left].rank == 0;
+  const auto left = plain ? average_value(tree, names, law.left, opened) : std::nullopt;
+  const auto right = left ? average_value(tree, names, law.right, opened) : std::nullopt;
+  if (!right) return std::nullopt;
+  return Equation{.left = left->value, .right = right->value};
 }
 
 bool may_fluctuate(const ExprTree& tree, const Names& names, SymbolId symbol) {
