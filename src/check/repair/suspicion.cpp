@@ -6,12 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "check/average/average_value.h"
 #include "check/law/bearing.h"
 #include "check/law/from_set.h"
 #include "check/law/restated.h"
 #include "check/law/solves.h"
 #include "check/law/states.h"
-#include "check/average/average_value.h"
 #include "check/question/base_letters.h"
 #include "check/question/decision_cache.h"
 #include "check/repair/missing_condition.h"
