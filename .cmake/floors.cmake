@@ -38,7 +38,7 @@ rigor_floor(algebra ON expr PRIVATE rigor::ginac
 rigor_floor(numeric ON expr PRIVATE Eigen3::Eigen rigor::qd Boost::boost
   ROOMS lane kernels program run body mesh family measure)
 rigor_floor(check ON elaborate algebra
-  ROOMS step word directive prose event ledger question meaning verdict scope doubt constant law repair place row walk dimension form shown
+  ROOMS step word directive prose event ledger average question meaning verdict scope doubt constant law repair place row walk dimension form shown
     lint review entry)
 rigor_floor(derive ON algebra
   ROOMS polynomial notation chain answer)

@@ -54,6 +54,7 @@ bool is_plain(const Json& step) {
     const auto symbol = value["symbol"].get<std::string>();
     if (value["rank"] > 1 || symbol.starts_with("\\dot") || symbol.starts_with("\\delta ")) return false;
     if (symbol.starts_with("\\mathrm")) return false;  // a unit of measure is no letter
+    if (symbol.starts_with("\\langle")) return false;  // nor is an average
     for (const Json& component : value["components"]) {
       if (component.get<std::string>().find('(') != std::string::npos) return false;  // `2*arctan(1)`
     }

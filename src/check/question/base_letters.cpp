@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/question/base_letters.h"
 
+#include <array>
 #include <vector>
 
 #include "base/among.h"
@@ -52,6 +53,45 @@ std::set<SymbolId> written_letters(const ExprTree& tree, const Equation& equatio
     for (const SymbolId symbol : symbols_in(tree, side)) letters.insert(base_of(tree.symbols, symbol));
   }
   return letters;
+}
+
+std::optional<Variable> only_letter_differentiated_by(const ExprTree& tree,
+                                                      const std::set<SymbolId>& symbols) {
+  std::optional<Variable> found;
+  for (const SymbolId symbol : symbols) {
+    const auto& derivation = tree.symbols[symbol].derivation;
+    if (!derivation) continue;
+    for (const Variable& by : derivation->by) {
+      if (by.by != By::letter) continue;
+      if (by.partial || (found && *found != by)) return std::nullopt;
+      found = by;
+    }
+  }
+  return found;
+}
+
+bool is_joined(const ExprTree& tree, const NameScope& scope, const Equation& equation) {
+  const ExprNode& left = tree[equation.left];
+  if (equation.relation != Relation::equal || left.op != Op::symbol || left.slot_count != 1) return false;
+  const std::uint8_t axis = tree.slots(equation.left)[0].axis;
+  const NamedDefinition* definition = definition_of(scope, left.symbol);
+  if (axis == 0 || definition == nullptr || tree[definition->definition.body].op != Op::tuple) return false;
+  return tree.children(definition->definition.body)[axis - 1u] == equation.right;
+}
+
+Equation length_is_one(ExprTree& tree, SymbolId vector) {
+  const Span span = tree.symbols[vector].first_seen;
+  ExprNode node{.op = Op::symbol, .rank = 1, .span = span, .symbol = vector};
+  Equation equation;
+  if (tree.symbols[vector].per_particle) {
+    node.particle = tree.add_particle("p");
+    equation.particles.push_back(node.particle);
+  }
+  const ExprId part = tree.add(node);
+  const std::array sides{part, part};
+  equation.left = tree.add({.op = Op::dot, .span = span}, sides);
+  equation.right = tree.add_number(span, "1");
+  return equation;
 }
 
 }  // namespace rigor

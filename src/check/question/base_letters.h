@@ -2,6 +2,7 @@
 // What an equation is about.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -21,5 +22,15 @@ namespace rigor {
 /// The nodes of these expressions and of the definitions that they lead to.
 [[nodiscard]] std::vector<ExprId> nodes_reached(const ExprTree& tree, const NameScope& scope,
                                                 std::vector<ExprId> roots);
+
+/// The letter by which some symbols are differentiated with nothing held, if there is one.
+[[nodiscard]] std::optional<Variable> only_letter_differentiated_by(const ExprTree& tree,
+                                                                    const std::set<SymbolId>& symbols);
+
+/// One of three rules for the components of a derivative, which make a definition together.
+[[nodiscard]] bool is_joined(const ExprTree& tree, const NameScope& scope, const Equation& equation);
+
+/// n·n = 1, of a unit vector.
+[[nodiscard]] Equation length_is_one(ExprTree& tree, SymbolId vector);
 
 }  // namespace rigor

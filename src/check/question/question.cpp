@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -13,7 +12,9 @@
 #include <utility>
 
 #include "base/among.h"
+#include "check/average/average_value.h"
 #include "check/question/at_all_times.h"
+#include "check/question/base_letters.h"
 #include "check/question/integral_value.h"
 #include "check/question/running_letters.h"
 #include "elaborate/name/function_value.h"
@@ -58,7 +59,7 @@ class Preparation {
     prepared_.question.claim = claim;
     follow(claim);
     for (const ExprId each : also) follow(Equation{.left = each, .right = each});
-    letter_ = letter_of_claim();
+    letter_ = only_letter_differentiated_by(tree_, reached_);
     for (const SymbolId symbol : reached_)
       highest_order_ = std::max(highest_order_, orders_of(symbol).total());
     if (precision_ == Precision::small_order) add_small();
@@ -70,6 +71,7 @@ class Preparation {
       }
       if (beyond == 0) prepared_.without_slack = prepared_.question.assumptions.size();
     }
+    average_laws_of_operators();
     add_lengths();
     add_conditions();
     prepared_.too_large = budget_.exceeded;
@@ -207,9 +209,9 @@ class Preparation {
       result = at_value(symbol, value->second, depth);
       return derived_[symbol] = result;
     }
-    if (tree_.symbols[symbol].integral) {
+    if (const auto& integral = tree_.symbols[symbol].integral) {
       derived_[symbol] = std::nullopt;
-      result = of_integral(symbol);
+      result = integral->average ? of_average(symbol) : of_integral(symbol);
       return derived_[symbol] = result;
     }
     const auto& derivation = tree_.symbols[symbol].derivation;
@@ -304,6 +306,39 @@ class Preparation {
     if (value->open) prepared_.open_integral = std::move(value->open);
     return FoundDefinition{
         {symbol, {}, no_particle, value->value}, integral.sum ? &by_differences : &by_primitives, false};
+  }
+
+  std::optional<FoundDefinition> of_average(SymbolId symbol) {
+    static const Origin by_linearity{"averages are linear", ""};
+    prepared_.open_average = true;
+    const auto found =
+        value_of_average(tree_, names_, symbol, [this](ExprId inside) { return opened(inside); });
+    if (!found) return std::nullopt;
+    for (const std::string& each : found->conventions) {
+      if (!is_one_of(each, prepared_.conventions)) prepared_.conventions.push_back(each);
+    }
+    return FoundDefinition{{symbol, {}, no_particle, found->value}, &by_linearity, false};
+  }
+
+  /// To averages, laws of operators say what their own averages are.
+  void average_laws_of_operators() {
+    const auto speaks = [this](const Equation& each) {
+      return has_operators(tree_, each.left) || has_operators(tree_, each.right);
+    };
+    if (!prepared_.open_average || speaks(prepared_.question.claim)) return;
+    const std::vector<Equation> laws = std::exchange(prepared_.question.assumptions, {});
+    const std::vector<const NamedAssumption*> origins = std::exchange(prepared_.assumptions, {});
+    for (std::size_t k = 0; k < laws.size(); ++k) {
+      std::optional<Equation> law = laws[k];
+      if (speaks(*law)) {
+        prepared_.has_laws_of_operators = true;
+        const bool always = origins[k] == nullptr || !origins[k]->at_instant;
+        const auto open = [this](ExprId inside) { return opened(inside); };
+        law = always ? averaged_law(tree_, names_, *law, open) : std::nullopt;
+      }
+      if (law) push(*law, origins[k]);
+    }
+    prepared_.without_slack = std::min(prepared_.without_slack, prepared_.assumptions.size());
   }
 
   /// Leibniz's rule, with which nothing else need be known of it.
@@ -440,21 +475,6 @@ class Preparation {
     return {named.order(By::time), named.order(By::space), letter_ ? named.order(*letter_) : 0};
   }
 
-  /// The letter by which the claim differentiates with nothing held, if there is one.
-  [[nodiscard]] std::optional<Variable> letter_of_claim() const {
-    std::optional<Variable> found;
-    for (const SymbolId symbol : reached_) {
-      const auto& derivation = tree_.symbols[symbol].derivation;
-      if (!derivation) continue;
-      for (const Variable& by : derivation->by) {
-        if (by.by != By::letter) continue;
-        if (by.partial || (found && *found != by)) return std::nullopt;
-        found = by;
-      }
-    }
-    return found;
-  }
-
   /// An equation with a derivative by x is one for all x.
   [[nodiscard]] bool runs_with_letter(const std::vector<SymbolId>& symbols) const {
     return std::ranges::any_of(symbols, [&](SymbolId own) { return orders_of(own).letter > 0; });
@@ -470,22 +490,12 @@ class Preparation {
            });
   }
 
-  /// One of three rules for the components of a derivative, which make a definition together.
-  bool is_joined(const Equation& equation) const {
-    const ExprNode& left = tree_[equation.left];
-    if (equation.relation != Relation::equal || left.op != Op::symbol || left.slot_count != 1) return false;
-    const std::uint8_t axis = tree_.slots(equation.left)[0].axis;
-    const NamedDefinition* definition = rigor::definition_of(names_.scope, left.symbol);
-    if (axis == 0 || definition == nullptr || tree_[definition->definition.body].op != Op::tuple)
-      return false;
-    return tree_.children(definition->definition.body)[axis - 1u] == equation.right;
-  }
-
   /// One round over the assumptions; true if something was added.
   bool add_assumptions() {
     bool grew = false;
     for (const NamedAssumption& assumption : *names_.scope.assumptions) {
-      if (!is_joined(assumption.equation)) grew = add(assumption.equation, &assumption) || grew;
+      if (!is_joined(tree_, names_.scope, assumption.equation))
+        grew = add(assumption.equation, &assumption) || grew;
     }
     for (const SmallQuantity& small : *names_.scope.small) {
       const ExprNode node = tree_[small.quantity];
@@ -645,17 +655,7 @@ class Preparation {
   }
 
   void add_length(SymbolId base, const Derivation::Variables& variables) {
-    const Span span = tree_.symbols[base].first_seen;
-    ExprNode node{.op = Op::symbol, .rank = 1, .span = span, .symbol = base};
-    Equation equation;
-    if (tree_.symbols[base].per_particle) {
-      node.particle = tree_.add_particle("p");
-      equation.particles.push_back(node.particle);
-    }
-    const ExprId vector = tree_.add(node);
-    const std::array sides{vector, vector};
-    equation.left = tree_.add({.op = Op::dot, .span = span}, sides);
-    equation.right = tree_.add_number(span, "1");
+    const Equation equation = length_is_one(tree_, base);
     const std::size_t unknown_before = prepared_.unknown_changes.size();
     Equation changed;
     for (auto by = variables.begin(); by != variables.end(); ++by) {

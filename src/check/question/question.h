@@ -25,6 +25,8 @@ struct Prepared {
       {};  // from here on, assumptions without which an integral has none
   std::optional<std::string> open_integral = {};  // an integral whose value is not known, and why
   bool open_sum = false;                          // there are sums, of which this may be one
+  bool open_average = false;                      // there are averages, of which only linearity is known
+  bool has_laws_of_operators = false;             // that bear on these
   bool has_rates_or_times = false;  // something in the assumptions has a rate, or speaks of the time or place
   /// Taken, speaks of the time or place itself, and leaves no quantity free to follow it: what it says at all
   /// times would have to be compared coefficient by coefficient.

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "check/average/average_value.h"
 #include "check/law/bearing.h"
 #include "check/law/from_set.h"
 #include "check/law/restated.h"
@@ -83,10 +84,19 @@ class Suspecting {
     return Suspicion{std::move(found.front().repair), std::move(found.front().uses)};
   }
 
+  /// `\langle xy\rangle = \langle x\rangle\langle y\rangle` says something of a distribution, and so does
+  /// `\langle x\rangle = \langle -x\rangle`: what holds for all of them is not what was meant.
+  bool speaks_of_averages(const Equation& equation) const {
+    const auto is_it = [&](SymbolId symbol) { return is_average(tree_, symbol); };
+    return std::ranges::any_of(symbols_in(tree_, equation.left), is_it) ||
+           std::ranges::any_of(symbols_in(tree_, equation.right), is_it);
+  }
+
   /// A slip exchanges one letter for another: the sides of an identity lead to the same letters. Beside
   /// operators their factors do not count: `\hat p = i\sqrt{m\hbar\omega/2}\,(a - a^\dagger)`.
   bool may_be_near_an_identity() const {
     const Equation& own = row_.claim.equation;
+    if (speaks_of_averages(own)) return false;
     const bool operators = has_operators(tree_, own.left) && has_operators(tree_, own.right);
     const auto letters_of = [&](ExprId side) {
       auto letters = base_letters(tree_, names_.scope, Equation{.left = side, .right = side});

@@ -43,6 +43,7 @@ void see_chains(const Notes& notes, const std::vector<ParsedChain>& chains, Evid
     see_raised(notes.syntax, chain.sides, evidence);
     see_complex(notes.syntax, chain.sides, evidence);
     see_operators(notes.syntax, chain.sides, evidence);
+    see_averages(notes.syntax, chain.sides, evidence);
   }
 }
 
@@ -60,6 +61,7 @@ void see_between(const SourceMap& sources, Span before, Span behind, Evidence& e
   see_said_raised(text, evidence);
   see_said_complex(text, evidence);
   see_said_operators(text, evidence);
+  see_said_averages(text, evidence);
 }
 
 }  // namespace
@@ -85,6 +87,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_said_raised(title->title, evidence);
         see_said_complex(title->title, evidence);
         see_said_operators(title->title, evidence);
+        see_said_averages(title->title, evidence);
       }
       last = place;
       if (const auto* display = std::get_if<ParsedDisplay>(&notes.events[k]))
@@ -107,6 +110,7 @@ Evidence evidence_of_section(const SourceMap& sources, const Notes& notes,
         see_ties(notes.syntax, chain.sides, evidence);
         see_complex(notes.syntax, chain.sides, evidence);
         see_operators(notes.syntax, chain.sides, evidence);
+        see_averages(notes.syntax, chain.sides, evidence);
         for (const SyntaxId side : chain.sides) {
           see_changing(notes.syntax, side, evidence);
           see_differentials(notes.syntax, side, evidence);

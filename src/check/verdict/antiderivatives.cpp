@@ -17,7 +17,7 @@ namespace {
 
 bool is_antiderivative(const ExprTree& tree, SymbolId symbol) {
   const std::optional<Integral>& integral = tree.symbols[symbol].integral;
-  return integral && !integral->lower && !integral->upper;
+  return integral && !integral->lower && !integral->upper && !integral->average;
 }
 
 /// One side as Σ c·∫f + rest.

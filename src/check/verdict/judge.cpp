@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <set>
 
 #include "algebra/decide/decide.h"
@@ -24,6 +22,7 @@
 #include "check/verdict/law_diagnostic.h"
 #include "check/verdict/other_reading.h"
 #include "check/verdict/rational_expression.h"
+#include "check/verdict/two_outcomes.h"
 #include "elaborate/name/function_value.h"
 
 namespace rigor {
@@ -63,6 +62,10 @@ class Judging {
           break;
         }
         if (is_law_of_operators()) break;
+        if (!own_guess() && !claim_.for_all && relates_different_averages(tree_, prepared_, cache_)) {
+          state_law_of(averages_of(prepared_.question));
+          break;
+        }
         judgement_.verdict = Verdict::undecided;
         add(DiagnosticKind::undecided,
             decision.reason.empty() ? "no proof and no counterexample was found" : decision.reason);
@@ -72,7 +75,10 @@ class Judging {
     note_uses(decision);
     if (claim_.explains) name_what_it_rests_on();
     judgement_.question = std::move(prepared_.question);
-    if (judgement_.verdict == Verdict::refuted) judgement_.sample = std::move(decision.sample);
+    if (judgement_.verdict != Verdict::refuted)
+      judgement_.sample.reset();
+    else if (!judgement_.sample)
+      judgement_.sample = std::move(decision.sample);
     return std::move(judgement_);
   }
 
@@ -281,25 +287,8 @@ class Judging {
     return true;
   }
 
-  /// `\int_0^1 x^2\,dx = 0.333`: decimals of an integral are not compared digit by digit.
   bool may_be_rounded(const Sample& sample) {
-    bool integral = false;
-    bool decimal = false;
-    for (const ExprId id : nodes_below(tree_, {claim_.equation.left, claim_.equation.right})) {
-      const ExprNode& node = tree_[id];
-      integral = integral || (node.op == Op::symbol && tree_.symbols[node.symbol].integral);
-      decimal = decimal || (node.op == Op::number && tree_.digits(id).find('.') != std::string::npos);
-    }
-    const auto value = [](const std::string& exact) {
-      const std::size_t slash = exact.find('/');
-      const double below = slash == std::string::npos ? 1 : std::strtod(exact.c_str() + slash + 1, nullptr);
-      return std::strtod(exact.c_str(), nullptr) / below;
-    };
-    constexpr double roughly = 0.1;
-    const double left = value(sample.left);
-    const double right = value(sample.right);
-    if (!integral || !decimal || std::abs(left - right) > roughly * std::max(std::abs(left), std::abs(right)))
-      return false;
+    if (!rigor::may_be_rounded(tree_, claim_.equation, sample)) return false;
     judgement_.verdict = Verdict::undecided;
     add(DiagnosticKind::undecided, "the decimals can be rounded");
     return true;
@@ -518,6 +507,8 @@ class Judging {
       return;
     if (may_be_excused()) return;
     if (own_guess() || claim_.alternative) return doubted();
+    if (!claim_.for_all && relates_different_averages(tree_, prepared_, cache_))
+      return state_law_of(averages_of(prepared_.question));
     if (claim_.doubt != nullptr && relates_the_same_letters()) return doubted();
     if (const auto both = component_declared_alone()) {
       judgement_.verdict = Verdict::not_understood;
@@ -527,13 +518,37 @@ class Judging {
           {fmt::format("without a declaration of `{}` it is the component", both->first)});
       return;
     }
+    if (claim_.recorded == nullptr && speaks_of_averages(tree_, prepared_))
+      return refuted_about_averages(decision);
+    weigh_as_identity(decision);
+  }
+
+  void state_law_of(const std::vector<SymbolId>& symbols) {
+    judgement_.verdict = Verdict::law;
+    judgement_.not_for_all = bases_of(tree_, symbols);
+  }
+
+  /// Numbers for averages refute only if there are outcomes that have them.
+  void refuted_about_averages(const Decision& decision) {
+    const bool asks = claim_.for_all || claim_.equation.relation == Relation::equal;
+    const auto shown =
+        asks ? refuted_by_two_outcomes(tree_, names_, prepared_, limits_, cache_) : std::nullopt;
+    Decision with_outcomes = decision;
+    if (shown) with_outcomes.sample = judgement_.sample = shown->sample;
+    if (shown) return weigh_as_identity(with_outcomes, shown->outcomes);
+    judgement_.verdict = Verdict::undecided;
+    add(DiagnosticKind::undecided,
+        "it was found to fail only where averages are taken as any numbers, whatever is averaged");
+  }
+
+  /// `outcomes`: that show it, if it is about averages.
+  void weigh_as_identity(const Decision& decision, const std::string& outcomes = {}) {
     std::vector<SymbolId> law;
     if (!claim_.for_all)
       law = law_symbols(prepared_.question, names_.scope, restates_definition(), rotations(), cache_);
     const bool order = claim_.equation.relation != Relation::equal;
     if (!law.empty() && (order || !both_constant(*decision.sample))) {
-      judgement_.verdict = Verdict::law;
-      judgement_.not_for_all = bases_of(tree_, law);
+      state_law_of(law);
       judgement_.despite_given = std::ranges::any_of(prepared_.assumptions, [](const NamedAssumption* each) {
         return each != nullptr && each->origin.directive && each->equation.relation == Relation::equal;
       });
@@ -573,6 +588,8 @@ class Judging {
                                       claim_.relation,
                                       difference() + (claim_.as_a_whole ? "" : sides),
                                       {{claim_.left, ""}, {claim_.right, ""}}});
+    if (!outcomes.empty())
+      judgement_.diagnostics.back().help = {fmt::format("for two outcomes with equal weights: {}", outcomes)};
   }
 
   /// Operators have no samples, so what is not proved of them is weighed as if it were refuted.
@@ -590,8 +607,7 @@ class Judging {
     const std::vector<SymbolId> law =
         law_symbols(prepared_.question, names_.scope, restates_definition(), rotations(), cache_);
     if (law.empty()) return;
-    judgement_.verdict = Verdict::law;
-    judgement_.not_for_all = bases_of(tree_, law);
+    state_law_of(law);
     judgement_.diagnostics.clear();
   }
 

@@ -8,6 +8,7 @@
 #include "algebra/words/operator_question.h"
 #include "base/among.h"
 #include "base/ascii.h"
+#include "check/average/average_value.h"
 #include "check/meaning/beyond_reals.h"
 #include "check/meaning/both_orders.h"
 #include "check/meaning/ordered_product.h"
@@ -272,10 +273,25 @@ std::optional<OtherReading> in_determinants(const Question& question, const Name
                           proved ? "holds" : "does not hold"));
 }
 
+/// Inside averages operators keep their order.
+bool averages_operators(const Question& question) {
+  const ExprTree& tree = *question.tree;
+  const auto body_of = [&](SymbolId symbol) {
+    const Definition* definition = definition_in(question, symbol);
+    return definition == nullptr ? std::nullopt : std::optional(definition->body);
+  };
+  return std::ranges::any_of(
+      symbols_reached(tree, {question.claim.left, question.claim.right}, body_of), [&](SymbolId symbol) {
+        return is_average(tree, symbol) &&
+               has_operators(tree, tree.symbols[base_of(tree.symbols, symbol)].integral->integrand);
+      });
+}
+
 }  // namespace
 
 std::optional<OtherReading> other_reading(const Question& question, const Names& names, bool proved) {
-  if (is_about_operators(question)) return proved ? beside_operators(question, names) : std::nullopt;
+  if (is_about_operators(question) || averages_operators(question))
+    return proved ? beside_operators(question, names) : std::nullopt;
   if (auto order = in_order(question, names, proved)) return order;
   if (auto arithmetic = in_another_arithmetic(question, names, proved)) return arithmetic;
   if (auto complex = in_complex_numbers(question, names, proved)) return complex;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "check/verdict/rational_expression.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 
 #include "algebra/parts/complex_sample.h"
 
@@ -33,6 +36,25 @@ std::optional<ExprId> add_rational(ExprTree& tree, Span span, const std::string&
     number = tree.add({.op = Op::divide, .span = span}, parts);
   }
   return negative ? tree.add({.op = Op::negate, .span = span}, std::span(&number, 1)) : number;
+}
+
+bool may_be_rounded(const ExprTree& tree, const Equation& claim, const Sample& sample) {
+  bool integral = false;
+  bool decimal = false;
+  for (const ExprId id : nodes_below(tree, {claim.left, claim.right})) {
+    const ExprNode& node = tree[id];
+    integral = integral || (node.op == Op::symbol && tree.symbols[node.symbol].integral);
+    decimal = decimal || (node.op == Op::number && tree.digits(id).find('.') != std::string::npos);
+  }
+  const auto value = [](const std::string& exact) {
+    const std::size_t slash = exact.find('/');
+    const double below = slash == std::string::npos ? 1 : std::strtod(exact.c_str() + slash + 1, nullptr);
+    return std::strtod(exact.c_str(), nullptr) / below;
+  };
+  constexpr double roughly = 0.1;
+  const double left = value(sample.left);
+  const double right = value(sample.right);
+  return integral && decimal && std::abs(left - right) <= roughly * std::max(std::abs(left), std::abs(right));
 }
 
 }  // namespace rigor

@@ -103,10 +103,11 @@ bool is_guessed(const Walk& walk, const Reading& reading, SymbolId symbol) {
          !reading.letters.indexed_vectors.contains(key->base);
 }
 
+/// A letter whose average alone was written can still be defined below.
 void mark_seen(Walk& walk, const ChainReading& reading) {
   for (const ChainReading::Side& side : reading.sides) {
     if (!side.typed) continue;
-    for (const SymbolId symbol : letters_in(walk.tree, side.typed->id)) {
+    for (const SymbolId symbol : letters_in(walk.tree, side.typed->id, false)) {
       const SymbolId base = base_of(walk.tree.symbols, symbol);
       if (is_guessed(walk, reading.reading(), base)) continue;
       mark_seen(walk.names.scope, symbol);

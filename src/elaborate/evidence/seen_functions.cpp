@@ -284,6 +284,11 @@ SyntaxId letter_of_side(const SyntaxTree& syntax, SyntaxId side) {
   return applied ? syntax.children(side)[0].id : side;
 }
 
+/// An average does not change with what it is taken of.
+bool is_of_outcomes(const SyntaxTree& syntax, SyntaxId id) {
+  return syntax[id].kind == SyntaxKind::function && syntax.text(id) == "average";
+}
+
 /// `Cd = \epsilon A` says of none of its letters alone what it is, so that any of them may follow the others.
 /// An identity, with the same letters on both sides, a law of rates, a sum and an integral do not.
 void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
@@ -293,7 +298,7 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
     for (const SyntaxId id : nodes_below(syntax, {side})) {
       const SyntaxKind kind = syntax[id].kind;
       if (kind == SyntaxKind::derivative || kind == SyntaxKind::line_integral ||
-          kind == SyntaxKind::between || kind == SyntaxKind::big_sum)
+          kind == SyntaxKind::between || kind == SyntaxKind::big_sum || is_of_outcomes(syntax, id))
         return;
       if (kind != SyntaxKind::symbol) continue;
       if (syntax.symbol(id).dots > 0 || syntax.symbol(id).primes > 0) return;
@@ -306,9 +311,10 @@ void see_mutual_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
     evidence.tied[letter].insert(letters[0].begin(), letters[0].end());
 }
 
-/// The letters of a side, but for what an integral between limits or a sum runs over.
+/// The letters of a side, but for what an integral between limits, a sum or an average runs over.
 std::set<std::string> free_letters(const SyntaxTree& syntax, SyntaxId side) {
   std::set<std::string> letters;
+  if (is_of_outcomes(syntax, side)) return letters;
   if (syntax[side].kind == SyntaxKind::symbol) letters.insert(changing_name(syntax.symbol(side)));
   const auto children = syntax.children(side);
   const bool bound = syntax[side].kind == SyntaxKind::line_integral && children.size() > 2;

@@ -27,12 +27,13 @@ namespace rigor {
           is_changing(*names.symbols.evidence, key->base));
 }
 
-/// The symbols below a node, and those of its integrals.
-[[nodiscard]] inline std::vector<SymbolId> letters_in(const ExprTree& tree, ExprId root) {
+/// The symbols below a node, and those of its integrals; `averaged`: and of its averages.
+[[nodiscard]] inline std::vector<SymbolId> letters_in(const ExprTree& tree, ExprId root,
+                                                      bool averaged = true) {
   std::vector<SymbolId> letters = symbols_in(tree, root);
   for (std::size_t k = 0; k < letters.size(); ++k) {
     const auto& integral = tree.symbols[base_of(tree.symbols, letters[k])].integral;
-    if (!integral) continue;
+    if (!integral || (integral->average && !averaged)) continue;
     for (const ExprId part : parts_of(*integral)) {
       for (const SymbolId inside : symbols_in(tree, part)) {
         if (!is_one_of(inside, letters)) letters.push_back(inside);

@@ -271,7 +271,7 @@ class RankReader {
     const std::string& name = syntax_.text(id);
     if (name == "O") return unread(syntax_[id].span, "`O(…)` has the rank of what is next to it");
     const RankSet inside = read(syntax_.child(id, 0));
-    if (is_one_of(name, {"D/Dt", "conjugate", "bar", "Re", "Im"})) return inside;
+    if (is_one_of(name, {"D/Dt", "conjugate", "bar", "Re", "Im", "average"})) return inside;
     if (name == "transpose" || name == "adjoint" || name == "diag") return any_rank;
     if (name == "det" || name == "tr") return scalar;
     if (const auto of_field = field_operator(name)) {

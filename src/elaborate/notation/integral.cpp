@@ -61,6 +61,25 @@ std::optional<Limit> limit_of(Reading& reading, SyntaxId id, const Around& aroun
   return std::nullopt;
 }
 
+/// `\int_0^1\langle sx\rangle\,ds`, `\sum_i\langle x_i\rangle`: the variable stands where nothing runs.
+bool is_averaged_over(Reading& reading, SymbolId variable, ExprId integrand, Span span) {
+  const ExprTree& tree = reading.tree;
+  const auto& values = *reading.names.symbols.function_values;
+  const auto speaks = [&](SymbolId each) {
+    const auto value = values.find(base_of(tree.symbols, each));
+    return each == variable ||
+           (value != values.end() && std::ranges::any_of(value->second.at, [&](ExprId at) {
+              return is_one_of(variable, letters_in(tree, at));
+            }));
+  };
+  const bool hidden = std::ranges::any_of(symbols_in(tree, integrand), [&](SymbolId each) {
+    const auto& average = tree.symbols[base_of(tree.symbols, each)].integral;
+    return average && average->average && std::ranges::any_of(letters_in(tree, average->integrand), speaks);
+  });
+  if (hidden) unsupported(reading, span, "what an integral or a sum runs over stands inside an average");
+  return hidden;
+}
+
 /// `Q = CU` above `\int U\,dQ`: does a letter of the integrand change with the variable?
 bool is_bound_to(const Reading& reading, SymbolId variable, ExprId integrand) {
   const NameScope& scope = reading.names.scope;
@@ -204,6 +223,7 @@ MaybeTyped elaborate_line_integral(Reading& reading, SyntaxId id, const Around& 
                        fmt::format("what `{}` is was said above, and the integrand may change with it",
                                    syntax.symbol(parts[1].id).letter),
                        {"put what was said into the integrand"});
+  if (is_averaged_over(reading, *variable, inside->id, span)) return std::nullopt;
   Integral integral{.integrand = inside->id};
   note_variable(reading, syntax.symbol(parts[1].id), *variable, integral);
   if (parts.size() > 2) {
@@ -245,6 +265,7 @@ MaybeTyped elaborate_counted_sum(Reading& reading, SyntaxId id, const Around& ar
     return unsupported(
         reading, span,
         fmt::format("what `{}` is was said above, and what is added may change with it", index.text));
+  if (is_averaged_over(reading, variable, inside->id, span)) return std::nullopt;
   Integral sum{.integrand = inside->id, .variable = variable, .by = {By::letter, variable}, .sum = true};
   const auto written_limit = [&](const std::string& text) -> std::optional<Limit> {
     if (text != "N") return Limit{.at = reading.tree.add_number(span, text)};
@@ -291,6 +312,7 @@ MaybeTyped elaborate_between(Reading& reading, SyntaxId id, const Around& around
     if (is_index(syntax, parts[1].id) && is_index(syntax, parts[2].id))
       return ambiguous(reading, span, "the letters at this bracket can be limits or indices");
   }
+  if (is_averaged_over(reading, integral.variable, inside->id, span)) return std::nullopt;
   integral.by = {By::letter, integral.variable};
   integral.lower = limit_of(reading, parts[1].id, around);
   integral.upper = limit_of(reading, parts[2].id, around);

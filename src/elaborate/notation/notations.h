@@ -11,7 +11,7 @@ using ReadPart = MaybeTyped(Reading& reading, SyntaxId id, const Around& around)
 ReadPart elaborate_transpose, elaborate_adjoint;                    // adjoint.cpp
 ReadPart elaborate_bars, elaborate_component;                       // bracket.cpp
 ReadPart elaborate_cases;                                           // cases.cpp
-ReadPart elaborate_part;                                            // complex.cpp
+ReadPart elaborate_part, elaborate_average;                         // complex.cpp
 ReadPart elaborate_derivative;                                      // derivative.cpp
 ReadPart elaborate_function, elaborate_integral;                    // function.cpp
 ReadPart elaborate_line_integral, elaborate_between;                // integral.cpp

@@ -61,8 +61,9 @@ struct Limit {
 };
 
 /// `\int_a^b f\,dx`, or without limits a function whose derivative is f; or `\sum_{k=a}^b f` over whole
-/// numbers. It is a symbol of its own, and its integrand stands in the same tree: what it is follows from
-/// these, so that a row about it defines nothing.
+/// numbers; or `\langle f\rangle`, over all outcomes with weights of sum 1. It is a symbol of its own, and
+/// its integrand stands in the same tree: what it is follows from these, so that a row about it defines
+/// nothing.
 struct Integral {
   ExprId integrand{};
   SymbolId variable{};
@@ -71,7 +72,8 @@ struct Integral {
   std::optional<Limit> lower = {};
   std::optional<Limit> upper = {};
   bool primitive = false;  // `[F]_a^b`: the integrand is F itself
-  bool sum = false;  // over whole numbers, both limits among them; nothing is added where there are none
+  bool sum = false;      // over whole numbers, both limits among them; nothing is added where there are none
+  bool average = false;  // over outcomes, or in a state; it has no limits, and its variable is not written
 };
 
 /// What is integrated, and the limits.

@@ -377,6 +377,12 @@ bool Parser::is_conjugate(SyntaxId node) const {
          (tree_.text(node) == "conjugate" || tree_.text(node) == "adjoint");
 }
 
+/// `\langle x\rangle`, also to a power
+bool Parser::is_average(SyntaxId node) const {
+  if (tree_[node].kind == SyntaxKind::power) node = tree_.child(node, 0);
+  return tree_[node].kind == SyntaxKind::function && tree_.text(node) == "average";
+}
+
 SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
   const Span span = cover(tree_[base].span, place);
   if (tree_[base].kind == SyntaxKind::opaque) return base;
@@ -389,6 +395,7 @@ SyntaxId Parser::add_indices(SyntaxId base, TokenView content, Span place) {
                                     {tree_.child(base, 1)}};
     return tree_.add(SyntaxKind::power, span, children);
   }
+  if (is_average(base)) return opaque(place, "an average with a subscript is not read");
   IndexReading reading = read_indices(content);
   if (reading.obstacle) return tree_.add_opaque(place, *reading.obstacle);
   if (reading.indices.empty()) return opaque(place, "the subscript is empty", DiagnosticKind::bad_syntax);

@@ -88,6 +88,8 @@ class Parser {
   // parser_states.cpp
   std::optional<SyntaxId> state_bracket(Cursor& cursor);     // \ket, \langle
   std::optional<SyntaxId> pair_in_brackets(Cursor& cursor);  // \comm{A}{B}
+  std::optional<SyntaxId> expectation(Cursor& cursor);       // \mathbb E[X]
+  SyntaxId deviation(SyntaxId of, Span span);
 
   // parser_controls.cpp
   SyntaxId control(Cursor& cursor);
@@ -164,6 +166,7 @@ class Parser {
   SyntaxId unclear_argument(Span span, std::string_view name);
   [[nodiscard]] bool is_rate_or_change(SyntaxId node) const;
   [[nodiscard]] bool is_conjugate(SyntaxId node) const;
+  [[nodiscard]] bool is_average(SyntaxId node) const;
   SyntaxId field_function(Cursor& cursor, std::string_view name);
 
   // parser_integrals.cpp

@@ -59,7 +59,7 @@ bool ends_operand(const Token& token) {
     case TokenKind::end_group:
       return true;
     case TokenKind::control:
-      return !letter_of(token).empty() || token.text == "rvert" || token.text == "rVert" || token.text == "}";
+      return !letter_of(token).empty() || is_one_of(token.text, {"rvert", "rVert", "}", "rangle"});
     case TokenKind::other:
       return token.text == ")" || token.text == "]" || token.text == "'";
     default:

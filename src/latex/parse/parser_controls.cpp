@@ -62,6 +62,7 @@ SyntaxId Parser::control(Cursor& cursor) {
   if (is_one_of(name, {"lvert", "lVert", "|", "Vert", "vert"})) return bars(cursor);
   if (const auto states = state_bracket(cursor)) return *states;
   if (const auto pair = pair_in_brackets(cursor)) return *pair;
+  if (const auto mean = expectation(cursor)) return *mean;
   if (name == "{" || name == "lbrace") return bracketed(cursor);
   if (name == "begin") return environment(cursor);
   if (!letter_of(token).empty() || name == "nabla") return letter(cursor);

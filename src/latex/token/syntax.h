@@ -35,9 +35,10 @@ enum class SyntaxKind : std::uint8_t {
   cases,       // value, condition, value, condition…
   derivative,  // d/dt, ∂/∂x, ∂_i of one child (see WrittenDerivative); `\dot x` is a symbol with dots
   function,    // \cos, \exp, grad…: `text` is the name, one child is the argument (two of them: a tuple);
-               // `conjugate` for z^*, `bar` for \overline{z + w}, `transpose` and `adjoint` for A^T and A^†
-  integral,    // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the first child what
-               // is integrated, the second the name of the region if it has one, as `text`
+             // `conjugate` for z^*, `bar` for \overline{z + w}, `transpose` and `adjoint` for A^T and A^†,
+             // `average` for \langle x\rangle
+  integral,  // over the body: `text` is the measure (`m` for dm, `V` for dV or d^3r), the first child what
+             // is integrated, the second the name of the region if it has one, as `text`
   line_integral,  // over one variable: what is integrated, the variable, and two limits if they are written
   between,        // [F]_a^b: F, two limits, and the variable if `x = a` names it
   unit,           // of measure: `text` is how it is written, `kg.m^2` (see units.h)

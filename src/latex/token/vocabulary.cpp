@@ -244,7 +244,7 @@ std::string_view unread_reason(std::string_view control) {
       {"pm mp", "`\\pm` and `\\mp` stand for two statements, which are not read yet"},
       {"dots ldots cdots dotsb dotsc vdots ddots", "an ellipsis does not say what is left out"},
       {"wedge otimes oplus circ star ast", "this product is not read; write `\\times` or `\\cdot`"},
-      {"rangle", "brackets of states or averages are not read"},
+      {"rangle", "brackets of states are not read"},
       {"real imaginary", "real and imaginary parts are written `\\Re` and `\\Im`"},
       {"rank erf erfc Res Pr", "functions such as this one are not decided yet"},
       {"pv PV principalvalue", "a principal value is not read"},

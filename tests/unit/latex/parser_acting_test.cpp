@@ -43,7 +43,7 @@ TEST_CASE("how far an operator written as a word acts is not guessed") {
 
 TEST_CASE("other words are no quantities") {
   for (const char* text :
-       {"\\text{Ma } z", "\\operatorname{sgn} x", "\\mathrm{Var}(x)", "\\text{foo} x", "{\\rm Ma} z"}) {
+       {"\\text{Ma } z", "\\operatorname{sgn} x", "\\mathrm{Prob}(x)", "\\text{foo} x", "{\\rm Ma} z"}) {
     INFO(text);
     CHECK(parsed(text).starts_with("(term <"));
   }

@@ -60,6 +60,27 @@ TEST_CASE("a bracket of states is one obstacle") {
   }
 }
 
+TEST_CASE("angle brackets without bars or commas are an average, however they are written") {
+  for (const char* text : {"\\left\\langle x^2\\right\\rangle", "\\ev{x^2}", "\\expval*{x^2}",
+                           "\\Braket{x^2}", "\\mathbb E[x^2]", "\\operatorname{E}(x^2)"}) {
+    INFO(text);
+    CHECK(parsed(text) == parsed("\\langle x^2\\rangle"));
+  }
+  CHECK(parsed("\\operatorname{Var}(x)") == parsed("\\langle(x - \\langle x\\rangle)^2\\rangle"));
+  CHECK(parsed("\\mathrm{Cov}(x, y)") ==
+        parsed("\\langle(x - \\langle x\\rangle)(y - \\langle y\\rangle)\\rangle"));
+  CHECK(obstacles("\\langle|x|\\rangle + \\langle\\langle x\\rangle y\\rangle^2").empty());
+}
+
+TEST_CASE(
+    "an average with a subscript, a pair in angle brackets and a conditional expectation are not read") {
+  CHECK(obstacles("\\langle x\\rangle_T").find("subscript") != std::string::npos);
+  CHECK(obstacles("\\langle x\\rangle^2_T").find("subscript") != std::string::npos);
+  CHECK(obstacles("\\langle u, v\\rangle").find("inner product") != std::string::npos);
+  CHECK(!obstacles("\\mathbb E[x|y]").empty());
+  CHECK(parsed("\\braket{x}") == parsed("\\ket{x}"));
+}
+
 TEST_CASE("a commutator is the pair that it abbreviates, and a Poisson bracket a pair of numbers") {
   CHECK(parsed("\\comm{A}{B}") == parsed("[A, B]"));
   CHECK(parsed("\\commutator*{A}{B + C}") == parsed("[A, B + C]"));
