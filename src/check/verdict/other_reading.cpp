@@ -148,7 +148,8 @@ std::optional<OtherReading> in_complex_vectors(const Question& question, const N
   std::erase_if(open, [&](SymbolId symbol) {
     const NameKey* key = key_of(names.symbols, symbol);
     const bool of_entries = key != nullptr && key->shape.any();  // which are known, and looked at one by one
-    return question.tree->symbols[symbol].complex || (of_entries && !measured) ||
+    const bool matrix = of_entries && key->rank > 1;
+    return question.tree->symbols[symbol].complex || matrix || (of_entries && !measured) ||
            (key != nullptr && evidence.real.contains(key->base));
   });
   if (!asked || open.empty()) return std::nullopt;

@@ -363,7 +363,28 @@ void see_declared_complex(const WrittenSymbol& symbol, bool complex, Evidence& e
   (complex ? evidence.complex_numbers : evidence.declared_real).insert(complex_name(symbol));
 }
 
+namespace {
+
+/// `\boldsymbol\sigma` and `\sigma_i`: one of the three may be complex, whatever the others are.
+void add_triples(Evidence& evidence) {
+  std::set<std::string> found;
+  for (const auto& [letter, parts] : evidence.made_of) {
+    for (const std::string& part : parts) {
+      static constexpr std::string_view bold = "\\mathbf{";
+      const bool whole = part.starts_with(bold);
+      const bool member = !whole && part.find("_{") != std::string::npos && !evidence.matrices.contains(part);
+      if (whole && triple_of(evidence, part.substr(bold.size(), part.size() - bold.size() - 1)))
+        found.insert(part);
+      if (member && triple_of(evidence, part.substr(0, part.find("_{")))) found.insert(part);
+    }
+  }
+  evidence.complex_numbers.merge(found);
+}
+
+}  // namespace
+
 void settle_complex(Evidence& evidence) {
+  add_triples(evidence);
   std::set<std::string>& units = evidence.imaginary_units;
   if (units.empty() && evidence.says_imaginary) units.insert("i");
   std::erase_if(units, [&](const std::string& letter) {

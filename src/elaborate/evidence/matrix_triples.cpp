@@ -81,6 +81,25 @@ void see_many(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evid
   }
 }
 
+/// Who multiplies a vector with matrices means one of space, whose components are real.
+void see_vectors_beside(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
+  for (const SyntaxId term : nodes_below(syntax, sides)) {
+    if (syntax[term].kind != SyntaxKind::term) continue;
+    const std::span<const SyntaxChild> factors = syntax.children(term);
+    for (std::size_t k = 1; k < factors.size(); ++k) {
+      if (factors[k].joint != Joint::dot) continue;
+      const SyntaxId both[] = {factors[k - 1].id, factors[k].id};
+      if (!std::ranges::all_of(both, [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; }))
+        continue;
+      const WrittenSymbol& left = syntax.symbol(both[0]);
+      const WrittenSymbol& right = syntax.symbol(both[1]);
+      if (whole_triple(evidence, left).has_value() == whole_triple(evidence, right).has_value()) continue;
+      const WrittenSymbol& vector = whole_triple(evidence, left) ? right : left;
+      if (!evidence.complex_vectors) evidence.real.insert(letter_with_marks(vector));
+    }
+  }
+}
+
 /// The shape of a multiple of a triple, `\frac\hbar2\boldsymbol\sigma`. Recursion: as deep as the tree.
 MatrixShape shape_of_multiple(const SyntaxTree& syntax, SyntaxId id, const Evidence& evidence) {
   const SyntaxNode& node = syntax[id];
@@ -144,6 +163,7 @@ std::optional<MatrixTriple> triple_of_member(const Evidence& evidence, const Wri
 void see_triples(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const WrittenChain& written,
                  Evidence& evidence) {
   see_many(syntax, sides, evidence);
+  see_vectors_beside(syntax, sides, evidence);
   const bool equal = std::ranges::all_of(written.relations, [](const WrittenRelation& relation) {
     return relation.kind == RelationKind::equal || relation.kind == RelationKind::identical ||
            relation.kind == RelationKind::defines;

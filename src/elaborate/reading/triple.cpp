@@ -132,6 +132,7 @@ MaybeTyped dot_with_triple(Reading& reading, const Typed& left, const Typed& rig
   const Typed& vector = is_triple(left) ? right : left;
   const Typed& triple = is_triple(left) ? left : right;
   if (!fits_triple(reading, vector, triple, span)) return std::nullopt;
+  note(reading, "a vector beside a vector of matrices has real components");
   Typed matrix = apply_op(reading.tree, Op::dot, span, 2, {vector, triple});
   matrix.layout = Layout::matrix;
   return matrix;

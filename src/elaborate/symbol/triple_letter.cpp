@@ -71,8 +71,11 @@ std::optional<std::vector<Typed>> defined_members(Reading& reading, const Matrix
 std::optional<Typed> defined_vector(Reading& reading, const std::string& letter, const MatrixTriple& triple,
                                     Span span) {
   const Symbols& symbols = reading.names.symbols;
-  const NameKey key{
-      .base = letter, .rank = 3, .space = column_space(symbols, triple.shape.rows).id, .shape = triple.shape};
+  const NameKey key{.base = letter,
+                    .rank = 3,
+                    .space = column_space(symbols, triple.shape.rows).id,
+                    .shape = triple.shape,
+                    .complex = true};
   const SymbolId symbol = symbol_named(reading, key, bold(letter), span);
   const MatrixLetter& known = symbols.evidence->triples.at(letter);
   if (definition_of(reading.names.scope, symbol) == nullptr &&
@@ -104,6 +107,13 @@ bool may_be_other_member(const WrittenSymbol& written) {
          written.lower[0].form == IndexForm::letter && axis_of_letter(written.lower[0].text) == 0;
 }
 
+/// `\sigma_i`; also `\sigma_a` where \mathbf a is a vector, if `\delta_{ab}` shows that a is an index here.
+bool is_member(const Reading& reading, const WrittenSymbol& written) {
+  if (triple_of_member(*reading.names.symbols.evidence, written)) return true;
+  return may_be_other_member(written) && written.lower[0].primes == 0 &&
+         reading.letters.indices.contains(written.lower[0].text);
+}
+
 }  // namespace
 
 std::optional<MaybeTyped> triple_letter(Reading& reading, const WrittenSymbol& written, Span span,
@@ -118,7 +128,7 @@ std::optional<MaybeTyped> triple_letter(Reading& reading, const WrittenSymbol& w
     return unsupported(
         reading, span,
         fmt::format("`{}` can be a number, or belong to the vector of matrices `{}`", letter, bold(letter)));
-  const bool member = triple_of_member(here, written).has_value();
+  const bool member = is_member(reading, written);
   if (!member && !whole_triple(here, written)) {
     if (!may_be_other_member(written)) return std::nullopt;
     return unsupported(
@@ -162,7 +172,7 @@ bool holds_triple(const Reading& reading, SyntaxId id) {
   return std::ranges::any_of(nodes_below(reading.syntax, {id}), [&](SyntaxId each) {
     if (reading.syntax[each].kind != SyntaxKind::symbol) return false;
     const WrittenSymbol& symbol = reading.syntax.symbol(each);
-    const bool named = triple_of_member(here, symbol) || whole_triple(here, symbol);
+    const bool named = is_member(reading, symbol) || whole_triple(here, symbol);
     return named && triple_here(reading, letter_with_marks(symbol));
   });
 }
