@@ -365,15 +365,16 @@ void see_declared_complex(const WrittenSymbol& symbol, bool complex, Evidence& e
 
 namespace {
 
+constexpr std::string_view bold_start = "\\mathbf{";
+
 /// `\boldsymbol\sigma` and `\sigma_i`: one of the three may be complex, whatever the others are.
 void add_triples(Evidence& evidence) {
   std::set<std::string> found;
   for (const auto& [letter, parts] : evidence.made_of) {
     for (const std::string& part : parts) {
-      static constexpr std::string_view bold = "\\mathbf{";
-      const bool whole = part.starts_with(bold);
+      const bool whole = part.starts_with(bold_start);
       const bool member = !whole && part.find("_{") != std::string::npos && !evidence.matrices.contains(part);
-      if (whole && triple_of(evidence, part.substr(bold.size(), part.size() - bold.size() - 1)))
+      if (whole && triple_of(evidence, part.substr(bold_start.size(), part.size() - bold_start.size() - 1)))
         found.insert(part);
       if (member && triple_of(evidence, part.substr(0, part.find("_{")))) found.insert(part);
     }
@@ -401,7 +402,11 @@ void settle_complex(Evidence& evidence) {
   for (bool grew = true; grew;) {
     grew = false;
     for (const auto& [letter, parts] : evidence.made_of) {
-      const bool real = evidence.real_parts.contains(letter) && !evidence.matrices.contains(letter);
+      const bool vector =
+          letter.starts_with(bold_start) &&
+          evidence.real.contains(letter.substr(bold_start.size(), letter.size() - bold_start.size() - 1));
+      const bool real =
+          (evidence.real_parts.contains(letter) && !evidence.matrices.contains(letter)) || vector;
       if (real || units.contains(letter)) continue;
       const bool made = std::ranges::any_of(
           parts, [&](const std::string& part) { return units.contains(part) || complex.contains(part); });

@@ -200,6 +200,25 @@ bool is_indexed_member(const WrittenSymbol& symbol, const Evidence& evidence) {
   return triple && !is_one_of(matrix_name(symbol), triple->members);
 }
 
+/// `\sigma_z` that only the words name is an operator among others: a, \sigma_+ and what has a dagger.
+bool is_beside_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
+                         const Evidence& evidence) {
+  bool usual = false;
+  bool others = false;
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
+    others = others || (syntax[id].kind == SyntaxKind::function && syntax.text(id) == "adjoint");
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const auto member = triple_of_member(evidence, symbol);
+    const auto triple = member ? member : whole_triple(evidence, symbol);
+    usual = usual || (triple && triple->usual);
+    const bool ladder =
+        symbol.lower.size() == 1 && (symbol.lower[0].text == "+" || symbol.lower[0].text == "-");
+    others = others || ladder || (!triple && symbol.accent == Accent::hat && symbol.face == Face::plain);
+  }
+  return usual && others;
+}
+
 bool names_letter(const SyntaxTree& syntax, SyntaxId id, const std::string& name) {
   return std::ranges::any_of(nodes_below(syntax, {id}), [&](SyntaxId each) {
     return syntax[each].kind == SyntaxKind::symbol && matrix_name(syntax.symbol(each)) == name;
@@ -261,7 +280,7 @@ void see_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, 
   for (const SyntaxId side : sides) see_entries(syntax, side, evidence);
   const bool equal = std::ranges::all_of(
       written.relations, [](const WrittenRelation& relation) { return makes_equal(relation.kind); });
-  if (!equal || sides.size() < 2) return;
+  if (!equal || sides.size() < 2 || is_beside_operators(syntax, sides, evidence)) return;
   const Shapes shapes(syntax, evidence);
   std::set<MatrixShape> found;
   bool itself = false;

@@ -100,26 +100,32 @@ void see_vectors_beside(const SyntaxTree& syntax, const std::vector<SyntaxId>& s
   }
 }
 
-/// The shape of a multiple of a triple, `\frac\hbar2\boldsymbol\sigma`. Recursion: as deep as the tree.
-MatrixShape shape_of_multiple(const SyntaxTree& syntax, SyntaxId id, const Evidence& evidence) {
+/// The shape of a multiple of a triple, `\frac\hbar2\boldsymbol\sigma`, and with an index of its member
+/// `\frac\hbar2\sigma_i`. Recursion: as deep as the tree.
+MatrixShape shape_of_multiple(const SyntaxTree& syntax, SyntaxId id, const std::string& index,
+                              const Evidence& evidence) {
   const SyntaxNode& node = syntax[id];
   switch (node.kind) {
     case SyntaxKind::symbol: {
-      const auto triple = whole_triple(evidence, syntax.symbol(id));
-      return triple ? triple->shape : MatrixShape{};
+      const WrittenSymbol& symbol = syntax.symbol(id);
+      const auto triple = index.empty() ? whole_triple(evidence, symbol) : triple_of_member(evidence, symbol);
+      const bool same = triple && (index.empty() || symbol.lower[0].text == index);
+      return same ? triple->shape : MatrixShape{};
     }
     case SyntaxKind::group:
     case SyntaxKind::fraction:
-      return shape_of_multiple(syntax, syntax.child(id, 0), evidence);
+      return shape_of_multiple(syntax, syntax.child(id, 0), index, evidence);
     case SyntaxKind::sum:
-      return node.count == 1 ? shape_of_multiple(syntax, syntax.child(id, 0), evidence) : MatrixShape{};
+      return node.count == 1 ? shape_of_multiple(syntax, syntax.child(id, 0), index, evidence)
+                             : MatrixShape{};
     case SyntaxKind::term: {
       MatrixShape found;
       for (const SyntaxChild& child : syntax.children(id)) {
         const bool vector =
             syntax[child.id].kind == SyntaxKind::symbol && syntax.symbol(child.id).face == Face::vector;
-        const MatrixShape shape =
-            child.joint == Joint::slash ? MatrixShape{} : shape_of_multiple(syntax, child.id, evidence);
+        const MatrixShape shape = child.joint == Joint::slash
+                                      ? MatrixShape{}
+                                      : shape_of_multiple(syntax, child.id, index, evidence);
         const bool product = child.joint == Joint::dot || child.joint == Joint::cross;
         if (product || (vector && !shape.any()) || (shape.any() && found.any())) return {};
         if (shape.any()) found = shape;
@@ -169,20 +175,24 @@ void see_triples(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, c
            relation.kind == RelationKind::defines;
   });
   if (!equal || sides.size() < 2) return;
-  MatrixShape shape;
-  for (const SyntaxId side : sides) {
-    const MatrixShape found =
-        syntax[side].kind == SyntaxKind::symbol ? MatrixShape{} : shape_of_multiple(syntax, side, evidence);
-    if (found.any()) shape = found;
-  }
-  if (!shape.any()) return;
   for (const SyntaxId side : sides) {
     if (syntax[side].kind != SyntaxKind::symbol) continue;
     const WrittenSymbol& symbol = syntax.symbol(side);
-    if (symbol.face != Face::vector || !symbol.lower.empty() || symbol.dots > 0) continue;
-    MatrixLetter& letter = evidence.triples[letter_with_marks(symbol)];
-    letter.shapes.insert(shape);
-    letter.set_there.emplace(syntax[side].span.file, syntax[side].span.begin);
+    const std::string name = letter_with_marks(symbol);
+    const bool whole = symbol.face == Face::vector && symbol.lower.empty();
+    const bool member = symbol.face == Face::plain && symbol.lower.size() == 1 && sides.size() == 2 &&
+                        side == sides[0] && is_index_of_triples(evidence, symbol.lower[0]);
+    const auto known = triple_of(evidence, name);
+    if ((!whole && !member) || symbol.dots > 0 || (known && !known->members[0].empty())) continue;
+    for (const SyntaxId other : sides) {
+      if (syntax[other].kind == SyntaxKind::symbol) continue;
+      const MatrixShape shape =
+          shape_of_multiple(syntax, other, whole ? std::string() : symbol.lower[0].text, evidence);
+      if (!shape.any()) continue;
+      MatrixLetter& letter = evidence.triples[name];
+      letter.shapes.insert(shape);
+      letter.set_there.emplace(syntax[side].span.file, syntax[side].span.begin);
+    }
   }
 }
 

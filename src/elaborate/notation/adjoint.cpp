@@ -133,6 +133,27 @@ MaybeTyped conjugate_of_matrix(Reading& reading, const Typed& matrix, Span span)
   return conjugated(reading, matrix, span);
 }
 
+namespace {
+
+/// AB ∓ BA
+MaybeTyped both_orders_of_matrices(Reading& reading, const Typed& a, const Typed& b, bool minus, Span span) {
+  ExprTree& tree = reading.tree;
+  if (!is_square(tree, a) || !is_square(tree, b) || tree[a.id].axes != tree[b.id].axes)
+    return unsupported(reading, span,
+                       fmt::format("{} is read of two square matrices of one size",
+                                   minus ? "a commutator" : "an anticommutator"));
+  const auto product = [&](const Typed& left, const Typed& right) {
+    return product_of(reading, {{left, Joint::none, span}, {right, Joint::juxtaposed, span}}, span);
+  };
+  const auto there = product(a, b);
+  const auto back = product(b, a);
+  if (!there || !back) return std::nullopt;
+  return apply_op(tree, Op::add, span, 2,
+                  {*there, minus ? apply_op(tree, Op::negate, span, 2, {*back}) : *back});
+}
+
+}  // namespace
+
 std::optional<MaybeTyped> commutator(Reading& reading, SyntaxId id, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   const std::span<const SyntaxChild> both = syntax.children(id);
@@ -149,18 +170,12 @@ std::optional<MaybeTyped> commutator(Reading& reading, SyntaxId id, const Around
   if (!a || !b) return MaybeTyped{};
   const Span span = syntax[id].span;
   ExprTree& tree = reading.tree;
-  if (!is_square(tree, *a) || !is_square(tree, *b) || tree[a->id].axes != tree[b->id].axes)
-    return MaybeTyped(unsupported(reading, span,
-                                  fmt::format("{} is read of two square matrices of one size",
-                                              square ? "a commutator" : "an anticommutator")));
-  const auto product = [&](const Typed& left, const Typed& right) {
-    return product_of(reading, {{left, Joint::none, span}, {right, Joint::juxtaposed, span}}, span);
-  };
-  const auto forth = product(*a, *b);
-  const auto back = product(*b, *a);
-  if (!forth || !back) return MaybeTyped{};
-  const Typed second = square ? apply_op(tree, Op::negate, span, 2, {*back}) : *back;
-  return MaybeTyped(apply_op(tree, Op::add, span, 2, {*forth, second}));
+  if (is_triple(*a) != is_triple(*b) && (is_square(tree, *a) || is_square(tree, *b)))
+    return of_each_member(reading, is_triple(*a) ? *a : *b, span, [&](const Typed& member) {
+      return both_orders_of_matrices(reading, is_triple(*a) ? member : *a, is_triple(*a) ? *b : member,
+                                     square, span);
+    });
+  return both_orders_of_matrices(reading, *a, *b, square, span);
 }
 
 }  // namespace rigor

@@ -209,6 +209,8 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   const Span span = syntax[id].span;
   if (is_exponential(reading, id)) {
     const auto argument = elaborate(reading, exponent, around);
+    if (argument && reading.found.triples && argument->layout == Layout::matrix)
+      return matrix_exponential(reading, *argument, span);
     return argument ? elementary_function(reading, "exp", *argument, span) : std::nullopt;
   }
   if (reads_as_order(reading, id)) {

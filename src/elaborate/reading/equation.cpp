@@ -52,6 +52,21 @@ void hold_for_each(Reading& reading, Typed& typed, const Typed& other) {
   typed.free = other.free;
 }
 
+/// `\sigma_i\sigma_j = -\sigma_j\sigma_i` may be meant for different indices: nothing in it tells equal ones
+/// apart, as δ and ε do.
+void guess_different_indices(Reading& reading, const Equation& equation) {
+  if (!reading.found.triples || equation.indices.size() < 2 || reading.found.guess) return;
+  const std::vector<ExprId> all = nodes_below(reading.tree, {equation.left, equation.right});
+  const bool told_apart = std::ranges::any_of(
+      all, [&](ExprId id) { return reading.tree[id].op == Op::delta || reading.tree[id].op == Op::epsilon; });
+  if (told_apart) return;
+  reading.found.guess =
+      Obstacle{DiagnosticKind::ambiguous_reading,
+               fmt::format("the row can be meant for all `{}` and `{}`, or for different ones",
+                           reading.tree.name(equation.indices[0]), reading.tree.name(equation.indices[1])),
+               {}};
+}
+
 /// Does a letter stand there as a number, m of `\cos mx`?
 bool has_number(const ExprTree& tree, ExprId id, const std::string& letter) {
   return std::ranges::any_of(symbols_in(tree, id), [&](SymbolId symbol) {
@@ -135,6 +150,7 @@ std::optional<Equation> equate(Reading& reading, const Typed& one, const Typed& 
   std::vector<FreeParticle> particles = left.particles;
   merge_free(particles, right.particles);
   for (const FreeParticle& free : particles) equation.particles.push_back(free.id);
+  guess_different_indices(reading, equation);
   return equation;
 }
 

@@ -107,6 +107,15 @@ bool may_be_other_member(const WrittenSymbol& written) {
          written.lower[0].form == IndexForm::letter && axis_of_letter(written.lower[0].text) == 0;
 }
 
+/// `S_i` where `S_i = \frac\hbar2\sigma_i` stands, and S is not defined above: both sides are read as the
+/// vectors of all three.
+bool defines_all(const Reading& reading, const std::string& letter, const WrittenSymbol& written, Span span) {
+  const auto& triples = reading.names.symbols.evidence->triples;
+  const auto found = triples.find(letter);
+  return found != triples.end() && found->second.set_there.contains({span.file, span.begin}) &&
+         written.face == Face::plain && axis_of_letter(written.lower[0].text) == 0;
+}
+
 /// `\sigma_i`; also `\sigma_a` where \mathbf a is a vector, if `\delta_{ab}` shows that a is an index here.
 bool is_member(const Reading& reading, const WrittenSymbol& written) {
   if (triple_of_member(*reading.names.symbols.evidence, written)) return true;
@@ -147,6 +156,11 @@ std::optional<MaybeTyped> triple_letter(Reading& reading, const WrittenSymbol& w
   reading.found.matrices = true;
   use_space(reading);
   if (!member) return *whole;
+  if (defines_all(reading, letter, written, span)) {
+    note(reading, fmt::format("the row is about all three `{}`", letter + "_" + written.lower[0].text));
+    reading.found.index_of_all = written.lower[0].text;
+  }
+  if (reading.found.index_of_all == written.lower[0].text) return *whole;
   const auto axes = subscript(reading, written.lower, span, around);
   if (!axes) return MaybeTyped{};
   return member_of(reading.tree, *whole, axes->slots[0], axes->free, span);
