@@ -65,14 +65,23 @@ bool is_axis_above(const SyntaxTree& syntax, SyntaxId exponent) {
   return syntax[exponent].kind == SyntaxKind::symbol && is_one_of(syntax.symbol(exponent).letter, above);
 }
 
+/// `\sigma_p`, `\sigma_A`: the standard deviation of an observable, or the spin of one of two.
+bool names_a_spread(const WrittenSymbol& symbol) {
+  static constexpr auto observables =
+      std::to_array<std::string_view>({"p", "q", "r", "t", "E", "A", "B", "X", "P", "H", "\\omega"});
+  return symbol.face == Face::plain && symbol.lower.size() == 1 &&
+         is_one_of(symbol.lower[0].text, observables);
+}
+
 /// Letters that stand for several triples.
 void see_many(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   for (const SyntaxId id : nodes_below(syntax, sides)) {
     if (syntax[id].kind == SyntaxKind::symbol) {
       const WrittenSymbol& symbol = syntax.symbol(id);
       const bool labelled = symbol.face == Face::vector ? !symbol.lower.empty() : symbol.lower.size() > 1;
+      const bool spread = letter_with_marks(symbol) == pauli_letter && names_a_spread(symbol);
       const bool above = !symbol.lower.empty() && symbol.lower[0].text.starts_with('^');
-      if (labelled || above) evidence.many_triples.insert(letter_with_marks(symbol));
+      if (labelled || above || spread) evidence.many_triples.insert(letter_with_marks(symbol));
     }
     if (syntax[id].kind != SyntaxKind::power || !is_axis_above(syntax, syntax.child(id, 1))) continue;
     const SyntaxId base = syntax.child(id, 0);

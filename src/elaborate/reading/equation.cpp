@@ -47,7 +47,8 @@ Typed opposite_side(Reading& reading, const Typed& typed, const Typed& other) {
 
 /// `\det\sigma_i = -1`: a number without an index is meant for each of the three.
 void hold_for_each(Reading& reading, Typed& typed, const Typed& other) {
-  if (!reading.found.triples || !typed.free.empty() || other.free.size() != 1) return;
+  const bool letter = reading.tree[typed.id].op == Op::symbol;
+  if (!reading.found.triples || letter || !typed.free.empty() || other.free.size() != 1) return;
   note(reading, fmt::format("the row holds for each `{}`", other.free[0].letter));
   typed.free = other.free;
 }

@@ -123,33 +123,53 @@ bool is_member(const Reading& reading, const WrittenSymbol& written) {
          reading.letters.indices.contains(written.lower[0].text);
 }
 
+/// `\boldsymbol\sigma_1` beside the matrices of \sigma: of one of several spins, so that they act on a
+/// product space.
+bool is_one_of_many(const Reading& reading, const WrittenSymbol& written) {
+  const Evidence& here = *reading.names.symbols.evidence;
+  const std::string letter = letter_with_marks(written);
+  const bool many = written.face == Face::vector || written.lower.size() > 1;
+  if (!many || !here.many_triples.contains(letter)) return false;
+  return std::ranges::any_of(here.matrices, [&](const auto& each) {
+    const auto& shapes = each.second.shapes;
+    return each.first.starts_with(letter + "_{") &&
+           std::ranges::all_of(shapes, [](MatrixShape shape) { return shape.is_matrix(); });
+  });
+}
+
 }  // namespace
 
 std::optional<MaybeTyped> triple_letter(Reading& reading, const WrittenSymbol& written, Span span,
                                         const Around& around) {
   const std::string letter = letter_with_marks(written);
+  if (is_one_of_many(reading, written))
+    return MaybeTyped(ambiguous(
+        reading, span,
+        fmt::format("`{0}` has matrices here, and labels as well: each label can be a space of its own",
+                    letter)));
   const auto triple = triple_here(reading, letter);
   if (!triple) return std::nullopt;
   const Evidence& here = *reading.names.symbols.evidence;
   const bool bare = written.lower.empty() && written.face == Face::plain;
   if (bare && !here.vectors.contains(letter)) return std::nullopt;
   if (bare)
-    return unsupported(
+    return MaybeTyped(unsupported(
         reading, span,
-        fmt::format("`{}` can be a number, or belong to the vector of matrices `{}`", letter, bold(letter)));
+        fmt::format("`{}` can be a number, or belong to the vector of matrices `{}`", letter, bold(letter))));
   const bool member = is_member(reading, written);
   if (!member && !whole_triple(here, written)) {
     if (!may_be_other_member(written)) return std::nullopt;
-    return unsupported(
+    return MaybeTyped(unsupported(
         reading, span,
-        fmt::format("the subscript of `{}_{}` can be an index or a label", letter, written.lower[0].text));
+        fmt::format("the subscript of `{}_{}` can be an index or a label", letter, written.lower[0].text)));
   }
-  if (written.dots > 0) return unsupported(reading, span, "a rate of a vector of matrices is not decided");
+  if (written.dots > 0)
+    return MaybeTyped(unsupported(reading, span, "a rate of a vector of matrices is not decided"));
   const bool counted = member && is_one_of(written.lower[0].text, reading.counting);
   if (counted)
-    return unsupported(
+    return MaybeTyped(unsupported(
         reading, span,
-        fmt::format("`{}_{}` can be one of three matrices, or one of many", letter, written.lower[0].text));
+        fmt::format("`{}_{}` can be one of three matrices, or one of many", letter, written.lower[0].text)));
   const auto whole = whole_of(reading, letter, *triple, span);
   if (!whole) return std::nullopt;
   reading.found.triples = true;
