@@ -369,6 +369,8 @@ std::set<SymbolId> ordered_symbols(const ExprTree& tree, const Names& names, con
       const std::string letter = without_labels(key->base);
       // Of a vector of matrices, `\boldsymbol\sigma`, only what was shown counts, not that it is a capital.
       const bool labelled = letter.starts_with("\\") && key->base != letter;  // `\sigma_x`
+      const bool beside_matrices = key->rank == 1 && names.symbols.evidence->real.contains(letter);
+      if (beside_matrices) continue;  // `\mathbf n\cdot\boldsymbol\sigma`: its components are numbers
       const bool spoken =
           names.symbols.evidence->order_in_heading || (labelled && names.symbols.evidence->speaks_of_order);
       // A small letter inside a written matrix is a number; a capital there can be a block.

@@ -149,7 +149,8 @@ std::optional<OtherReading> in_complex_vectors(const Question& question, const N
   std::erase_if(open, [&](SymbolId symbol) {
     const NameKey* key = key_of(names.symbols, symbol);
     const bool of_entries = key != nullptr && key->shape.any();  // which are known, and looked at one by one
-    return question.tree->symbols[symbol].complex || (of_entries && !measured) ||
+    const bool matrix = of_entries && key->rank > 1;
+    return question.tree->symbols[symbol].complex || matrix || (of_entries && !measured) ||
            (key != nullptr && evidence.real.contains(key->base));
   });
   if (!asked || open.empty()) return std::nullopt;
@@ -184,6 +185,18 @@ bool counts_dimensions(const Question& question) {
   return found;
 }
 
+/// Three matrices, which say by themselves how many axes their vector has: "two dimensions" are those of
+/// their columns.
+bool has_triple(const Question& question, const Names& names) {
+  bool found = false;
+  for_each_node(question, [&](const ExprNode& node) {
+    const NameKey* key = node.op == Op::symbol ? key_of(names.symbols, node.symbol) : nullptr;
+    const bool letter = key != nullptr && key->shape.any();
+    found = found || (node.rank == 3 && (node.op == Op::tuple || letter));
+  });
+  return found;
+}
+
 /// A proof that counts components, or needs their axes, holds along three Cartesian ones.
 std::optional<OtherReading> in_another_space(const Question& question, const Names& names, bool proved) {
   const Evidence& evidence = *names.symbols.evidence;
@@ -191,7 +204,7 @@ std::optional<OtherReading> in_another_space(const Question& question, const Nam
   const bool said = space_of(names.symbols) != common_space;
   const std::string& of_space = said ? evidence.other_metric : evidence.other_space;
   const std::string& words = of_space.empty() ? evidence.other_axes : of_space;
-  if (!proved || words.empty()) return std::nullopt;
+  if (!proved || words.empty() || has_triple(question, names)) return std::nullopt;
   const bool axes = !of_space.empty() || !evidence.hatted_axes;
   const bool asked = has_components(question, axes) || (!of_space.empty() && counts_dimensions(question));
   const ClaimVectors vectors = vectors_of(question);

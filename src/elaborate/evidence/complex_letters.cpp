@@ -363,7 +363,29 @@ void see_declared_complex(const WrittenSymbol& symbol, bool complex, Evidence& e
   (complex ? evidence.complex_numbers : evidence.declared_real).insert(complex_name(symbol));
 }
 
+namespace {
+
+constexpr std::string_view bold_start = "\\mathbf{";
+
+/// `\boldsymbol\sigma` and `\sigma_i`: one of the three may be complex, whatever the others are.
+void add_triples(Evidence& evidence) {
+  std::set<std::string> found;
+  for (const auto& [letter, parts] : evidence.made_of) {
+    for (const std::string& part : parts) {
+      const bool whole = part.starts_with(bold_start);
+      const bool member = !whole && part.find("_{") != std::string::npos && !evidence.matrices.contains(part);
+      if (whole && triple_of(evidence, part.substr(bold_start.size(), part.size() - bold_start.size() - 1)))
+        found.insert(part);
+      if (member && triple_of(evidence, part.substr(0, part.find("_{")))) found.insert(part);
+    }
+  }
+  evidence.complex_numbers.merge(found);
+}
+
+}  // namespace
+
 void settle_complex(Evidence& evidence) {
+  add_triples(evidence);
   std::set<std::string>& units = evidence.imaginary_units;
   if (units.empty() && evidence.says_imaginary) units.insert("i");
   std::erase_if(units, [&](const std::string& letter) {
@@ -380,7 +402,11 @@ void settle_complex(Evidence& evidence) {
   for (bool grew = true; grew;) {
     grew = false;
     for (const auto& [letter, parts] : evidence.made_of) {
-      const bool real = evidence.real_parts.contains(letter) && !evidence.matrices.contains(letter);
+      const bool vector =
+          letter.starts_with(bold_start) &&
+          evidence.real.contains(letter.substr(bold_start.size(), letter.size() - bold_start.size() - 1));
+      const bool real =
+          (evidence.real_parts.contains(letter) && !evidence.matrices.contains(letter)) || vector;
       if (real || units.contains(letter)) continue;
       const bool made = std::ranges::any_of(
           parts, [&](const std::string& part) { return units.contains(part) || complex.contains(part); });

@@ -2,6 +2,7 @@
 // What one section shows of its letters. A letter is known by what it is without subscripts: `r`, `\hat n`.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -86,6 +87,9 @@ struct Evidence {
   bool speaks_of_raised = false;    // the words do, and name no letter
   std::set<std::string> exponents;  // that are numbers where they stand above: they stand on the line as well
   std::set<std::string> counters;   // n of `x_{n+1}`: in a subscript it counts the members of a sequence
+  std::map<std::string, MatrixLetter> triples;  // S of `\mathbf S = \frac\hbar2\boldsymbol\sigma`
+  std::set<std::string> many_triples;           // \sigma of `\boldsymbol\sigma_1`, `\sigma_i^z`
+  bool speaks_of_pauli = false;
   std::map<std::string, MatrixLetter> matrices;  // A of `A = \begin{pmatrix}…`, as `matrix_name` spells it
   std::set<std::string> entries;                 // letters inside written matrices, spelled so
   std::set<std::string> multiples;  // \lambda of `\lambda I`: numbers, though a determinant is taken of them
@@ -179,6 +183,25 @@ void see_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, 
 [[nodiscard]] bool may_be_a_matrix(const std::string& letter, const Evidence& evidence);
 /// The letter with face, marks and subscripts: \mathbf{A} is another matrix than A.
 [[nodiscard]] std::string matrix_name(const WrittenSymbol& symbol);
+
+// --- matrix_triples.cpp: Three matrices of one size, σ_x, σ_y and σ_z, are the components of a vector of
+// matrices: `\sigma_i` and `\boldsymbol\sigma` are about all three.
+
+/// What a letter without its subscripts stands for, where it stands for three matrices.
+struct MatrixTriple {
+  MatrixShape shape = {};
+  std::array<std::string, 3> members = {};  // as `matrix_name` spells them; empty: the vector alone is known
+  bool usual = false;                       // the Pauli matrices, of which only the words speak
+};
+[[nodiscard]] std::optional<MatrixTriple> triple_of(const Evidence& evidence, const std::string& letter);
+/// `\boldsymbol\sigma`
+[[nodiscard]] std::optional<MatrixTriple> whole_triple(const Evidence& evidence, const WrittenSymbol& symbol);
+/// `\sigma_i`, where i can only be an index, or an axis.
+[[nodiscard]] std::optional<MatrixTriple> triple_of_member(const Evidence& evidence,
+                                                           const WrittenSymbol& symbol);
+/// Notes vectors of matrices that a chain sets equal to a multiple of another, and letters with two labels.
+void see_triples(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const WrittenChain& written,
+                 Evidence& evidence);
 
 // --- operator_letters.cpp: Evidence that letters are operators: for these, unlike those that only may be
 // some, products keep their order.

@@ -28,7 +28,9 @@ class Shapes {
       case SyntaxKind::symbol: {
         const auto known = evidence_.matrices.find(matrix_name(syntax_.symbol(id)));
         const bool one = known != evidence_.matrices.end() && known->second.shapes.size() == 1;
-        return one ? *known->second.shapes.begin() : MatrixShape{};
+        if (one) return *known->second.shapes.begin();
+        const auto triple = triple_of_member(evidence_, syntax_.symbol(id));
+        return triple ? triple->shape : MatrixShape{};
       }
       case SyntaxKind::group:
       case SyntaxKind::fraction:
@@ -78,8 +80,13 @@ class Shapes {
   /// Rows of the first and columns of the last; none where a row beside a column makes a number.
   [[nodiscard]] MatrixShape of_product(SyntaxId id) const {
     MatrixShape product;
-    for (const SyntaxChild& child : syntax_.children(id)) {
-      const MatrixShape factor = of(child.id);
+    const std::span<const SyntaxChild> factors = syntax_.children(id);
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+      const SyntaxChild& child = factors[k];
+      const bool dotted = k + 1 < factors.size() && factors[k + 1].joint == Joint::dot;
+      const MatrixShape scalar_product = dotted ? of_dot(child.id, factors[k + 1].id) : MatrixShape{};
+      if (scalar_product.any()) ++k;
+      const MatrixShape factor = scalar_product.any() ? scalar_product : of(child.id);
       const bool open = syntax_[child.id].kind == SyntaxKind::symbol &&
                         may_be_a_matrix(letter_with_marks(syntax_.symbol(child.id)), evidence_);
       if (!factor.any() && open) return {};
@@ -90,8 +97,21 @@ class Shapes {
     return product.rows == 1 && product.columns == 1 ? MatrixShape{} : product;
   }
 
+  [[nodiscard]] MatrixShape of_vector(SyntaxId id) const {
+    if (syntax_[id].kind != SyntaxKind::symbol) return {};
+    const auto triple = whole_triple(evidence_, syntax_.symbol(id));
+    return triple ? triple->shape : MatrixShape{};
+  }
+
+  /// `\boldsymbol\sigma\cdot\mathbf a`
+  [[nodiscard]] MatrixShape of_dot(SyntaxId left, SyntaxId right) const {
+    const MatrixShape first = of_vector(left);
+    return first.any() ? first : of_vector(right);
+  }
+
   [[nodiscard]] MatrixShape of_power(SyntaxId id) const {
-    const MatrixShape base = of(syntax_.child(id, 0));
+    const MatrixShape vector = of_vector(syntax_.child(id, 0));
+    const MatrixShape base = vector.any() ? vector : of(syntax_.child(id, 0));
     SyntaxId above = syntax_.child(id, 1);
     if (syntax_[above].kind == SyntaxKind::sum && syntax_[above].count == 1) above = syntax_.child(above, 0);
     const bool whole = syntax_[above].kind == SyntaxKind::number && is_whole(syntax_.text(above));
@@ -174,6 +194,31 @@ void see_numbers(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, E
   }
 }
 
+/// `\sigma_i` of a triple is no matrix of its own; nor is \sigma_z of one that the words name.
+bool is_indexed_member(const WrittenSymbol& symbol, const Evidence& evidence) {
+  const auto triple = triple_of_member(evidence, symbol);
+  return triple && !is_one_of(matrix_name(symbol), triple->members);
+}
+
+/// `\sigma_z` that only the words name is an operator among others: a, \sigma_+ and what has a dagger.
+bool is_beside_operators(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides,
+                         const Evidence& evidence) {
+  bool usual = false;
+  bool others = false;
+  for (const SyntaxId id : nodes_below(syntax, sides)) {
+    others = others || (syntax[id].kind == SyntaxKind::function && syntax.text(id) == "adjoint");
+    if (syntax[id].kind != SyntaxKind::symbol) continue;
+    const WrittenSymbol& symbol = syntax.symbol(id);
+    const auto member = triple_of_member(evidence, symbol);
+    const auto triple = member ? member : whole_triple(evidence, symbol);
+    usual = usual || (triple && triple->usual);
+    const bool ladder =
+        symbol.lower.size() == 1 && (symbol.lower[0].text == "+" || symbol.lower[0].text == "-");
+    others = others || ladder || (!triple && symbol.accent == Accent::hat && symbol.face == Face::plain);
+  }
+  return usual && others;
+}
+
 bool names_letter(const SyntaxTree& syntax, SyntaxId id, const std::string& name) {
   return std::ranges::any_of(nodes_below(syntax, {id}), [&](SyntaxId each) {
     return syntax[each].kind == SyntaxKind::symbol && matrix_name(syntax.symbol(each)) == name;
@@ -230,11 +275,12 @@ std::string matrix_name(const WrittenSymbol& symbol) {
 
 void see_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, const WrittenChain& written,
                   Evidence& evidence) {
+  see_triples(syntax, sides, written, evidence);
   see_numbers(syntax, sides, evidence);
   for (const SyntaxId side : sides) see_entries(syntax, side, evidence);
   const bool equal = std::ranges::all_of(
       written.relations, [](const WrittenRelation& relation) { return makes_equal(relation.kind); });
-  if (!equal || sides.size() < 2) return;
+  if (!equal || sides.size() < 2 || is_beside_operators(syntax, sides, evidence)) return;
   const Shapes shapes(syntax, evidence);
   std::set<MatrixShape> found;
   bool itself = false;
@@ -250,6 +296,7 @@ void see_matrices(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, 
     // A bold column of three is a vector like any other.
     const bool vector = symbol.face == Face::vector && found == std::set{MatrixShape{3, 1}};
     const bool row = symbol.face == Face::vector && found == std::set{MatrixShape{1, 3}};
+    if (!itself && is_indexed_member(symbol, evidence)) continue;
     // `ABC = i` says that a product is a multiple of the unit matrix.
     const bool number = may_be_imaginary_unit(symbol) || symbol.letter == "\\hbar" || symbol.letter == "\\pi";
     if (vector || row || symbol.face == Face::tensor || (number && !itself)) continue;

@@ -179,6 +179,7 @@ void see_said_operators(std::string_view text, Evidence& evidence) {
                  "anti-commut", "observable", "hermitian", "heisenberg", "pauli matri", "matrices"}))
     evidence.speaks_of_operators = true;
   if (speaks_of(lower, {"pauli"})) evidence.operator_families.insert("\\sigma");
+  if (speaks_of(lower, {"pauli matri", "pauli spin matri", "pauli's matri"})) evidence.speaks_of_pauli = true;
   for (const std::string_view word : {"operators", "operator", "observables", "matrices"})
     see_called(text, word, evidence);
 }
@@ -192,12 +193,15 @@ void settle_operators(Evidence& evidence) {
     if (!is_written_out(name) && !evidence.declared_real.contains(name)) evidence.noncommuting.insert(name);
   }
   for (const std::string& letter : evidence.operator_families) {
-    if (!is_written_out(letter)) evidence.noncommuting_triples.insert(letter);
+    const auto triple = triple_of(evidence, letter);
+    const bool matrices = is_written_out(letter) || (triple && !triple->usual);
+    if (!matrices) evidence.noncommuting_triples.insert(letter);
   }
   add_what_is_made_of_operators(evidence);
   // Beside operators nobody writes a current or an index on the line.
   const bool any = !evidence.noncommuting.empty() || !evidence.noncommuting_triples.empty();
-  if (any && !evidence.no_units.contains("i")) evidence.imaginary_units.insert("i");
+  const bool triples = evidence.speaks_of_pauli || !evidence.triples.empty();
+  if ((any || triples) && !evidence.no_units.contains("i")) evidence.imaginary_units.insert("i");
   if (!evidence.operators) return;
   for (const std::string& letter : evidence.hatted) {
     if (!is_usual_unit_vector(letter) && !is_written_out(letter)) evidence.noncommuting.insert(letter);

@@ -56,7 +56,8 @@ void read_definite(const SyntaxTree& syntax, SyntaxId id, const Names& names, Le
   std::vector<std::string> found;
   if (kind == SyntaxKind::symbol) {
     const WrittenSymbol& symbol = syntax.symbol(id);
-    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol))
+    const auto triple = triple_of_member(*names.symbols.evidence, symbol);
+    if (is_kronecker(symbol) || is_levi_civita(symbol) || is_basis_family(symbol) || triple)
       found = latin_letters(symbol.lower);
   } else if (kind == SyntaxKind::component) {
     if (!holds_by_name(syntax, id)) found = latin_letters(syntax.indices(id));
@@ -269,6 +270,17 @@ void read_sure(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, con
   }
 }
 
+/// Is the row about the usual matrices of a triple, and about other operators?
+void read_triple(const WrittenSymbol& symbol, const Evidence& evidence, Letters& letters) {
+  const auto member = triple_of_member(evidence, symbol);
+  const auto triple = member ? member : whole_triple(evidence, symbol);
+  if (triple) {
+    letters.has_usual_triple = letters.has_usual_triple || triple->usual;
+  } else if (is_operator(evidence, symbol)) {
+    letters.has_operators = true;
+  }
+}
+
 void sight_crossed(const SyntaxTree& syntax, SyntaxId term, Sightings& sightings) {
   const std::span<const SyntaxChild> factors = syntax.children(term);
   for (std::size_t k = 1; k < factors.size(); ++k) {
@@ -341,6 +353,7 @@ Letters read_letters(const SyntaxTree& syntax, const std::vector<SyntaxId>& side
         if (by.symbol.dots == 0) letters.by.insert(letter_with_marks(by.symbol));
     }
     if (syntax[id].kind != SyntaxKind::symbol) return;
+    read_triple(syntax.symbol(id), *names.symbols.evidence, letters);
     if (!syntax.symbol(id).change.empty()) letters.changes.insert(syntax.symbol(id).change);
     if (is_declared_with_labels(syntax.symbol(id), names)) return;
     const std::vector<std::string> own = latin_letters(syntax.symbol(id).lower);

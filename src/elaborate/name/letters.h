@@ -25,6 +25,8 @@ struct Letters {
   std::set<std::string> counted;          // k and n of `\sum_{k=1}^n`: whole numbers
   std::set<std::string> by;  // r of `\frac{dV}{dr}`: letters that this statement differentiates by
   bool has_nabla = false;
+  bool has_usual_triple = false;  // Pauli matrices that are not on the page
+  bool has_operators = false;     // other letters that the section shows to be operators
   bool evidence =
       false;  // something shows that index notation is meant: δ, ε, a component of a vector, a repetition
 

@@ -32,8 +32,11 @@ SymbolId resolve(Symbols& symbols, ExprTree& tree, const NameKey& named, const s
   Symbol symbol;
   symbol.name = name;
   symbol.rank = key.rank;
-  symbol.axes = key.shape.any() ? axes_of(symbols, key.shape)
-                                : AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
+  // Of rank 3 it is a vector of matrices of this shape.
+  const AxisSpaces of_shape = key.shape.any() ? axes_of(symbols, key.shape) : AxisSpaces{};
+  symbol.axes = key.shape.any()
+                    ? (key.rank == 3 ? AxisSpaces::of(common_space, 1).then(1, of_shape) : of_shape)
+                    : AxisSpaces::of(key.rank > 0 ? space_of(symbols) : common_space, key.rank);
   symbol.per_particle = key.per_particle;
   symbol.complex = key.complex;
   symbol.noncommuting = key.noncommuting;

@@ -11,6 +11,9 @@
 #include "elaborate/notation/matrix.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/matrix_product.h"
+#include "elaborate/reading/product.h"
+#include "elaborate/reading/triple.h"
+#include "elaborate/symbol/triple_letter.h"
 
 namespace rigor {
 namespace {
@@ -99,7 +102,7 @@ MaybeTyped elaborate_transpose(Reading& reading, SyntaxId id, const Around& arou
   const Span span = reading.syntax[id].span;
   const auto inside = elaborate(reading, reading.syntax.child(id, 0), around);
   if (!inside) return inside;
-  if (inside->layout == Layout::none)
+  if (inside->layout == Layout::none || is_triple(*inside))
     return unsupported(reading, span, "a transpose is read of a matrix or column with known entries only");
   return transposed(reading.tree, *inside, span);
 }
@@ -116,6 +119,9 @@ MaybeTyped adjoint_of(Reading& reading, const Typed& matrix, Span span) {
   if (matrix.layout == Layout::none)
     return unsupported(reading, span,
                        "an adjoint is read of an operator, and of a matrix or column with known entries");
+  if (is_triple(matrix))
+    return of_each_member(reading, matrix, span,
+                          [&](const Typed& member) { return adjoint_of(reading, member, span); });
   const auto conjugate = conjugated(reading, matrix, span);
   return conjugate ? MaybeTyped(transposed(reading.tree, *conjugate, span)) : std::nullopt;
 }
@@ -127,6 +133,27 @@ MaybeTyped conjugate_of_matrix(Reading& reading, const Typed& matrix, Span span)
   return conjugated(reading, matrix, span);
 }
 
+namespace {
+
+/// AB ∓ BA
+MaybeTyped both_orders_of_matrices(Reading& reading, const Typed& a, const Typed& b, bool minus, Span span) {
+  ExprTree& tree = reading.tree;
+  if (!is_square(tree, a) || !is_square(tree, b) || tree[a.id].axes != tree[b.id].axes)
+    return unsupported(reading, span,
+                       fmt::format("{} is read of two square matrices of one size",
+                                   minus ? "a commutator" : "an anticommutator"));
+  const auto product = [&](const Typed& left, const Typed& right) {
+    return product_of(reading, {{left, Joint::none, span}, {right, Joint::juxtaposed, span}}, span);
+  };
+  const auto there = product(a, b);
+  const auto back = product(b, a);
+  if (!there || !back) return std::nullopt;
+  return apply_op(tree, Op::add, span, 2,
+                  {*there, minus ? apply_op(tree, Op::negate, span, 2, {*back}) : *back});
+}
+
+}  // namespace
+
 std::optional<MaybeTyped> commutator(Reading& reading, SyntaxId id, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   const std::span<const SyntaxChild> both = syntax.children(id);
@@ -134,23 +161,21 @@ std::optional<MaybeTyped> commutator(Reading& reading, SyntaxId id, const Around
   if (!is_pair_in_brackets(syntax[id]) || brackets == in_poisson_brackets) return std::nullopt;
   const bool square = brackets == in_square_brackets;
   const Evidence& here = *reading.names.symbols.evidence;
-  const bool matrices = std::ranges::any_of(
-      both, [&](const SyntaxChild& child) { return holds_matrix_letter(syntax, child.id, here); });
+  const bool matrices = std::ranges::any_of(both, [&](const SyntaxChild& child) {
+    return holds_matrix_letter(syntax, child.id, here) || holds_triple(reading, child.id);
+  });
   if (!matrices) return std::nullopt;
   const auto a = elaborate(reading, both[0].id, around);
   const auto b = elaborate(reading, both[1].id, around);
   if (!a || !b) return MaybeTyped{};
   const Span span = syntax[id].span;
   ExprTree& tree = reading.tree;
-  if (!is_square(tree, *a) || !is_square(tree, *b) || tree[a->id].axes != tree[b->id].axes)
-    return MaybeTyped(unsupported(reading, span,
-                                  fmt::format("{} is read of two square matrices of one size",
-                                              square ? "a commutator" : "an anticommutator")));
-  const auto forth = product_of_matrices(reading, {}, {*a, *b}, span);
-  const auto back = product_of_matrices(reading, {}, {*b, *a}, span);
-  if (!forth || !back) return MaybeTyped{};
-  const Typed second = square ? apply_op(tree, Op::negate, span, 2, {*back}) : *back;
-  return MaybeTyped(apply_op(tree, Op::add, span, 2, {*forth, second}));
+  if (is_triple(*a) != is_triple(*b) && (is_square(tree, *a) || is_square(tree, *b)))
+    return of_each_member(reading, is_triple(*a) ? *a : *b, span, [&](const Typed& member) {
+      return both_orders_of_matrices(reading, is_triple(*a) ? member : *a, is_triple(*a) ? *b : member,
+                                     square, span);
+    });
+  return both_orders_of_matrices(reading, *a, *b, square, span);
 }
 
 }  // namespace rigor

@@ -10,6 +10,7 @@
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/product.h"
 #include "elaborate/symbol/symbol.h"
+#include "elaborate/symbol/triple_letter.h"
 
 namespace rigor {
 namespace {
@@ -75,6 +76,8 @@ MaybeTyped elaborate_kind(Reading& reading, SyntaxId id, const Around& around) {
     case SyntaxKind::cases:
       return elaborate_cases(reading, id, around);
     case SyntaxKind::derivative:
+      if (holds_triple(reading, id))
+        return unsupported(reading, span, "a derivative of matrices that come as a triple is not decided");
       return elaborate_derivative(reading, id, around);
     case SyntaxKind::function:
       return elaborate_function(reading, id, around);

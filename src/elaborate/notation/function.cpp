@@ -150,6 +150,8 @@ MaybeTyped elaborate_function(Reading& reading, SyntaxId id, const Around& aroun
   const auto inside = elaborate(reading, argument, around);
   if (!inside) return inside;
   if (const auto of_field = field_operator(name)) return apply_nabla(reading, *of_field, *inside, span);
+  if (name == "exp" && reading.found.triples && inside->layout == Layout::matrix)
+    return matrix_exponential(reading, *inside, span);
   return elementary_function(reading, name, *inside, span);
 }
 

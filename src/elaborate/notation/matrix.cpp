@@ -12,6 +12,7 @@
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/matrix_product.h"
+#include "elaborate/reading/triple.h"
 #include "elaborate/symbol/named_symbol.h"
 
 namespace rigor {
@@ -257,27 +258,38 @@ MaybeTyped determinant_of(Reading& reading, SyntaxId id, const Typed& inside, Sp
   return typed;
 }
 
-MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const Around& around) {
-  const Span span = reading.syntax[id].span;
-  const auto whole = whole_tensor(reading, id, around);
-  const auto inside = whole ? whole : elaborate(reading, id, around);
-  if (!inside) return inside;
-  if (!trace) return determinant_of(reading, id, *inside, span, around);
-  if (inside->rank != 2) return unsupported(reading, span, "a trace is read of a second-rank tensor only");
+namespace {
+
+/// The sum of the diagonal.
+MaybeTyped trace_of(Reading& reading, const Typed& inside, Span span) {
+  if (inside.rank != 2) return unsupported(reading, span, "a trace is read of a second-rank tensor only");
   std::vector<ExprId> diagonal;
-  const AxisSpaces axes = reading.tree[inside->id].axes;
+  const AxisSpaces axes = reading.tree[inside.id].axes;
   if (axes[0] != axes[1]) return unsupported(reading, span, "a trace is read of what is square only");
   for (std::uint8_t k = 1; k <= axes[0].dimension; ++k) {
     const std::array slots{Slot{k, {}}, Slot{k, {}}};
-    diagonal.push_back(component_of(reading.tree, inside->id, slots));
+    diagonal.push_back(component_of(reading.tree, inside.id, slots));
   }
-  Typed typed = *inside;
+  Typed typed = inside;
   typed.rank = 0;
   typed.layout = Layout::none;
   typed.id = sum_of(reading.tree, diagonal, 0, span);
   return typed;
 }
 
+}  // namespace
+
+MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace, const Around& around) {
+  const Span span = reading.syntax[id].span;
+  const auto whole = whole_tensor(reading, id, around);
+  const auto inside = whole ? whole : elaborate(reading, id, around);
+  if (!inside) return inside;
+  if (!trace) return determinant_of(reading, id, *inside, span, around);
+  if (is_triple(*inside))
+    return of_each_member(reading, *inside, span,
+                          [&](const Typed& member) { return trace_of(reading, member, span); });
+  return trace_of(reading, *inside, span);
+}
 /// `\operatorname{diag}(a, b)`
 MaybeTyped elaborate_diagonal(Reading& reading, SyntaxId id, const Around& around) {
   const Span span = reading.syntax[id].span;

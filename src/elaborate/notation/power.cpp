@@ -13,7 +13,9 @@
 #include "elaborate/notation/matrix.h"
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/matrix_product.h"
+#include "elaborate/reading/triple.h"
 #include "elaborate/symbol/named_symbol.h"
+#include "elaborate/symbol/triple_letter.h"
 
 namespace rigor {
 namespace {
@@ -156,6 +158,17 @@ MaybeTyped real_power(Reading& reading, const Typed& base, SyntaxId exponent, Sp
   return apply_op(reading.tree, Op::real_power, span, 0, {base, *above});
 }
 
+/// `\sigma_i^2` is the square of each matrix, unless it is meant as `\sigma_i\sigma_i`.
+void guess_no_sum(Reading& reading, const Typed& member) {
+  const std::string& letter = member.free[0].letter;
+  note(reading, fmt::format("a power of a matrix with the index `{0}` is not summed over `{0}`", letter));
+  if (!reading.found.guess)
+    reading.found.guess = Obstacle{
+        DiagnosticKind::ambiguous_reading,
+        fmt::format("a power of a matrix with the index `{0}` can be summed over `{0}` or not", letter),
+        {"write the factors out, or the sum"}};
+}
+
 /// `L^2` of three operators L_i.
 std::optional<MaybeTyped> square_of_triple(Reading& reading, SyntaxId raised, Span span,
                                            const Around& around) {
@@ -200,6 +213,8 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
     const bool divides_by_all = std::exchange(reading.rules.divides_by_all, true);
     const auto argument = elaborate(reading, exponent, around);
     reading.rules.divides_by_all = divides_by_all;
+    if (argument && reading.found.triples && argument->layout == Layout::matrix)
+      return matrix_exponential(reading, *argument, span);
     return argument ? elementary_function(reading, "exp", *argument, span) : std::nullopt;
   }
   if (reads_as_order(reading, id)) {
@@ -221,12 +236,18 @@ MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) 
   }
   if (of_symbol && whole == 2) {
     if (const auto square = square_of_triple(reading, raised, span, around)) return *square;
+    if (const auto triple = triple_without_index(reading, syntax.symbol(raised), span))
+      return *triple ? dot_with_triple(reading, **triple, **triple, span) : MaybeTyped{};
   }
   Around inside = around;
   inside.squared = of_symbol && whole == 2;
   const auto base = elaborate(reading, raised, inside);
   if (!base) return std::nullopt;
+  if (is_triple(*base))
+    return whole == 2 ? dot_with_triple(reading, *base, *base, span)
+                      : unsupported(reading, span, "of a vector of matrices only the square is read");
   if (base->layout != Layout::none) {
+    if (whole && of_symbol && !base->free.empty()) guess_no_sum(reading, *base);
     if (whole) return matrix_power(reading, *base, *whole, span);
     const bool hermitian = syntax[exponent].kind == SyntaxKind::symbol &&
                            syntax.symbol(exponent).letter == "H" && syntax.symbol(exponent).lower.empty();

@@ -95,7 +95,7 @@ MaybeTyped elaborate_sum(Reading& reading, SyntaxId id, const Around& around) {
   const auto matrix = std::ranges::find(addends, Layout::matrix, &Typed::layout);
   if (matrix != addends.end()) {
     const Typed like = *matrix;
-    for (Typed& addend : addends) addend = beside_matrix(tree, addend, like);
+    for (Typed& addend : addends) addend = beside_matrix(reading, addend, like);
   }
   for (const Typed& addend : addends) {
     const Mismatch place{tree[addend.id].span, reading.diagnostics};

@@ -12,6 +12,7 @@ namespace {
 
 const char* kind_of(const Typed& typed) {
   if (typed.layout == Layout::matrix) return "a matrix";
+  if (typed.layout == Layout::triple) return "a vector of matrices";
   if (typed.layout != Layout::none) return typed.layout == Layout::row ? "a row" : "a column";
   if (typed.rank == 0) return "a scalar";
   return typed.rank == 1 ? "a vector" : "a tensor";
@@ -30,10 +31,41 @@ ExprId zero_like(Reading& reading, const Typed& written, const Typed& other) {
                                         reading.tree[other.id].axes);
 }
 
-/// `A^2 = 1`: a multiple of the unit matrix. But `A = 1` can say of another A what number it is.
-Typed opposite_side(ExprTree& tree, const Typed& typed, const Typed& other) {
-  const bool letter = tree[other.id].op == Op::symbol;
-  return letter && !typed.with_unit ? typed : beside_matrix(tree, typed, other);
+/// `\sigma_i` or `\mathbf n\cdot\boldsymbol\sigma`, and nothing else.
+bool is_one_of_triple(const ExprTree& tree, ExprId id) {
+  return tree[id].op == Op::dot && tree[tree.children(id)[0]].rank == 1 &&
+         tree[tree.children(id)[1]].rank == 3;
+}
+
+/// `A^2 = 1`: a multiple of the unit matrix. But `A = 1` can say of another A what number it is, and
+/// `\mathbf n\cdot\boldsymbol\sigma = 1` what was measured.
+Typed opposite_side(Reading& reading, const Typed& typed, const Typed& other) {
+  const bool letter = reading.tree[other.id].op == Op::symbol || reading.tree[other.id].op == Op::tuple ||
+                      is_one_of_triple(reading.tree, other.id);
+  return letter && !typed.with_unit ? typed : beside_matrix(reading, typed, other);
+}
+
+/// `\det\sigma_i = -1`: a number without an index is meant for each of the three.
+void hold_for_each(Reading& reading, Typed& typed, const Typed& other) {
+  const bool letter = reading.tree[typed.id].op == Op::symbol;
+  if (!reading.found.triples || letter || !typed.free.empty() || other.free.size() != 1) return;
+  note(reading, fmt::format("the row holds for each `{}`", other.free[0].letter));
+  typed.free = other.free;
+}
+
+/// `\sigma_i\sigma_j = -\sigma_j\sigma_i` may be meant for different indices: nothing in it tells equal ones
+/// apart, as δ and ε do.
+void guess_different_indices(Reading& reading, const Equation& equation) {
+  if (!reading.found.triples || equation.indices.size() < 2 || reading.found.guess) return;
+  const std::vector<ExprId> all = nodes_below(reading.tree, {equation.left, equation.right});
+  const bool told_apart = std::ranges::any_of(
+      all, [&](ExprId id) { return reading.tree[id].op == Op::delta || reading.tree[id].op == Op::epsilon; });
+  if (told_apart) return;
+  reading.found.guess =
+      Obstacle{DiagnosticKind::ambiguous_reading,
+               fmt::format("the row can be meant for all `{}` and `{}`, or for different ones",
+                           reading.tree.name(equation.indices[0]), reading.tree.name(equation.indices[1])),
+               {}};
 }
 
 /// Does a letter stand there as a number, m of `\cos mx`?
@@ -83,8 +115,10 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
     const Span without = reading.tree[other_side.id].span;
     const bool shown =
         reading.letters.is_sure(entry.letter) && !has_number(reading.tree, other_side.id, entry.letter);
-    const DiagnosticKind kind =
-        shown ? DiagnosticKind::free_index_mismatch : DiagnosticKind::ambiguous_reading;
+    // `\sigma_i\sigma_j = i\sigma_k` is meant for three indices in their order.
+    const DiagnosticKind kind = reading.found.triples ? DiagnosticKind::unsupported
+                                : shown               ? DiagnosticKind::free_index_mismatch
+                                                      : DiagnosticKind::ambiguous_reading;
     mismatch.diagnostics.push_back(
         {kind,
          entry.span,
@@ -102,8 +136,10 @@ bool same_type(const Reading& reading, const Typed& first, const Typed& other, c
 }
 
 std::optional<Equation> equate(Reading& reading, const Typed& one, const Typed& other, Mismatch mismatch) {
-  const Typed left = opposite_side(reading.tree, one, other);
-  const Typed right = opposite_side(reading.tree, other, one);
+  Typed left = opposite_side(reading, one, other);
+  Typed right = opposite_side(reading, other, one);
+  hold_for_each(reading, left, right);
+  hold_for_each(reading, right, left);
   const bool left_zero = is_literal_zero(reading.tree, left);
   const bool right_zero = is_literal_zero(reading.tree, right);
   if (!left_zero && !right_zero && !same_type(reading, left, right, "side", mismatch)) return std::nullopt;
@@ -115,6 +151,7 @@ std::optional<Equation> equate(Reading& reading, const Typed& one, const Typed& 
   std::vector<FreeParticle> particles = left.particles;
   merge_free(particles, right.particles);
   for (const FreeParticle& free : particles) equation.particles.push_back(free.id);
+  guess_different_indices(reading, equation);
   return equation;
 }
 

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "elaborate/evidence/evidence.h"
+#include "elaborate/reading/triple.h"
 
 namespace rigor {
 namespace {
@@ -65,6 +66,15 @@ std::nullopt_t no_product(Reading& reading, Span span, const char* left, const c
 MaybeTyped product_of_two(Reading& reading, const Typed& left, const Typed& right, Span span) {
   ExprTree& tree = reading.tree;
   const Span place = tree[right.id].span;
+  if (is_triple(left) != is_triple(right) && left.rank + right.rank == 5) {
+    const Typed& matrix = is_triple(left) ? right : left;
+    if (tree[matrix.id].axes[0] == common_space || tree[matrix.id].axes[0] != tree[matrix.id].axes[1])
+      return ambiguous(reading, place,
+                       "this matrix can turn the vector of matrices, or multiply each of them");
+    return of_each_member(reading, is_triple(left) ? left : right, span, [&](const Typed& member) {
+      return product_of_two(reading, is_triple(left) ? member : left, is_triple(left) ? right : member, span);
+    });
+  }
   if (left.rank + right.rank > 4 || left.rank > 2 || right.rank > 2)
     return unsupported(reading, place, "a product of a matrix and a tensor of higher rank is not read");
   const bool row = left.layout == Layout::row;
@@ -157,6 +167,13 @@ bool is_plain_number(const ExprTree& tree, const Typed& typed) {
     const std::string& name = tree.symbols[symbol].name;
     return name == "\\hbar" || name == "\\pi";
   });
+}
+
+/// `\mathbf a\cdot\mathbf b`, `\cos\theta`, `2\delta_{ij}`: made of what cannot be a matrix itself.
+bool is_number_of_letters(const Reading& reading, const Typed& typed) {
+  const ExprTree& tree = reading.tree;
+  return typed.rank == 0 && !tree.is_zero_literal(typed.id) && tree[typed.id].op != Op::symbol &&
+         !has_operators(tree, typed.id) && open_letter(reading, typed.id) == nullptr;
 }
 
 std::size_t root_of(std::size_t square) {
@@ -294,8 +311,10 @@ Typed diagonal_matrix(ExprTree& tree, const std::vector<ExprId>& diagonal, Space
   return matrix_of(tree, entries, space, space, span);
 }
 
-Typed beside_matrix(ExprTree& tree, const Typed& typed, const Typed& matrix) {
-  const bool number = is_plain_number(tree, typed);
+Typed beside_matrix(Reading& reading, const Typed& typed, const Typed& matrix) {
+  ExprTree& tree = reading.tree;
+  const bool number =
+      is_plain_number(tree, typed) || (reading.found.triples && is_number_of_letters(reading, typed));
   if (matrix.layout != Layout::matrix || typed.rank != 0 || (!typed.with_unit && !number)) return typed;
   const AxisSpaces axes = tree[matrix.id].axes;
   if (axes[0] != axes[1]) return typed;
@@ -303,6 +322,8 @@ Typed beside_matrix(ExprTree& tree, const Typed& typed, const Typed& matrix) {
       tree, std::vector<ExprId>(axes[0].dimension, typed.with_unit ? *typed.with_unit : typed.id), axes[0],
       tree[typed.id].span);
   merge_letters(multiple, typed);
+  if (reading.found.triples && !typed.with_unit)
+    note(reading, "a number beside a matrix is that multiple of the unit matrix");
   return multiple;
 }
 

@@ -25,7 +25,8 @@ namespace rigor {
 /// With this number along the diagonal.
 [[nodiscard]] Typed diagonal_matrix(ExprTree& tree, const std::vector<ExprId>& diagonal, Space space,
                                     Span span);
-/// What can be a multiple of the unit matrix is one beside a square matrix; all else stays as it is.
-[[nodiscard]] Typed beside_matrix(ExprTree& tree, const Typed& typed, const Typed& matrix);
+/// What can be a multiple of the unit matrix is one beside a square matrix; all else stays as it is. Beside
+/// the members of a triple each number is, also one with letters.
+[[nodiscard]] Typed beside_matrix(Reading& reading, const Typed& typed, const Typed& matrix);
 
 }  // namespace rigor

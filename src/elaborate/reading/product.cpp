@@ -7,6 +7,7 @@
 
 #include "elaborate/reading/matrix_product.h"
 #include "elaborate/reading/summation.h"
+#include "elaborate/reading/triple.h"
 
 namespace rigor {
 namespace {
@@ -93,6 +94,15 @@ std::optional<std::vector<Operand>> multiply(Reading& reading, std::vector<Opera
                        {"put one of the two products in brackets"});
     Typed& left = vectors[k - 1].typed;
     const Typed& right = vectors[k].typed;
+    if (is_triple(left) || is_triple(right)) {
+      const Span span = cover(tree[left.id].span, tree[right.id].span);
+      const auto product =
+          cross ? cross_with_triple(reading, left, right, span) : dot_with_triple(reading, left, right, span);
+      if (!product) return std::nullopt;
+      left = *product;
+      vectors.erase(vectors.begin() + static_cast<std::ptrdiff_t>(k));
+      continue;
+    }
     if (cross && (left.rank != 1 || right.rank != 1))
       return unsupported(reading, vectors[k].joint_span, "a cross product with a tensor is not decided");
     if (!cross && left.rank == 0)

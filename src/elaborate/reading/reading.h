@@ -100,6 +100,9 @@ struct Reading {
     std::set<std::string> positions;        // the ways in which it writes the position
     Directives used;                        // what was looked up is said by these
     bool differentiates_position = false;
+    bool triples = false;  // it has `\sigma_i` or `\boldsymbol\sigma`, which are matrices
+    std::optional<std::string> index_of_all =
+        {};                 // i of `S_i = \frac\hbar2\sigma_i`, which defines all three
     bool matrices = false;  // what does not fit may be another matrix than was read: no mistake for sure
     bool differentiates_logarithm = false;  // whose derivative has values where it has none itself
   } found = {};

@@ -26,8 +26,9 @@ struct FreeParticle {
   Span span;
 };
 
-/// Is it written in rows and columns? Side by side, such factors are multiplied as matrices are.
-enum class Layout : std::uint8_t { none, matrix, column, row };
+/// Is it written in rows and columns? Side by side, such factors are multiplied as matrices are. A triple is
+/// a vector of three matrices: rank 3, and its first axis is one of space.
+enum class Layout : std::uint8_t { none, matrix, column, row, triple };
 
 /// An expression with what its type says.
 struct Typed {

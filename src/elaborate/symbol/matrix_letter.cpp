@@ -10,6 +10,7 @@
 #include "elaborate/evidence/evidence.h"
 #include "elaborate/reading/matrix_product.h"
 #include "elaborate/symbol/named_symbol.h"
+#include "elaborate/symbol/triple_letter.h"
 
 namespace rigor {
 namespace {
@@ -36,6 +37,7 @@ MaybeTyped whole_letter(Reading& reading, const WrittenSymbol& written, const Ma
                         Span span) {
   const std::string name = matrix_name(written);
   reading.found.matrices = true;
+  if (triple_of_member(*reading.names.symbols.evidence, written)) reading.found.triples = true;
   const auto shape = shape_of(reading, name, letter, span);
   if (!shape) return std::nullopt;
   const int rank = shape->is_matrix() ? 2 : 1;
@@ -133,7 +135,8 @@ std::optional<MaybeTyped> unit_matrix(Reading& reading, const WrittenSymbol& wri
   if (written.letter != "\\mathbb{1}" && written.letter != "\\mathbb{I}") return std::nullopt;
   const auto known = here.matrices.find(matrix_name(written));
   const bool own = known != here.matrices.end() && known->second.written;
-  const auto rows = rows_of_section(here);
+  const auto usual = rows_of_usual_triple(reading);
+  const auto rows = usual ? usual : rows_of_section(here);
   if (own || !rows || !is_undecorated(written) || is_declared_letter(reading.names, written))
     return std::nullopt;
   const bool sized = written.lower.size() == 1 && written.lower[0].primes == 0 &&
@@ -150,7 +153,7 @@ std::optional<MaybeTyped> matrix_letter(Reading& reading, const WrittenSymbol& w
   const Evidence& here = *reading.names.symbols.evidence;
   const bool declared = is_declared_letter(reading.names, written) ||
                         is_declared(reading.names.symbols, {written.letter, 2, false});
-  if (here.matrices.empty() || declared) return std::nullopt;
+  if ((here.matrices.empty() && !rows_of_usual_triple(reading)) || declared) return std::nullopt;
   if (auto unit = unit_matrix(reading, written, span)) return unit;
   const std::string name = matrix_name(written);
   const auto found = here.matrices.find(name);

@@ -15,6 +15,7 @@
 #include "elaborate/symbol/hole.h"
 #include "elaborate/symbol/matrix_letter.h"
 #include "elaborate/symbol/named_symbol.h"
+#include "elaborate/symbol/triple_letter.h"
 #include "latex/token/vocabulary.h"
 
 namespace rigor {
@@ -151,7 +152,8 @@ bool is_imaginary_unit(const Reading& reading, const WrittenSymbol& written) {
   const bool upright = written.letter == "\\mathrm{i}" && !evidence.no_units.contains(written.letter);
   return may_be_imaginary_unit(written) && is_bare_and_undeclared(reading.names, written) &&
          (upright || evidence.imaginary_units.contains(written.letter)) &&
-         (speaks_of_operators_here(evidence) || !reading.letters.below.contains(written.letter)) &&
+         (speaks_of_operators_here(evidence) || reading.letters.indices.contains(written.letter) ||
+          !reading.letters.below.contains(written.letter)) &&
          !reading.letters.counted.contains(written.letter) &&
          !reading.indices.summed.contains(written.letter) &&
          !reading.particles.summed.contains(written.letter);
@@ -389,11 +391,19 @@ std::optional<MaybeTyped> member_of_sequence(Reading& reading, const WrittenSymb
 }  // namespace
 
 MaybeTyped elaborate_symbol(Reading& reading, const WrittenSymbol& written, Span span, const Around& around) {
+  const bool sequence = !reading.counting.empty();
+  if (sequence) {
+    if (auto triple = triple_letter(reading, written, span, around)) return *std::move(triple);
+  }
   if (auto member = member_of_sequence(reading, written, span, around)) return *std::move(member);
   if (written.letter == hole_letter) return elaborate_hole(reading, written, span, around);
+  if (written.dots > 0) {
+    if (auto triple = triple_letter(reading, written, span, around)) return *std::move(triple);
+  }
   if (written.dots > 0) return dotted_symbol(reading, written, span, around);
   if (written.letter == "\\nabla") return unsupported(reading, span, "`\\nabla` has nothing to act on here");
   if (auto letter = matrix_letter(reading, written, span)) return *std::move(letter);
+  if (auto triple = triple_letter(reading, written, span, around)) return *std::move(triple);
   if (speaks_of_operators_here(*reading.names.symbols.evidence)) {
     if (is_unit_operator(reading, written)) return Typed{.id = reading.tree.add_number(span, "1")};
     WrittenName name = take_apart(written, reading.letters, reading.names);
