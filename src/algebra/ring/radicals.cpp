@@ -153,36 +153,40 @@ std::vector<Radicals::Factor> Radicals::factors(const Fraction& value) {
   return found;
 }
 
-/// Where √(f² g) has a value and f is not 0, g is not negative; where f may be 0, nothing is known of g.
+/// Where √(f² g) has a value and f is not 0, g is not negative; where f may be 0, nothing is known of g. An
+/// odd power of u has the sign of u.
 void Radicals::note_existence(const std::vector<Factor>& square) {
-  ex rest = 1;
-  std::vector<ex> open;  // whose signs are not known
+  bool turned = false;  // by what is known to be negative
+  std::vector<ex> of_unknown_sign;
   for (const Factor& factor : square) {
     const bool odd = factor.exponent % 2 != 0;
-    if (is_number(factor.base)) {
-      if (odd) rest *= factor.base;
-      continue;
-    }
     const Sign sign = sign_of(factor.base);
     const bool known = is_within(sign, Sign::positive) || is_within(sign, Sign::negative);
-    const bool stays = odd && !known;
-    if (!stays && factor.exponent > 0 && !is_within(sign, Sign::not_zero)) return;
-    if (stays) {
-      rest *= factor.base;
-      open.push_back(factor.base);
+    if (odd && !known) {
+      of_unknown_sign.push_back(factor.base);
+    } else if (factor.exponent > 0 && !is_within(sign, Sign::not_zero)) {
+      return;
     }
-    if (odd && is_within(sign, Sign::negative)) rest *= -1;
+    if (odd && is_within(sign, Sign::negative)) turned = !turned;
   }
-  rest = rest.expand();
-  if (is_number(rest) || never_negative(rest)) return;
-  signs_.add_fact(rest, Sign::not_negative);
+  ex remaining = turned ? -1 : 1;
+  for (const ex& each : of_unknown_sign) remaining *= each;
+  remaining = remaining.expand();
+  if (is_number(remaining) || never_negative(remaining)) return;
+  signs_.add_fact(remaining, Sign::not_negative);
   // uw ≥ 0 and u + w > 0: both are not negative.
-  const Sign both = open.size() == 2 ? signs_.of((open[0] + open[1]).expand()) : Sign::any;
-  for (const ex& each : open) {
-    if (is_surely(both, Sign::positive)) signs_.add_fact(each, Sign::not_negative);
-    if (is_surely(both, Sign::negative)) signs_.add_fact((-each).expand(), Sign::not_negative);
+  if (of_unknown_sign.size() == 2 && !turned) {
+    const Sign of_sum = signs_.of((of_unknown_sign[0] + of_unknown_sign[1]).expand());
+    for (const ex& each : of_unknown_sign) {
+      if (is_surely(of_sum, Sign::positive)) signs_.add_fact(each, Sign::not_negative);
+      if (is_surely(of_sum, Sign::negative)) signs_.add_fact((-each).expand(), Sign::not_negative);
+    }
   }
-  signs_.conclude();
+  try {
+    signs_.conclude();
+  } catch (const Contradiction&) {
+    throw NoRealValue("roots of which one is of a negative number");
+  }
 }
 
 Fraction Radicals::root(const Fraction& square) {

@@ -103,15 +103,24 @@ std::string decimal(std::int64_t value, int places) {
   return digits;
 }
 
+/// `\mathrm{eV}`, `\mathrm h`: a unit with a number of its own.
+bool holds_conversion(const ExprTree& tree, ExprId side, ExprId shown) {
+  return std::ranges::any_of(nodes_below(tree, {side}), [&](ExprId id) {
+    return id != shown && tree[id].op == Op::number && tree.digits(id) != "10";
+  });
+}
+
 std::string signed_decimal(std::int64_t value, int places) {
   return value < 0 ? "-" + decimal(-value, places) : decimal(value, places);
 }
 
 /// `4.73\cdot 10^{-19}\,\mathrm J = 2.96\,\mathrm{eV}`: the value is a rounded number, too. How many halves
 /// of the last digit shown on the other side that makes.
-int halves_of_own_rounding(const ExprTree& tree, ExprId value, const Shown& other) {
+int halves_of_own_rounding(const ExprTree& tree, ExprId value, ExprId side, const Shown& other) {
   const auto own = shown_in(tree, value, false);
-  if (!own || own->mantissa == 0 || !has_units(tree, value)) return 0;
+  const bool converts =
+      own && (holds_conversion(tree, value, own->number) || holds_conversion(tree, side, other.number));
+  if (!own || own->mantissa == 0 || !has_units(tree, value) || !converts) return 0;
   return static_cast<int>(std::min<std::int64_t>((other.mantissa - 1) / own->mantissa + 1, most_halves));
 }
 
@@ -311,7 +320,7 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     const bool written = claim.nearly || shown_in(tree, side, false).has_value();
     if (*rounds && !calculates && !written) return DigitComparison{};
     if (*rounds) return DigitComparison{.agreement = Agreement::rounds};
-    const int halves = (claim.nearly ? 2 : 1) + halves_of_own_rounding(tree, value, *shown);
+    const int halves = (claim.nearly ? 2 : 1) + halves_of_own_rounding(tree, value, side, *shown);
     const auto may_round = comparison.lies_within(halves, shown->unsure);
     if (!may_round) return std::nullopt;
     if (*may_round) return DigitComparison{};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -195,13 +196,15 @@ std::vector<PageLaw> self_adjoint_letters(RowPlace& place, const Claim& claim, c
 /// "With $b = d$ we get", "for $\theta_1 + \theta_2 = \pi/2$": what its own sentence says goes with the laws.
 std::vector<PageLaw> said_in_its_sentence(RowPlace& place, const StepReading& row) {
   const ProseBeside& here = beside(place);
-  const bool any = std::ranges::any_of(place.notes.prose.said, [&](const SaidInLine& said) {
-    return said.sentence == here.sentence && !said.chains.empty();
-  });
+  std::set<std::uint32_t> own;  // where its relations begin
+  for (const SaidInLine& said : place.notes.prose.said) {
+    if (said.sentence == here.sentence && !said.chains.empty()) own.insert(said.span.begin);
+  }
   std::vector<PageLaw> laws;
-  if (!any) return laws;
+  if (own.empty()) return laws;
   for (const Fact& fact : standpoint(place, row.parsed).facts) {
-    if (!fact.proves || fact.elsewhere || fact.equation.relation != Relation::equal) continue;
+    const bool is_own = own.contains(fact.span.begin) && !fact.elsewhere;
+    if (!fact.proves || !is_own || fact.equation.relation != Relation::equal) continue;
     laws.push_back({.equation = fact.equation,
                     .name = fact.text,
                     .span = fact.span,
@@ -259,7 +262,11 @@ bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& cla
   if (judgement.restates) return true;
   heed_proof(place, row.parsed, claim, judgement);
   const bool both_ways = row.parsed.written.inference == Inference::equivalence;
-  if (judgement.verdict == Verdict::proved && !both_ways) leave(place, row, claim, Standing::result);
+  // What holds where its own sentence does need not hold below.
+  const bool of_its_sentence =
+      std::ranges::any_of(said, [&](const PageLaw& law) { return is_one_of(law.name, judgement.uses); });
+  if (judgement.verdict == Verdict::proved && !both_ways && !of_its_sentence)
+    leave(place, row, claim, Standing::result);
   return true;
 }
 

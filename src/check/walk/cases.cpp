@@ -161,7 +161,7 @@ void define_where_known(Walk& walk, const ParsedChain& parsed, const std::vector
 }
 
 /// The row is about all values of what its condition is about, `x` of `x < L`: a letter that is varied, or of
-/// which the page says nothing. Not so where words around it may restrict it further.
+/// which the page says nothing, and not a bound. Not so where words around it may restrict it further.
 void mean_for_all_values(Walk& walk, const ParsedChain& parsed, const std::vector<Equation>& conditions) {
   const Prose& prose = walk.notes.prose;
   const bool conditional = std::ranges::any_of(prose.said, [&](const SaidInLine& said) {
@@ -171,15 +171,23 @@ void mean_for_all_values(Walk& walk, const ParsedChain& parsed, const std::vecto
   if (conditional || open_word(prose, walk.event) ||
       said_around(prose, walk.event, walk.sources, written.span, written.tag))
     return;
+  const auto is_letter = [&](ExprId side) { return walk.tree[side].op == Op::symbol; };
+  const auto is_varied = [&](SymbolId symbol) {
+    return is_free_variable(walk.names, walk.tree, symbol, By::space) ||
+           is_free_variable(walk.names, walk.tree, symbol, By::time);
+  };
+  const auto is_told = [&](SymbolId symbol) {
+    return std::ranges::any_of(walk.above.stated, [&](const StatedLaw& stated) {
+      const Equation& law = stated.law.equation;
+      return is_one_of(symbol, symbols_reached(walk.tree, walk.names.scope, {law.left, law.right}));
+    });
+  };
   for (const Equation& each : conditions) {
-    for (const SymbolId symbol : symbols_reached(walk.tree, walk.names.scope, {each.left, each.right})) {
-      const bool varied = is_free_variable(walk.names, walk.tree, symbol, By::space) ||
-                          is_free_variable(walk.names, walk.tree, symbol, By::time);
-      const bool told = std::ranges::any_of(walk.above.stated, [&](const StatedLaw& stated) {
-        const Equation& law = stated.law.equation;
-        return is_one_of(symbol, symbols_reached(walk.tree, walk.names.scope, {law.left, law.right}));
-      });
-      if (varied || !told) mean_for_all(walk.names.scope, symbol);
+    const bool may_bound = is_letter(each.left) && is_letter(each.right);  // `r < R`
+    for (const ExprId side : {each.left, each.right}) {
+      if (!is_letter(side)) continue;
+      const SymbolId symbol = walk.tree[side].symbol;
+      if (is_varied(symbol) || (!may_bound && !is_told(symbol))) mean_for_all(walk.names.scope, symbol);
     }
   }
 }

@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <string_view>
-#include <utility>
 
 #include "base/among.h"
 #include "elaborate/evidence/evidence.h"
@@ -203,14 +202,49 @@ std::optional<int> whole_number(const SyntaxTree& syntax, SyntaxId id) {
   return std::nullopt;
 }
 
+namespace {
+
+bool is_imaginary(const SyntaxTree& syntax, SyntaxId id) {
+  return syntax[id].kind == SyntaxKind::symbol && may_be_imaginary_unit(syntax.symbol(id));
+}
+
+/// `E/kT`, `x^2/2\sigma^2`: letters stand behind the slash, and nothing else. Of a phase, `iE/\hbar t`, it is
+/// not clear.
+bool divides_by_letters(const SyntaxTree& syntax, std::span<const SyntaxChild> factors, std::size_t slash) {
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    const SyntaxId id = factors[k].id;
+    if (is_imaginary(syntax, id)) return false;
+    if (k < slash) continue;
+    if (k > slash && factors[k].joint != Joint::juxtaposed) return false;
+    const bool power = syntax[id].kind == SyntaxKind::power;
+    const bool letter = syntax[power ? syntax.child(id, 0) : id].kind == SyntaxKind::symbol;
+    if (!letter && !(k == slash && syntax[id].kind == SyntaxKind::number)) return false;
+  }
+  return true;
+}
+
+/// In an exponent nobody multiplies by T of `E/kT`.
+bool slashes_are_clear(const SyntaxTree& syntax, SyntaxId exponent) {
+  const std::vector<SyntaxId> nodes = nodes_below(syntax, {exponent});
+  return std::ranges::all_of(nodes, [&](SyntaxId id) {
+    if (syntax[id].kind != SyntaxKind::term) return true;
+    const std::span<const SyntaxChild> factors = syntax.children(id);
+    const auto slash = std::ranges::find(factors, Joint::slash, &SyntaxChild::joint);
+    return slash == factors.end() || slash + 1 == factors.end() ||
+           divides_by_letters(syntax, factors, static_cast<std::size_t>(slash - factors.begin()));
+  });
+}
+
+}  // namespace
+
 MaybeTyped elaborate_power(Reading& reading, SyntaxId id, const Around& around) {
   const SyntaxTree& syntax = reading.syntax;
   const SyntaxId raised = syntax.child(id, 0);
   const SyntaxId exponent = syntax.child(id, 1);
   const Span span = syntax[id].span;
   if (is_exponential(reading, id)) {
-    // `e^{-E/kT}`: in an exponent nobody multiplies by T.
-    const bool divides_by_all = std::exchange(reading.rules.divides_by_all, true);
+    const bool divides_by_all = reading.rules.divides_by_all;
+    reading.rules.divides_by_all = divides_by_all || slashes_are_clear(syntax, exponent);
     const auto argument = elaborate(reading, exponent, around);
     reading.rules.divides_by_all = divides_by_all;
     if (argument && reading.found.triples && argument->layout == Layout::matrix)

@@ -113,7 +113,7 @@ std::string label_of_a_thing(TokenView tokens) {
     const bool accent = is_control_of(tokens[0], {"hat", "bar", "tilde"});
     const bool angle = is_one_of(letter, {"\\theta", "\\phi", "\\varphi", "\\rho"});
     if (accent && !angle && !names_a_thing(inside[0])) return {};  // `T_{\bar\jmath}`
-    const bool bold = is_control_of(tokens[0], {"boldsymbol", "bm"});
+    const bool bold = is_control_of(tokens[0], {"boldsymbol", "bm", "vec"});
     const std::string_view name = bold ? "mathbf" : tokens[0].text;
     return letter.empty() || letter == hole_letter ? std::string() : fmt::format("\\{}{{{}}}", name, letter);
   }
