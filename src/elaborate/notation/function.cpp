@@ -12,6 +12,7 @@
 #include "elaborate/notation/notations.h"
 #include "elaborate/reading/change.h"
 #include "elaborate/reading/summation.h"
+#include "elaborate/reading/triple.h"
 #include "elaborate/symbol/axes.h"
 
 namespace rigor {

@@ -13,11 +13,6 @@ namespace rigor {
 [[nodiscard]] MaybeTyped trace_or_determinant(Reading& reading, SyntaxId id, bool trace,
                                               const Around& around);
 
-// --- matrix_exponential.cpp
-
-/// `e^{-i\theta\,\mathbf n\cdot\boldsymbol\sigma/2}`, with the Pauli matrices only.
-[[nodiscard]] MaybeTyped matrix_exponential(Reading& reading, const Typed& argument, Span span);
-
 // --- adjoint.cpp
 
 /// `A^\dagger` of a matrix, column or row with known entries.

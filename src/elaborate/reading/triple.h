@@ -25,4 +25,9 @@ namespace rigor {
 [[nodiscard]] MaybeTyped cross_with_triple(Reading& reading, const Typed& left, const Typed& right,
                                            Span span);
 
+// --- matrix_exponential.cpp
+
+/// `e^{-i\theta\,\mathbf n\cdot\boldsymbol\sigma/2}`, with the Pauli matrices only.
+[[nodiscard]] MaybeTyped matrix_exponential(Reading& reading, const Typed& argument, Span span);
+
 }  // namespace rigor

@@ -6,9 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "elaborate/notation/matrix.h"
-#include "elaborate/notation/notations.h"
 #include "elaborate/reading/matrix_product.h"
+#include "elaborate/reading/triple.h"
 
 namespace rigor {
 namespace {
