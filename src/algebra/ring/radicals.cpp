@@ -20,6 +20,7 @@ namespace {
 using GiNaC::ex;
 
 constexpr long largest_trial_divisor = 1000;
+constexpr const char* one_is_negative = "roots of which one is of a negative number";
 constexpr std::size_t largest_part = 8;           // terms
 constexpr std::size_t largest_quotient = 20'000;  // takes up to 50 ms
 
@@ -173,6 +174,12 @@ void Radicals::note_existence(const std::vector<Factor>& square) {
   for (const ex& each : of_unknown_sign) remaining *= each;
   remaining = remaining.expand();
   if (is_number(remaining) || never_negative(remaining)) return;
+  for (const Signs::Fact& fact : signs_.facts()) {  // √(x - 2) beside √(1 - x)
+    const ex sum = (fact.value + remaining).expand();
+    if (is_surely(fact.sign, Sign::not_negative) && is_number(sum) &&
+        is_surely(signs_.of(sum), Sign::negative))
+      throw NoRealValue(one_is_negative);
+  }
   signs_.add_fact(remaining, Sign::not_negative);
   // uw ≥ 0 and u + w > 0: both are not negative.
   if (of_unknown_sign.size() == 2 && !turned) {
@@ -185,7 +192,7 @@ void Radicals::note_existence(const std::vector<Factor>& square) {
   try {
     signs_.conclude();
   } catch (const Contradiction&) {
-    throw NoRealValue("roots of which one is of a negative number");
+    throw NoRealValue(one_is_negative);
   }
 }
 

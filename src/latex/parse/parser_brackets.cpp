@@ -140,14 +140,6 @@ std::vector<TokenView> views_of(const std::vector<Cell>& cells) {
   return views;
 }
 
-/// `[t]{|c|rl}`
-bool are_columns(TokenView tokens) {
-  static constexpr std::string_view signs = "clrtb|[]{}@ ";
-  return std::ranges::all_of(tokens, [](const Token& token) {
-    return token.text.size() == 1 && signs.find(token.text) != std::string_view::npos;
-  });
-}
-
 /// `\exp[x]`, `\frac{d}{dx}[f]`: is there a function or a derivative before the bracket in its term?
 bool is_acted_on(TokenView tokens, std::size_t open) {
   while (open > 0) {

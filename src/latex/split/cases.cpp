@@ -101,7 +101,11 @@ std::optional<CaseBlock> block_at(TokenView tokens, std::size_t at) {
   const std::size_t close = closing_end(tokens, at);
   if (close >= tokens.size()) return std::nullopt;
   TokenView body = tokens.subspan(argument.next, close - argument.next);
-  if (name == "array") body = body.subspan(argument_at(body, optional_argument_at(body, 0).next).next);
+  if (name == "array") {
+    const TokenView columns = body.first(argument_at(body, optional_argument_at(body, 0).next).next);
+    if (!are_columns(columns)) return std::nullopt;
+    body = body.subspan(columns.size());
+  }
   auto rows = rows_of(body);
   if (!rows || rows->size() < 2) return std::nullopt;
   return CaseBlock{at, argument_at(tokens, close + 1).next, in_words, *std::move(rows)};

@@ -162,4 +162,11 @@ std::string text_of(TokenView tokens) {
   return text;
 }
 
+bool are_columns(TokenView tokens) {
+  static constexpr std::string_view signs = "clrtb|[]{}@ ";
+  return std::ranges::all_of(tokens, [](const Token& token) {
+    return token.text.size() == 1 && signs.find(token.text) != std::string_view::npos;
+  });
+}
+
 }  // namespace rigor

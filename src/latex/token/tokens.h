@@ -95,4 +95,7 @@ class Nesting {
 [[nodiscard]] std::string text_of(TokenView tokens);
 [[nodiscard]] TokenView trim(TokenView tokens);
 
+/// `[t]{|c|rl}` behind `\begin{array}`.
+[[nodiscard]] bool are_columns(TokenView tokens);
+
 }  // namespace rigor
