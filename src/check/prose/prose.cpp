@@ -85,11 +85,12 @@ bool is_abbreviation(std::string_view word) {
 }
 
 Cue cue_of(std::string_view word) {
-  static constexpr std::array<std::string_view, 25> apart{
-      "unless", "near",       "except",  "excluding",     "without", "not",    "no",
-      "never",  "nor",        "neither", "away",          "around",  "close",  "about",
-      "beyond", "approaches", "tends",   "approximately", "nearly",  "almost", "roughly",
-      "far",    "limit",      "cannot",  "than"};
+  static constexpr auto apart = std::to_array<std::string_view>(
+      {"unless",   "near",       "except",  "excluding", "without", "not",        "no",
+       "never",    "nor",        "neither", "away",      "around",  "close",      "about",
+       "beyond",   "approaches", "tends",   "than",      "nearly",  "almost",     "approximately",
+       "roughly",  "far",        "limit",   "cannot",    "before",  "until",      "avoid",
+       "avoiding", "besides",    "had",     "should",    "forget",  "forgetting", "mistake"});
   if (is_one_of(word, apart)) return Cue::apart;
   static constexpr std::array<std::string_view, 20> definitions{
       "with",    "where", "define",     "defining", "defined",     "let",     "put",
@@ -100,6 +101,13 @@ Cue cue_of(std::string_view word) {
       "assuming", "suppose", "given",    "since", "because", "on",   "while"};
   if (is_one_of(word, definitions)) return Cue::definition;
   return is_one_of(word, conditions) ? Cue::condition : Cue::none;
+}
+
+/// "Putting $a = b$ gives rest, but in general we find": what stands before it is not said of what follows.
+bool turns_away(std::string_view word) {
+  static constexpr auto words = std::to_array<std::string_view>(
+      {"but", "yet", "however", "whereas", "general", "generally", "otherwise", "correctly", "truth"});
+  return is_one_of(word, words);
 }
 
 /// "On the wall, where $u = a + b$": what is said there need not hold outside of it.
@@ -295,8 +303,14 @@ class ProseReader {
     // "except for $x = 0$", "not at $x = 0$"
     if (const Cue cue = cue_of(word); cue != Cue::none && cue_ != Cue::apart) cue_ = cue;
     at_place_ = at_place_ || names_a_place(word);
+    if (turns_away(word)) turn_away();
     sentence_ += word;
     return end;
+  }
+
+  void turn_away() {
+    for (std::size_t k = prose_.said.size(); k-- > 0 && prose_.said[k].sentence == number_;)
+      prose_.said[k].cue = Cue::apart;
   }
 
   std::string last_word() const {
