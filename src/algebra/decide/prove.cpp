@@ -106,7 +106,7 @@ void write_down(Proof& proof, const Scope& scope, GenericDomain& domain, const C
   const std::size_t facts = domain.signs().facts().size();
   trial.holds = holds();
   // What has a root is not negative, which may split a root that was taken earlier: √(ab) = √a √b.
-  const bool learnt = domain.signs().facts().size() > facts;
+  const bool learnt = domain.signs().facts().size() > facts && attempt.effort == Effort::plain;
   if (!trial.holds && claim.relation == Relation::equal && learnt && reduced.empty()) {
     evaluator.forget();
     vanishes = true;

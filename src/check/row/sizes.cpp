@@ -15,6 +15,7 @@
 #include "base/ascii.h"
 #include "check/place/place.h"
 #include "check/question/base_letters.h"
+#include "check/repair/repair.h"
 #include "check/word/prose_words.h"
 #include "check/word/sizes.h"
 
@@ -109,7 +110,7 @@ bool follows_for_sizes(RowPlace& place, const StepReading& row, const Claim& cla
   const Names before = place.names;
   for (const NamedAssumption& each : sizes) assume(place.names.scope, each);
   // A letter that is defined as a size need not be one.
-  if (!sample_of_assumptions(place.tree, place.names, {}, {}, place.options.cache)) {
+  if (!sample_of_assumptions(place.tree, place.names, {}, limits_of_guesses, place.options.cache)) {
     place.names = before;
     return false;
   }
