@@ -106,7 +106,7 @@ Cue cue_of(std::string_view word) {
 /// "Putting $a = b$ gives rest, but in general we find": what stands before it is not said of what follows.
 bool turns_away(std::string_view word) {
   static constexpr auto words = std::to_array<std::string_view>(
-      {"but", "yet", "however", "whereas", "general", "generally", "otherwise", "correctly", "truth"});
+      {"but", "yet", "however", "whereas", "generally", "otherwise", "correctly", "truth"});
   return is_one_of(word, words);
 }
 
@@ -303,7 +303,8 @@ class ProseReader {
     // "except for $x = 0$", "not at $x = 0$"
     if (const Cue cue = cue_of(word); cue != Cue::none && cue_ != Cue::apart) cue_ = cue;
     at_place_ = at_place_ || names_a_place(word);
-    if (turns_away(word)) turn_away();
+    // "the general solution" turns nothing away, "in general" does.
+    if (turns_away(word) || (word == "general" && sentence_.ends_with("in "))) turn_away();
     sentence_ += word;
     return end;
   }
