@@ -127,7 +127,7 @@ class FileOfRows {
       const WrittenSide& each = read->chain.written.sides[k];
       read->chain.sides[k] = parse_side(each.tokens, each.span, read->syntax);
     }
-    read->reading = read_chain(read->syntax, read->tree, read->names, read->chain);
+    read->reading = read_chain(read->syntax, read->tree, read->names, read->chain, row.statement.rules);
     const auto& sides = read->reading->sides;
     Diagnostics mismatches;
     if (sides[row.which].typed && sides[row.which + 1].typed)
@@ -233,7 +233,10 @@ class FileOfRows {
     page.replace(span.begin, span.end - span.begin, text);
     SourceMap sources;
     return check_text(sources, path_, std::move(page),
-                      {.repairs = repairs, .cache = remembered_.get(), .effort = asked_.effort});
+                      {.repairs = repairs,
+                       .near_at = row.statement.chain->written.span.begin,
+                       .cache = remembered_.get(),
+                       .effort = asked_.effort});
   }
 
   std::optional<std::size_t> place_on_page(const FileReport& page, const Row& row, std::size_t side,
@@ -264,7 +267,7 @@ class FileOfRows {
                 const std::string& text, Offer& offer) {
     const auto start = std::chrono::steady_clock::now();
     const FileReport page =
-        page_with(row, side, text, asked_.offers && offer.on_page ? Repairs::of_unexpected : Repairs::none);
+        page_with(row, side, text, asked_.offers && offer.on_page ? Repairs::and_of_laws : Repairs::none);
     offer.milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     offer.answer = Answer::unread;
@@ -384,6 +387,7 @@ class FileOfRows {
     const WrongStep wrong{.parsed = chain,
                           .which = row.which,
                           .first_order = row.statement.first_order,
+                          .rules = row.statement.rules,
                           .near = sides_near(notes_, *row.statement.chain)};
     cache_.begin(default_effort);
     const auto start = std::chrono::steady_clock::now();

@@ -43,17 +43,28 @@ struct CheckRun {
   std::uint64_t effort = default_effort;
 };
 
+/// What readers of the format are shown.
+Repairs repairs_shown(ReportFormat format) {
+  switch (format) {
+    case ReportFormat::text:
+    case ReportFormat::github:
+      return Repairs::of_unexpected;
+    case ReportFormat::json:
+      return Repairs::and_of_laws;
+    default:
+      return Repairs::of_all;
+  }
+}
+
 /// One file, with what is remembered of it.
 FileReport check_one(const CheckRun& run, const NotesToCheck::Item& notes, SourceMap& sources,
                      const ReportProgress& progress) {
   const CheckCommand& command = run.command;
   std::optional<DecisionCache> cache;
   if (command.cache) cache.emplace(*command.cache, notes.path, program_identity());
-  // Other formats than text offer repairs of what is expected to be wrong, too.
-  const bool for_people = command.format == ReportFormat::text || command.format == ReportFormat::github;
   const CheckOptions options{.sidecar = notes.sidecar,
                              .progress = progress,
-                             .repairs = for_people ? Repairs::of_unexpected : Repairs::of_all,
+                             .repairs = repairs_shown(command.format),
                              .cache = cache ? &*cache : nullptr,
                              .effort = run.effort};
   FileReport report = notes.text ? check_text(sources, notes.path, *notes.text, options)

@@ -38,7 +38,7 @@ void check_all_notes(const ReportCommand& command, Reported& reported, Progress&
     const CheckOptions options{
         .sidecar = command.sidecar,
         .progress = [&](std::size_t done, std::size_t all) { progress.update(path, done, all); },
-        .repairs = Repairs::of_all};
+        .repairs = Repairs::and_of_laws};
     reported.report.files.push_back(check_file(reported.sources, path, options));
     const Counts& counts = reported.report.files.back().counts;
     for (std::size_t i = 0; i < verdict_count; ++i) reported.report.counts[i] += counts[i];

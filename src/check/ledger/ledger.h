@@ -16,6 +16,7 @@
 
 #include "check/event/notes.h"
 #include "elaborate/name/names.h"
+#include "elaborate/reading/reading.h"
 #include "elaborate/reading/typed.h"
 #include "expr/statement/written_forms.h"
 #include "expr/tree/tree.h"
@@ -44,6 +45,7 @@ struct Statement {
   bool first_order = false;  // `=` means ≈
   bool for_now = false;      // said by a `where`: for the next statement only
   bool guessed = false;      // how its letters are read is only a guess
+  ReadingRules rules = {};   // by which it was read
   HowRead how = {};          // if that is wanted
   std::vector<std::optional<Typed>> sides = {};
   std::size_t first_step = 0;  // in the report

@@ -88,7 +88,7 @@ class Absorption {
       chain.sides[k] = parse_side(tokens, chain.written.sides[k].span, syntax);
     }
     const Names before = names_;
-    const auto reading = read_chain(syntax, tree_, names_, chain);
+    const auto reading = read_chain(syntax, tree_, names_, chain, wrong_.rules);
     Diagnostics ignored;
     bool holds = false;
     if (reading->sides[wrong_.which].typed && reading->sides[wrong_.which + 1].typed) {

@@ -175,7 +175,7 @@ class ConditionSearch {
       : tree_(tree), names_(names), cache_(cache), with_all_terms_(with_all_terms), chain_(wrong.parsed) {
     for (std::size_t k = 0; k < chain_.sides.size(); ++k)
       chain_.sides[k] = parse_side(chain_.written.sides[k].tokens, chain_.written.sides[k].span, syntax_);
-    reading_ = read_chain(syntax_, tree, names, chain_);
+    reading_ = read_chain(syntax_, tree, names, chain_, wrong.rules);
     const auto text = [&](std::size_t side) { return text_of(chain_.written.sides[side].tokens); };
     written_ = fmt::format("{} {} {}", text(wrong.which), chain_.written.relations[wrong.which].text,
                            text(wrong.which + 1));

@@ -71,7 +71,7 @@ class RepairSearch {
       sides_.push_back(without_layout(side.tokens));
       chain_.sides.push_back(parse_side(sides_.back(), side.span, syntax_));
     }
-    reading_ = read_chain(syntax_, tree_, names_, chain_);
+    reading_ = read_chain(syntax_, tree_, names_, chain_, wrong.rules);
   }
 
   std::vector<TrueNeighbour> run(NotCompared others) {
@@ -379,7 +379,7 @@ class RepairSearch {
     const std::size_t place = wrong_.which + candidate.side;
     chain.written.sides[place].tokens = candidate.tokens;
     chain.sides[place] = parse_side(candidate.tokens, chain.written.sides[place].span, syntax_);
-    const auto reading = read_chain(syntax_, tree_, names_, chain);
+    const auto reading = read_chain(syntax_, tree_, names_, chain, wrong_.rules);
     if (!reading->sides[wrong_.which].typed || !reading->sides[wrong_.which + 1].typed) return std::nullopt;
     Diagnostics mismatches;
     const auto claim = reading->claim(chain, wrong_.which, wrong_.first_order, mismatches);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/directive/directive.h"
+#include "elaborate/reading/reading.h"
 #include "latex/reading/rewritings.h"
 
 namespace rigor {
@@ -22,6 +23,7 @@ struct WrongStep {
   bool first_order = false;     // `=` means ≈
   Trust left = Trust::unknown;  // supported: the step before it is proved
   Trust right = Trust::unknown;
+  ReadingRules rules = {};           // by which it was read
   std::vector<TokenView> near = {};  // sides in lines before and after it, whose terms may be missing here
 };
 

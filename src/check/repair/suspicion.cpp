@@ -24,6 +24,7 @@ namespace {
 /// Of the work that a step may take. Words that may restrict a row are rare, and take more to be overruled.
 constexpr std::uint64_t most_work = 250'000;
 constexpr std::uint64_t most_work_despite_words = 4'000'000;
+constexpr std::uint64_t most_work_of_offers = 250'000;
 constexpr std::uint64_t most_work_of_states = 2'000'000;  // of differentials, and where letters are held
 
 /// The letter is another one than was written, so that another quantity may be meant.
@@ -57,14 +58,48 @@ class Suspecting {
     return std::nullopt;
   }
 
+  /// Whatever the slip, and whatever else may be meant.
+  std::vector<TrueNeighbour> all(const NeighbourProof& follows) {
+    const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim,
+                                     Slip slip) -> std::optional<std::vector<std::string>> {
+      if (repeats(tree, claim.equation)) return std::nullopt;
+      return follows(tree, without_laws(names), claim, slip);
+    };
+    auto solutions = solutions_near(row_.available, [](Slip) { return true; });
+    if (!solutions.empty()) return solutions;
+    const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, row_.available);
+    std::vector<Laws> sets = sets_of(tree_, bearing);
+    while (sets.size() > 1 && !is_met(sets.back())) sets.pop_back();
+    ExprTree grown = tree_;
+    const Names met = with_laws_and_constants({grown, names_, row_.claim, &cache_}, sets.back());
+    return true_neighbours(grown, met, row_.wrong, proof, &cache_);
+  }
+
  private:
-  /// `x = A\cos 2\omega t` beside `\ddot x = -\omega^2x`.
-  std::optional<Suspicion> nearest_solution() {
-    const Laws& laws = row_.to_be_solved;
+  /// Says nothing, or says the row in another order.
+  bool repeats(ExprTree& tree, const Equation& candidate) const {
+    const Equation& own = row_.claim.equation;
+    return is_trivial_up_to_order(tree, candidate.left, candidate.right) ||
+           (is_trivial_up_to_order(tree, candidate.left, own.left) &&
+            is_trivial_up_to_order(tree, candidate.right, own.right));
+  }
+
+  /// What was read, without the laws that the samples met.
+  Names without_laws(Names names) const {
+    names.scope.definitions = names_.scope.definitions;
+    names.scope.assumptions = names_.scope.assumptions;
+    names.scope.constants = names_.scope.constants;
+    return names;
+  }
+
+  /// Of `x = A\cos 2\omega t` beside `\ddot x = -\omega^2x`: each that solves it. `likely`: is it worth
+  /// asking?
+  template <class Likely>
+  std::vector<TrueNeighbour> solutions_near(const Laws& laws, const Likely& likely) {
     const Laws bearing = laws_that_bear(tree_, names_.scope, row_.claim.equation, laws);
     ExprTree grown = tree_;
     const auto solved = solved_equation({grown, names_, row_.claim, &cache_}, bearing);
-    if (!solved) return std::nullopt;
+    if (!solved) return {};
     const Asked asked = [&](ExprTree& tree, const Names& names,
                             const Equation& row) -> std::optional<Equation> {
       if (!same_expression(tree, row.left, tree_, row_.claim.equation.left)) return std::nullopt;
@@ -72,14 +107,20 @@ class Suspecting {
     };
     const NeighbourProof proof = [&](ExprTree& tree, const Names& names, const Claim& claim,
                                      Slip slip) -> std::optional<std::vector<std::string>> {
-      const bool of_another = changes_a_letter(slip) || changes_the_terms(slip) ||
-                              slip == Slip::factor_missing || slip == Slip::factor_extra;
-      if (of_another || is_trivial_up_to_order(tree, claim.equation.right, row_.claim.equation.right))
+      if (!likely(slip) || is_trivial_up_to_order(tree, claim.equation.right, row_.claim.equation.right))
         return std::nullopt;
       auto found = solves({tree, names, claim, &cache_}, bearing, laws);
       return found ? std::optional(std::move(found->uses)) : std::nullopt;
     };
-    std::vector<TrueNeighbour> found = true_neighbours(grown, names_, row_.wrong, proof, &cache_, asked);
+    return true_neighbours(grown, names_, row_.wrong, proof, &cache_, asked);
+  }
+
+  std::optional<Suspicion> nearest_solution() {
+    auto found = solutions_near(row_.to_be_solved, [](Slip slip) {
+      const bool of_another = changes_a_letter(slip) || changes_the_terms(slip) ||
+                              slip == Slip::factor_missing || slip == Slip::factor_extra;
+      return !of_another;
+    });
     if (found.empty()) return std::nullopt;
     return Suspicion{std::move(found.front().repair), std::move(found.front().uses)};
   }
@@ -134,6 +175,12 @@ class Suspecting {
     return sample_of_assumptions(tree, assuming, {}, limits_of_guesses, &cache_).has_value();
   }
 
+  /// Operators need no samples.
+  bool is_met(const Laws& laws) const {
+    return has_operators(tree_, row_.claim.equation.left) ||
+           has_operators(tree_, row_.claim.equation.right) || can_be_met(laws);
+  }
+
   /// The nearest neighbour that holds wherever `met` do, and is proved from one of the sets, the smallest
   /// first.
   std::optional<Suspicion> nearest(const Laws& met, const std::vector<Laws>& sets) {
@@ -157,16 +204,9 @@ class Suspecting {
   /// What the statement rests on; nothing if it is not proved, or says nothing. No sets: an identity.
   std::optional<std::vector<std::string>> proved(ExprTree& tree, const Names& names, const Claim& claim,
                                                  Slip slip, const std::vector<Laws>& sets) {
-    if (is_trivial_up_to_order(tree, claim.equation.left, claim.equation.right)) return std::nullopt;
-    const Equation& own = row_.claim.equation;
-    if (is_trivial_up_to_order(tree, claim.equation.left, own.left) &&
-        is_trivial_up_to_order(tree, claim.equation.right, own.right))
-      return std::nullopt;  // the same in another order
+    if (repeats(tree, claim.equation)) return std::nullopt;
     if (claim.equation.relation != Relation::equal || adds_letters(tree, claim.equation)) return std::nullopt;
-    Names without = names;
-    without.scope.definitions = names_.scope.definitions;
-    without.scope.assumptions = names_.scope.assumptions;
-    without.scope.constants = names_.scope.constants;
+    const Names without = without_laws(names);
     const bool may_repeat = row_.announced && !changes_a_letter(slip);
     if (!may_repeat && is_said_already(tree, without, claim.equation, sets)) return std::nullopt;
     if (!sets.empty() && holds_by_itself(tree, without, claim)) return std::nullopt;
@@ -276,18 +316,32 @@ class Suspecting {
   std::optional<bool> usual_;  // does a usual condition make the row true?
 };
 
+bool is_of_states(const ExprTree& tree, const Names& names, const Equation& equation) {
+  return speaks_of_states(tree, equation) || holds_letters(tree, names.scope, equation);
+}
+
 }  // namespace
 
 std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, const OpenRow& row,
                                    DecisionCache& cache) {
   if (row.claim.nearly || row.claim.equation.relation != Relation::equal) return std::nullopt;
   if (cache.budget().exhausted()) return std::nullopt;
-  const bool of_states =
-      speaks_of_states(tree, row.claim.equation) || holds_letters(tree, names.scope, row.claim.equation);
-  const ShareOfWork share(cache, of_states        ? most_work_of_states
-                                 : row.restricted ? most_work_despite_words
-                                                  : most_work);
+  const ShareOfWork share(cache, is_of_states(tree, names, row.claim.equation) ? most_work_of_states
+                                 : row.restricted                              ? most_work_despite_words
+                                                                               : most_work);
   return Suspecting(tree, names, row, cache).run();
+}
+
+std::vector<Repair> statements_near(const ExprTree& tree, const Names& names, const OpenRow& row,
+                                    const NeighbourProof& follows, DecisionCache& cache) {
+  if (cache.budget().exhausted()) return {};
+  const ShareOfWork share(cache, most_work_of_offers);
+  std::vector<Repair> near;
+  for (TrueNeighbour& each : Suspecting(tree, names, row, cache).all(follows)) {
+    each.repair.uses = std::move(each.uses);
+    near.push_back(std::move(each.repair));
+  }
+  return near;
 }
 
 }  // namespace rigor

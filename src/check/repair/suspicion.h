@@ -36,4 +36,10 @@ struct OpenRow {
 [[nodiscard]] std::optional<Suspicion> suspicion(const ExprTree& tree, const Names& names, const OpenRow& row,
                                                  DecisionCache& cache);
 
+/// What stands one slip of the pen away from a row that is left open, and holds as `follows` asks the row:
+/// another quantity may be meant, so this says nothing against the row. At most three, the nearest first.
+[[nodiscard]] std::vector<Repair> statements_near(const ExprTree& tree, const Names& names,
+                                                  const OpenRow& row, const NeighbourProof& follows,
+                                                  DecisionCache& cache);
+
 }  // namespace rigor

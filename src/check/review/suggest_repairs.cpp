@@ -46,6 +46,7 @@ void suggest_repair(const LedgerEntry& entry, const Statement& statement, std::s
                         .first_order = statement.first_order,
                         .left = trust_by(statement, which - 1, which > 0, report),
                         .right = trust_by(statement, which + 1, which + 1 < statement.step_count, report),
+                        .rules = statement.rules,
                         .near = sides_near(notes, *statement.chain)};
   options.cache->begin(options.effort);
   step.repairs = nearest_true_statements(ledger.tree, *entry.scope, wrong, options.cache);

@@ -121,11 +121,16 @@ bool is_one_of_the_cases(const RowPlace& place, const ParsedChain& parsed) {
   });
 }
 
-void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {
-  if (judgement.uses.empty()) return;
+Standpoint standpoint_of_proofs(RowPlace& place, const ParsedChain& parsed) {
   Standpoint at = standpoint(place, parsed);
   at.denied = denial_of(place.notes.prose, place.event);
   at.said_anew = said_anew(place);
+  return at;
+}
+
+void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement) {
+  if (judgement.uses.empty()) return;
+  const Standpoint at = standpoint_of_proofs(place, parsed);
   judgement = heed_cases(place.tree, place.names, claim, std::move(judgement), at, place.options.cache);
   add_used(place, judgement.used);
 }

@@ -95,7 +95,10 @@ void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim,
   const auto is_law_or_open = [](const Step& each) {
     return each.verdict == Verdict::law || each.verdict == Verdict::undecided;
   };
-  if (other && is_law_or_open(step) && is_law_or_open(*other)) {
+  const bool open_in_other = other && is_law_or_open(*other);
+  // What is near a row with values of functions holds for products as well, of which it does not follow.
+  if (open_in_other && bracket && step.verdict == Verdict::suspect) return;
+  if (open_in_other && is_law_or_open(step)) {
     if (other->verdict == Verdict::undecided) step = *other;
     return;
   }
@@ -104,7 +107,12 @@ void settle_in_both(RowPlace& place, const StepReading& row, const Claim& claim,
       open ? *open
            : Obstacle{
                  DiagnosticKind::ambiguous_reading, "this can be a product or the value of a function", {}};
+  // What the reading that says the least offers holds in both.
+  std::vector<Repair> near = bracket ? std::move(step.repairs)
+                             : other ? other->repairs
+                                     : std::vector<Repair>{};
   step = before;
+  step.repairs = std::move(near);
   step.verdict = Verdict::not_understood;
   step.diagnostics.push_back(
       {guess.kind, claim.relation, guess.message + "; the readings have different verdicts", {}, guess.help});

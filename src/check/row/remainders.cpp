@@ -117,6 +117,7 @@ std::vector<Repair> repairs_up_to_order(RowPlace& place, ParsedChain pair, Symbo
       each.repair.replaced += end;
       each.repair.replacement += end;
     }
+    each.repair.uses = std::move(each.uses);
     repairs.push_back(std::move(each.repair));
   }
   return repairs;
@@ -251,6 +252,8 @@ void decide_up_to_order(RowPlace& place, const StepReading& row, Step& step) {
     return;
   }
   accept(identity ? *std::move(first_open) : *std::move(whole), step);
+  if (!left_end && is_told_what_is_near(place, row, step.verdict))
+    step.repairs = repairs_up_to_order(place, pair, node.symbol, right_end->power);
 }
 
 }  // namespace rigor

@@ -104,6 +104,7 @@ void settle(RowPlace& place, const StepReading& row, const Claim& claim, Judgeme
          {},
          {"`\\Rightarrow` claims this direction only"}});
   }
+  if (is_open(judgement)) offer_what_is_near(place, row, claim, judgement);
   accept(std::move(judgement), step);
 }
 

@@ -4,9 +4,12 @@
 // another meaning.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "check/law/from_laws.h"
 #include "check/place/place.h"
 
 namespace rigor {
@@ -34,6 +37,8 @@ bool is_conditional(const RowPlace& place, bool demands = true);
 bool is_of_a_case(const RowPlace& place);
 /// `f = e^{-x} \Rightarrow …` on one of several such lines of a display: each is a case of its own.
 bool is_one_of_the_cases(const RowPlace& place, const ParsedChain& parsed);
+/// Where proofs of a row are weighed.
+Standpoint standpoint_of_proofs(RowPlace& place, const ParsedChain& parsed);
 /// Takes a proof back that rests on a definition for another case, or on one that has been replaced since.
 void heed_proof(RowPlace& place, const ParsedChain& parsed, const Claim& claim, Judgement& judgement);
 
@@ -94,18 +99,38 @@ void leave_what_a_line_says(RowPlace& place, const SaidInLine& said);
 
 // --- page_laws.cpp: What follows from these laws.
 
-/// "In an incompressible fluid", "At $B$ we find": words of the sentence, the heading or the sentences around
-/// it that may say the row for a case.
-[[nodiscard]] bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed);
+/// What a row may be proved from.
+struct Grounds {
+  std::shared_ptr<const std::vector<PageLaw>> own;  // what its sentence says, and what is so by convention
+  Laws of_its_sentence = {};                        // of these: they hold for this row only
+  AvailableLaws all = {};
+  AvailableLaws founded = {};  // without conclusions of which no proof was found
+};
+
+[[nodiscard]] Grounds grounds_of(RowPlace& place, const StepReading& row, const Claim& claim);
+/// A conclusion that follows from nothing itself.
+[[nodiscard]] bool is_open(const PageLaw& law);
+/// As a conclusion: by its words, behind an arrow, or as a later link of a chain.
+[[nodiscard]] bool is_announced(const RowPlace& place, const StepReading& row);
 /// Proved from laws of the page, or said by one of them already; else the judgement stays as it is.
 [[nodiscard]] bool follows_from_page(RowPlace& place, const StepReading& row, const Claim& claim,
                                      Judgement& judgement);
-/// One slip of the pen away from what follows. No row below rests on it.
-[[nodiscard]] bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim,
-                              Judgement& judgement);
 /// A law is left to the rows below, unless it is suspect. One that is announced as a conclusion is undecided:
 /// it follows from nothing.
 void state_law(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement);
+
+// --- suspects.cpp: What stands one slip of the pen away from a row that does not follow.
+
+/// "In an incompressible fluid", "At $B$ we find": words of the sentence, the heading or the sentences around
+/// it that may say the row for a case.
+[[nodiscard]] bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed);
+/// One slip of the pen away from what follows, and nothing else can be meant. No row below rests on it.
+[[nodiscard]] bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim,
+                              Judgement& judgement);
+/// Is what is near it asked for, if this becomes of it?
+[[nodiscard]] bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict verdict);
+/// What follows from the page near a row that is left open; of a law only where that is asked for.
+void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement);
 
 // --- sizes.cpp: Masses, radii and frequencies are positive.
 

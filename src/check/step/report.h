@@ -63,14 +63,15 @@ struct ChainPlace {
   std::optional<std::size_t> undone_at = {};  // of a first wrong step: the one that takes its slip back
 };
 
-/// A true statement near a refuted one.
+/// A true statement near one that is wrong, or a statement that follows near one that is left open.
 struct Repair {
-  bool on_left = false;          // which side is changed
-  std::string statement;         // LaTeX of the whole step, in the author's notation
-  std::string change;            // in words
-  std::string replaced = {};     // the changed side as it was read, blanks folded, macros replaced
-  std::string replacement = {};  // the same side of the statement
-  bool adds_a_term = false;      // rather than changing what is there
+  bool on_left = false;                // which side is changed
+  std::string statement;               // LaTeX of the whole step, in the author's notation
+  std::string change;                  // in words
+  std::string replaced = {};           // the changed side as it was read, blanks folded, macros replaced
+  std::string replacement = {};        // the same side of the statement
+  bool adds_a_term = false;            // rather than changing what is there
+  std::vector<std::string> uses = {};  // near an open step: what it follows from
 };
 
 /// `law (3)`, or without a tag `law in line 12`, where its relation stands.
@@ -79,6 +80,10 @@ struct Repair {
 
 /// Diagnostics that are mended by a true statement near by: a refutation, indices or ranks that do not fit.
 [[nodiscard]] bool shows_repairs(DiagnosticKind kind);
+/// Another quantity may be meant: then what is near a step says nothing against it.
+[[nodiscard]] inline bool is_left_open(Verdict verdict) {
+  return verdict == Verdict::undecided || verdict == Verdict::law;
+}
 
 /// One relation of one chain.
 struct Step {
@@ -99,7 +104,7 @@ struct Step {
   std::vector<std::string> uses;  // definitions, assumptions, conventions: `definition I_{ij} (8)`
   std::optional<Counterexample> counterexample;
   std::optional<ChainPlace> chain;      // of a refuted step, if the chain has other steps
-  std::vector<Repair> repairs;          // of a wrong step, the nearest first; at most three
+  std::vector<Repair> repairs;          // of a wrong or an open step, the nearest first; at most three
   std::vector<std::string> conditions;  // under which a refuted step would hold, as LaTeX; at most two
   double repair_milliseconds = 0.0;     // the time that was taken to find them
   Diagnostics diagnostics;

@@ -60,4 +60,9 @@ class ChainReading {
 [[nodiscard]] std::unique_ptr<ChainReading> read_chain(const SyntaxTree& syntax, ExprTree& tree, Names& names,
                                                        const ParsedChain& parsed, ReadingRules plain = {});
 
+/// How open letters and brackets are read, without what was fitted to the indices of one chain.
+[[nodiscard]] inline ReadingRules rules_for_like(const ReadingRules& how) {
+  return {.apart = how.apart, .open = how.open};
+}
+
 }  // namespace rigor

@@ -192,6 +192,7 @@ void take_chain(Walk& walk, const ParsedChain& parsed, const Context& context) {
                       .first_order = context.first_order,
                       .for_now = is_for_now(walk, context),
                       .guessed = guess && guess->kind == DiagnosticKind::ambiguous_reading,
+                      .rules = rules_for_like(reading->how()),
                       .how = std::move(how),
                       .first_step = first_step,
                       .step_count = walk.report.steps.size() - first_step,

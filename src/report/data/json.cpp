@@ -84,7 +84,8 @@ Json json_of(const ChainPlace& place) {
 Json json_of(const Repair& repair) {
   return {{"side", repair.on_left ? "left" : "right"},
           {"statement", repair.statement},
-          {"change", repair.change}};
+          {"change", repair.change},
+          {"uses", repair.uses}};
 }
 
 Json json_of(const Step& step, const SourceMap& sources) {

@@ -67,8 +67,8 @@ void fields(Archive& archive, ChainPlace& place) {
 
 template <class Archive>
 void fields(Archive& archive, Repair& repair) {
-  auto& [on_left, statement, change, replaced, replacement, adds_a_term] = repair;
-  archive(on_left, statement, change, replaced, replacement, adds_a_term);
+  auto& [on_left, statement, change, replaced, replacement, adds_a_term, uses] = repair;
+  archive(on_left, statement, change, replaced, replacement, adds_a_term, uses);
 }
 
 template <class Archive>

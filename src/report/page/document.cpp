@@ -10,6 +10,7 @@
 #include "latex/layout/typeset.h"
 #include "report/page/notes_math.h"
 #include "report/page/shown_totals.h"
+#include "report/wording/finding.h"
 #include "report/wording/sample.h"
 
 namespace rigor {
@@ -256,8 +257,8 @@ class NotesWriter {
     };
     if (step.counterexample) sample(*step.counterexample, add_line);
     for (const Repair& repair : step.repairs)
-      add_line(&repair == step.repairs.data() ? "true is" : "or",
-               inline_math(repair.statement) + " --- " + message(repair.change, false));
+      add_line(std::string(&repair == step.repairs.data() ? heading_of_repairs(step) : "or"),
+               inline_math(repair.statement) + " --- " + message(remark_on(repair), false));
     for (const std::string& condition : step.conditions) add_line("holds if", inline_math(condition));
     if (const WorkedStep* found = worked_step_of(notes_.derivations, sources_, step))
       text += derivation(*found);

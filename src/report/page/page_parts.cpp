@@ -10,6 +10,7 @@
 #include "latex/layout/mathml.h"
 #include "report/text/bench_text.h"
 #include "report/wording/advice.h"
+#include "report/wording/finding.h"
 #include "report/wording/sample.h"
 
 namespace rigor {
@@ -75,9 +76,9 @@ std::string repairs_html(const PageContext& page, const Step& step) {
   std::string html;
   for (const Repair& repair : step.repairs) {
     html += term_html(
-        html.empty() ? "true is" : "or",
+        html.empty() ? heading_of_repairs(step) : "or",
         fmt::format("<div class=\"shown\">{}</div><p class=\"quiet\">{}</p>",
-                    math_html(page, repair.statement, MathStyle::display), message_html(repair.change)));
+                    math_html(page, repair.statement, MathStyle::display), message_html(remark_on(repair))));
   }
   for (const std::string& condition : step.conditions)
     html += term_html("holds if", math_html(page, condition, MathStyle::inline_));

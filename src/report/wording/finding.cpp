@@ -54,6 +54,15 @@ std::string details_of(const PlacedDiagnostic& placed, const SourceMap& sources)
   return text;
 }
 
+std::string_view heading_of_repairs(const Step& step) {
+  return is_left_open(step.verdict) ? "near it" : "true is";
+}
+
+std::string remark_on(const Repair& repair) {
+  if (repair.uses.empty()) return repair.change;
+  return fmt::format("{}; it follows from {}", repair.change, fmt::join(repair.uses, ", "));
+}
+
 std::string path_from(const std::string& path, const std::string& folder) {
   const std::filesystem::path normal = std::filesystem::path(path).lexically_normal();
   if (!normal.is_absolute()) return normal.generic_string();

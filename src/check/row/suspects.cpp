@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands one slip of the pen away from a row that does not follow.
+#include "check/row/row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/among.h"
+#include "base/ascii.h"
+#include "check/doubt/equation_of_letters.h"
+#include "check/law/from_laws.h"
+#include "check/place/place.h"
+#include "check/prose/restrictions.h"
+#include "check/prose/said_around.h"
+#include "check/question/decision_cache.h"
+#include "check/repair/sides_near.h"
+#include "check/repair/suspicion.h"
+#include "check/word/prose_words.h"
+
+namespace rigor {
+namespace {
+
+/// Laws of this section and those around it, but no conclusion that follows from nothing: that may be wrong
+/// itself. What another section states makes nothing suspect: "The other end is now held by
+/// a hinge."
+Laws grounds_for_suspicion(const RowPlace& place, Laws laws) {
+  const ProseBeside& here = beside(place);
+  std::erase_if(laws, [&](const PageLaw* law) {
+    return is_open(*law) || law->at_instant || !place.notes.prose.sections.reaches(law->place, here.place);
+  });
+  return laws;
+}
+
+Laws without_cases(Laws laws) {
+  std::erase_if(laws, [](const PageLaw* law) { return law->of_a_case; });
+  return laws;
+}
+
+/// "In an incompressible fluid, this reduces to", "For the second wire": a sentence that begins by saying of
+/// what it speaks. "For this", "In general" and "With (3)" say nothing of the kind.
+bool begins_with_a_case(std::string_view lead) {
+  static constexpr auto openings = std::to_array<std::string_view>({"in", "for", "at", "on", "as", "near"});
+  static constexpr auto neutral = std::to_array<std::string_view>(
+      {"this", "that",    "the",  "these", "general",    "fact",   "particular", "all",
+       "any",  "every",   "each", "terms", "components", "index",  "other",      "words",
+       "both", "numbers", "our",  "its",   "which",      "before", "above"});
+  const std::string text = lowered(lead);
+  const std::vector<std::string_view> words = words_of(text);
+  for (std::size_t k = 0; k + 1 < words.size() && k < 3; ++k) {
+    if (!is_one_of(words[k], openings)) continue;
+    if (!is_one_of(words[k + 1], neutral)) return true;
+  }
+  return false;
+}
+
+/// Does it rest on definitions that are said for this place only, and not on one of its own chain?
+bool rests_on_what_is_said_here(RowPlace& place, const StepReading& row,
+                                const std::vector<std::string>& uses) {
+  const Standpoint at = standpoint(place, row.parsed);
+  const Span chain = row.parsed.written.span;
+  return std::ranges::all_of(*place.names.scope.definitions, [&](const NamedDefinition& named) {
+    const bool used = std::ranges::find(uses, named.origin.text) != uses.end();
+    if (!used || named.origin.directive) return true;
+    const ExprNode& body = place.tree[named.definition.body];
+    const bool own =
+        body.span.file == chain.file && body.span.begin >= chain.begin && body.span.end <= chain.end;
+    const bool condition = body.op == Op::symbol;  // `P_i = P_f`
+    return !own && !condition && is_said_for(at, named.origin);
+  });
+}
+
+/// The names without definitions that are said for other places.
+Names as_said_here(RowPlace& place, const StepReading& row) {
+  const Standpoint at = standpoint(place, row.parsed);
+  Names here = place.names;
+  for (const NamedDefinition& named : *place.names.scope.definitions) {
+    if (!named.origin.directive && !is_said_for(at, named.origin))
+      forget_definition(here.scope, named.definition.symbol);
+  }
+  return here;
+}
+
+/// What is also the right side of the link before it is less likely to hold the slip.
+WrongStep as_wrong(const RowPlace& place, const StepReading& row) {
+  return {.parsed = row.parsed,
+          .which = row.which,
+          .first_order = row.first_order,
+          .left = row.which > 0 ? Trust::supported : Trust::unknown,
+          .rules = rules_for_like(row.reading.how()),
+          .near = sides_near(place.notes, row.parsed)};
+}
+
+bool may_hold_a_slip(const RowPlace& place, const StepReading& row) {
+  return place.options.repairs != Repairs::none && !place.is_stated && row.role == Role::display &&
+         !row.unsettled && row.recorded == nullptr && !is_alternative(place, row.parsed);
+}
+
+}  // namespace
+
+bool may_be_of_a_case(const RowPlace& place, const ParsedChain& parsed) {
+  const ProseBeside& here = beside(place);
+  const std::string heading = lowered(place.section);
+  const auto around =
+      said_around(place.notes.prose, place.event, place.sources, parsed.written.span, parsed.written.tag);
+  return is_conditional(place) || is_of_a_moment(place) || is_an_example(place) || is_of_a_case(place) ||
+         begins_with_a_case(here.lead) || restriction_in_heading(heading) || (around && !around->of_notes);
+}
+
+bool is_suspect(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (!may_hold_a_slip(place, row)) return false;
+  // `D(x - y) = D(y - x)` can say that the function D is even, and needs no sign then.
+  if (row.reading.how().open == OpenBracket::factor) return false;
+  // "Solve `\ln x^2 = \ln x`": it says which values are meant.
+  if (row.which == 0 && may_be_an_equation_of_letters(place.tree, claim.equation) &&
+      asks_for_values(beside(place).lead))
+    return false;
+  const WrongStep wrong = as_wrong(place, row);
+  const bool of_a_case = may_be_of_a_case(place, row.parsed);
+  const bool restricted = judgement.verdict == Verdict::undecided || (of_a_case && row.which == 0);
+  const Laws here = grounds_for_suspicion(place, available_to(place, row.parsed));
+  const Laws to_be_solved = judgement.verdict == Verdict::undecided ? Laws{} : here;
+  const Laws grounds = restricted ? Laws{} : without_cases(here);
+  const bool may_lack_a_term = is_announced(place, row) && !of_a_case;
+  Names names = as_said_here(place, row);
+  const Grounds above = grounds_of(place, row, claim);
+  for (const PageLaw& law : *above.own) {
+    if (law.by_convention) assume(names.scope, {law.equation, Origin{law.name, {}, std::nullopt}, 0});
+  }
+  for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
+  auto found =
+      suspicion(place.tree, names, {wrong, claim, grounds, to_be_solved, may_lack_a_term, restricted},
+                *place.options.cache);
+  if (!found || !rests_on_what_is_said_here(place, row, found->uses)) return false;
+  judgement.verdict = Verdict::suspect;
+  judgement.route = "one slip of the pen away from what follows";
+  judgement.uses = std::move(found->uses);
+  judgement.counterexample.reset();
+  judgement.sample.reset();
+  judgement.diagnostics = {{DiagnosticKind::suspect,
+                            claim.relation,
+                            judgement.uses.empty()
+                                ? fmt::format("it does not follow, but `{}` holds", found->repair.statement)
+                                : fmt::format("it does not follow, but `{}` follows from {}",
+                                              found->repair.statement, fmt::join(judgement.uses, ", ")),
+                            {},
+                            {"`rigor: law next` says that it is meant as it stands"}}};
+  judgement.repairs = {std::move(found->repair)};
+  return true;
+}
+
+bool is_told_what_is_near(const RowPlace& place, const StepReading& row, Verdict verdict) {
+  const bool asks = verdict == Verdict::undecided ||
+                    (verdict == Verdict::law && place.options.repairs == Repairs::and_of_laws);
+  const Span chain = row.parsed.written.span;
+  const auto at = place.options.near_at;
+  const bool elsewhere = at && (*at < chain.begin || chain.end <= *at);
+  return asks && !elsewhere && may_hold_a_slip(place, row);
+}
+
+void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& claim, Judgement& judgement) {
+  if (judgement.restates || !is_told_what_is_near(place, row, judgement.verdict)) return;
+  DecisionCache& cache = *place.options.cache;
+  const Grounds grounds = grounds_of(place, row, claim);
+  Names names = place.names;
+  for (const NamedAssumption& each : sizes_that_matter(place, row, claim)) assume(names.scope, each);
+  const bool inferred = row.parsed.written.inference != Inference::none;
+  const Standpoint here = standpoint_of_proofs(place, row.parsed);
+  const NeighbourProof follows = [&](ExprTree& tree, const Names& read, const Claim& near,
+                                     Slip) -> std::optional<std::vector<std::string>> {
+    Judgement found = judge(tree, read, near, limits_of_candidates, &cache);
+    if (found.verdict != Verdict::proved || !found.diagnostics.empty()) {
+      auto from_laws = follow_from_laws(tree, read, near, grounds.founded, inferred, cache);
+      if (!from_laws || from_laws->verdict != Verdict::proved) return std::nullopt;
+      found = *std::move(from_laws);
+    }
+    found = heed_cases(tree, read, near, std::move(found), here, &cache);
+    if (found.verdict != Verdict::proved) return std::nullopt;
+    return std::move(found.uses);
+  };
+  const WrongStep wrong = as_wrong(place, row);
+  const OpenRow open{.wrong = wrong, .claim = claim, .available = grounds.founded.all};
+  judgement.repairs = statements_near(place.tree, names, open, follows, cache);
+  if (judgement.repairs.empty() || judgement.diagnostics.empty()) return;
+  const Repair& nearest = judgement.repairs.front();
+  judgement.diagnostics.back().help.insert(
+      judgement.diagnostics.back().help.begin(),
+      fmt::format("one slip away, `{}` {}", nearest.statement,
+                  nearest.uses.empty() ? std::string("holds")
+                                       : fmt::format("follows from {}", fmt::join(nearest.uses, ", "))));
+}
+
+}  // namespace rigor
