@@ -132,6 +132,8 @@ class Parser {
   static bool starts_quantity(const Cursor& cursor);
   SyntaxId quantity(Cursor& cursor);
   SyntaxId one_degree(Span span);
+  static std::size_t degree_end(const Cursor& cursor);  // `^\circ`
+  SyntaxId in_degrees(Cursor& cursor, SyntaxId number, std::size_t end);
   [[nodiscard]] bool takes_unit(SyntaxId id) const;
   [[nodiscard]] bool has_unit(SyntaxId id) const;
   SyntaxId angstrom(Cursor& cursor);

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/parse/parser.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/differential.h"
 #include "latex/unit/units.h"
 
 namespace rigor {
@@ -67,6 +69,8 @@ QuantityUnit with_exponent(TokenView tokens, std::size_t at, QuantityUnit unit) 
   return {whole, exponent.next};
 }
 
+bool is_degree(std::string_view unit) { return is_one_of(unit, {"\\degree", "\\arcdegree", "°"}); }
+
 }  // namespace
 
 /// `\qty` with two braces, the second with a unit; with anything else it is a bracket of the physics
@@ -83,8 +87,9 @@ bool Parser::starts_quantity(const Cursor& cursor) {
   const Argument number = argument_at(cursor.tokens, first);
   const std::size_t second = skip_blank(cursor.tokens, number.next);
   bool negative = false;
-  return is_group(second) && digits_of(text_of(number.content), negative) &&
-         read_unit(text_of(argument_at(cursor.tokens, second).content), UnitNames::units);
+  if (!is_group(second) || !digits_of(text_of(number.content), negative)) return false;
+  const std::string unit = text_of(argument_at(cursor.tokens, second).content);
+  return is_degree(unit) || read_unit(unit, UnitNames::units);
 }
 
 SyntaxId Parser::one_degree(Span span) {
@@ -94,6 +99,40 @@ SyntaxId Parser::one_degree(Span span) {
   const SyntaxChild parts[] = {{tree_.add_symbol(span, std::move(pi))},
                                {tree_.add_text(SyntaxKind::number, span, "180")}};
   return tree_.add(SyntaxKind::fraction, span, parts);
+}
+
+/// The place behind `^\circ`, `^{\circ}`, `\degree` or `°`; where the cursor is if none is there.
+std::size_t Parser::degree_end(const Cursor& cursor) {
+  if (cursor.done()) return cursor.at;
+  const Token& token = cursor.token();
+  if (is_control_of(token, {"degree", "textdegree"}) || token.text == "°") return cursor.at + 1;
+  if (token.kind != TokenKind::superscript) return cursor.at;
+  const Argument above = script_argument_at(cursor.tokens, cursor.at + 1);
+  const TokenView sign = trim(above.content);
+  const bool circle = sign.size() == 1 && is_control_of(sign[0], {"circ", "degree"});
+  return circle ? above.next : cursor.at;
+}
+
+/// `30^\circ` is an angle; `25^\circ\mathrm C` is a temperature, and `60^\circ\mathrm N` a place.
+SyntaxId Parser::in_degrees(Cursor& cursor, SyntaxId number, std::size_t end) {
+  const Span span = cover(tree_[number].span, cursor.tokens.subspan(cursor.at, end - cursor.at));
+  read(cursor.tokens.subspan(cursor.at, end - cursor.at));
+  cursor.at = end;
+  const std::size_t next = skip_narrow(cursor.tokens, end);
+  if (next < cursor.tokens.size()) {
+    const Token& token = cursor.tokens[next];
+    const auto style = style_of(token);
+    const bool upright = is_words(token) || (style && style->upright);
+    const TokenView letter =
+        upright ? trim(argument_at(cursor.tokens, next + 1).content) : cursor.tokens.subspan(next, 1);
+    const bool one = letter.size() == 1 && letter[0].kind == TokenKind::letter;
+    const std::string_view scales = upright ? "CFKRNESW" : "CFK";
+    if (one && letter[0].text.size() == 1 && scales.find(letter[0].text) != std::string_view::npos)
+      return opaque(span, "degrees of a temperature or of a place are not read");
+  }
+  const SyntaxChild factors[] = {{number}, {one_degree(span), Joint::juxtaposed, span}};
+  const SyntaxChild whole{tree_.add(SyntaxKind::term, span, factors)};
+  return tree_.add(SyntaxKind::group, span, {&whole, 1});
 }
 
 SyntaxId Parser::quantity(Cursor& cursor) {
@@ -138,8 +177,13 @@ SyntaxId Parser::quantity(Cursor& cursor) {
     const std::string text = argument();
     cursor.at = at;
     std::string problem;
-    if (!read_unit(text, UnitNames::units, &problem)) return opaque(span, std::move(problem));
-    factors.push_back({tree_.add_text(SyntaxKind::unit, span, text), Joint::juxtaposed, span});
+    if (is_degree(text)) {
+      factors.push_back({one_degree(span), Joint::juxtaposed, span});
+    } else if (!read_unit(text, UnitNames::units, &problem)) {
+      return opaque(span, std::move(problem));
+    } else {
+      factors.push_back({tree_.add_text(SyntaxKind::unit, span, text), Joint::juxtaposed, span});
+    }
   }
   read_since(cursor, begin);
   if (factors.size() == 1 && tree_[factors[0].id].kind != SyntaxKind::sum) return factors[0].id;
