@@ -135,6 +135,7 @@ class Parser {
   static std::size_t degree_end(const Cursor& cursor);  // `^\circ`
   SyntaxId in_degrees(Cursor& cursor, SyntaxId number, std::size_t end);
   [[nodiscard]] bool takes_unit(SyntaxId id) const;
+  [[nodiscard]] bool is_pi(SyntaxId id) const;
   [[nodiscard]] bool has_unit(SyntaxId id) const;
   SyntaxId angstrom(Cursor& cursor);
   std::optional<SyntaxId> unit_behind(Cursor& cursor, SyntaxId before, bool spaced);

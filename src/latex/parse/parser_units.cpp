@@ -191,9 +191,12 @@ SyntaxId Parser::quantity(Cursor& cursor) {
   return tree_.add(SyntaxKind::group, span, {&whole, 1});
 }
 
-/// A number, a power of one, a fraction of two, or what has a unit already.
+/// A number, a power of one, a fraction of two, or what has a unit already. π is a number before units of
+/// more than one letter.
 bool Parser::takes_unit(SyntaxId id) const {
   switch (tree_[id].kind) {
+    case SyntaxKind::symbol:
+      return is_pi(id);
     case SyntaxKind::number:
     case SyntaxKind::unit:
       return true;
@@ -204,6 +207,15 @@ bool Parser::takes_unit(SyntaxId id) const {
     default:
       return false;
   }
+}
+
+bool Parser::is_pi(SyntaxId id) const {
+  if (tree_[id].kind == SyntaxKind::power) return is_pi(tree_.child(id, 0));
+  if (tree_[id].kind == SyntaxKind::fraction)
+    return is_pi(tree_.child(id, 0)) && tree_[tree_.child(id, 1)].kind == SyntaxKind::number;
+  return tree_[id].kind == SyntaxKind::symbol && tree_.symbol(id).letter == "\\pi" &&
+         tree_.symbol(id).lower.empty() && tree_.symbol(id).primes == 0 &&
+         tree_.symbol(id).accent == Accent::none;
 }
 
 bool Parser::has_unit(SyntaxId id) const {
@@ -228,7 +240,7 @@ std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, boo
   if (!roman) return std::nullopt;
   const Argument word = argument_at(cursor.tokens, cursor.at + 1);
   const std::string text = text_of(word.content);
-  const bool apart = spaced || is_words(cursor.token()) || has_unit(before);
+  const bool apart = (spaced || is_words(cursor.token()) || has_unit(before)) && !is_pi(before);
   const std::size_t behind = skip_blank(cursor.tokens, word.next);
   const bool goes_on = behind < cursor.tokens.size() && (cursor.tokens[behind].kind == TokenKind::subscript ||
                                                          is_sign_of(cursor.tokens[behind], "('"));

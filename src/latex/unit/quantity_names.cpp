@@ -29,7 +29,7 @@ const WordSet& words_of_sentences() {
   return words;
 }
 
-/// What a quantity is, and no quantity.
+/// What a quantity is. Some of them are nouns, too.
 const WordSet& properties() {
   static const WordSet words(R"(
       true false unknown undefined finite infinite infinity nonzero zero none even odd integer real imaginary complex
@@ -112,8 +112,7 @@ bool is_counted(std::string_view word) {
 
 bool is_name_alone(std::string_view word) {
   if (word.size() < 2 || can_be_product(word) || is_function(word)) return false;
-  const std::string low = lowered(word);
-  return !properties().contains(low) && !is_counted(word);
+  return !is_counted(word);
 }
 
 }  // namespace
@@ -132,6 +131,8 @@ bool can_name_quantity(std::string_view phrase) {
   static const WordSet prepositions("of in to from by on per at into onto the a an");
   return !prepositions.contains(lowered(words.front())) && !prepositions.contains(lowered(words.back()));
 }
+
+bool can_say_property(std::string_view phrase) { return properties().contains(lowered(phrase)); }
 
 bool is_symbol_of_letters(std::string_view phrase) {
   if (!abbreviated(phrase).empty()) return true;

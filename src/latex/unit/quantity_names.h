@@ -7,9 +7,12 @@
 
 namespace rigor {
 
-/// A noun phrase as far as its words show: none of them joins sentences, says a property ("constant"), acts
-/// on what follows ("sin"), or is counted ("5 photons") or measured in ("miles per hour").
+/// A noun phrase as far as its words show: none of them joins sentences or says that something is left out,
+/// acts on what follows ("sin"), or is counted ("5 photons") or measured in ("miles per hour").
 [[nodiscard]] bool can_name_quantity(std::string_view phrase);
+
+/// "total", "fixed", "error": it can name a quantity, or say something of one.
+[[nodiscard]] bool can_say_property(std::string_view phrase);
 
 /// `Re`, `KE`, `SNR`, `K.E.`: written as a symbol is, so that factors stand beside it.
 [[nodiscard]] bool is_symbol_of_letters(std::string_view phrase);

@@ -31,6 +31,7 @@ enum class Neighbour : std::uint8_t {
 struct PlacedWord {
   TokenView tokens;  // with their control and braces
   Token letter;      // for all of them
+  TokenView inner;   // `_g` of `\mathrm{PE_g}`
   Neighbour left = Neighbour::nothing;
   Neighbour right = Neighbour::nothing;
   bool left_is_upright = false;  // another such word is beside it
@@ -80,9 +81,13 @@ std::optional<PlacedWord> word_at(TokenView tokens, std::size_t at) {
   }
   content = trim(content);
   if (content.size() < 2 || content.front().kind != TokenKind::letter) return std::nullopt;
+  PlacedWord word;
+  const auto script = std::ranges::find(content, TokenKind::subscript, &Token::kind);
+  word.inner = {script, content.end()};
+  content = {content.begin(), script};
+  if (!word.inner.empty() && script_argument_at(word.inner, 1).next != word.inner.size()) return std::nullopt;
   const auto written = written_in_a_row(content);
   if (!written || !can_name_quantity(*written)) return std::nullopt;
-  PlacedWord word;
   word.tokens = tokens.subspan(at, next - at);
   word.letter = {TokenKind::letter, *written, span_of(word.tokens)};
   return word;
@@ -283,7 +288,7 @@ class WordFinder {
       side.other = mixed;
       return at + 1;
     }
-    passed(side, is_words(token) ? Neighbour::words : Neighbour::factor);
+    passed(side, is_words(token) || is_visible_tie(token) ? Neighbour::words : Neighbour::factor);
     return token.kind == TokenKind::control && letter_of(token).empty() ? behind_arguments(tokens, at + 1)
                                                                         : at + 1;
   }
@@ -350,18 +355,35 @@ bool is_shown(const PlacedWord& word) {
   if (!is_between(word.left) || !is_between(word.right) || word.raised) return false;
   const bool sign = word.left == Neighbour::sign || word.right == Neighbour::sign;
   const bool first_side = word.left == Neighbour::nothing && word.right == Neighbour::relation;
+  if (can_say_property(word.letter.text)) return first_side;
   return sign || first_side || word.fills_slot || word.among_words;
 }
 
 /// A word that other rows show to be a quantity.
 bool is_known(const PlacedWord& word) {
   if (word.right == Neighbour::bracket || word.right == Neighbour::words) return false;
+  if (word.left == Neighbour::words && word.right == Neighbour::nothing) return false;  // `a = b~\text{KE}`
   const bool alone = word.left == Neighbour::nothing && word.right == Neighbour::nothing;
-  if (is_between(word.left) && is_between(word.right)) return !alone || word.raised;
+  if (is_between(word.left) && is_between(word.right)) return !alone || word.raised || word.fills_slot;
   const std::string_view written = word.letter.text;
   if (!is_symbol_of_letters(written)) return false;
   const bool acts = word.right == Neighbour::factor && !function_name(written).empty();
   return !acts || word.right_is_upright;
+}
+
+/// `_{\mathrm{grav}}` for the `_{grav}` of `\mathrm{PE_{grav}}`.
+void add_inner_script(Tokens& result, TokenView script) {
+  if (script.empty()) return;
+  const TokenView label = script_argument_at(script, 1).content;
+  const bool letters =
+      std::ranges::all_of(label, [](const Token& token) { return token.kind == TokenKind::letter; });
+  const Token open{TokenKind::begin_group, "{", script.front().span};
+  const Token close{TokenKind::end_group, "}", script.back().span};
+  result.insert(result.end(), {script.front(), open});
+  if (letters) result.insert(result.end(), {Token{TokenKind::control, "mathrm", open.span}, open});
+  result.insert(result.end(), label.begin(), label.end());
+  if (letters) result.push_back(close);
+  result.push_back(close);
 }
 
 template <class Chosen>
@@ -374,6 +396,7 @@ Tokens with_letters_for(Tokens tokens, const Chosen& is_chosen) {
     result.insert(result.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at),
                   tokens.begin() + static_cast<std::ptrdiff_t>(begin));
     result.push_back(word.letter);
+    add_inner_script(result, word.inner);
     at = begin + word.tokens.size();
   }
   result.insert(result.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at), tokens.end());

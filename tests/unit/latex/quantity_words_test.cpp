@@ -55,6 +55,18 @@ TEST_CASE("a symbol that a row shows to be a quantity is one next to factors", "
   CHECK(count_in(R"(b = \mathrm{Re}(z))", shown) == 0);
   CHECK(count_in(R"(b = \text{heat})", shown) == 1);
   CHECK(count_in(R"(b = 2\,\text{heat})", shown) == 0);
+  CHECK(count_in(R"(b = c~\mathrm{Re})", shown) == 0);
+  CHECK(count_in(R"(\frac{\text{heat}}{2})", shown) == 1);
+}
+
+TEST_CASE("a word that can say a property is a quantity where it is the first side", "[latex]") {
+  CHECK(count_in(R"(\text{Total} = a + b)") == 1);
+  CHECK(count_in(R"(a + \text{total} = b)") == 0);
+  CHECK(count_in(R"(\frac{\text{Total}}{2} = a)", shown_by(R"(\text{Total} = a + b)")) == 1);
+}
+
+TEST_CASE("a subscript inside the braces of a word is a label", "[latex]") {
+  CHECK(read(R"(\mathrm{PE_{el}} = \mathrm{KE_1})") == R"(\text{PE}_{\mathrm{el}} = \text{KE}_{1})");
 }
 
 TEST_CASE("noun phrases can name a quantity", "[latex]") {
