@@ -75,7 +75,6 @@ bool is_capitals(std::string_view word) { return std::ranges::all_of(word, is_ca
 /// `mgh`, `nRT`, `dx`: short and in small letters, this is a product or a differential.
 bool can_be_product(std::string_view word) {
   if (!is_small_letter(word.front())) return false;
-  if (word == "pH") return false;
   const bool mixed = std::ranges::any_of(word, is_capital);
   return word.size() < 4 || mixed || !has_vowel(word);
 }
