@@ -24,9 +24,18 @@ bool is_in_words(const ExprTree& tree, ExprId id) {
   return tree[id].op == Op::symbol && tree.symbols[tree[id].symbol].name.find("\\text{") == 0;
 }
 
+/// A number, π, or a number with units.
+bool is_value(const ExprTree& tree, ExprId id) {
+  return tree[id].rank == 0 && std::ranges::all_of(symbols_in(tree, id), [&](SymbolId each) {
+           return tree.symbols[each].unit_of_measure.has_value() || tree.symbols[each].circle_number;
+         });
+}
+
 /// A scalar between a product sign and a vector belongs to the vector: `\mathbf R\times m\mathbf V`.
 std::optional<Separated> separate_scalars(Reading& reading, const std::vector<Operand>& operands) {
-  const auto is_number = [&](const Typed& typed) { return reading.tree[typed.id].op == Op::number; };
+  const auto is_number = [&](const Typed& typed, bool after_scalar) {
+    return reading.tree[typed.id].op == Op::number || (after_scalar && is_value(reading.tree, typed.id));
+  };
   const auto is_dot = [&](const Typed& typed) { return reading.tree[typed.id].op == Op::dot; };
   Separated separated;
   auto& [scalars, vectors] = separated;
@@ -37,8 +46,8 @@ std::optional<Separated> separate_scalars(Reading& reading, const std::vector<Op
     const bool after_scalar = previous != nullptr && previous->typed.rank == 0;
     const bool by_words = after_scalar && (is_in_words(reading.tree, operand.typed.id) ||
                                            is_in_words(reading.tree, previous->typed.id));
-    const bool by_number =
-        is_number(operand.typed) || (after_scalar && is_number(previous->typed)) || by_words;
+    const bool by_number = is_number(operand.typed, after_scalar) ||
+                           (after_scalar && is_number(previous->typed, true)) || by_words;
     const bool dotted = operand.joint == Joint::dot && previous != nullptr;
     const bool product_dotted =
         dotted && ((operand.typed.rank == 0 && previous->typed.rank == 1 && is_dot(operand.typed)) ||

@@ -138,6 +138,7 @@ class Parser {
   [[nodiscard]] bool is_pi(SyntaxId id) const;
   [[nodiscard]] bool has_unit(SyntaxId id) const;
   SyntaxId angstrom(Cursor& cursor);
+  std::optional<SyntaxId> unit_fraction(Cursor& cursor, bool spaced);
   std::optional<SyntaxId> unit_behind(Cursor& cursor, SyntaxId before, bool spaced);
 
   // parser_acting.cpp

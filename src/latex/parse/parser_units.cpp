@@ -71,6 +71,30 @@ QuantityUnit with_exponent(TokenView tokens, std::size_t at, QuantityUnit unit) 
 
 bool is_degree(std::string_view unit) { return is_one_of(unit, {"\\degree", "\\arcdegree", "°"}); }
 
+bool is_upright(const Token& token) {
+  const auto style = style_of(token);
+  return (style && style->upright) || is_words(token);
+}
+
+/// `\mathrm{J}`, `\text{mol}\,\text{K}^2`, `1`: how many letters, all of them upright; nothing for other
+/// signs.
+std::optional<std::size_t> upright_letters(TokenView tokens) {
+  std::size_t letters = 0;
+  for (std::size_t at = 0; at < tokens.size();) {
+    if (is_upright(tokens[at])) {
+      const Argument argument = argument_at(tokens, at + 1);
+      letters +=
+          static_cast<std::size_t>(std::ranges::count(argument.content, TokenKind::letter, &Token::kind));
+      at = argument.next;
+    } else if (tokens[at].kind == TokenKind::letter) {
+      return std::nullopt;
+    } else {
+      ++at;
+    }
+  }
+  return letters;
+}
+
 }  // namespace
 
 /// `\qty` with two braces, the second with a unit; with anything else it is a bracket of the physics
@@ -231,13 +255,29 @@ SyntaxId Parser::angstrom(Cursor& cursor) {
   return scripts(cursor, tree_.add_text(SyntaxKind::unit, span, "Å"));
 }
 
+/// `9.8\,\frac{\mathrm{m}}{\mathrm{s}^2}` behind its number. Like single letters,
+/// `\frac{\mathrm{m}}{\mathrm{s}}` is a unit behind a space, or in words.
+std::optional<SyntaxId> Parser::unit_fraction(Cursor& cursor, bool spaced) {
+  const Argument above = argument_at(cursor.tokens, cursor.at + 1);
+  const Argument below = argument_at(cursor.tokens, above.next);
+  const TokenView whole = cursor.tokens.subspan(cursor.at, below.next - cursor.at);
+  const auto over = upright_letters(above.content);
+  const auto under = upright_letters(below.content);
+  if (!over || !under || *under == 0) return std::nullopt;
+  const bool apart = spaced || *over + *under > 2 || std::ranges::any_of(whole, is_words);
+  const std::string text = text_of(above.content) + "/(" + text_of(below.content) + ")";
+  if (!apart || !read_unit(text, UnitNames::units)) return std::nullopt;
+  read(whole);
+  cursor.at = below.next;
+  return scripts(cursor, tree_.add_text(SyntaxKind::unit, span_of(whole), text));
+}
+
 /// A roman word after a number or a unit: `3\,\mathrm{kg\,m^2}`.
 std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, bool spaced) {
   if (!takes_unit(before) || cursor.done()) return std::nullopt;
-  const auto style = style_of(cursor.token());
   if (cursor.token().kind == TokenKind::control && cursor.token().text == "AA") return angstrom(cursor);
-  const bool roman = (style && style->upright) || is_words(cursor.token());
-  if (!roman) return std::nullopt;
+  if (is_fraction(cursor.token())) return is_pi(before) ? std::nullopt : unit_fraction(cursor, spaced);
+  if (!is_upright(cursor.token())) return std::nullopt;
   const Argument word = argument_at(cursor.tokens, cursor.at + 1);
   const std::string text = text_of(word.content);
   const bool apart = (spaced || is_words(cursor.token()) || has_unit(before)) && !is_pi(before);
