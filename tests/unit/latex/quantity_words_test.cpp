@@ -53,7 +53,9 @@ TEST_CASE("a symbol that a row shows to be a quantity is one next to factors", "
   CHECK(count_in(R"(b = 2\,\mathrm{Re}\,\mathrm{Pe})", shown) == 1);
   CHECK(count_in(R"(b = \mathrm{Re}\,z)", shown) == 0);
   CHECK(count_in(R"(b = \mathrm{Re}(z))", shown) == 0);
-  CHECK(count_in(R"(b = \text{heat})", shown) == 1);
+  CHECK(count_in(R"(b + c = \text{heat})", shown) == 1);
+  CHECK(count_in(R"(b_1 = \text{heat})", shown) == 0);
+  CHECK(count_in(R"(b = \mathrm{Re})", shown) == 1);
   CHECK(count_in(R"(b = 2\,\text{heat})", shown) == 0);
   CHECK(count_in(R"(b = c~\mathrm{Re})", shown) == 0);
   CHECK(count_in(R"(\frac{\text{heat}}{2})", shown) == 1);
