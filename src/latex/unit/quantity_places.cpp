@@ -124,13 +124,18 @@ class WordFinder {
  public:
   explicit WordFinder(std::vector<PlacedWord>& found) : found_(found) {}
 
+  /// What nests deeper than any expression that is read holds no word.
   void find(TokenView tokens, bool slot, bool raised) {
+    constexpr int deepest = 200;
+    if (depth_ >= deepest) return;
+    ++depth_;
     const std::size_t first = found_.size();
     Side side;
     for (std::size_t at = 0; at < tokens.size();) at = step(tokens, at, side, raised);
     const bool whole = found_.size() == first + 1 && found_[first].left == Neighbour::nothing &&
                        found_[first].right == Neighbour::nothing && side.words == 1 && !side.other;
     if (slot && whole) found_[first].fills_slot = true;
+    --depth_;
   }
 
  private:
@@ -319,6 +324,7 @@ class WordFinder {
   }
 
   std::vector<PlacedWord>& found_;
+  int depth_ = 0;
 };
 
 }  // namespace
