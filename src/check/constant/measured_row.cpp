@@ -98,8 +98,8 @@ ExprId in_base_units(ExprTree& tree, const Names& names, ExprId expr) {
   return expr;
 }
 
-/// The row as one of pure numbers, in base units: right where the dimensions of its sides agree, and then
-/// roots, logarithms and π have bounds.
+}  // namespace
+
 Claim claim_of_numbers(ExprTree& tree, const MeasuredRow& row, const Names& names) {
   Claim claim = row.claim;
   const ExprId side = row.shown.side;
@@ -131,7 +131,17 @@ Claim claim_of_numbers(ExprTree& tree, const MeasuredRow& row, const Names& name
   return claim;
 }
 
-}  // namespace
+std::optional<Claim> claim_in_base_units(ExprTree& tree, const Names& names, const Claim& claim) {
+  const auto shown = number_shown(tree, names, claim);
+  if (!shown) return std::nullopt;
+  const ExprId value = shown->side == claim.equation.left ? claim.equation.right : claim.equation.left;
+  const auto has_unit = [&](SymbolId each) { return tree.symbols[each].unit_of_measure.has_value(); };
+  if (std::ranges::none_of(symbols_in(tree, shown->side), has_unit)) return std::nullopt;
+  const auto written = measured_value(tree, names, shown->side, {});
+  const auto computed = measured_value(tree, names, value, {});
+  if (!written || !computed || !(written->dimension == computed->dimension)) return std::nullopt;
+  return claim_of_numbers(tree, {claim, *shown, value, names}, names);
+}
 
 std::vector<SymbolId> letters_without_value(const ExprTree& tree, const Names& names, ExprId value) {
   std::vector<SymbolId> letters;

@@ -30,6 +30,15 @@ struct Compared {
   std::vector<Assignment> fitting;   // and the number, to the digits that are shown
 };
 
+/// The row as one of pure numbers, in base units: right where the dimensions of its sides agree, and then
+/// roots, logarithms and π have bounds.
+[[nodiscard]] Claim claim_of_numbers(ExprTree& tree, const MeasuredRow& row, const Names& names);
+
+/// The same of a row without letters; nothing where no number with a unit stands on one side, or the
+/// dimensions do not agree.
+[[nodiscard]] std::optional<Claim> claim_in_base_units(ExprTree& tree, const Names& names,
+                                                       const Claim& claim);
+
 /// Letters that have no value, and no definition, where these names hold.
 [[nodiscard]] std::vector<SymbolId> letters_without_value(const ExprTree& tree, const Names& names,
                                                           ExprId value);

@@ -13,6 +13,7 @@
 #include "latex/reading/both_signs.h"
 #include "latex/reading/cyclic_image.h"
 #include "latex/split/conditions.h"
+#include "latex/unit/quantity_words.h"
 #include "latex/unit/units.h"
 #include "source/suggest.h"
 
@@ -148,8 +149,9 @@ class DirectiveReader {
       return directive;
     }
     if (directive.kind == DirectiveKind::expect) return expectation(opening.rest, std::move(directive));
-    const auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
+    auto tokens = expand(lex(sources_, opening.rest), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
+    tokens = with_named_words(*std::move(tokens));
     const bool equations = directive.kind == DirectiveKind::let || directive.kind == DirectiveKind::given ||
                            directive.kind == DirectiveKind::where || directive.kind == DirectiveKind::claim;
     return equations ? with_chains(*tokens, std::move(directive))
@@ -245,8 +247,9 @@ class DirectiveReader {
 
   /// `use (2.1), line 12, label hooke, \mathbf{p}`
   std::optional<Directive> use(Span rest, Directive directive) {
-    const auto tokens = expand(lex(sources_, rest), macros_, diagnostics_);
+    auto tokens = expand(lex(sources_, rest), macros_, diagnostics_);
     if (!tokens) return std::nullopt;
+    tokens = with_named_words(*std::move(tokens));
     for (const TokenView part : split_at_commas(*tokens)) {
       static constexpr std::string_view label_word = "label ";
       const std::string text(sources_.text(span_of(part)));

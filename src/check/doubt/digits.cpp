@@ -46,8 +46,13 @@ bool has_units(const ExprTree& tree, ExprId side) {
   });
 }
 
-/// `1.69`, `-1.69`, `1.11 \times 10^{-16}`, `1.407\,\mathrm{h}`.
-std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
+bool has_degrees(const ExprTree& tree, const Names& names, std::vector<ExprId> roots) {
+  return std::ranges::any_of(nodes_below(tree, std::move(roots)),
+                             [&](ExprId id) { return is_degree(tree, names, id); });
+}
+
+/// `1.69`, `-1.69`, `1.11 \times 10^{-16}`, `1.407\,\mathrm{h}`, `36.9^\circ`.
+std::optional<Shown> shown_in(const ExprTree& tree, const Names& names, ExprId side, bool nearly) {
   Shown shown;
   while (tree[side].op == Op::negate) {
     shown.negative = !shown.negative;
@@ -57,7 +62,7 @@ std::optional<Shown> shown_in(const ExprTree& tree, ExprId side, bool nearly) {
   if (tree[side].op == Op::multiply) {
     const std::span<const ExprId> factors = tree.children(side);
     const bool scaled = std::all_of(factors.begin() + 1, factors.end(), [&](ExprId factor) {
-      return is_power_of_ten(tree, factor) || is_of_units(tree, factor);
+      return is_power_of_ten(tree, factor) || is_of_units(tree, factor) || is_degree(tree, names, factor);
     });
     if (scaled) number = factors.front();
   }
@@ -116,11 +121,13 @@ std::string signed_decimal(std::int64_t value, int places) {
 
 /// `4.73\cdot 10^{-19}\,\mathrm J = 2.96\,\mathrm{eV}`: the value is a rounded number, too. How many halves
 /// of the last digit shown on the other side that makes.
-int halves_of_own_rounding(const ExprTree& tree, ExprId value, ExprId side, const Shown& other) {
-  const auto own = shown_in(tree, value, false);
+int halves_of_own_rounding(const ExprTree& tree, const Names& names, ExprId value, ExprId side,
+                           const Shown& other) {
+  const auto own = shown_in(tree, names, value, false);
   const bool converts =
       own && (holds_conversion(tree, value, own->number) || holds_conversion(tree, side, other.number));
-  if (!own || own->mantissa == 0 || !has_units(tree, value) || !converts) return 0;
+  const bool measured = has_units(tree, value) || has_degrees(tree, names, {value, side});
+  if (!own || own->mantissa == 0 || !measured || !converts) return 0;
   return static_cast<int>(std::min<std::int64_t>((other.mantissa - 1) / own->mantissa + 1, most_halves));
 }
 
@@ -216,6 +223,15 @@ bool has_decimal(const ExprTree& tree, const Names& names, ExprId root) {
   });
 }
 
+/// A root, a function or π in it: as a rule no fraction of whole numbers.
+bool has_no_end(const ExprTree& tree, const Names& names, ExprId root) {
+  return std::ranges::any_of(nodes_below(tree, {root}), [&](ExprId id) {
+    const ExprNode& node = tree[id];
+    return node.op == Op::root || node.op == Op::function || node.op == Op::real_power ||
+           (node.op == Op::symbol && is_circle_number(tree, names, node.symbol));
+  });
+}
+
 /// Plain names by what they are defined as, as often as there are any.
 ExprId unfolded(ExprTree& tree, const Names& names, ExprId expr) {
   constexpr int most_rounds = 8;
@@ -269,10 +285,10 @@ std::optional<Equation> of_numbers(ExprTree& tree, const Names& names, const Equ
 
 }  // namespace
 
-std::optional<NumberShown> number_shown(const ExprTree& tree, const Claim& claim) {
+std::optional<NumberShown> number_shown(const ExprTree& tree, const Names& names, const Claim& claim) {
   std::optional<NumberShown> found;
   for (const ExprId side : {claim.equation.left, claim.equation.right}) {
-    const auto shown = shown_in(tree, side, true);
+    const auto shown = shown_in(tree, names, side, true);
     if (!shown) continue;
     if (found) return std::nullopt;
     found = NumberShown{side, shown->number, shown->digits};
@@ -290,13 +306,37 @@ bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol)
   return tree.symbols[symbol].circle_number && definition_of(names.scope, symbol) == nullptr;
 }
 
+bool is_degree(const ExprTree& tree, const Names& names, ExprId id) {
+  if (tree[id].op != Op::divide) return false;
+  const ExprNode& above = tree[tree.children(id)[0]];
+  const ExprId below = tree.children(id)[1];
+  return above.op == Op::symbol && is_circle_number(tree, names, above.symbol) &&
+         tree[below].op == Op::number && tree.digits(below) == "180";
+}
+
+bool has_rounded_degrees(const ExprTree& tree, const Names& names, const Equation& equation) {
+  constexpr int surely_meant = 15;  // multiples of it
+  const auto body_of = [&](SymbolId symbol) { return body_of_definition(names.scope, symbol); };
+  std::vector<ExprId> roots{equation.left, equation.right};
+  for (const SymbolId symbol : symbols_reached(tree, roots, body_of)) {
+    if (const auto body = body_of(symbol)) roots.push_back(*body);
+  }
+  return std::ranges::any_of(nodes_below(tree, roots), [&](ExprId id) {
+    const std::span<const ExprId> factors = tree.children(id);
+    if (tree[id].op != Op::multiply || tree[factors[0]].op != Op::number) return false;
+    const std::string digits(tree.digits(factors[0]));
+    const bool short_number = digits.size() <= 4 && digits.find('.') == std::string::npos;
+    return is_degree(tree, names, factors[1]) && !(short_number && std::stoi(digits) % surely_meant == 0);
+  });
+}
+
 bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left, const Typed& right) {
   return tree[left.id].op == Op::symbol && is_circle_number(tree, names, tree[left.id].symbol) &&
-         symbols_in(tree, right.id).empty() && shown_in(tree, right.id, false);
+         symbols_in(tree, right.id).empty() && shown_in(tree, names, right.id, false);
 }
 
 std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& names, const Claim& claim,
-                                                   DecisionCache* cache) {
+                                                   DecisionCache* cache, bool measured) {
   if (claim.equation.relation != Relation::equal || tree[claim.equation.left].rank != 0) return std::nullopt;
   const auto before_letters = of_numbers(tree, names, claim.equation, cache);
   const Equation equation = before_letters.value_or(claim.equation);
@@ -306,8 +346,14 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     const ExprId value = swap ? equation.right : equation.left;
     const bool order = claim.nearly && is_power_of_ten(tree, side);  // `1024 \approx 10^3`
     if (order && is_a_number(tree, names, value)) return DigitComparison{};
-    // `0.5 \cdot 9.8 \cdot 3^2 = 44`
-    const auto shown = shown_in(tree, side, claim.nearly || has_decimal(tree, names, value));
+    // `0.5 \cdot 9.8 \cdot 3^2 = 44`; `2\pi(60\,\mathrm{Hz}) = 377\,\mathrm{s^{-1}}`, whose digits may be
+    // rounded
+    const bool of_decimals = has_decimal(tree, names, value);
+    const bool may_be_rounded = has_no_end(tree, names, value) && (measured || has_units(tree, side) ||
+                                                                   has_degrees(tree, names, {value, side}));
+    const auto shown = shown_in(tree, names, side, claim.nearly || of_decimals || may_be_rounded);
+    const bool whole = shown && !claim.nearly && !of_decimals && !shown_in(tree, names, side, false);
+    if (whole && shown->digits < 2) continue;
     if (!shown || !is_a_number(tree, names, value)) continue;
     Comparison comparison(tree, names, value, side, *shown, cache);
     // In 1000 after ≈, two digits must be right, though one may be all that is meant.
@@ -317,10 +363,10 @@ std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& 
     if (!rounds) return std::nullopt;
     // `12.28 = 12` may round, and calculates nothing.
     const bool calculates = tree[value].op != Op::number && tree[value].op != Op::negate;
-    const bool written = claim.nearly || shown_in(tree, side, false).has_value();
-    if (*rounds && !calculates && !written) return DigitComparison{};
+    const bool written = claim.nearly || shown_in(tree, names, side, false).has_value();
+    if (*rounds && ((!calculates && !written) || whole)) return DigitComparison{};
     if (*rounds) return DigitComparison{.agreement = Agreement::rounds};
-    const int halves = (claim.nearly ? 2 : 1) + halves_of_own_rounding(tree, value, side, *shown);
+    const int halves = (claim.nearly ? 2 : 1) + halves_of_own_rounding(tree, names, value, side, *shown);
     const auto may_round = comparison.lies_within(halves, shown->unsure);
     if (!may_round) return std::nullopt;
     if (*may_round) return DigitComparison{};

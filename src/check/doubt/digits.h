@@ -34,10 +34,18 @@ struct NumberShown {
 };
 
 /// That of one side, where the other is none.
-[[nodiscard]] std::optional<NumberShown> number_shown(const ExprTree& tree, const Claim& claim);
+[[nodiscard]] std::optional<NumberShown> number_shown(const ExprTree& tree, const Names& names,
+                                                      const Claim& claim);
 
 /// π, unless the notes say something else about it.
 [[nodiscard]] bool is_circle_number(const ExprTree& tree, const Names& names, SymbolId symbol);
+
+/// \pi/180
+[[nodiscard]] bool is_degree(const ExprTree& tree, const Names& names, ExprId id);
+
+/// `37^\circ`, but not `45^\circ`: an angle in whole degrees, of which most are rounded. Definitions are put
+/// in.
+[[nodiscard]] bool has_rounded_degrees(const ExprTree& tree, const Names& names, const Equation& equation);
 
 /// `\pi = 3.14`: such a row says what π is worth, and defines nothing.
 [[nodiscard]] bool shows_circle_number(const ExprTree& tree, const Names& names, const Typed& left,
@@ -47,8 +55,9 @@ struct NumberShown {
 [[nodiscard]] bool compares_decimals(const ExprTree& tree, const Names& names, const Equation& equation);
 
 /// Nothing where neither side is such a number, where the other depends on a letter, or where that cannot be
-/// decided.
+/// decided. `measured`: the numbers had units, so that a whole one may be rounded.
 [[nodiscard]] std::optional<DigitComparison> agreement_of_digits(ExprTree& tree, const Names& names,
-                                                                 const Claim& claim, DecisionCache* cache);
+                                                                 const Claim& claim, DecisionCache* cache,
+                                                                 bool measured = false);
 
 }  // namespace rigor

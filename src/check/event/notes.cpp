@@ -17,6 +17,7 @@
 #include "latex/split/conditions.h"
 #include "latex/split/rows.h"
 #include "latex/text/scoped_macros.h"
+#include "latex/unit/quantity_words.h"
 #include "source/suggest.h"
 
 namespace rigor {
@@ -34,6 +35,7 @@ class CheckedNotesReader {
     for (const Item& item : document.items) {
       std::visit([this](const auto& each) { add(each); }, item);
     }
+    parse_displays();
     if (sidecar != nullptr) insert_sidecar(*sidecar);
     for (const FileId each : asked) notes_.asked.push_back(read_asked(each));
     if (added != nullptr) insert(*added);
@@ -72,9 +74,8 @@ class CheckedNotesReader {
                                           ? "`{` is not closed in this display"
                                           : "`}` closes nothing"});
       } else {
-        parsed.chains = parse_chains(*tokens, display.environment, notes_.syntax, parsed.diagnostics);
-        const bool images = display.cyclic && !parsed.chains.empty() && parsed.chains.back().image == 0;
-        if (images) add_images(parsed.chains, notes_.syntax);
+        add_quantity_words(*tokens, quantity_words_);
+        expanded_.push_back({notes_.events.size(), *tokens, display.environment, display.cyclic});
       }
     } else {
       parsed.unread = true;
@@ -84,11 +85,24 @@ class CheckedNotesReader {
     notes_.events.emplace_back(std::move(parsed));
   }
 
+  /// Behind the last display, for all of them tell which words stand for quantities.
+  void parse_displays() {
+    for (const ExpandedDisplay& display : expanded_) {
+      auto& parsed = std::get<ParsedDisplay>(notes_.events[display.event]);
+      parsed.chains = parse_chains(with_quantity_words(display.tokens, quantity_words_), display.environment,
+                                   notes_.syntax, parsed.diagnostics);
+      const bool images = display.cyclic && !parsed.chains.empty() && parsed.chains.back().image == 0;
+      if (images) add_images(parsed.chains, notes_.syntax);
+    }
+    expanded_.clear();
+  }
+
   void insert(const AddedStatement& added) {
     const auto place = added.at ? place_named(notes_, *added.at) : std::nullopt;
     const std::size_t behind = place ? place->behind : notes_.events.size();
     const Span all{added.text, 0, static_cast<std::uint32_t>(sources_.text(added.text).size())};
     add(Display{.span = all, .body = all, .environment = {}});
+    parse_displays();
     const auto where = notes_.events.begin() + static_cast<std::ptrdiff_t>(behind);
     std::rotate(where, notes_.events.end() - 1, notes_.events.end());
   }
@@ -122,7 +136,7 @@ class CheckedNotesReader {
     Diagnostics none;
     auto tokens = expand(lex(sources_, span), macros_.table(), none);
     if (!tokens || unbalanced_brace(*tokens) != nullptr) return std::nullopt;
-    return tokens;
+    return with_quantity_words(*std::move(tokens), quantity_words_);
   }
 
   std::vector<ParsedChain> parse_each(const std::vector<Tokens>& parts) {
@@ -221,10 +235,11 @@ class CheckedNotesReader {
     const auto opaque = [&](std::string reason) {
       return notes_.syntax.add_opaque(all, {DiagnosticKind::bad_syntax, std::move(reason), {}});
     };
-    const auto tokens = expand(lex(sources_, all), macros_.table(), diagnostics_);
+    auto tokens = expand(lex(sources_, all), macros_.table(), diagnostics_);
     if (!tokens || tokens->empty()) return opaque("there is no expression");
     if (const Token* brace = unbalanced_brace(*tokens))
       return opaque(brace->kind == TokenKind::begin_group ? "`{` is not closed" : "`}` closes nothing");
+    tokens = with_quantity_words(*std::move(tokens), quantity_words_);
     // As in a display, sizes of brackets and the like mean nothing.
     Diagnostics none;
     const std::vector<WrittenChain> chains = split_display(*tokens, "", none);
@@ -328,9 +343,19 @@ class CheckedNotesReader {
     return std::nullopt;
   }
 
+  /// A display whose macros are replaced.
+  struct ExpandedDisplay {
+    std::size_t event;
+    Tokens tokens;
+    std::string environment;
+    bool cyclic;
+  };
+
   SourceMap& sources_;
   Diagnostics& diagnostics_;
   Notes notes_;
+  std::vector<ExpandedDisplay> expanded_;
+  std::set<std::string> quantity_words_;
   ScopedMacros macros_;
   std::set<std::uint32_t> reported_;
 };

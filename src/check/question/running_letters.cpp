@@ -75,6 +75,7 @@ bool counts_along(const Names& names, SymbolId symbol, SymbolId counter) {
   const NameKey* own = key_of(names.symbols, symbol);
   const NameKey* of = key_of(names.symbols, counter);
   return own == nullptr || of == nullptr || is_tied_to(names, symbol, counter) ||
+         names.symbols.evidence->said_to_change.contains(own->base) ||  // "$q$ depends on $n$"
          is_function_of(*names.symbols.evidence, own->base, of->base);
 }
 

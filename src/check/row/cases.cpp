@@ -88,6 +88,23 @@ std::string without_neutral_phrases(std::string text) {
   return text;
 }
 
+/// "Let $ be the distance", "let $ and $ denote their masses": what letters are called, so that nothing is
+/// supposed. The words from there on; all words where it says something else, such as "let $ be constant".
+std::string_view without_naming(std::string_view lead) {
+  static constexpr std::string_view let = "let $";
+  const auto begin = lead.find(let);
+  if (begin == std::string_view::npos) return lead;
+  const std::string_view rest = lead.substr(begin + let.size());
+  const std::vector<std::string_view> words = words_of(rest);
+  std::size_t at = 0;
+  while (at < words.size() && is_one_of(words[at], {"$", "and"})) ++at;
+  if (at + 2 >= words.size()) return lead;
+  const bool is_called = is_one_of(words[at], {"denote", "denotes", "represent", "represents"});
+  const bool is_the = words[at] == "be" && is_one_of(words[at + 1], {"the", "its", "their", "our"}) &&
+                      words[at + 2] != "same";
+  return is_called || is_the ? rest : lead;
+}
+
 /// "which does not change, because": the reason limits nothing to a case.
 std::size_t begin_of_reason(const std::string& tail) {
   std::size_t begin = tail.size();
@@ -101,7 +118,7 @@ bool is_conditional(const RowPlace& place, bool demands) {
   const ProseBeside& beside = place.notes.prose.beside[place.event];
   const std::string behind = beside.tail.substr(0, begin_of_reason(beside.tail));
   const std::string lead(clause_of(beside.lead));
-  return (demands && word_that_demands(lead)) ||
+  return (demands && word_that_demands(without_naming(lead))) ||
          word_of_a_special_case(without_neutral_phrases(lead + " " + behind));
 }
 

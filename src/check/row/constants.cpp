@@ -235,7 +235,7 @@ bool agrees_with_constants(RowPlace& place, const StepReading& row, const Claim&
   if (!open || own.recorded != nullptr || own.equation.relation != Relation::equal || row.unsettled)
     return false;
   const Claim claim = with_plain_number(place.tree, own);
-  const auto shown = number_shown(place.tree, claim);
+  const auto shown = number_shown(place.tree, place.names, claim);
   if (!shown || place.tree[claim.equation.left].rank != 0 || is_meant_for_all(place.tree, place.names, claim))
     return false;
   const ExprId value = shown->side == claim.equation.left ? claim.equation.right : claim.equation.left;

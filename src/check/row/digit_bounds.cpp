@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/constant/measured_row.h"
 #include "check/doubt/approximate_value.h"
 #include "check/doubt/digits.h"
 #include "check/place/place.h"
@@ -21,6 +22,14 @@ bool is_near(const ExprTree& tree, const Names& names, const Equation& numbers) 
   const auto left = approximate_value(tree, names, numbers.left);
   const auto right = approximate_value(tree, names, numbers.right);
   return left && right && std::abs(*left - *right) < nearness * std::abs(*right);
+}
+
+/// More than what is rounded in an angle of whole degrees; not known where letters are left.
+bool is_beyond_rounding(const ExprTree& tree, const Names& names, const Equation& equation) {
+  constexpr double rounding = 0.02;
+  const auto left = approximate_value(tree, names, equation.left);
+  const auto right = approximate_value(tree, names, equation.right);
+  return left && right && std::abs(*left - *right) > rounding * std::abs(*right);
 }
 
 /// Where the number lies instead; nothing where the step is not refuted so.
@@ -75,16 +84,20 @@ void heed_digits(RowPlace& place, const Claim& claim, Judgement& judgement) {
     withdraw(judgement, claim,
              {.message = std::move(message), .help = {std::move(help)}, .kind = DiagnosticKind::undecided});
   };
-  const auto compared = agreement_of_digits(tree, names, claim, place.options.cache);
-  const std::optional<Agreement> agreement = compared ? std::optional(compared->agreement) : std::nullopt;
-  if (agreement == Agreement::rounds) {
+  auto compared = agreement_of_digits(tree, names, claim, place.options.cache);
+  if (!compared) {  // `2\pi\,(3.0\,\mathrm m) = 18.8\,\mathrm m`
+    const auto numbers = claim_in_base_units(tree, names, claim);
+    if (numbers) compared = agreement_of_digits(tree, names, *numbers, place.options.cache, true);
+  }
+  const auto digits = [&](Agreement each) { return compared && compared->agreement == each; };
+  if (digits(Agreement::rounds)) {
     judgement.verdict = Verdict::proved;
     judgement.route = "to the digits shown";
     judgement.of_another_question = true;
     judgement.counterexample.reset();
     judgement.sample.reset();
     judgement.diagnostics.clear();
-  } else if (agreement == Agreement::unclear && judgement.verdict == Verdict::refuted) {
+  } else if (digits(Agreement::unclear) && judgement.verdict == Verdict::refuted) {
     doubt("whether it holds depends on how many of the digits are meant",
           "write only the digits that are meant");
   } else if (compared && judgement.verdict == Verdict::refuted &&
@@ -93,11 +106,15 @@ void heed_digits(RowPlace& place, const Claim& claim, Judgement& judgement) {
           "more digits of them show whether it holds");
   } else if (claim.nearly && judgement.verdict == Verdict::refuted && lacks_units(tree, claim.equation)) {
     doubt("one side has a unit, and the other is a number without one", "write the units on both sides");
-  } else if (!agreement && judgement.verdict == Verdict::refuted &&
+  } else if (!digits(Agreement::differs) && judgement.verdict == Verdict::refuted &&
+             has_rounded_degrees(tree, names, claim.equation) &&
+             !is_beyond_rounding(tree, names, claim.equation)) {
+    doubt("it holds if the angle in degrees is rounded", "`\\approx` says so, or a decimal for the result");
+  } else if (!compared && judgement.verdict == Verdict::refuted &&
              compares_decimals(tree, names, claim.equation)) {
     doubt("decimals are rounded, and nothing shows to how many digits the other side is meant",
           "write it as a decimal, or `\\approx`");
-  } else if (!agreement && claim.nearly && names.scope.small->empty() &&
+  } else if (!compared && claim.nearly && names.scope.small->empty() &&
              judgement.verdict == Verdict::refuted) {
     doubt("nothing says what is small here", "`rigor: small …` says so");
   }

@@ -19,7 +19,7 @@ namespace {
 
 /// The numbers of the page give another one, which is shown instead.
 bool suspects_number(RowPlace& place, const Claim& claim, const Names& names, Judgement& judgement) {
-  const auto shown = number_shown(place.tree, claim);
+  const auto shown = number_shown(place.tree, place.names, claim);
   if (!shown) return false;
   const ExprId value = shown->side == claim.equation.left ? claim.equation.right : claim.equation.left;
   const auto computed = approximate_value(place.tree, names, value);
@@ -52,9 +52,10 @@ bool agrees_with_values(RowPlace& place, const StepReading& row, const Claim& cl
   const bool open = judgement.verdict == Verdict::law || judgement.verdict == Verdict::refuted ||
                     judgement.verdict == Verdict::undecided;
   if (!open || claim.recorded != nullptr || claim.equation.relation != Relation::equal || row.unsettled ||
-      !number_shown(place.tree, claim))
+      !number_shown(place.tree, place.names, claim))
     return false;
-  if (approximate_value(place.tree, place.names, number_shown(place.tree, claim)->side) == 0.0) return false;
+  if (approximate_value(place.tree, place.names, number_shown(place.tree, place.names, claim)->side) == 0.0)
+    return false;
   const auto is_number = [&](ExprId side) {
     const std::vector<SymbolId> letters = symbols_in(place.tree, side);
     return is_measured(place.tree, side) ||

@@ -340,13 +340,24 @@ bool is_value_at_a_number(const SyntaxTree& syntax, SyntaxId side) {
                               [&](SyntaxId id) { return syntax[id].kind == SyntaxKind::symbol; });
 }
 
+/// `x_n = q^n`: the power says what x is for each n, and nothing of its base.
+bool is_power_that_counts(const SyntaxTree& syntax, SyntaxId side, const std::vector<SyntaxId>& sides) {
+  if (syntax[side].kind != SyntaxKind::power) return false;
+  const std::set<std::string> counted = free_letters(syntax, syntax.child(side, 1));
+  return std::ranges::any_of(sides, [&](SyntaxId other) {
+    return other != side && syntax[other].kind == SyntaxKind::symbol &&
+           std::ranges::any_of(syntax.symbol(other).lower,
+                               [&](const WrittenIndex& index) { return counted.contains(index.text); });
+  });
+}
+
 }  // namespace
 
 void see_ties(const SyntaxTree& syntax, const std::vector<SyntaxId>& sides, Evidence& evidence) {
   bool says_what_a_letter_is = false;
   for (const SyntaxId side : sides) {
     const SyntaxId letter = letter_of_side(syntax, side);
-    if (syntax[letter].kind != SyntaxKind::symbol) continue;
+    if (syntax[letter].kind != SyntaxKind::symbol || is_power_that_counts(syntax, side, sides)) continue;
     says_what_a_letter_is = true;
     std::set<std::string>& tied = evidence.tied[changing_name(syntax.symbol(letter))];
     for (const SyntaxId other : sides) {

@@ -17,9 +17,25 @@ struct Separated {
   std::vector<Operand> vectors = {};
 };
 
+/// A quantity that is written in words, or a power of one: nobody says whether it is a vector, but words that
+/// are multiplied (`\text{speed}\times\text{time}`) are numbers with units.
+bool is_in_words(const ExprTree& tree, ExprId id) {
+  if (tree[id].op == Op::power) id = tree.children(id)[0];
+  return tree[id].op == Op::symbol && tree.symbols[tree[id].symbol].name.find("\\text{") == 0;
+}
+
+/// A number, π, or a number with units.
+bool is_value(const ExprTree& tree, ExprId id) {
+  return tree[id].rank == 0 && std::ranges::all_of(symbols_in(tree, id), [&](SymbolId each) {
+           return tree.symbols[each].unit_of_measure.has_value() || tree.symbols[each].circle_number;
+         });
+}
+
 /// A scalar between a product sign and a vector belongs to the vector: `\mathbf R\times m\mathbf V`.
 std::optional<Separated> separate_scalars(Reading& reading, const std::vector<Operand>& operands) {
-  const auto is_number = [&](const Typed& typed) { return reading.tree[typed.id].op == Op::number; };
+  const auto is_number = [&](const Typed& typed, bool after_scalar) {
+    return reading.tree[typed.id].op == Op::number || (after_scalar && is_value(reading.tree, typed.id));
+  };
   const auto is_dot = [&](const Typed& typed) { return reading.tree[typed.id].op == Op::dot; };
   Separated separated;
   auto& [scalars, vectors] = separated;
@@ -28,7 +44,10 @@ std::optional<Separated> separate_scalars(Reading& reading, const std::vector<Op
   const Operand* previous = nullptr;
   for (const Operand& operand : operands) {
     const bool after_scalar = previous != nullptr && previous->typed.rank == 0;
-    const bool by_number = is_number(operand.typed) || (after_scalar && is_number(previous->typed));
+    const bool by_words = after_scalar && (is_in_words(reading.tree, operand.typed.id) ||
+                                           is_in_words(reading.tree, previous->typed.id));
+    const bool by_number = is_number(operand.typed, after_scalar) ||
+                           (after_scalar && is_number(previous->typed, true)) || by_words;
     const bool dotted = operand.joint == Joint::dot && previous != nullptr;
     const bool product_dotted =
         dotted && ((operand.typed.rank == 0 && previous->typed.rank == 1 && is_dot(operand.typed)) ||
@@ -54,7 +73,7 @@ std::optional<Separated> separate_scalars(Reading& reading, const std::vector<Op
     previous = &operand;
   }
   if (crossed == nullptr) return separated;
-  const bool any_vector = !vectors.empty();
+  const bool any_vector = !vectors.empty() && !is_in_words(reading.tree, crossed->typed.id);
   return fail(reading, any_vector ? DiagnosticKind::rank_mismatch : DiagnosticKind::ambiguous_reading,
               crossed->joint_span,
               any_vector ? "a cross product of a vector and a scalar"

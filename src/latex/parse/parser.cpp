@@ -312,6 +312,8 @@ SyntaxId Parser::scripts(Cursor& cursor, SyntaxId base) {
   bool below = false;  // a subscript is there already
   bool above = false;
   const std::size_t before = cursor.at;
+  if (const std::size_t end = degree_end(cursor); end != cursor.at && tree_[base].kind == SyntaxKind::number)
+    base = in_degrees(cursor, base, end);
   while (true) {
     if (auto bar = evaluation_bar(cursor)) {
       const bool field = tree_[base].kind == SyntaxKind::derivative && tree_.derivative(base).partial;

@@ -132,9 +132,13 @@ class Parser {
   static bool starts_quantity(const Cursor& cursor);
   SyntaxId quantity(Cursor& cursor);
   SyntaxId one_degree(Span span);
+  static std::size_t degree_end(const Cursor& cursor);  // `^\circ`
+  SyntaxId in_degrees(Cursor& cursor, SyntaxId number, std::size_t end);
   [[nodiscard]] bool takes_unit(SyntaxId id) const;
+  [[nodiscard]] bool is_pi(SyntaxId id) const;
   [[nodiscard]] bool has_unit(SyntaxId id) const;
   SyntaxId angstrom(Cursor& cursor);
+  std::optional<SyntaxId> unit_fraction(Cursor& cursor, bool spaced);
   std::optional<SyntaxId> unit_behind(Cursor& cursor, SyntaxId before, bool spaced);
 
   // parser_acting.cpp

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/among.h"
 #include "base/ascii.h"
 #include "latex/parse/parser.h"
 #include "latex/token/cover_tokens.h"
+#include "latex/token/differential.h"
 #include "latex/unit/units.h"
 
 namespace rigor {
@@ -67,6 +69,32 @@ QuantityUnit with_exponent(TokenView tokens, std::size_t at, QuantityUnit unit) 
   return {whole, exponent.next};
 }
 
+bool is_degree(std::string_view unit) { return is_one_of(unit, {"\\degree", "\\arcdegree", "°"}); }
+
+bool is_upright(const Token& token) {
+  const auto style = style_of(token);
+  return (style && style->upright) || is_words(token);
+}
+
+/// `\mathrm{J}`, `\text{mol}\,\text{K}^2`, `1`: how many letters, all of them upright; nothing for other
+/// signs.
+std::optional<std::size_t> upright_letters(TokenView tokens) {
+  std::size_t letters = 0;
+  for (std::size_t at = 0; at < tokens.size();) {
+    if (is_upright(tokens[at])) {
+      const Argument argument = argument_at(tokens, at + 1);
+      letters +=
+          static_cast<std::size_t>(std::ranges::count(argument.content, TokenKind::letter, &Token::kind));
+      at = argument.next;
+    } else if (tokens[at].kind == TokenKind::letter) {
+      return std::nullopt;
+    } else {
+      ++at;
+    }
+  }
+  return letters;
+}
+
 }  // namespace
 
 /// `\qty` with two braces, the second with a unit; with anything else it is a bracket of the physics
@@ -83,8 +111,9 @@ bool Parser::starts_quantity(const Cursor& cursor) {
   const Argument number = argument_at(cursor.tokens, first);
   const std::size_t second = skip_blank(cursor.tokens, number.next);
   bool negative = false;
-  return is_group(second) && digits_of(text_of(number.content), negative) &&
-         read_unit(text_of(argument_at(cursor.tokens, second).content), UnitNames::units);
+  if (!is_group(second) || !digits_of(text_of(number.content), negative)) return false;
+  const std::string unit = text_of(argument_at(cursor.tokens, second).content);
+  return is_degree(unit) || read_unit(unit, UnitNames::units);
 }
 
 SyntaxId Parser::one_degree(Span span) {
@@ -94,6 +123,40 @@ SyntaxId Parser::one_degree(Span span) {
   const SyntaxChild parts[] = {{tree_.add_symbol(span, std::move(pi))},
                                {tree_.add_text(SyntaxKind::number, span, "180")}};
   return tree_.add(SyntaxKind::fraction, span, parts);
+}
+
+/// The place behind `^\circ`, `^{\circ}`, `\degree` or `°`; where the cursor is if none is there.
+std::size_t Parser::degree_end(const Cursor& cursor) {
+  if (cursor.done()) return cursor.at;
+  const Token& token = cursor.token();
+  if (is_control_of(token, {"degree", "textdegree"}) || token.text == "°") return cursor.at + 1;
+  if (token.kind != TokenKind::superscript) return cursor.at;
+  const Argument above = script_argument_at(cursor.tokens, cursor.at + 1);
+  const TokenView sign = trim(above.content);
+  const bool circle = sign.size() == 1 && is_control_of(sign[0], {"circ", "degree"});
+  return circle ? above.next : cursor.at;
+}
+
+/// `30^\circ` is an angle; `25^\circ\mathrm C` is a temperature, and `60^\circ\mathrm N` a place.
+SyntaxId Parser::in_degrees(Cursor& cursor, SyntaxId number, std::size_t end) {
+  const Span span = cover(tree_[number].span, cursor.tokens.subspan(cursor.at, end - cursor.at));
+  read(cursor.tokens.subspan(cursor.at, end - cursor.at));
+  cursor.at = end;
+  const std::size_t next = skip_narrow(cursor.tokens, end);
+  if (next < cursor.tokens.size()) {
+    const Token& token = cursor.tokens[next];
+    const auto style = style_of(token);
+    const bool upright = is_words(token) || (style && style->upright);
+    const TokenView letter =
+        upright ? trim(argument_at(cursor.tokens, next + 1).content) : cursor.tokens.subspan(next, 1);
+    const bool one = letter.size() == 1 && letter[0].kind == TokenKind::letter;
+    const std::string_view scales = upright ? "CFKRNESW" : "CFK";
+    if (one && letter[0].text.size() == 1 && scales.find(letter[0].text) != std::string_view::npos)
+      return opaque(span, "degrees of a temperature or of a place are not read");
+  }
+  const SyntaxChild factors[] = {{number}, {one_degree(span), Joint::juxtaposed, span}};
+  const SyntaxChild whole{tree_.add(SyntaxKind::term, span, factors)};
+  return tree_.add(SyntaxKind::group, span, {&whole, 1});
 }
 
 SyntaxId Parser::quantity(Cursor& cursor) {
@@ -138,8 +201,13 @@ SyntaxId Parser::quantity(Cursor& cursor) {
     const std::string text = argument();
     cursor.at = at;
     std::string problem;
-    if (!read_unit(text, UnitNames::units, &problem)) return opaque(span, std::move(problem));
-    factors.push_back({tree_.add_text(SyntaxKind::unit, span, text), Joint::juxtaposed, span});
+    if (is_degree(text)) {
+      factors.push_back({one_degree(span), Joint::juxtaposed, span});
+    } else if (!read_unit(text, UnitNames::units, &problem)) {
+      return opaque(span, std::move(problem));
+    } else {
+      factors.push_back({tree_.add_text(SyntaxKind::unit, span, text), Joint::juxtaposed, span});
+    }
   }
   read_since(cursor, begin);
   if (factors.size() == 1 && tree_[factors[0].id].kind != SyntaxKind::sum) return factors[0].id;
@@ -147,9 +215,12 @@ SyntaxId Parser::quantity(Cursor& cursor) {
   return tree_.add(SyntaxKind::group, span, {&whole, 1});
 }
 
-/// A number, a power of one, a fraction of two, or what has a unit already.
+/// A number, a power of one, a fraction of two, or what has a unit already. π is a number before units of
+/// more than one letter.
 bool Parser::takes_unit(SyntaxId id) const {
   switch (tree_[id].kind) {
+    case SyntaxKind::symbol:
+      return is_pi(id);
     case SyntaxKind::number:
     case SyntaxKind::unit:
       return true;
@@ -160,6 +231,15 @@ bool Parser::takes_unit(SyntaxId id) const {
     default:
       return false;
   }
+}
+
+bool Parser::is_pi(SyntaxId id) const {
+  if (tree_[id].kind == SyntaxKind::power) return is_pi(tree_.child(id, 0));
+  if (tree_[id].kind == SyntaxKind::fraction)
+    return is_pi(tree_.child(id, 0)) && tree_[tree_.child(id, 1)].kind == SyntaxKind::number;
+  return tree_[id].kind == SyntaxKind::symbol && tree_.symbol(id).letter == "\\pi" &&
+         tree_.symbol(id).lower.empty() && tree_.symbol(id).primes == 0 &&
+         tree_.symbol(id).accent == Accent::none;
 }
 
 bool Parser::has_unit(SyntaxId id) const {
@@ -175,16 +255,32 @@ SyntaxId Parser::angstrom(Cursor& cursor) {
   return scripts(cursor, tree_.add_text(SyntaxKind::unit, span, "Å"));
 }
 
+/// `9.8\,\frac{\mathrm{m}}{\mathrm{s}^2}` behind its number. Like single letters,
+/// `\frac{\mathrm{m}}{\mathrm{s}}` is a unit behind a space, or in words.
+std::optional<SyntaxId> Parser::unit_fraction(Cursor& cursor, bool spaced) {
+  const Argument above = argument_at(cursor.tokens, cursor.at + 1);
+  const Argument below = argument_at(cursor.tokens, above.next);
+  const TokenView whole = cursor.tokens.subspan(cursor.at, below.next - cursor.at);
+  const auto over = upright_letters(above.content);
+  const auto under = upright_letters(below.content);
+  if (!over || !under || *under == 0) return std::nullopt;
+  const bool apart = spaced || *over + *under > 2 || std::ranges::any_of(whole, is_words);
+  const std::string text = text_of(above.content) + "/(" + text_of(below.content) + ")";
+  if (!apart || !read_unit(text, UnitNames::units)) return std::nullopt;
+  read(whole);
+  cursor.at = below.next;
+  return scripts(cursor, tree_.add_text(SyntaxKind::unit, span_of(whole), text));
+}
+
 /// A roman word after a number or a unit: `3\,\mathrm{kg\,m^2}`.
 std::optional<SyntaxId> Parser::unit_behind(Cursor& cursor, SyntaxId before, bool spaced) {
   if (!takes_unit(before) || cursor.done()) return std::nullopt;
-  const auto style = style_of(cursor.token());
   if (cursor.token().kind == TokenKind::control && cursor.token().text == "AA") return angstrom(cursor);
-  const bool roman = (style && style->upright) || is_words(cursor.token());
-  if (!roman) return std::nullopt;
+  if (is_fraction(cursor.token())) return is_pi(before) ? std::nullopt : unit_fraction(cursor, spaced);
+  if (!is_upright(cursor.token())) return std::nullopt;
   const Argument word = argument_at(cursor.tokens, cursor.at + 1);
   const std::string text = text_of(word.content);
-  const bool apart = spaced || is_words(cursor.token()) || has_unit(before);
+  const bool apart = (spaced || is_words(cursor.token()) || has_unit(before)) && !is_pi(before);
   const std::size_t behind = skip_blank(cursor.tokens, word.next);
   const bool goes_on = behind < cursor.tokens.size() && (cursor.tokens[behind].kind == TokenKind::subscript ||
                                                          is_sign_of(cursor.tokens[behind], "('"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/among.h"
+#include "latex/token/vocabulary.h"
 
 namespace rigor {
 
@@ -132,6 +133,15 @@ int Nesting::enter(const Token& token) {
   }
 }
 
+namespace {
+
+/// A letter that is written with words (`quantity_words.h`).
+bool is_quantity_words(const Token& token) {
+  return token.kind == TokenKind::letter && token.text.size() > 1 && is_letter(token.text.front());
+}
+
+}  // namespace
+
 Span span_of(TokenView tokens) {
   Span span = tokens.empty() ? Span{} : tokens.front().span;
   for (const Token& token : tokens) span = cover(span, token.span);
@@ -153,10 +163,11 @@ std::string text_of(TokenView tokens) {
       after_word = false;
       continue;
     }
-    if (after_word && token.kind == TokenKind::letter) text += ' ';
+    const bool words = is_quantity_words(token);
+    if (after_word && token.kind == TokenKind::letter && !words) text += ' ';
     if (token.kind == TokenKind::control) text += '\\';
     if (token.kind == TokenKind::parameter) text += '#';
-    text += token.text;
+    text += words ? letter_of(token) : std::string(token.text);
     after_word = token.kind == TokenKind::control && token.text.size() > 1;
   }
   return text;

@@ -5,6 +5,7 @@
 #include <array>
 #include <unordered_map>
 
+#include "base/ascii.h"
 #include "latex/token/tokens.h"
 #include "latex/token/words.h"
 
@@ -67,6 +68,19 @@ constexpr std::string_view greek_letters = R"(
     nu ν  xi ξ  pi π  rho ρ  sigma σ  tau τ  upsilon υ  phi φ  chi χ  psi ψ  omega ω  Gamma Γ  Delta Δ
     Theta Θ  Lambda Λ  Xi Ξ  Pi Π  Sigma Σ  Upsilon Υ  Phi Φ  Psi Ψ  Omega Ω  epsilon ϵ  varphi ϕ
     vartheta ϑ)";
+
+/// "Total  energy" is `\text{Total energy}`, and "K.E." is "KE".
+std::string letter_of_words(std::string_view words) {
+  std::string letter = "\\text{";
+  for (const char c : words) {
+    if (is_white(c)) {
+      letter += ' ';
+    } else if (c != '.') {
+      letter += c;
+    }
+  }
+  return letter + "}";
+}
 
 }  // namespace
 
@@ -143,13 +157,14 @@ std::string letter_of(const Token& token) {
   }
   if (token.kind != TokenKind::letter) return {};
   if (token.text.size() == 1) return std::string(token.text);
+  if (is_letter(token.text.front())) return letter_of_words(token.text);
   const auto name = names.find(token.text);
   return name == names.end() ? std::string() : "\\" + std::string(name->second);
 }
 
 bool is_greek(std::string_view letter) {
   return letter.size() > 1 && letter.front() == '\\' && letter != hole_letter && letter != "\\ell" &&
-         letter != "\\imath" && letter != "\\jmath" && letter != "\\hbar";
+         letter != "\\imath" && letter != "\\jmath" && letter != "\\hbar" && !letter.starts_with("\\text{");
 }
 
 bool is_asking_mark(std::span<const Token> tokens, std::size_t at) {
