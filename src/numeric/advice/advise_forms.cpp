@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_proposals = 60;
 constexpr std::size_t last_effort = 6;  // of the attack that advice has to stand
-constexpr double wide_size = 1e19;      // of ranges that leave out extreme sizes only
+constexpr double wide_size = 1e49;      // of ranges that leave out extreme sizes only
 constexpr double ordinary_size = 1e74;  // where the cheapest form may be another one than beyond
 
 class FormAdviser {
@@ -58,12 +58,16 @@ class FormAdviser {
     return std::nullopt;
   }
 
-  /// From the simplest: one form everywhere; one for each half; one for all sizes but extreme ones; both; one
+  /// From the simplest: one form everywhere; one for all sizes but extreme ones; one for each half; both; one
   /// up to a size, which is what angles and exponents need; any half of any range.
   [[nodiscard]] std::vector<AdvisedForm> proposal() const {
     const std::vector<Range> ranges = ranges_of_sizes();
     const auto is_wide = [](const Range& range) { return range.most > wide_size; };
     if (auto whole = one_form(ranges[0]); !whole.empty()) return whole;
+    for (const Range& range : ranges) {
+      if (!is_wide(range)) continue;
+      if (auto one = one_form(range); !one.empty()) return one;
+    }
     if (auto halves = two_forms(ranges[0], false); !halves.empty()) return halves;
     for (const bool wide : {true, false}) {
       for (const Range& range : ranges) {

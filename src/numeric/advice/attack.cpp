@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 
+#include "numeric/measure/measure.h"
+
 namespace rigor {
 namespace {
 
@@ -21,6 +23,13 @@ constexpr double largest = std::numeric_limits<double>::max();
 constexpr std::array<double, 2> grown_too_far{709.8, 354.9};  // where eˣ and its square overflow
 constexpr double exponents_for_a_bit = 15;  // of 2: a loss at 1e±300 counts as if 66 bits less were lost
 constexpr double shown_part = 0.2;          // of the expected error, at a point that shows it
+
+/// A scalar that is exactly 0, or a vector, is a point of its own, where a form may have no value.
+bool is_zero(const SearchedLetter& letter, const Point& point) {
+  const auto first = point.begin() + static_cast<std::ptrdiff_t>(letter.first);
+  return std::all_of(first, first + static_cast<std::ptrdiff_t>(letter.components.size()),
+                     [](double x) { return x == 0; });
+}
 
 bool is_ordinary(double x) { return x == 0 || (std::abs(x) > 1e-300 && std::abs(x) < 1e300); }
 
@@ -54,7 +63,10 @@ Attacker::Attacker(const SearchSpace& space, const ExprTree& tree, std::uint64_t
 }
 
 std::optional<PointErrors> Attacker::errors_at(const Point& point) {
-  if (!std::ranges::all_of(point, is_ordinary) || !conditions_.met(point)) return std::nullopt;
+  const bool ordinary =
+      std::ranges::all_of(point, is_ordinary) &&
+      std::ranges::none_of(letters_, [&](const SearchedLetter* each) { return is_zero(*each, point); });
+  if (!ordinary || !conditions_.met(point)) return std::nullopt;
   PointErrors errors;
   std::size_t best = 0;
   long double size = 0;
@@ -69,6 +81,7 @@ std::optional<PointErrors> Attacker::errors_at(const Point& point) {
     size = error.has_value ? error.size : 0;
   }
   if (!(size >= least_normal) || size > largest) return std::nullopt;
+  errors.least = std::max(errors.least, 2 * unit_roundoff);
   for (std::size_t k = 0; k < forms_.size(); ++k) {
     const double seen = forms_[k].tape.seen(forms_[best].tape) / shown_part;
     errors.of_form[k] = std::max(errors.least, std::min(errors.of_form[k], seen));

@@ -15,7 +15,8 @@
 
 namespace rigor {
 
-/// A form loses on another by the quotient of their expected errors. Up to so much does not count.
+/// A form loses on another by the quotient of their errors, of which the least one is taken as 2 u at least.
+/// Up to so much does not count.
 inline constexpr double no_loss = 4;
 
 /// An error counts as far as it is expected and double shows it: where numbers are exact by their nature, as
@@ -78,6 +79,7 @@ class Attacker {
   void note_losses(const Point& point, const PointErrors& errors);
 
   [[nodiscard]] Point draw(const Range& range);
+  [[nodiscard]] double just_beyond(const Range& range);
   void draw_letter(Point& point, const SearchedLetter& letter, double exponent);
   void make_nearly_equal(Point& point);
   void mutate(Point& point, const Range& range);

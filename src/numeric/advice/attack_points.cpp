@@ -80,12 +80,21 @@ void Attacker::make_nearly_equal(Point& point) {
   }
 }
 
+/// The exponent of a size outside a range.
+double Attacker::just_beyond(const Range& range) {
+  const double further = between(-4, 40);
+  const bool below = range.least > 0 && bits_.below(2) == 0;
+  return below ? std::ceil(std::log2(range.least)) - further : std::floor(std::log2(range.most)) + further;
+}
+
 Point Attacker::draw(const Range& range) {
   Point point = space_.drawn[bits_.below(space_.drawn.size())];
   const double least = least_exponent(range);
   const double most = std::max(least, most_exponent(range));
   const std::size_t kind = bits_.below(8);
-  const double middle = std::clamp(kind == 2 ? between(-4, 4) : between(least, most), least, most);
+  const bool at_edge = range.beyond && bits_.below(2) == 0;
+  const double middle = at_edge ? just_beyond(range)
+                                : std::clamp(kind == 2 ? between(-4, 4) : between(least, most), least, most);
   const double width = bits_.below(2) == 0 ? 1 : 12;
   const std::size_t long_one = bits_.below(letters_.size());
   const bool others_short = bits_.below(2) == 0;

@@ -171,16 +171,14 @@ class ChainMeasurement {
       const auto given = options_.values.find(symbol.name);
       std::ranges::sort(components);
       const bool has_all = given != options_.values.end() && given->second.size() == component_count(symbol);
-      const bool has_read = given != options_.values.end() && given->second.size() == components.size();
-      if (!symbol.unit_of_measure && !has_all && !has_read) {
+      if (!symbol.unit_of_measure && !has_all) {
         result_.no_trials = given == options_.values.end()
                                 ? fmt::format("`{}` has no value", symbol.name)
                                 : fmt::format("`{}` has {} components", symbol.name, component_count(symbol));
         return;
       }
-      for (std::size_t k = 0; k < components.size(); ++k)
-        samples.set(id, components[k],
-                    symbol.unit_of_measure ? 1.0 : given->second[has_all ? components[k] : k]);
+      for (const std::uint32_t component : components)
+        samples.set(id, component, symbol.unit_of_measure ? 1.0 : given->second[component]);
     }
     TrialResult trial{.name = "given", .what = "the numbers that were given", .samples = 1, .forms = {}};
     trial.met = has_all_letters(samples) &&
@@ -214,11 +212,9 @@ class ChainMeasurement {
                        .at = text_of(forms_.tree, space, other.worst.point),
                        .values = {},
                        .forms = {}};
-      for (const SearchedLetter& letter : space.letters) {
-        const auto first = other.worst.point.begin() + static_cast<std::ptrdiff_t>(letter.first);
-        const auto count = static_cast<std::ptrdiff_t>(letter.components.size());
-        point.values[forms_.tree.symbols[letter.symbol].name].assign(first, first + count);
-      }
+      for (const SearchedLetter& letter : space.letters)
+        point.values[forms_.tree.symbols[letter.symbol].name] =
+            values_of(forms_.tree, letter, other.worst.point);
       const Samples there = samples_at(space, std::span(&other.worst.point, 1));
       for (const Program& program : programs_) point.forms.push_back(run(program, there, false));
       points.push_back(std::move(point));

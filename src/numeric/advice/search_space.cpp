@@ -15,6 +15,15 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t drawn_points = 64;
+constexpr std::size_t most_work =
+    8000;  // operations at a point; a search looks at some twenty thousand points
+
+/// Each form twice, and once back for each component.
+std::size_t work_at_a_point(const SearchSpace& space) {
+  std::size_t work = 0;
+  for (const Program& form : space.forms) work += form.code().values.size() * (2 + 2 * form.outputs());
+  return work;
+}
 
 bool belongs_to_particles(const Program& program) {
   return program.sums_over_particles() || !program.free_particles().empty() ||
@@ -108,7 +117,9 @@ Result<SearchSpace> search_space(const WrittenForms& forms, const WrittenFormCha
     if (belongs_to_particles(condition.left) || belongs_to_particles(condition.right))
       return refuse("its conditions belong to particles");
   }
+  if (work_at_a_point(space) > most_work) return refuse("its forms are too large to be searched");
   take_letters(forms.tree, space);
+  if (std::ranges::all_of(space.letters, &SearchedLetter::drawn)) return refuse("it has no free numbers");
   auto drawn = draw_bound_letters(forms.tree, space, seed);
   if (!drawn) return tl::unexpected(drawn.error());
   space.drawn = std::move(*drawn);
@@ -173,15 +184,21 @@ Samples samples_at(const SearchSpace& space, std::span<const Point> points) {
   return samples;
 }
 
+std::vector<double> values_of(const ExprTree& tree, const SearchedLetter& letter, const Point& point) {
+  std::vector<double> values(component_count(tree.symbols[letter.symbol]));
+  for (std::size_t k = 0; k < letter.components.size(); ++k)
+    values[letter.components[k]] = point[letter.first + k];
+  return values;
+}
+
 std::string text_of(const ExprTree& tree, const SearchSpace& space, const Point& point) {
   std::vector<std::string> parts;
   for (const SearchedLetter& letter : space.letters) {
     const Symbol& symbol = tree.symbols[letter.symbol];
     if (symbol.is_fixed()) continue;
     std::vector<std::string> numbers;
-    for (std::size_t k = 0; k < letter.components.size(); ++k)
-      numbers.push_back(fmt::format("{}", point[letter.first + k]));
-    const bool alone = numbers.size() == 1 && symbol.rank == 0;
+    for (const double x : values_of(tree, letter, point)) numbers.push_back(fmt::format("{}", x));
+    const bool alone = symbol.rank == 0;
     parts.push_back(alone ? fmt::format("{} = {}", symbol.name, numbers[0])
                           : fmt::format("{} = ({})", symbol.name, fmt::join(numbers, ", ")));
   }

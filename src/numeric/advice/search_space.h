@@ -42,7 +42,8 @@ struct SearchSpace {
   std::vector<Point> drawn;  // points of ordinary size, for the letters that are not searched
 };
 
-/// Fails where forms or conditions belong to particles, or where a condition cannot be compiled.
+/// Fails where forms or conditions belong to particles or are too large, where a condition cannot be
+/// compiled, and without a letter that is searched.
 [[nodiscard]] Result<SearchSpace> search_space(const WrittenForms& forms, const WrittenFormChain& chain,
                                                std::vector<Program> programs, std::uint64_t seed);
 
@@ -70,6 +71,10 @@ class ConditionsAtPoint {
 
 /// Points as samples for the programs.
 [[nodiscard]] Samples samples_at(const SearchSpace& space, std::span<const Point> points);
+
+/// All components of a letter; 0 for those that no form reads.
+[[nodiscard]] std::vector<double> values_of(const ExprTree& tree, const SearchedLetter& letter,
+                                            const Point& point);
 
 /// `x = 1e-09, \mathbf{A} = (1, 0, 2)`, each number with all of its digits.
 [[nodiscard]] std::string text_of(const ExprTree& tree, const SearchSpace& space, const Point& point);

@@ -118,7 +118,7 @@ TEST_CASE("a library's function is one operation where the notes have its name, 
       measure_chain(measured.reading.forms, measured.reading.forms.chains[0], {}, {.times = false});
   REQUIRE(tanh.forms.size() == 2);
   CHECK(tanh.forms[0].operations == 1);
-  CHECK(tanh.forms[1].operations == 5);
+  CHECK(tanh.forms[1].operations == 6);
   REQUIRE(measured.result.forms.size() == 2);
   CHECK(measured.result.forms[0].operations == 5);
   CHECK(measured.result.forms[1].operations == 5);
@@ -170,6 +170,15 @@ TEST_CASE("a form that loses at some point errs there as it is said when the num
   }
   options.values.erase("y");
   CHECK(measure_chain(measured.reading.forms, *measured.chain, {}, options).no_trials == "`y` has no value");
+}
+
+TEST_CASE("forms of unit vectors alone are not searched") {
+  const Measured measured(
+      "<!-- rigor:\nunit vector \\mathbf{n}, \\mathbf{k}\n-->\n"
+      "$$|\\mathbf{n}\\times\\mathbf{k}|^2 = 1 - (\\mathbf{n}\\cdot\\mathbf{k})^2$$");
+  REQUIRE(measured.result.forms.size() == 2);
+  CHECK_FALSE(measured.result.search);
+  CHECK(advise(measured.result));
 }
 
 TEST_CASE("where no form keeps its digits the advice says where each loses") {
