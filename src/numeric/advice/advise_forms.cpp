@@ -19,7 +19,7 @@ class FormAdviser {
  public:
   FormAdviser(const SearchSpace& space, const ExprTree& tree, std::span<const double> costs,
               std::uint64_t seed)
-      : space_(space), tree_(tree), attacker_(space, tree, seed), by_cost_(costs.size()) {
+      : space_(space), tree_(tree), attacker_(space, seed), by_cost_(costs.size()) {
     std::iota(by_cost_.begin(), by_cost_.end(), std::size_t{0});
     std::ranges::stable_sort(by_cost_, {}, [&](std::size_t form) { return costs[form]; });
   }

@@ -35,7 +35,7 @@ bool is_ordinary(double x) { return x == 0 || (std::abs(x) > 1e-300 && std::abs(
 
 }  // namespace
 
-Attacker::Attacker(const SearchSpace& space, const ExprTree& tree, std::uint64_t seed)
+Attacker::Attacker(const SearchSpace& space, std::uint64_t seed)
     : space_(space), bits_(seed), conditions_(space), losing_(space.forms.size()) {
   bool turns = false;
   bool grows = false;
@@ -59,7 +59,6 @@ Attacker::Attacker(const SearchSpace& space, const ExprTree& tree, std::uint64_t
     if (!letter.drawn) letters_.push_back(&letter);
   positive_.resize(space.size);
   negative_.resize(space.size);
-  static_cast<void>(tree);
 }
 
 std::optional<PointErrors> Attacker::errors_at(const Point& point) {

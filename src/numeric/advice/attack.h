@@ -41,7 +41,7 @@ struct Aim {
 
 class Attacker {
  public:
-  Attacker(const SearchSpace& space, const ExprTree& tree, std::uint64_t seed);
+  Attacker(const SearchSpace& space, std::uint64_t seed);
 
   /// Nothing where a condition is not met for sure, a form has no real value, or a number or the value is
   /// beyond the normal range of double; nor where the value is 0.

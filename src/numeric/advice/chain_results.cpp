@@ -166,10 +166,13 @@ class ChainMeasurement {
           components.push_back(input.component);
       }
     }
-    for (auto& [id, components] : read) {
+    for (const auto& [id, components] : read) {
       const Symbol& symbol = forms_.tree.symbols[id];
+      if (symbol.per_particle) {
+        result_.no_trials = fmt::format("`{}` belongs to particles, which only a body gives", symbol.name);
+        return;
+      }
       const auto given = options_.values.find(symbol.name);
-      std::ranges::sort(components);
       const bool has_all = given != options_.values.end() && given->second.size() == component_count(symbol);
       if (!symbol.unit_of_measure && !has_all) {
         result_.no_trials = given == options_.values.end()

@@ -170,6 +170,9 @@ TEST_CASE("a form that loses at some point errs there as it is said when the num
   }
   options.values.erase("y");
   CHECK(measure_chain(measured.reading.forms, *measured.chain, {}, options).no_trials == "`y` has no value");
+  const Measured sum(energy);
+  CHECK(measure_chain(sum.reading.forms, *sum.chain, {}, options)
+            .no_trials.ends_with("belongs to particles, which only a body gives"));
 }
 
 TEST_CASE("forms of unit vectors alone are not searched") {
