@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "app/host/given_values.h"
+#include "app/host/progress.h"
 #include "app/host/sample_bodies.h"
 #include "app/host/screen.h"
 #include "base/utf8.h"
@@ -94,9 +96,12 @@ ExitCode read_all(const FormsCommand& command, Forms& forms, std::ostream& err) 
 }
 
 EvaluatedNotes evaluate_all_forms(const FormsCommand& command, const Forms& forms,
-                                  const TrialOptions& options) {
+                                  const TrialOptions& options, std::ostream& err) {
   EvaluatedNotes notes{.path = command.file, .chains = {}};
+  Progress progress(err, screen_of(err).is_terminal);
+  std::size_t done = 0;
   for (const WrittenFormChain* chain : forms.chains) {
+    progress.update(command.file, done++, forms.chains.size(), "chains in floating point");
     ChainResult result = measure_chain(forms.reading.forms, *chain, forms.bodies, options);
     if (result.forms.empty() && result.left_out.empty()) continue;
     notes.chains.push_back({chain, std::move(result)});
@@ -156,8 +161,16 @@ std::optional<std::string> bench_text(const std::vector<EvaluatedChain>& chains,
 ExitCode evaluate_forms(const EvalCommand& command, std::ostream& out, std::ostream& err) {
   Forms forms;
   if (const ExitCode code = read_all(command.forms, forms, err); code != ExitCode::ok) return code;
-  const EvaluatedNotes notes =
-      evaluate_all_forms(command.forms, forms, trials_for(command.forms, command.times));
+  TrialOptions trials = trials_for(command.forms, command.times);
+  if (!command.values.empty()) {
+    auto values = read_given_values(command.values);
+    if (!values) {
+      err << fmt::format("rigor: --with: {}\n", printable(values.error().reason));
+      return ExitCode::wrong;
+    }
+    trials.values = std::move(*values);
+  }
+  const EvaluatedNotes notes = evaluate_all_forms(command.forms, forms, trials, err);
   const TerminalOptions options = terminal_options(command.forms.color, out);
   out << (command.json ? evaluation_json(notes, forms.sources)
                        : print_evaluation(notes, forms.sources, options));
@@ -174,7 +187,7 @@ ExitCode bench_forms(const BenchCommand& command, std::ostream& out, std::ostrea
   const std::filesystem::path folder(command.folder);
   std::error_code error;
   if (!command.folder.empty()) std::filesystem::create_directories(folder, error);
-  const EvaluatedNotes notes = evaluate_all_forms(command.forms, forms, trials_for(command.forms, true));
+  const EvaluatedNotes notes = evaluate_all_forms(command.forms, forms, trials_for(command.forms, true), err);
   const auto text = bench_text(notes.chains, forms.sources, folder, err);
   if (!text) return ExitCode::no_input;
   if (command.folder.empty()) {

@@ -60,6 +60,7 @@ struct EvalCommand {
   FormsCommand forms;
   bool json = false;
   bool times = true;
+  std::string values;  // `x = 1e-9, \mathbf{A} = (1, 0, 2)`: the only numbers; empty: families and a search
 };
 
 /// `rigor bench`: time against error of all forms in all precisions.

@@ -26,6 +26,9 @@ void add_eval(Grammar& grammar) {
       {"eval notes/rigid-bodies.md --at '(6)'", "eval notes/rigid-bodies.md --body book.toml"},
       [eval]() -> CommandLine { return {.eval = std::move(*eval)}; });
   add_forms(app, eval->forms);
+  app.add_option("--with", eval->values,
+                 "Evaluate with these numbers only, as `x = 1e-9, \\mathbf{A} = (1, 0, 2)`")
+      ->type_name("VALUES");
   app.add_flag("--json", eval->json, "Print one JSON object instead of text");
   app.add_flag("!--no-times", eval->times, "Measure no time, so that two runs print the same bytes");
 }

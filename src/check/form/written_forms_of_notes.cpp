@@ -251,12 +251,16 @@ void FormCollector::add(const Statement& statement, const Names& scope) {
   Question question = question_about(tree_, names, expressions);
   forms.definitions = std::move(question.definitions);
   forms.assumptions = std::move(question.assumptions);
-  std::erase_if(forms.assumptions, [&](const Equation& assumption) {
-    return !is_common(tree_, names.scope, assumption.left) ||
-           !is_common(tree_, names.scope, assumption.right);
-  });
-  for (std::size_t k = 0; k < written.relations.size(); ++k)
+  for (std::size_t k = 0; k < written.relations.size(); ++k) {
     forms.steps.push_back(step_of(statement, names.scope, k));
+    const std::vector<Equation>& said = forms.steps.back().conditions;
+    forms.conditions.insert(forms.conditions.end(), said.begin(), said.end());
+  }
+  for (std::vector<Equation>* equations : {&forms.assumptions, &forms.conditions}) {
+    std::erase_if(*equations, [&](const Equation& equation) {
+      return !is_common(tree_, names.scope, equation.left) || !is_common(tree_, names.scope, equation.right);
+    });
+  }
   if (request_.answer_holes && statement.chain->image == 0 && space_of(scope.symbols) == common_space)
     record_holes({notes_.syntax, tree_, names, *statement.chain, assumed, statement.first_order}, forms,
                  forms_.chains.size(), holes_);

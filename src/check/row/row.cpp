@@ -48,6 +48,16 @@ void keep_asked(const StepReading& row, Judgement& judgement) {
   if (asked.nearly_question) asked.nearly_question->exact.tree = nullptr;
 }
 
+/// `for $x > 0$`, "the mass $m$": what is said of the numbers of a row, whether its proof needs it or not.
+void keep_conditions(RowPlace& place, const StepReading& row, const Claim& claim) {
+  if (row.asked == nullptr || row.role != Role::display) return;
+  for (const Fact& fact : standpoint(place, row.parsed).facts) {
+    if (fact.proves && fact.equation.relation != Relation::equal)
+      row.asked->conditions.push_back(fact.equation);
+  }
+  for (const NamedAssumption& size : sizes_said(place, claim)) row.asked->conditions.push_back(size.equation);
+}
+
 /// Refuted where an index is free on one side and was read as not summed on the other.
 void doubt_index(const RowPlace& place, const StepReading& row, Step& step) {
   const std::string& index = *row.reading.how().unsummed.begin();
@@ -85,6 +95,7 @@ std::optional<Judgement> ask(RowPlace& place, const StepReading& row, const Clai
 void settle(RowPlace& place, const StepReading& row, const Claim& claim, Judgement judgement, Step& step) {
   heed_surroundings(place, row, claim, judgement);
   keep_asked(row, judgement);
+  keep_conditions(place, row, claim);
   if (judgement.verdict == Verdict::refuted && !row.reading.how().unsummed.empty())
     return doubt_index(place, row, step);
   const Op op = place.tree[row.left().typed->id].op;

@@ -134,7 +134,9 @@ void offer_what_is_near(RowPlace& place, const StepReading& row, const Claim& cl
 
 // --- sizes.cpp: Masses, radii and frequencies are positive.
 
-/// That they are, if roots or logarithms ask for signs.
+/// That those of a claim are which the page calls so.
+[[nodiscard]] std::vector<NamedAssumption> sizes_said(RowPlace& place, const Claim& claim);
+/// The same with those of the laws around it, if roots or logarithms ask for signs.
 [[nodiscard]] std::vector<NamedAssumption> sizes_that_matter(RowPlace& place, const StepReading& row,
                                                              const Claim& claim);
 /// Proved if the letters that the page calls so are; else the judgement stays as it is.

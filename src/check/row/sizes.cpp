@@ -93,6 +93,10 @@ std::vector<NamedAssumption> sizes_of(RowPlace& place, const Claim& claim,
 
 }  // namespace
 
+std::vector<NamedAssumption> sizes_said(RowPlace& place, const Claim& claim) {
+  return sizes_of(place, claim, {claim.equation});
+}
+
 std::vector<NamedAssumption> sizes_that_matter(RowPlace& place, const StepReading& row, const Claim& claim) {
   std::vector<Equation> equations{claim.equation};
   for (const PageLaw* law : available_to(place, row.parsed)) equations.push_back(law->equation);

@@ -90,6 +90,12 @@ MaybeTyped elementary_function(Reading& reading, const std::string& name, const 
   const auto over = [&](const Typed& above, const Typed& below) {
     return apply_op(tree, Op::divide, span, 0, {above, below});
   };
+  // What every library of functions has, as the quotient that decides it.
+  const auto named_quotient = [&](Typed above, const Typed& below) {
+    const ExprId parts[] = {above.id, below.id};
+    above.id = tree.add({.op = Op::divide, .span = span, .spelled_out = true}, parts);
+    return above;
+  };
   if (name == "log" && !reading.found.guess)
     reading.found.guess = Obstacle{DiagnosticKind::ambiguous_reading,
                                    "`\\log` was read as the natural logarithm, and can be the decimal one",
@@ -103,7 +109,7 @@ MaybeTyped elementary_function(Reading& reading, const std::string& name, const 
   const Typed one = number("1");
   const Typed sine = apply(Function::sin, argument);
   const Typed cosine = apply(Function::cos, argument);
-  if (name == "tan") return over(sine, cosine);
+  if (name == "tan") return named_quotient(sine, cosine);
   if (name == "cot") return over(cosine, sine);
   if (name == "sec") return over(one, cosine);
   if (name == "csc") return over(one, sine);
@@ -118,9 +124,9 @@ MaybeTyped elementary_function(Reading& reading, const std::string& name, const 
   const Typed falls = apply(Function::exp, opposite(argument));
   const Typed both = sum(grows, falls);
   const Typed difference = sum(grows, opposite(falls));
-  if (name == "sinh") return over(difference, number("2"));
-  if (name == "cosh") return over(both, number("2"));
-  if (name == "tanh") return over(difference, both);
+  if (name == "sinh") return named_quotient(difference, number("2"));
+  if (name == "cosh") return named_quotient(both, number("2"));
+  if (name == "tanh") return named_quotient(difference, both);
   if (name == "coth") return over(both, difference);
   if (name == "sech") return over(number("2"), both);
   if (name == "csch") return over(number("2"), difference);

@@ -36,6 +36,7 @@ struct WrittenStep {
   QuestionNames names = {};               // of the question's definitions and assumptions
   std::optional<NearlyQuestion> nearly_question = {};  // `nearly`: the step before anything was left out
   std::optional<Sample> sample = {};                   // refuted: where the sides differ
+  std::vector<Equation> conditions = {};               // orders that words say for it, whether needed or not
 };
 
 /// a = b = c, as it is in the notes. All forms share their free letters.
@@ -53,6 +54,7 @@ struct WrittenFormChain {
   std::vector<ParticleId> particles = {};    // free
   std::vector<Definition> definitions = {};  // of what the forms speak of, and of what these speak of
   std::vector<Equation> assumptions = {};    // that bear on it
+  std::vector<Equation> conditions = {};     // what words say of it besides: where its numbers lie
   std::optional<FrameNames> frame = {};      // in force there
 };
 

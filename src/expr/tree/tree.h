@@ -93,6 +93,7 @@ struct ExprNode {
   std::int32_t exponent = 0;          // power
   std::uint32_t payload = 0;          // number: text; table: table
   Function function = Function::sin;  // function
+  bool spelled_out = false;           // divide: the notes say `\tan x`, `\sinh x`, `\cosh x` or `\tanh x`
   AxisSpaces axes =
       {};  // of the value; `ExprTree::add` finds them, but for a basis vector and a tuple's first one
 };

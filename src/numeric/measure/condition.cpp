@@ -166,6 +166,14 @@ class Tape {
         return Traits::cosine(a());
       case Instruction::exp:
         return Traits::exponential(a());
+      case Instruction::tan:
+        return Traits::tangent(a());
+      case Instruction::sinh:
+        return Traits::hyperbolic_sine(a());
+      case Instruction::cosh:
+        return Traits::hyperbolic_cosine(a());
+      case Instruction::tanh:
+        return Traits::hyperbolic_tangent(a());
       case Instruction::sum:
         break;
     }
@@ -237,6 +245,20 @@ class Tape {
       case Instruction::exp:
         to_a = here * result;
         break;
+      case Instruction::tan:
+        to_a = here * (Number(1.0) + result * result);
+        break;
+      case Instruction::sinh:
+        to_a = here * NumberTraits<Number>::hyperbolic_cosine(a);
+        break;
+      case Instruction::cosh:
+        to_a = here * NumberTraits<Number>::hyperbolic_sine(a);
+        break;
+      case Instruction::tanh: {
+        const Number cosh = NumberTraits<Number>::hyperbolic_cosine(a);
+        to_a = here / (cosh * cosh);
+        break;
+      }
       case Instruction::sum:
       case Instruction::constant:
       case Instruction::input:

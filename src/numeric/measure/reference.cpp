@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "numeric/measure/reference.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "numeric/measure/measure.h"
 #include "numeric/measure/reference_exact.h"
+#include "numeric/program/code.h"
 #include "numeric/run/run_bounded_decimal.h"
 #include "numeric/run/run_samples_parts.h"
 
@@ -16,12 +18,19 @@ constexpr int known_bits = 133;  // 40 decimal digits
 // Operations with so many digits; samples beyond stay unknown.
 constexpr std::size_t operations_with_400 = 400'000;
 constexpr std::size_t operations_with_1400 = 40'000;
+constexpr std::size_t operations_of_a_function = 100;  // a sine with so many digits takes as long
 
 template <unsigned digits>
 [[nodiscard]] Known settled(const BoundedDecimal<digits>& result) {
   if (result.undefined) return Known::undefined;
   if (result.is_exact_zero()) return Known::zero;
   return result.is_known_to(known_bits) ? Known::value : Known::unknown;
+}
+
+[[nodiscard]] std::size_t functions_of(const Code& code) {
+  return static_cast<std::size_t>(std::ranges::count_if(code.values, [](const Value& value) {
+    return value.op >= Instruction::sin && value.op <= Instruction::tanh;
+  }));
 }
 
 /// The results of all samples, and the samples with an unknown result.
@@ -60,7 +69,8 @@ class Settlement {
  private:
   [[nodiscard]] std::vector<std::size_t> affordable(std::size_t operations) const {
     std::vector<std::size_t> which = doubtful_;
-    const std::size_t work = work_of(program_, samples_);
+    const std::size_t work =
+        work_of(program_, samples_) + operations_of_a_function * functions_of(program_.code());
     if (operations / work < which.size()) which.resize(operations / work);
     return which;
   }

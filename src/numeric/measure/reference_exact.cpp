@@ -111,6 +111,10 @@ struct NumberTraits<ExactNumber> {
   static ExactNumber sine(const ExactNumber& x) { return at_zero(x, 0); }
   static ExactNumber cosine(const ExactNumber& x) { return at_zero(x, 1); }
   static ExactNumber exponential(const ExactNumber& x) { return at_zero(x, 1); }
+  static ExactNumber tangent(const ExactNumber& x) { return at_zero(x, 0); }
+  static ExactNumber hyperbolic_sine(const ExactNumber& x) { return at_zero(x, 0); }
+  static ExactNumber hyperbolic_cosine(const ExactNumber& x) { return at_zero(x, 1); }
+  static ExactNumber hyperbolic_tangent(const ExactNumber& x) { return at_zero(x, 0); }
   static ExactNumber read(const std::string& digits) {
     const std::size_t point = digits.find('.');
     if (point == std::string::npos) return {Rational(digits), false};

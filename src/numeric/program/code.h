@@ -25,6 +25,10 @@ enum class Instruction : std::uint8_t {
   sin,
   cos,
   exp,
+  tan,
+  sinh,
+  cosh,
+  tanh,
   sum,  // Σ of `a` over all particles at `level`, one after the other
 };
 

@@ -177,7 +177,7 @@ Operand ValueTable::power(Operand a, int exponent) {
 }
 
 Operand ValueTable::unary(Instruction op, Operand a) {
-  if (op == Instruction::absolute || op == Instruction::cos) a &= ~1u;
+  if (op == Instruction::absolute || op == Instruction::cos || op == Instruction::cosh) a &= ~1u;
   if (op == Instruction::negate) return negated(a);
   return number({.op = op, .a = value_of(a)});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "numeric/program/library_function.h"
 
 namespace rigor {
 ExpressionCompiler::ExpressionCompiler(const ExprTree& tree, std::span<const Definition> definitions,
@@ -79,6 +80,8 @@ Operand ExpressionCompiler::scalar_of(ExprId id) {
     case Op::multiply:
       return scalar_factors(id);
     case Op::divide: {
+      if (const auto named = library_function(*tree_, id))
+        return values_.unary(named->instruction, scalar(named->argument));
       const Operand dividend = scalar(child(id, 0));
       return values_.divide(dividend, scalar(child(id, 1)));
     }
@@ -160,6 +163,7 @@ void ExpressionCompiler::array_of(ExprId id) {
     case Op::multiply:
       return outer_product(id);
     case Op::divide: {
+      if (here.rank == 0) break;
       array(child(id, 0));
       const Operand divisor = scalar(child(id, 1));
       for (std::size_t i = begin; i < stack_.size(); ++i) stack_[i] = values_.divide(stack_[i], divisor);

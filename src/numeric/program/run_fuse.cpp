@@ -20,6 +20,10 @@ constexpr auto kernels_of = std::to_array<Kernel>({
     Kernel::sin,
     Kernel::cos,
     Kernel::exp,
+    Kernel::tan,
+    Kernel::sinh,
+    Kernel::cosh,
+    Kernel::tanh,
     Kernel::copy,
 });
 static_assert(kernels_of.size() == static_cast<std::size_t>(Instruction::sum) + 1);

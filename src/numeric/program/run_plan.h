@@ -25,6 +25,10 @@ enum class Kernel : std::uint8_t {
   sin,
   cos,
   exp,
+  tan,
+  sinh,
+  cosh,
+  tanh,
   add,                 // a + b
   subtract,            // a − b
   multiply,            // a b

@@ -75,9 +75,25 @@ struct NumberTraits<Bounded> {
     return {value, value * (std::expm1(x.bound) + 8.0 * Bounded::unit) * (1.0 + 8.0 * Bounded::unit) +
                        2.0 * Bounded::least};
   }
+  static Bounded tangent(const Bounded& x) { return sine(x) / cosine(x); }
+  static Bounded hyperbolic_sine(const Bounded& x) {
+    return half(exponential(x) - exponential(-x), std::sinh(x.value));
+  }
+  static Bounded hyperbolic_cosine(const Bounded& x) {
+    return half(exponential(x) + exponential(-x), std::cosh(x.value));
+  }
+  static Bounded hyperbolic_tangent(const Bounded& x) {
+    return {std::tanh(x.value), x.bound + 4.0 * Bounded::unit};
+  }
   static Bounded read(const std::string& digits) {
     const double value = NumberTraits<double>::read(digits);
     return {value, Bounded::rounding(value)};
+  }
+
+ private:
+  /// Half of `twice`, for which a library's `value` is taken: what is known of one is known of the other.
+  static Bounded half(const Bounded& twice, double value) {
+    return {value, twice.bound / 2 + std::abs(twice.value / 2 - value) + 2.0 * Bounded::least};
   }
 };
 

@@ -2,7 +2,8 @@
 // A number of many decimal digits with a bound of its error, as a number of programs: the formulas of
 // `bounds.h` with u = 2^(1 − bits). Differences: an error-free 0 stays one; what may be negative has no
 // bounded root; what has no real value, because an error-free or bounded operand proves it, is marked. The
-// library's sin, cos (absolute) and exp (relative) are taken to be right to 2^16 u (1 + |x|).
+// library's cos (absolute) and exp (relative) are taken to be right to 2^16 u (1 + |x|); so are sin and sinh,
+// and to 2^16 u |x| where |x| < 1/2.
 #pragma once
 
 #include "numeric/run/bounds_magnitude.h"
@@ -137,10 +138,10 @@ struct NumberTraits<BoundedDecimal<digits>> {
   }
   static Number absolute(const Number& x) { return x.value < 0 ? -x : x; }
   static Number sine(const Number& x) {
-    return bounded(x, [](const T& argument) { return T(sin(argument)); });
+    return bounded(x, is_small(x), [](const T& argument) { return T(sin(argument)); });
   }
   static Number cosine(const Number& x) {
-    return bounded(x, [](const T& argument) { return T(cos(argument)); });
+    return bounded(x, false, [](const T& argument) { return T(cos(argument)); });
   }
   static Number exponential(const Number& x) {
     if (x.undefined) return x;
@@ -156,17 +157,38 @@ struct NumberTraits<BoundedDecimal<digits>> {
         (Magnitude(1.0) + x.size()) * Magnitude(1.0, lost_in_functions + 1 - Number::bits);
     return {value, Number::size_of(value) * (Magnitude(2.0) * x.bound + library)};
   }
+  static Number tangent(const Number& x) { return sine(x) / cosine(x); }
+  static Number hyperbolic_sine(const Number& x) {
+    if (!x.undefined && is_small(x))  // a slope of 2 at most
+      return bounded(doubled_bound(x), true, [](const T& argument) { return T(sinh(argument)); });
+    return (exponential(x) - exponential(-x)) / Number(2.0);
+  }
+  static Number hyperbolic_cosine(const Number& x) {
+    return (exponential(x) + exponential(-x)) / Number(2.0);
+  }
+  static Number hyperbolic_tangent(const Number& x) {
+    if (!x.undefined && is_small(x)) return hyperbolic_sine(x) / hyperbolic_cosine(x);
+    if (!x.undefined && x.value < 0) return -hyperbolic_tangent(-x);
+    const Number falls = exponential(-(x + x));
+    return (Number(1.0) - falls) / (Number(1.0) + falls);
+  }
   static Number read(const std::string& text) { return {T(text), Magnitude{}, 1}; }
 
  private:
+  static bool is_small(const Number& x) { return x.size() + x.bound < Magnitude(0.5); }
+  static Number doubled_bound(const Number& x) {
+    Number result = x;
+    result.bound = x.bound + x.bound;
+    return result;
+  }
   /// From −1 to 1, with a slope of 1 at most. Where no digit would be right no function is called.
   template <class Function>
-  static Number bounded(const Number& x, const Function& function) {
-    if (x.undefined) return x;
+  static Number bounded(const Number& x, bool is_odd_and_small, const Function& function) {
+    if (x.undefined || (is_odd_and_small && x.is_exact_zero())) return x;
     Number result;
     result.bound = x.bound.is_finite() ? Magnitude(1.0) : Magnitude::infinite();
-    const Magnitude error =
-        x.bound + (Magnitude(1.0) + x.size()) * Magnitude(1.0, lost_in_functions + 1 - Number::bits);
+    const Magnitude scale = is_odd_and_small ? x.size() : Magnitude(1.0) + x.size();
+    const Magnitude error = x.bound + scale * Magnitude(1.0, lost_in_functions + 1 - Number::bits);
     if (!(error < Magnitude(0.5))) return result;
     return {function(x.value), error};
   }

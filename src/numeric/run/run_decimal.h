@@ -30,7 +30,23 @@ struct NumberTraits<Decimal<digits>> {
     if (x > 5e8) return std::numeric_limits<T>::infinity();
     return x < -5e8 ? T(0) : exp(x);
   }
+  static T tangent(const T& x) { return boost::multiprecision::isfinite(x) ? tan(x) : none(); }
+  static T hyperbolic_sine(const T& x) { return x < 0 ? T(-grown(-x, false)) : grown(x, false); }
+  static T hyperbolic_cosine(const T& x) { return grown(abs(x), true); }
+  static T hyperbolic_tangent(const T& x) {
+    if (boost::multiprecision::isnan(x)) return none();
+    if (abs(x) > 5e8) return x < 0 ? T(-1) : T(1);
+    return tanh(x);
+  }
   static T read(const std::string& text) { return T(text); }
+
+ private:
+  /// sinh or cosh of what is not negative.
+  static T grown(const T& x, bool even) {
+    if (boost::multiprecision::isnan(x)) return none();
+    if (x > 5e8) return std::numeric_limits<T>::infinity();
+    return even ? T(cosh(x)) : T(sinh(x));
+  }
 };
 
 }  // namespace rigor

@@ -23,9 +23,18 @@ struct NumberTraits<dd_real> {
   static dd_real sine(const dd_real& x) { return is_angle(x) ? sin(x) : none(); }
   static dd_real cosine(const dd_real& x) { return is_angle(x) ? cos(x) : none(); }
   static dd_real exponential(const dd_real& x) { return std::isnan(x.x[0]) ? none() : exp(x); }
+  static dd_real tangent(const dd_real& x) { return is_angle(x) ? tan(x) : none(); }
+  static dd_real hyperbolic_sine(const dd_real& x) { return std::isnan(x.x[0]) ? none() : sinh(x); }
+  static dd_real hyperbolic_cosine(const dd_real& x) { return std::isnan(x.x[0]) ? none() : cosh(x); }
+  static dd_real hyperbolic_tangent(const dd_real& x) {
+    if (std::isnan(x.x[0])) return none();
+    return std::abs(x.x[0]) > flat ? dd_real(std::copysign(1.0, x.x[0])) : tanh(x);
+  }
   static dd_real read(const std::string& digits) { return dd_real(digits.c_str()); }
 
  private:
+  /// Beyond this, tanh is 1 to 106 bits.
+  static constexpr double flat = 40;
   /// Beyond this, nothing is left of the angle modulo 2π.
   static bool is_angle(const dd_real& x) { return std::abs(x.x[0]) < 1e30; }
 };

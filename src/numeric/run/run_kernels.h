@@ -40,6 +40,10 @@ template <Kernel kernel, class T>
   if constexpr (kernel == Kernel::sin) return NumberTraits<T>::sine(x);
   if constexpr (kernel == Kernel::cos) return NumberTraits<T>::cosine(x);
   if constexpr (kernel == Kernel::exp) return NumberTraits<T>::exponential(x);
+  if constexpr (kernel == Kernel::tan) return NumberTraits<T>::tangent(x);
+  if constexpr (kernel == Kernel::sinh) return NumberTraits<T>::hyperbolic_sine(x);
+  if constexpr (kernel == Kernel::cosh) return NumberTraits<T>::hyperbolic_cosine(x);
+  if constexpr (kernel == Kernel::tanh) return NumberTraits<T>::hyperbolic_tangent(x);
 }
 
 template <class T, bool wide, class Value>
@@ -113,7 +117,7 @@ void run(T* const* slots, const PlanStep& step, int lanes) {
   if constexpr (kernel == Kernel::accumulate_product)
     accumulate<T, to_wide>(out, X(0) * X(1), step.over_lanes, lanes);
   if constexpr (kernel == Kernel::fold) *out = folded(slots[step.in[0]]);
-  if constexpr (kernel >= Kernel::absolute && kernel <= Kernel::exp) {
+  if constexpr (kernel >= Kernel::absolute && kernel <= Kernel::tanh) {
     if constexpr (!to_wide) {
       *out = function_of<kernel>(X(0));
     } else if constexpr (kernel == Kernel::root && std::is_same_v<T, double>) {
@@ -152,6 +156,10 @@ template <class T>
     CASE(sin, 0x8001);
     CASE(cos, 0x8001);
     CASE(exp, 0x8001);
+    CASE(tan, 0x8001);
+    CASE(sinh, 0x8001);
+    CASE(cosh, 0x8001);
+    CASE(tanh, 0x8001);
     CASE(add, 0x8001, 0x8003);
     CASE(subtract, 0x8001, 0x8002, 0x8003);
     CASE(multiply, 0x8001, 0x8003);

@@ -17,6 +17,10 @@ struct NumberTraits {
   static T sine(const T& x) { return std::sin(x); }
   static T cosine(const T& x) { return std::cos(x); }
   static T exponential(const T& x) { return std::exp(x); }
+  static T tangent(const T& x) { return std::tan(x); }
+  static T hyperbolic_sine(const T& x) { return std::sinh(x); }
+  static T hyperbolic_cosine(const T& x) { return std::cosh(x); }
+  static T hyperbolic_tangent(const T& x) { return std::tanh(x); }
   static T read(const std::string& digits);
   static constexpr bool has_lanes = true;
 };

@@ -36,6 +36,21 @@ Json form_json(const FormResult& form) {
   return json;
 }
 
+Json worst_json(const WorstPoint& worst) {
+  return {{"form", worst.form}, {"at", worst.values}, {"forms", array_of(worst.forms, form_json)}};
+}
+
+/// Forms for ranges of numbers, and the points where other forms lose their digits.
+Json search_json(const SearchResult& search) {
+  return {{"ranges", array_of(search.ranges,
+                              [](const FormForRange& range) {
+                                return Json{{"form", range.form},
+                                            {"where", range.where},
+                                            {"losing", array_of(range.losing, worst_json)}};
+                              })},
+          {"losing", array_of(search.losing, worst_json)}};
+}
+
 Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
   const WrittenFormChain* chain = evaluated.chain;
   const ChainResult& result = evaluated.result;
@@ -63,6 +78,7 @@ Json chain_json(const EvaluatedChain& evaluated, const SourceMap& sources) {
                 {"particles", trial.particles},
                 {"forms", array_of(trial.forms, form_json)}};
   });
+  if (result.search) json["search"] = search_json(*result.search);
   if (const auto advice = advise(result)) {
     json["advice"] = {{"form", advice->form},
                       {"all_alike", advice->all_alike},

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/measure/chain_results.h"
+#include "numeric/advice/chain_results.h"
 #include "report/text/terminal.h"
 
 namespace rigor {

@@ -13,6 +13,7 @@ namespace rigor {
 namespace {
 
 constexpr double alike = 8.0;
+constexpr double digits_of_double = 16;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Without a value more often than another form is.
@@ -57,19 +58,6 @@ Loss greatest_loss(const ChainResult& result, std::size_t form) {
   return greatest;
 }
 
-/// Over the trials, the median; where no time was measured, the operations.
-double cost_of(const ChainResult& result, std::size_t form) {
-  std::vector<double> times;
-  for (const TrialResult& trial : result.trials) times.push_back(in_double(trial.forms[form]).nanoseconds);
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-  const double median = times[times.size() / 2];
-  if (median > 0) return median;
-  const ChainResult::Form& counted = result.forms[form];
-  return static_cast<double>(counted.operations + counted.operations_per_particle);
-}
-
-bool has_times(const ChainResult& result) { return in_double(result.trials[0].forms[0]).nanoseconds > 0; }
-
 std::string cost_text(const ChainResult& result, std::size_t form) {
   const double cost = cost_of(result, form);
   return has_times(result) ? fmt::format("{} ns", short_number(cost))
@@ -90,6 +78,81 @@ std::string error_text(const FormResult& form) {
   return text;
 }
 
+/// What a form does at a point, without the point.
+std::string fault_of(const FormResult& form, const FormResult& best) {
+  const ErrorMeasure& measure = in_double(form);
+  if (measure.overflows > 0) return "overflows";
+  if (measure.not_a_number > 0) return "is not a number";
+  if (measure.compared == 0) return "loses its digits";
+  if (std::ranges::all_of(form.first, [](double x) { return x == 0; })) return "gives 0";
+  const double error = std::max(measure.relative.worst, unit_roundoff);
+  const double other = std::max(in_double(best).relative.worst, unit_roundoff);
+  const double lost = std::clamp(std::log10(error / other), 0.0, digits_of_double);
+  std::string text = lost >= digits_of_double - 0.5
+                         ? "has no right digit"
+                         : fmt::format("loses {:.0f} of 16 digits", std::max(lost, 1.0));
+  if (measure.wrong_signs > 0)
+    text += lost >= digits_of_double - 0.5 ? " and not the right sign" : " and its sign";
+  return text;
+}
+
+/// ` A (2 operations) loses 8 of 16 digits at x = 1e-08: it errs by 6.1e-09, B by 1.1e-16.`
+std::string loss_text(const ChainResult& result, const WorstPoint& worst, std::size_t best) {
+  const FormResult& here = worst.forms[worst.form];
+  std::string text = fmt::format(" {} ({}) {} at {}", form_letter(worst.form), cost_text(result, worst.form),
+                                 fault_of(here, worst.forms[best]), worst.at);
+  const ErrorMeasure& own = in_double(here);
+  const ErrorMeasure& other = in_double(worst.forms[best]);
+  if (own.compared == 0 || other.compared == 0) return text + ".";
+  const std::string others = fmt::format("{} by {}", form_letter(best), short_number(failing_error(other)));
+  if (own.overflows + own.not_a_number > 0)
+    return fmt::format("{}, where {} errs{}.", text, form_letter(best),
+                       others.substr(form_letter(best).size()));
+  return fmt::format("{}: it errs by {}, {}.", text, short_number(failing_error(own)), others);
+}
+
+/// The form that loses least where it loses most.
+std::size_t least_losing(const SearchResult& search) {
+  const auto least = std::ranges::min_element(search.losing, {}, [](const WorstPoint& worst) {
+    return failing_error(in_double(worst.forms[worst.form]));
+  });
+  return least == search.losing.end() ? 0 : least->form;
+}
+
+bool is_alike(const SearchResult& search) {
+  return search.ranges.size() == 1 && search.ranges[0].losing.empty();
+}
+
+std::string search_text(const ChainResult& result, const SearchResult& search) {
+  if (search.ranges.empty()) {
+    std::string text = "No form keeps its digits in a range that has a name.";
+    for (const WorstPoint& worst : search.losing) {
+      std::size_t best = 0;
+      for (std::size_t k = 0; k < worst.forms.size(); ++k) {
+        if (failing_error(in_double(worst.forms[k])) < failing_error(in_double(worst.forms[best]))) best = k;
+      }
+      text += loss_text(result, worst, best);
+    }
+    return text;
+  }
+  const FormForRange& first = search.ranges[0];
+  const auto named = [&](const FormForRange& range) {
+    return fmt::format("{} ({}){}", form_letter(range.form), cost_text(result, range.form), range.where);
+  };
+  if (is_alike(search)) {
+    const std::size_t count = result.forms.size();
+    const std::string all = count == 2 ? "Both forms" : fmt::format("All {} forms", count);
+    return fmt::format("{} are equally accurate{}; {} is the cheapest ({}).", all, first.where,
+                       form_letter(first.form), cost_text(result, first.form));
+  }
+  std::string text = "Compute " + named(first);
+  text += search.ranges.size() == 1 ? "." : fmt::format(", and {}.", named(search.ranges[1]));
+  for (const FormForRange& range : search.ranges) {
+    for (const WorstPoint& worst : range.losing) text += loss_text(result, worst, range.form);
+  }
+  return text;
+}
+
 }  // namespace
 
 double failing_error(const ErrorMeasure& measure) {
@@ -102,12 +165,13 @@ std::optional<Advice> advise(const ChainResult& all) {
   ChainResult result = all;
   std::erase_if(result.trials, [](const TrialResult& trial) { return !counts(trial); });
   const std::size_t count = result.forms.size();
-  if (count < 2 || result.trials.empty() || !result.not_comparable.empty()) return std::nullopt;
+  const bool has_grounds = !result.trials.empty() || result.search.has_value();
+  if (count < 2 || !has_grounds || !result.not_comparable.empty()) return std::nullopt;
   std::vector<double> losses;
   std::vector<double> costs;
   for (std::size_t k = 0; k < count; ++k) {
     losses.push_back(greatest_loss(result, k).factor);
-    costs.push_back(cost_of(result, k));
+    costs.push_back(cost_of(all, k));
   }
   const double least = std::ranges::min(losses);
   Advice advice;
@@ -126,6 +190,11 @@ std::optional<Advice> advise(const ChainResult& all) {
     }
     if (!beaten) advice.fronts.push_back(k);
   }
+  if (result.search) {
+    const SearchResult& search = *result.search;
+    advice.form = search.ranges.empty() ? least_losing(search) : search.ranges[0].form;
+    advice.all_alike = is_alike(search);
+  }
   return advice;
 }
 
@@ -134,6 +203,7 @@ std::string form_letter(std::size_t form) {
 }
 
 std::string advice_text(const ChainResult& result, const Advice& advice) {
+  if (result.search) return search_text(result, *result.search);
   const std::string best = form_letter(advice.form);
   const std::string cost = cost_text(result, advice.form);
   if (advice.all_alike) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/measure/chain_results.h"
+#include "numeric/advice/chain_results.h"
 
 namespace rigor {
 

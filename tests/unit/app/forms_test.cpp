@@ -92,6 +92,28 @@ TEST_CASE("the forms as text and as JSON say the same") {
   CHECK(lengths["forms"][1]["double"]["relative_error"]["worst"].is_null());
 }
 
+TEST_CASE("the point of an advice, put in again, gives the errors that it names") {
+  const Folder folder;
+  const std::string notes = folder.write("a.md", "$$x^2 - y^2 = (x-y)(x+y)$$\n");
+  const auto json = nlohmann::json::parse(run_words({"eval", notes, "--no-times", "--json"}).out);
+  const std::string advice = json["chains"][0]["advice"]["text"];
+  const auto from = advice.find(" at ") + 4;
+  const auto to = advice.find(": it errs");
+  REQUIRE(from < to);
+  const std::string point = advice.substr(from, to - from);
+  const auto again =
+      nlohmann::json::parse(run_words({"eval", notes, "--no-times", "--json", "--with", point}).out);
+  const auto& worst = json["chains"][0]["search"]["ranges"][0]["losing"][0];
+  const auto& given = again["chains"][0]["trials"];
+  REQUIRE(given.size() == 1);
+  CHECK(worst["form"] == 0);
+  for (std::size_t form = 0; form < 2; ++form)
+    CHECK(given[0]["forms"][form]["double"] == worst["forms"][form]["double"]);
+  const Ended ended = run_words({"eval", notes, "--with", "x"});
+  CHECK(ended.code == 1);
+  CHECK(ended.err.find("`x` gives no letter a number") != std::string::npos);
+}
+
 TEST_CASE("what cannot be read in the notes is reported, and the rest is evaluated") {
   const Folder folder;
   const Ended ended =

@@ -83,6 +83,18 @@ constexpr std::array all_arithmetics{Arithmetic::single, Arithmetic::plain, Arit
       case Instruction::exp:
         values.push_back(std::exp(a));
         break;
+      case Instruction::tan:
+        values.push_back(std::tan(a));
+        break;
+      case Instruction::sinh:
+        values.push_back(std::sinh(a));
+        break;
+      case Instruction::cosh:
+        values.push_back(std::cosh(a));
+        break;
+      case Instruction::tanh:
+        values.push_back(std::tanh(a));
+        break;
       case Instruction::sum:
         values.push_back(0.0);
         break;

@@ -180,6 +180,14 @@ namespace {
       return "cos";
     case Instruction::exp:
       return "exp";
+    case Instruction::tan:
+      return "tan";
+    case Instruction::sinh:
+      return "sinh";
+    case Instruction::cosh:
+      return "cosh";
+    case Instruction::tanh:
+      return "tanh";
     case Instruction::sum:
       return "sum";
     case Instruction::constant:

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numeric/measure/chain_results.h"
+#include "numeric/advice/chain_results.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "numeric/advice/advise_forms.h"
 #include "numeric/body/body_letters.h"
 #include "numeric/family/families.h"
 #include "numeric/measure/assumptions.h"
@@ -31,10 +32,15 @@ class ChainMeasurement {
     for (const Program& program : programs_) pointers_.push_back(&program);
     symbols_ = symbols_read(pointers_);
     compile_assumptions();
+    if (!options_.values.empty()) {
+      try_values();
+      return std::move(result_);
+    }
     const bool of_particles = std::ranges::any_of(
         symbols_, [&](SymbolId symbol) { return forms_.tree.symbols[symbol].per_particle; });
     if (bodies.empty() || !of_particles) {
       for (const InputFamily& family : input_families()) try_family(family, nullptr);
+      search();
       return std::move(result_);
     }
     const auto letters = body_letters(forms_.tree, pointers_);
@@ -145,16 +151,86 @@ class ChainMeasurement {
     }
     trial.met = has_all_letters(*drawn) &&
                 meets_all(forms_.tree, chain_.definitions, chain_.assumptions, *drawn, uncertainty);
-    for (const Program& program : programs_) trial.forms.push_back(run(program, *drawn));
+    for (const Program& program : programs_) trial.forms.push_back(run(program, *drawn, options_.times));
     result_.trials.push_back(std::move(trial));
   }
 
-  [[nodiscard]] FormResult run(const Program& program, const Samples& samples) const {
+  /// One sample, of numbers that somebody gives.
+  void try_values() {
+    Samples samples(1, 1);
+    std::map<SymbolId, std::vector<std::uint32_t>> read;
+    for (const Program& program : programs_) {
+      for (const ProgramInput& input : program.inputs()) {
+        std::vector<std::uint32_t>& components = read[input.symbol];
+        if (std::ranges::find(components, input.component) == components.end())
+          components.push_back(input.component);
+      }
+    }
+    for (const auto& [id, components] : read) {
+      const Symbol& symbol = forms_.tree.symbols[id];
+      if (symbol.per_particle) {
+        result_.no_trials = fmt::format("`{}` belongs to particles, which only a body gives", symbol.name);
+        return;
+      }
+      const auto given = options_.values.find(symbol.name);
+      const bool has_all = given != options_.values.end() && given->second.size() == component_count(symbol);
+      if (!symbol.unit_of_measure && !has_all) {
+        result_.no_trials = given == options_.values.end()
+                                ? fmt::format("`{}` has no value", symbol.name)
+                                : fmt::format("`{}` has {} components", symbol.name, component_count(symbol));
+        return;
+      }
+      for (const std::uint32_t component : components)
+        samples.set(id, component, symbol.unit_of_measure ? 1.0 : given->second[component]);
+    }
+    TrialResult trial{.name = "given", .what = "the numbers that were given", .samples = 1, .forms = {}};
+    trial.met = has_all_letters(samples) &&
+                meets_all(forms_.tree, chain_.definitions, chain_.assumptions, samples, uncertainty);
+    for (const Program& program : programs_) trial.forms.push_back(run(program, samples, options_.times));
+    result_.trials.push_back(std::move(trial));
+  }
+
+  void search() {
+    if (programs_.size() < 2 || result_.trials.empty() || !result_.not_comparable.empty()) return;
+    const auto space = search_space(forms_, chain_, programs_, options_.seed);
+    if (!space) return;
+    std::vector<double> costs;
+    for (std::size_t form = 0; form < programs_.size(); ++form) costs.push_back(cost_of(result_, form));
+    const auto advice = advise_forms(*space, forms_.tree, costs, options_.seed);
+    if (!advice) return;
+    SearchResult found;
+    for (const AdvisedForm& part : advice->parts)
+      found.ranges.push_back({part.form, text_of(forms_.tree, *space, part.range), {}});
+    for (std::size_t k = 0; k < found.ranges.size(); ++k)
+      found.ranges[k].losing = worst_points(*space, advice->parts[k].others);
+    found.losing = worst_points(*space, advice->others);
+    result_.search = std::move(found);
+  }
+
+  [[nodiscard]] std::vector<WorstPoint> worst_points(const SearchSpace& space,
+                                                     const std::vector<OtherForm>& others) const {
+    std::vector<WorstPoint> points;
+    for (const OtherForm& other : others) {
+      WorstPoint point{.form = other.form,
+                       .at = text_of(forms_.tree, space, other.worst.point),
+                       .values = {},
+                       .forms = {}};
+      for (const SearchedLetter& letter : space.letters)
+        point.values[forms_.tree.symbols[letter.symbol].name] =
+            values_of(forms_.tree, letter, other.worst.point);
+      const Samples there = samples_at(space, std::span(&other.worst.point, 1));
+      for (const Program& program : programs_) point.forms.push_back(run(program, there, false));
+      points.push_back(std::move(point));
+    }
+    return points;
+  }
+
+  [[nodiscard]] FormResult run(const Program& program, const Samples& samples, bool times) const {
     std::vector<std::uint32_t> at;
     for (std::size_t k = 0; k < program.free_particles().size(); ++k)
       at.push_back(static_cast<std::uint32_t>(k % samples.particles()));
     MeasureOptions options{.operations = options_.operations};
-    if (!options_.times) options.milliseconds = 0;
+    if (!times) options.milliseconds = 0;
     FormResult form;
     form.measure = rigor::measure(program, samples, options, at);
     const std::vector<double> values = evaluate(program, samples, Arithmetic::plain, at);
@@ -175,6 +251,18 @@ class ChainMeasurement {
 };
 
 }  // namespace
+
+double cost_of(const ChainResult& result, std::size_t form) {
+  std::vector<double> times;
+  for (const TrialResult& trial : result.trials) times.push_back(in_double(trial.forms[form]).nanoseconds);
+  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+  const double median = times[times.size() / 2];
+  if (median > 0) return median;
+  const ChainResult::Form& counted = result.forms[form];
+  return static_cast<double>(counted.operations + counted.operations_per_particle);
+}
+
+bool has_times(const ChainResult& result) { return in_double(result.trials[0].forms[0]).nanoseconds > 0; }
 
 ChainResult measure_chain(const WrittenForms& forms, const WrittenFormChain& chain,
                           std::span<const Body> bodies, const TrialOptions& options) {

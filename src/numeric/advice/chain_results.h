@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the forms of one chain fare in floating point: each on several trials, which are families of numbers or
-// sample bodies.
+// sample bodies; and which of them to compute where, as a search of all numbers shows.
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +34,28 @@ struct TrialResult {
   std::vector<FormResult> forms;  // in the order of ChainResult::forms
 };
 
+/// The point at which a form loses most on the best one there: values for all letters, with all their digits.
+struct WorstPoint {
+  std::size_t form = 0;
+  std::string at;  // `x = 1e-09, y = 3`
+  std::map<std::string, std::vector<double>> values;
+  std::vector<FormResult> forms;  // there, in the order of ChainResult::forms
+};
+
+/// One form for a range of numbers.
+struct FormForRange {
+  std::size_t form = 0;
+  std::string where;               // ` where b > 0`, ` for numbers up to 8`; empty: everywhere
+  std::vector<WorstPoint> losing;  // the other forms that lose digits there
+};
+
+/// What a search of all numbers within the conditions of the notes found.
+struct SearchResult {
+  std::vector<FormForRange>
+      ranges;  // at most two; none: each form loses somewhere in any range that has a name
+  std::vector<WorstPoint> losing;  // then
+};
+
 struct ChainResult {
   /// A form that was evaluated; others are not computed from anything, or name one that is.
   struct Form {
@@ -49,16 +73,23 @@ struct ChainResult {
   std::string not_comparable;       // why no form can stand for another: a step that is not a proved equality
   std::string taken_for;            // with bodies: which letters were taken for masses and positions
   std::string no_trials;            // why not, if there are forms
+  std::optional<SearchResult> search;  // only without bodies and particles, of forms that can be compared
 };
+
+/// Of a form, in nanoseconds: over the trials, the median. Where no time was measured, the operations.
+[[nodiscard]] double cost_of(const ChainResult& result, std::size_t form);
+[[nodiscard]] bool has_times(const ChainResult& result);
 
 struct TrialOptions {
   bool times = true;
   std::size_t samples = 1024;          // of a trial, at most; at least 16
   std::size_t operations = 4'000'000;  // with many digits, for one form on one trial
   std::uint64_t seed = 1;
+  std::map<std::string, std::vector<double>> values = {};  // of letters by name: the only trial
 };
 
-/// With bodies, one trial for each and any spin; without, the families that concern the forms' letters.
+/// With bodies, one trial for each and any spin; without, the families that concern the forms' letters, and a
+/// search.
 [[nodiscard]] ChainResult measure_chain(const WrittenForms& forms, const WrittenFormChain& chain,
                                         std::span<const Body> bodies, const TrialOptions& options = {});
 
