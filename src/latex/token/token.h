@@ -15,7 +15,7 @@ namespace rigor {
 
 enum class TokenKind : std::uint8_t {
   control,      // \alpha, \\, \, : text without the backslash; `\` and white space is the control ` `
-  letter,       // one letter a-z, A-Z, or one non-ASCII code point (α, ∑, ·)
+  letter,       // one letter a-z, A-Z, or one non-ASCII code point (α, ∑, ·); later, words for a quantity
   digit,        // one digit
   begin_group,  // {
   end_group,    // }
