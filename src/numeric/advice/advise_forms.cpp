@@ -46,8 +46,10 @@ class FormAdviser {
   }
 
  private:
-  /// Has no point of the range been seen where the form loses?
+  /// Has no point of the range been seen where the form loses? A range in which no point meets the conditions
+  /// says nothing of a form.
   [[nodiscard]] bool seems_safe(std::size_t form, const Range& range) const {
+    if (std::ranges::find(empty_, range) != empty_.end()) return false;
     return std::ranges::none_of(attacker_.losing_points(form),
                                 [&](const Point& point) { return contains(space_, range, point); });
   }
@@ -108,7 +110,8 @@ class FormAdviser {
     for (const std::size_t effort : {std::size_t{1}, last_effort}) {
       for (const AdvisedForm& part : parts) {
         const auto found = attacker_.worst(part.form, part.range, {.effort = effort, .refutes = true});
-        if (found && found->loss > no_loss) return false;
+        if (!found) empty_.push_back(part.range);
+        if (!found || found->loss > no_loss) return false;
         if (!seems_safe(part.form, part.range)) return false;
       }
     }
@@ -152,6 +155,7 @@ class FormAdviser {
   const ExprTree& tree_;
   Attacker attacker_;
   std::vector<std::size_t> by_cost_;
+  std::vector<Range> empty_;  // in which an attack met no point
 };
 
 }  // namespace

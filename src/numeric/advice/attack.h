@@ -35,8 +35,10 @@ struct LosingPoint {
 /// How hard to look, and for what.
 struct Aim {
   std::size_t effort = 1;
-  bool refutes = false;   // ends where a loss is found that counts
-  bool ordinary = false;  // a loss that numbers of ordinary size show goes before one that takes extreme ones
+  bool refutes = false;  // ends where a loss is found that counts
+  /// A loss that numbers of ordinary size show goes before one that takes extreme ones. The points at which
+  /// the form is known to lose are looked at, too.
+  bool ordinary = false;
 };
 
 class Attacker {
@@ -76,6 +78,7 @@ class Attacker {
 
   [[nodiscard]] std::optional<Climber> climber_at(Point point, std::size_t form, const Range& range,
                                                   const Aim& aim);
+  [[nodiscard]] std::vector<Climber> known_losing(std::size_t form, const Range& range, const Aim& aim);
   void note_losses(const Point& point, const PointErrors& errors);
 
   [[nodiscard]] Point draw(const Range& range);

@@ -229,4 +229,26 @@ TEST_CASE("advised forms keep their digits on 20,000 points that were not search
   CHECK(5 * in_range > known);
 }
 
+TEST_CASE("points at which a form is known to lose are not forgotten", "[numeric]") {
+  const AdvisedChain advised("$$\\frac{a^2 - b^2}{a - b} = a + b$$", "");
+  Attacker attacker(*advised.space, 1);
+  const auto found = attacker.worst(0, {}, {});
+  REQUIRE(found);
+  REQUIRE(found->loss > no_loss);
+  const auto again = attacker.worst(0, {}, {.effort = 0, .ordinary = true});
+  REQUIRE(again);
+  CHECK(again->loss > no_loss);
+}
+
+TEST_CASE("a form is not advised for a range in which no point was met", "[numeric]") {
+  // No form is safe there, and all numbers up to 500 are beyond the conditions.
+  const AdvisedChain advised(
+      "For $x > 1000$ and $y > 1000$,\n$$(x+y)^2 - x^2 - y^2 = (x - y)^2 - x^2 - y^2 + 4xy$$", "");
+  REQUIRE(advised.advice);
+  for (const AdvisedForm& part : advised.advice->parts) {
+    Attacker attacker(*advised.space, 1);
+    CHECK(attacker.worst(part.form, part.range, {.effort = 6}));
+  }
+}
+
 }  // namespace rigor
