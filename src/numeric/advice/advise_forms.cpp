@@ -24,7 +24,7 @@ class FormAdviser {
     std::ranges::stable_sort(by_cost_, {}, [&](std::size_t form) { return costs[form]; });
   }
 
-  std::optional<RangeAdvice> advise() {
+  std::optional<RangeAdvice> advise(std::size_t most_work) {
     bool any = false;
     for (const Range& range : {Range{}, Range{.least = 1e-75, .most = 1e75}, Range{.most = 8}}) {
       for (const std::size_t form : by_cost_) any = attacker_.worst(form, range, {}).has_value() || any;
@@ -32,6 +32,7 @@ class FormAdviser {
     if (!any) return std::nullopt;
     RangeAdvice advice;
     for (std::size_t k = 0; k < most_proposals && advice.parts.empty(); ++k) {
+      if (attacker_.work() > most_work) return std::nullopt;
       auto proposed = proposal();
       if (proposed.empty()) break;
       if (stands(proposed)) advice.parts = std::move(proposed);
@@ -161,8 +162,9 @@ class FormAdviser {
 }  // namespace
 
 std::optional<RangeAdvice> advise_forms(const SearchSpace& space, const ExprTree& tree,
-                                        std::span<const double> costs, std::uint64_t seed) {
-  return FormAdviser(space, tree, costs, seed).advise();
+                                        std::span<const double> costs, std::uint64_t seed,
+                                        std::size_t most_work) {
+  return FormAdviser(space, tree, costs, seed).advise(most_work);
 }
 
 }  // namespace rigor

@@ -77,6 +77,7 @@ std::optional<PointErrors> Attacker::errors_at(const Point& point) {
       std::ranges::all_of(point, is_ordinary) &&
       std::ranges::none_of(letters_, [&](const SearchedLetter* each) { return is_zero(*each, point); });
   if (!ordinary || !conditions_.met(point)) return std::nullopt;
+  work_ += work_at_a_point(space_);
   PointErrors errors;
   std::size_t best = 0;
   long double size = 0;

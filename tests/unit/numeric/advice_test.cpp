@@ -241,14 +241,24 @@ TEST_CASE("points at which a form is known to lose are not forgotten", "[numeric
 }
 
 TEST_CASE("a form is not advised for a range in which no point was met", "[numeric]") {
-  // No form is safe there, and all numbers up to 500 are beyond the conditions.
+  // Numbers up to 500 do not meet the conditions, and beyond that no single form is safe.
   const AdvisedChain advised(
-      "For $x > 1000$ and $y > 1000$,\n$$(x+y)^2 - x^2 - y^2 = (x - y)^2 - x^2 - y^2 + 4xy$$", "");
+      "For $x > 1000$ and $y > 1000$,\n$$\\frac{\\sqrt{x+1}-\\sqrt{x}}{\\sqrt{y+1}+\\sqrt{y}} = "
+      "\\frac{\\sqrt{y+1}-\\sqrt{y}}{\\sqrt{x+1}+\\sqrt{x}}$$",
+      "");
   REQUIRE(advised.advice);
   for (const AdvisedForm& part : advised.advice->parts) {
     Attacker attacker(*advised.space, 1);
     CHECK(attacker.worst(part.form, part.range, {.effort = 6}));
   }
+}
+
+TEST_CASE("a search that would take too long says nothing", "[numeric]") {
+  const AdvisedChain advised("$$\\frac{a^2 - b^2}{a - b} = a + b$$", "");
+  const ExprTree& tree = advised.reading.forms.tree;
+  const std::vector<double> costs{5, 1};
+  CHECK(advise_forms(*advised.space, tree, costs, 1));
+  CHECK_FALSE(advise_forms(*advised.space, tree, costs, 1, 1));
 }
 
 }  // namespace rigor
