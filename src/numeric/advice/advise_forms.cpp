@@ -24,7 +24,7 @@ class FormAdviser {
     std::ranges::stable_sort(by_cost_, {}, [&](std::size_t form) { return costs[form]; });
   }
 
-  std::optional<RangeAdvice> advise() {
+  std::optional<RangeAdvice> advise(std::size_t most_work) {
     bool any = false;
     for (const Range& range : {Range{}, Range{.least = 1e-75, .most = 1e75}, Range{.most = 8}}) {
       for (const std::size_t form : by_cost_) any = attacker_.worst(form, range, {}).has_value() || any;
@@ -32,6 +32,7 @@ class FormAdviser {
     if (!any) return std::nullopt;
     RangeAdvice advice;
     for (std::size_t k = 0; k < most_proposals && advice.parts.empty(); ++k) {
+      if (attacker_.work() > most_work) return std::nullopt;
       auto proposed = proposal();
       if (proposed.empty()) break;
       if (stands(proposed)) advice.parts = std::move(proposed);
@@ -46,8 +47,10 @@ class FormAdviser {
   }
 
  private:
-  /// Has no point of the range been seen where the form loses?
+  /// Has no point of the range been seen where the form loses? A range in which no point meets the conditions
+  /// says nothing of a form.
   [[nodiscard]] bool seems_safe(std::size_t form, const Range& range) const {
+    if (std::ranges::find(empty_, range) != empty_.end()) return false;
     return std::ranges::none_of(attacker_.losing_points(form),
                                 [&](const Point& point) { return contains(space_, range, point); });
   }
@@ -108,7 +111,8 @@ class FormAdviser {
     for (const std::size_t effort : {std::size_t{1}, last_effort}) {
       for (const AdvisedForm& part : parts) {
         const auto found = attacker_.worst(part.form, part.range, {.effort = effort, .refutes = true});
-        if (found && found->loss > no_loss) return false;
+        if (!found) empty_.push_back(part.range);
+        if (!found || found->loss > no_loss) return false;
         if (!seems_safe(part.form, part.range)) return false;
       }
     }
@@ -152,13 +156,15 @@ class FormAdviser {
   const ExprTree& tree_;
   Attacker attacker_;
   std::vector<std::size_t> by_cost_;
+  std::vector<Range> empty_;  // in which an attack met no point
 };
 
 }  // namespace
 
 std::optional<RangeAdvice> advise_forms(const SearchSpace& space, const ExprTree& tree,
-                                        std::span<const double> costs, std::uint64_t seed) {
-  return FormAdviser(space, tree, costs, seed).advise();
+                                        std::span<const double> costs, std::uint64_t seed,
+                                        std::size_t most_work) {
+  return FormAdviser(space, tree, costs, seed).advise(most_work);
 }
 
 }  // namespace rigor

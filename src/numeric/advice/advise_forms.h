@@ -31,8 +31,14 @@ struct RangeAdvice {
   std::vector<OtherForm> others;
 };
 
-/// `costs`: of the forms; of safe forms the cheapest is advised. Nothing where no point meets the conditions.
+/// Operations after which nothing more is proposed: about ten seconds, and four times what any chain of
+/// derivations/ takes.
+inline constexpr std::size_t most_search_work = 400'000'000;
+
+/// `costs`: of the forms; of safe forms the cheapest is advised. Nothing where no point meets the conditions,
+/// or where `most_work` is done before a proposal stands.
 [[nodiscard]] std::optional<RangeAdvice> advise_forms(const SearchSpace& space, const ExprTree& tree,
-                                                      std::span<const double> costs, std::uint64_t seed);
+                                                      std::span<const double> costs, std::uint64_t seed,
+                                                      std::size_t most_work = most_search_work);
 
 }  // namespace rigor

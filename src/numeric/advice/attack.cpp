@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 #include "numeric/measure/measure.h"
@@ -22,6 +23,7 @@ constexpr std::size_t most_losing_points = 400;
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr std::array<double, 2> grown_too_far{709.8, 354.9};  // where eˣ and its square overflow
 constexpr double exponents_for_a_bit = 15;  // of 2: a loss at 1e±300 counts as if 66 bits less were lost
+constexpr double losing_first = 1000;       // more than extreme sizes take from a score
 constexpr double shown_part = 0.2;          // of the expected error, at a point that shows it
 
 /// A scalar that is exactly 0, or a vector, is a point of its own, where a form may have no value.
@@ -32,6 +34,15 @@ bool is_zero(const SearchedLetter& letter, const Point& point) {
 }
 
 bool is_ordinary(double x) { return x == 0 || (std::abs(x) > 1e-300 && std::abs(x) < 1e300); }
+
+/// Extreme sizes count against a loss, but no point without one goes before it.
+double ordinary_score(const Point& point, double loss) {
+  if (loss <= no_loss) return std::log2(loss);
+  double extreme = 0;
+  for (const double x : point)
+    if (x != 0) extreme = std::max(extreme, std::abs(static_cast<double>(std::ilogb(x))));
+  return losing_first + std::log2(loss) - extreme / exponents_for_a_bit;
+}
 
 }  // namespace
 
@@ -66,6 +77,7 @@ std::optional<PointErrors> Attacker::errors_at(const Point& point) {
       std::ranges::all_of(point, is_ordinary) &&
       std::ranges::none_of(letters_, [&](const SearchedLetter* each) { return is_zero(*each, point); });
   if (!ordinary || !conditions_.met(point)) return std::nullopt;
+  work_ += work_at_a_point(space_);
   PointErrors errors;
   std::size_t best = 0;
   long double size = 0;
@@ -109,14 +121,18 @@ std::optional<Attacker::Climber> Attacker::climber_at(Point point, std::size_t f
   if (!errors) return std::nullopt;
   note_losses(point, *errors);
   const double loss = errors->loss(form);
-  double score = std::log2(loss);
-  if (aim.ordinary) {
-    double extreme = 0;
-    for (const double x : point)
-      if (x != 0) extreme = std::max(extreme, std::abs(static_cast<double>(std::ilogb(x))));
-    score -= extreme / exponents_for_a_bit;
-  }
+  const double score = aim.ordinary ? ordinary_score(point, loss) : std::log2(loss);
   return Climber{{std::move(point), loss}, score};
+}
+
+std::vector<Attacker::Climber> Attacker::known_losing(std::size_t form, const Range& range, const Aim& aim) {
+  std::vector<Climber> climbers;
+  const std::vector<Point> known = losing_[form];  // a copy: looking at a point again changes the list
+  for (const Point& point : known) {
+    auto climber = climber_at(point, form, range, aim);
+    if (climber) climbers.push_back(std::move(*climber));
+  }
+  return climbers;
 }
 
 std::optional<LosingPoint> Attacker::worst(std::size_t form, const Range& range, const Aim& aim) {
@@ -127,6 +143,7 @@ std::optional<LosingPoint> Attacker::worst(std::size_t form, const Range& range,
     auto drawn = climber_at(draw(range), form, range, aim);
     if (drawn) climbers.push_back(std::move(*drawn));
   }
+  if (aim.ordinary) std::ranges::move(known_losing(form, range, aim), std::back_inserter(climbers));
   if (climbers.empty()) return std::nullopt;
   std::ranges::stable_sort(climbers, std::ranges::greater(), &Climber::score);
   if (climbers.size() > climbers_at_once) climbers.resize(climbers_at_once);

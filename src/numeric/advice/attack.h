@@ -35,8 +35,10 @@ struct LosingPoint {
 /// How hard to look, and for what.
 struct Aim {
   std::size_t effort = 1;
-  bool refutes = false;   // ends where a loss is found that counts
-  bool ordinary = false;  // a loss that numbers of ordinary size show goes before one that takes extreme ones
+  bool refutes = false;  // ends where a loss is found that counts
+  /// A loss that numbers of ordinary size show goes before one that takes extreme ones. The points at which
+  /// the form is known to lose are looked at, too.
+  bool ordinary = false;
 };
 
 class Attacker {
@@ -49,6 +51,8 @@ class Attacker {
   /// The greatest loss of a form within a range that is found. Nothing where no point of the range was met.
   [[nodiscard]] std::optional<LosingPoint> worst(std::size_t form, const Range& range, const Aim& aim);
 
+  /// Operations so far, but for those of conditions.
+  [[nodiscard]] std::size_t work() const { return work_; }
   /// Points at which a form loses, of all that were looked at.
   [[nodiscard]] const std::vector<Point>& losing_points(std::size_t form) const { return losing_[form]; }
 
@@ -76,6 +80,7 @@ class Attacker {
 
   [[nodiscard]] std::optional<Climber> climber_at(Point point, std::size_t form, const Range& range,
                                                   const Aim& aim);
+  [[nodiscard]] std::vector<Climber> known_losing(std::size_t form, const Range& range, const Aim& aim);
   void note_losses(const Point& point, const PointErrors& errors);
 
   [[nodiscard]] Point draw(const Range& range);
@@ -85,9 +90,9 @@ class Attacker {
   void mutate(Point& point, const Range& range);
   void go_to_edge(Point& point);
   [[nodiscard]] std::optional<Line> any_line();
-  [[nodiscard]] static double crossing(const Line& line, Point& point, double low, double high, bool rises);
-  [[nodiscard]] static double lowest(const Line& line, Point& point, double low, double high);
-  [[nodiscard]] static double value_along(const Line& line, Point& point, double x);
+  [[nodiscard]] double crossing(const Line& line, Point& point, double low, double high, bool rises);
+  [[nodiscard]] double lowest(const Line& line, Point& point, double low, double high);
+  [[nodiscard]] double value_along(const Line& line, Point& point, double x);
   [[nodiscard]] double sign_for(std::size_t place);
   [[nodiscard]] double near_one();
   [[nodiscard]] double between(double a, double b);
@@ -103,6 +108,7 @@ class Attacker {
   std::vector<bool> positive_;    // by place of a point: has met the conditions with this sign
   std::vector<bool> negative_;
   std::vector<std::vector<Point>> losing_;
+  std::size_t work_ = 0;
 };
 
 }  // namespace rigor

@@ -170,6 +170,7 @@ double Attacker::value_along(const Line& line, Point& point, double x) {
   Form& form = *line.form;
   point[line.place] = x;
   for (std::size_t k = 0; k < form.places.size(); ++k) form.inputs[k] = point[form.places[k]];
+  work_ += form.code->values.size();
   form.values.run(form.inputs);
   const double value = form.values[line.value];
   if (!line.to_overflow) return value;

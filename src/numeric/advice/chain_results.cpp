@@ -33,6 +33,7 @@ class ChainMeasurement {
     symbols_ = symbols_read(pointers_);
     compile_assumptions();
     if (!options_.values.empty()) {
+      result_.at_given_numbers = true;
       try_values();
       return std::move(result_);
     }

@@ -73,6 +73,7 @@ struct ChainResult {
   std::string not_comparable;       // why no form can stand for another: a step that is not a proved equality
   std::string taken_for;            // with bodies: which letters were taken for masses and positions
   std::string no_trials;            // why not, if there are forms
+  bool at_given_numbers = false;    // TrialOptions::values were given: the only trial is of them
   std::optional<SearchResult> search;  // only without bodies and particles, of forms that can be compared
 };
 

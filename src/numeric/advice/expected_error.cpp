@@ -38,6 +38,12 @@ bool never_rounds(const Code& code, const Value& value) {
   }
 }
 
+/// What a rounded sum leaves out (Knuth's TwoSum).
+long double two_sum_error(long double a, long double b, long double sum) {
+  const long double from_b = sum - a;
+  return (a - (sum - from_b)) + (b - from_b);
+}
+
 }  // namespace
 
 ErrorTape::ErrorTape(const Code& code)
@@ -96,9 +102,48 @@ long double ErrorTape::moved(ValueId output) {
   return std::isfinite(squares) ? std::sqrt(squares) : std::numeric_limits<long double>::infinity();
 }
 
-/// Is something negative under a root, and more so than rounding alone could make it?
+/// Does long double hold the very result of one operation on its operands as they are there?
+bool ErrorTape::keeps_all(const Value& value, long double result) const {
+  if (value.op == Instruction::constant) return code_.constants[value.a].digits.empty();
+  if (!has_operands(value.op)) return value.op == Instruction::input;
+  const long double a = wide_[value.a];
+  switch (value.op) {
+    case Instruction::add:
+      return two_sum_error(a, wide_[value.b], result) == 0;
+    case Instruction::subtract:
+      return two_sum_error(a, -wide_[value.b], result) == 0;
+    case Instruction::multiply:
+      return std::fma(a, wide_[value.b], -result) == 0;
+    case Instruction::divide:
+      return std::fma(result, wide_[value.b], -a) == 0;
+    case Instruction::root:
+      return std::fma(result, result, -a) == 0;
+    case Instruction::negate:
+    case Instruction::absolute:
+      return true;
+    default:
+      return a == 0;  // the values of all functions at 0 are 0 or 1
+  }
+}
+
+/// The values that long double knows exactly, as nothing has been rounded on the way to them.
+std::vector<bool> ErrorTape::unrounded() const {
+  std::vector<bool> known;
+  for (ValueId id = 0; id < code_.values.size(); ++id) {
+    const Value& value = code_.values[id];
+    const bool has_second = value.op >= Instruction::add && value.op <= Instruction::divide;
+    const bool from_known = !has_operands(value.op) || (known[value.a] && (!has_second || known[value.b]));
+    known.push_back(from_known && keeps_all(value, wide_[id]));
+  }
+  return known;
+}
+
+/// Is something negative under a root, and more so than rounding alone could make it, or is a divisor 0, and
+/// not by rounding?
 bool ErrorTape::is_outside() const {
+  const std::vector<bool> known = unrounded();
   for (const Value& value : code_.values) {
+    if (value.op == Instruction::divide && wide_[value.b] == 0 && known[value.b]) return true;
     if (value.op != Instruction::root || !(wide_[value.a] < 0)) continue;
     const Value& below = code_.values[value.a];
     const bool is_sum = below.op == Instruction::add || below.op == Instruction::subtract;

@@ -24,7 +24,8 @@ struct ExpectedError {
   double relative = 1;
   long double size = 0;    // of the largest component
   bool has_value = false;  // in long double
-  bool outside = false;    // a root of what is clearly negative: the form has no real value
+  bool outside = false;    // the form as it is written has no real value: a root of what is clearly negative,
+                           // or a quotient by what is 0 without any rounding
 };
 
 /// For points of one form, one after the other.
@@ -41,6 +42,8 @@ class ErrorTape {
   void pass_on(ValueId id);
   [[nodiscard]] long double own_rounding(ValueId id) const;
   [[nodiscard]] bool is_outside() const;
+  [[nodiscard]] std::vector<bool> unrounded() const;
+  [[nodiscard]] bool keeps_all(const Value& value, long double result) const;
 
   const Code& code_;
   ValuesAtPoint<double> rounded_;

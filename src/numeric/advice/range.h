@@ -24,6 +24,7 @@ struct Half {
   std::size_t other = 0;
   double bound = 0;
   bool first = true;
+  bool operator==(const Half&) const = default;
 };
 
 /// Every number that is not 0 has a size from `least` to `most`; or, `beyond`, one has not.
@@ -32,6 +33,7 @@ struct Range {
   double most = std::numeric_limits<double>::infinity();
   bool beyond = false;
   std::optional<Half> half = {};
+  bool operator==(const Range&) const = default;
   [[nodiscard]] bool has_all_sizes() const { return least == 0 && most > 1e308; }
 };
 

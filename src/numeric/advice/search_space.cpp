@@ -15,15 +15,7 @@ namespace rigor {
 namespace {
 
 constexpr std::size_t drawn_points = 64;
-constexpr std::size_t most_work =
-    8000;  // operations at a point; a search looks at some twenty thousand points
-
-/// Each form twice, and once back for each component.
-std::size_t work_at_a_point(const SearchSpace& space) {
-  std::size_t work = 0;
-  for (const Program& form : space.forms) work += form.code().values.size() * (2 + 2 * form.outputs());
-  return work;
-}
+constexpr std::size_t most_work = 8000;  // operations of the forms at a point
 
 bool belongs_to_particles(const Program& program) {
   return program.sums_over_particles() || !program.free_particles().empty() ||
@@ -97,6 +89,12 @@ bool holds_for_sure(Relation relation, const Bounded& left, const Bounded& right
 }
 
 }  // namespace
+
+std::size_t work_at_a_point(const SearchSpace& space) {
+  std::size_t work = 0;
+  for (const Program& form : space.forms) work += form.code().values.size() * (2 + 2 * form.outputs());
+  return work;
+}
 
 Result<SearchSpace> search_space(const WrittenForms& forms, const WrittenFormChain& chain,
                                  std::vector<Program> programs, std::uint64_t seed) {

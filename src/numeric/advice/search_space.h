@@ -47,6 +47,9 @@ struct SearchSpace {
 [[nodiscard]] Result<SearchSpace> search_space(const WrittenForms& forms, const WrittenFormChain& chain,
                                                std::vector<Program> programs, std::uint64_t seed);
 
+/// Operations of the forms: each twice, and once back for each component.
+[[nodiscard]] std::size_t work_at_a_point(const SearchSpace& space);
+
 /// The point's numbers in the order of a program's inputs.
 [[nodiscard]] std::vector<std::size_t> places_of_inputs(const SearchSpace& space, const Program& program);
 

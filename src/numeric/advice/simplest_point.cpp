@@ -30,7 +30,7 @@ class Simplification {
         form_(form),
         range_(range),
         best_(found),
-        enough_(std::pow(found.loss, kept_digits)) {}
+        enough_(std::max(std::pow(found.loss, kept_digits), std::min(found.loss, no_loss))) {}
 
   [[nodiscard]] LosingPoint simplified() {
     scale_to_one();

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double alike = 8.0;
 constexpr double digits_of_double = 16;
+constexpr double least_shown = 0.5;  // of lost digits
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Without a value more often than another form is.
@@ -78,16 +79,18 @@ std::string error_text(const FormResult& form) {
   return text;
 }
 
-/// What a form does at a point, without the point.
+/// What a form does at a point, without the point. Nothing where the measured errors do not show a loss: the
+/// search goes by expected ones.
 std::string fault_of(const FormResult& form, const FormResult& best) {
   const ErrorMeasure& measure = in_double(form);
   if (measure.overflows > 0) return "overflows";
   if (measure.not_a_number > 0) return "is not a number";
-  if (measure.compared == 0) return "loses its digits";
+  if (measure.compared == 0) return "has no value";
   if (std::ranges::all_of(form.first, [](double x) { return x == 0; })) return "gives 0";
   const double error = std::max(measure.relative.worst, unit_roundoff);
   const double other = std::max(in_double(best).relative.worst, unit_roundoff);
   const double lost = std::clamp(std::log10(error / other), 0.0, digits_of_double);
+  if (lost < least_shown) return "";
   std::string text = lost >= digits_of_double - 0.5
                          ? "has no right digit"
                          : fmt::format("loses {:.0f} of 16 digits", std::max(lost, 1.0));
@@ -99,8 +102,10 @@ std::string fault_of(const FormResult& form, const FormResult& best) {
 /// ` A (2 operations) loses 8 of 16 digits at x = 1e-08: it errs by 6.1e-09, B by 1.1e-16.`
 std::string loss_text(const ChainResult& result, const WorstPoint& worst, std::size_t best) {
   const FormResult& here = worst.forms[worst.form];
+  const std::string fault = fault_of(here, worst.forms[best]);
+  if (fault.empty()) return "";
   std::string text = fmt::format(" {} ({}) {} at {}", form_letter(worst.form), cost_text(result, worst.form),
-                                 fault_of(here, worst.forms[best]), worst.at);
+                                 fault, worst.at);
   const ErrorMeasure& own = in_double(here);
   const ErrorMeasure& other = in_double(worst.forms[best]);
   if (own.compared == 0 || other.compared == 0) return text + ".";
@@ -206,12 +211,13 @@ std::string advice_text(const ChainResult& result, const Advice& advice) {
   if (result.search) return search_text(result, *result.search);
   const std::string best = form_letter(advice.form);
   const std::string cost = cost_text(result, advice.form);
+  const std::string there = result.at_given_numbers ? " at these numbers" : "";  // one point says no more
   if (advice.all_alike) {
     const std::size_t count = result.forms.size();
     const std::string all = count == 2 ? "Both forms" : fmt::format("All {} forms", count);
-    return fmt::format("{} are equally accurate; {} is the cheapest ({}).", all, best, cost);
+    return fmt::format("{} are equally accurate{}; {} is the cheapest ({}).", all, there, best, cost);
   }
-  std::string text = fmt::format("Compute {} ({}).", best, cost);
+  std::string text = fmt::format("Compute {} ({}){}.", best, cost, there);
   for (std::size_t k = 0; k < result.forms.size(); ++k) {
     const Loss loss = greatest_loss(result, k);
     if (k == advice.form || loss.factor <= alike) continue;

@@ -229,4 +229,36 @@ TEST_CASE("advised forms keep their digits on 20,000 points that were not search
   CHECK(5 * in_range > known);
 }
 
+TEST_CASE("points at which a form is known to lose are not forgotten", "[numeric]") {
+  const AdvisedChain advised("$$\\frac{a^2 - b^2}{a - b} = a + b$$", "");
+  Attacker attacker(*advised.space, 1);
+  const auto found = attacker.worst(0, {}, {});
+  REQUIRE(found);
+  REQUIRE(found->loss > no_loss);
+  const auto again = attacker.worst(0, {}, {.effort = 0, .ordinary = true});
+  REQUIRE(again);
+  CHECK(again->loss > no_loss);
+}
+
+TEST_CASE("a form is not advised for a range in which no point was met", "[numeric]") {
+  // Numbers up to 500 do not meet the conditions, and beyond that no single form is safe.
+  const AdvisedChain advised(
+      "For $x > 1000$ and $y > 1000$,\n$$\\frac{\\sqrt{x+1}-\\sqrt{x}}{\\sqrt{y+1}+\\sqrt{y}} = "
+      "\\frac{\\sqrt{y+1}-\\sqrt{y}}{\\sqrt{x+1}+\\sqrt{x}}$$",
+      "");
+  REQUIRE(advised.advice);
+  for (const AdvisedForm& part : advised.advice->parts) {
+    Attacker attacker(*advised.space, 1);
+    CHECK(attacker.worst(part.form, part.range, {.effort = 6}));
+  }
+}
+
+TEST_CASE("a search that would take too long says nothing", "[numeric]") {
+  const AdvisedChain advised("$$\\frac{a^2 - b^2}{a - b} = a + b$$", "");
+  const ExprTree& tree = advised.reading.forms.tree;
+  const std::vector<double> costs{5, 1};
+  CHECK(advise_forms(*advised.space, tree, costs, 1));
+  CHECK_FALSE(advise_forms(*advised.space, tree, costs, 1, 1));
+}
+
 }  // namespace rigor

@@ -18,10 +18,17 @@ struct Measured {
   const WrittenFormChain* chain = nullptr;
   ChainResult result;
 
-  explicit Measured(const std::string& notes, const std::vector<Body>& bodies = {}) {
+  explicit Measured(const std::string& notes, const std::vector<Body>& bodies = {},
+                    std::map<std::string, std::vector<double>> values = {}) {
     reading = read_forms_of_text(sources, "notes.md", notes, {});
     chain = &reading.forms.chains.back();
-    result = measure_chain(reading.forms, *chain, bodies, {.times = false});
+    result = measure_chain(reading.forms, *chain, bodies, {.times = false, .values = std::move(values)});
+  }
+  /// What is advised, in words.
+  [[nodiscard]] std::string text() const {
+    const auto advice = advise(result);
+    REQUIRE(advice);
+    return advice_text(result, *advice);
   }
   [[nodiscard]] const ErrorMeasure& in_double(const std::string& trial, std::size_t form) const {
     const auto found = std::find_if(result.trials.begin(), result.trials.end(),
@@ -173,6 +180,45 @@ TEST_CASE("a form that loses at some point errs there as it is said when the num
   const Measured sum(energy);
   CHECK(measure_chain(sum.reading.forms, *sum.chain, {}, options)
             .no_trials.ends_with("belongs to particles, which only a body gives"));
+}
+
+TEST_CASE("a form that only overflows is not called equally accurate") {
+  const Measured measured("For $a>0$ and $b>0$,\n$$\\frac{10^{60}a}{10^{60}b} = \\frac ab$$");
+  const std::string text = measured.text();
+  CHECK(text.starts_with("Compute B (1 operation). A (7 operations) "));
+  CHECK(text.find("overflows at ") != std::string::npos);
+}
+
+TEST_CASE("given numbers say nothing of others") {
+  const Measured measured("$$\\frac{a^2 - b^2}{a - b} = a + b$$", {}, {{"a", {3}}, {"b", {1}}});
+  CHECK(measured.text() ==
+        "Both forms are equally accurate at these numbers; B is the cheapest (1 operation).");
+}
+
+TEST_CASE("where a form is 0/0 in exact numbers no digits are lost") {
+  const Measured measured("$$\\frac{a^2 - b^2}{a - b} = a + b$$");
+  REQUIRE(measured.result.search);
+  REQUIRE(measured.result.search->ranges.size() == 1);
+  REQUIRE(measured.result.search->ranges[0].losing.size() == 1);
+  const WorstPoint& worst = measured.result.search->ranges[0].losing[0];
+  CHECK(worst.values.at("a") != worst.values.at("b"));
+}
+
+TEST_CASE("a point at which nothing is lost by the measured errors is left out") {
+  Measured measured("$$\\frac{a^2 - b^2}{a - b} = a + b$$");
+  WorstPoint& worst = measured.result.search->ranges[0].losing[0];
+  worst.forms[0] = worst.forms[1];
+  CHECK(measured.text() == "Compute B (1 operation).");
+}
+
+TEST_CASE("a point at which nothing can be compared has no value") {
+  Measured measured("$$\\frac{a^2 - b^2}{a - b} = a + b$$");
+  WorstPoint& worst = measured.result.search->ranges[0].losing[0];
+  ErrorMeasure& in_double = worst.forms[0].measure.arithmetics[static_cast<std::size_t>(Arithmetic::plain)];
+  in_double = {};
+  in_double.undefined = 1;
+  worst.at = "a = 1, b = 1";
+  CHECK(measured.text() == "Compute B (1 operation). A (5 operations) has no value at a = 1, b = 1.");
 }
 
 TEST_CASE("forms of unit vectors alone are not searched") {

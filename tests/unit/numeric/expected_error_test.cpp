@@ -60,3 +60,19 @@ TEST_CASE("a root of what is negative is no loss, unless rounding made it negati
   CHECK(tape.at(std::vector{1.0, 2.0}).outside);
   CHECK_FALSE(tape.at(std::vector{2.0, 1.0}).outside);
 }
+
+TEST_CASE("a quotient by 0 is no loss, unless rounding made the 0", "[numeric]") {
+  Page page;
+  const Named x = page.scalar("x");
+  const Named y = page.scalar("y");
+  const Program of_squares = compiled(page, (x * x - y * y) / (x - y));
+  ErrorTape squares(of_squares.code());
+  CHECK(squares.at(std::vector{1.0, 1.0}).outside);
+  CHECK_FALSE(squares.at(std::vector{1.0, 2.0}).outside);
+  const Named z = page.scalar("z");
+  const Program of_rest = compiled(page, y / ((x + y) - z));
+  ErrorTape rest(of_rest.code());
+  CHECK_FALSE(rest.at(std::vector{1.0, 1e-25, 1.0}).outside);
+  CHECK(rest.at(std::vector{1.0, 1e-25, 1.0}).relative == 1);
+  CHECK(rest.at(std::vector{1.0, 1.0, 2.0}).outside);
+}
